@@ -27,6 +27,8 @@ class Window(Generic[Model]):
         self.title = title
         self.model = model
         self.closed = False
+        self.chosen = False
+        """Whether a person chose it in another window of the program, and so expects the keyboard in it."""
         self.on_close: Callable[[], None] | None = None
         """Called when the user closes the window (any thread); `Session.display` sets it to end the program."""
         self._display = display
@@ -62,11 +64,12 @@ class Display:
         with self._lock:
             return list(self._windows)
 
-    def open(self, kind: str, title: str, model: Opened) -> Window[Opened]:
-        """Open a window with its model on top of the others and return it."""
+    def open(self, kind: str, title: str, model: Opened, *, chosen: bool = False) -> Window[Opened]:
+        """Open a window with its model on top of the others and return it. For `chosen` see `Window`."""
         with self._lock:
             self._opened += 1
             window = Window(self, self._opened, kind, title, model)
+            window.chosen = chosen
             self._windows.append(window)
             self.version += 1
             return window
@@ -87,9 +90,9 @@ class ProgramDisplay(Display):
         self._display = display
         self._on_close = on_close
 
-    def open(self, kind: str, title: str, model: Opened) -> Window[Opened]:
+    def open(self, kind: str, title: str, model: Opened, *, chosen: bool = False) -> Window[Opened]:
         """Open a window on the machine's display; when the user closes it, the program is interrupted."""
-        window = self._display.open(kind, title, model)
+        window = self._display.open(kind, title, model, chosen=chosen)
         window.on_close = self._on_close
         with self._lock:
             self._windows.append(window)

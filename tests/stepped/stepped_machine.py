@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from waiting import PATIENCE, until
@@ -69,8 +70,9 @@ class SteppedMachine:
         stdin: InputStream | None = None,
         screen: bool = False,
         background: bool = False,
+        home: Path | None = None,
     ) -> Running:
-        """Run an executable up to its first wait; `background`: as a launch does."""
+        """Run an executable up to its first wait; `background`: as a launch does; `home` is its folder, too."""
         stdout, stderr = Captured(), Captured()
         session = Session(
             self.scheduler,
@@ -80,6 +82,8 @@ class SteppedMachine:
             stdout=stdout,
             stderr=stderr,
             display=self.display if screen else None,
+            env=None if home is None else {"HOME": str(home)},
+            cwd=home,
         )
         session.background = background
         module = importlib.import_module(f"day6_tui.core.ros.programs.{package}.{executable}")

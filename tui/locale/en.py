@@ -435,12 +435,32 @@ TEXTS = {
     "rviz.seen.turned": ", turned {degrees}°",
     "rviz.seen.more": "and {count} more links",
     # rqt
-    "rqt.plugins": "Which window? Each is also a command of its own.",
     "rqt.open": "open",
+    "rqt.close": "close",
+    "rqt.is_open": "open: {name}",
+    "rqt.perspective": "perspective {name}",
+    "rqt.perspectives": "perspectives",
+    "rqt.create": "New perspective",
+    "rqt.create.note": "of what is open",
+    "rqt.import": "Open a file",
+    "rqt.export": "Write to a file",
+    "rqt.wrong_name": "This cannot be its name.",
+    "rqt.name_taken": "There is one of this name.",
+    "rqt.about.rqt_action": "the types of actions, goals and results",
+    "rqt.about.rqt_reconfigure": "change parameters of running nodes",
     "rqt.about.rqt_graph": "who talks to whom",
+    "rqt.about.rqt_bag": "record, look at and play bags",
     "rqt.about.rqt_console": "the log messages of all nodes",
+    "rqt.about.rqt_logger_level": "how much a node logs",
+    "rqt.about.rqt_shell": "a terminal",
+    "rqt.about.rqt_service_caller": "call a service",
+    "rqt.about.rqt_srv": "the types of services, field by field",
+    "rqt.about.rqt_publisher": "publish messages of your own",
+    "rqt.about.rqt_msg": "the types of messages, field by field",
     "rqt.about.rqt_topic": "topics, their rates and messages",
+    "rqt.about.rqt_image_view": "images of a camera",
     "rqt.about.rqt_plot": "numbers over time",
+    "rqt.about.rqt_tf_tree": "which frame hangs on which",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -612,7 +632,12 @@ TEXTS = {
         "If another node publishes the same joints, the robot jitters: both send commands, and the last one counts."
     ),
     "help.rqt": (
-        "rqt collects the windows of the ROS tools. The arrow keys choose one, Enter opens it in place of this list."
+        "rqt collects the windows of the ROS tools. The arrow keys choose one, Enter opens it, and once more if it is open; "
+        "each is a pane of its own, and all of them are one program with one node. x closes the one under the cursor, "
+        "the cross of this window all of them.\n\n"
+        "What is open, with its settings, is a perspective: rqt begins with the last one. p switches to another, makes a new "
+        "one, and reads or writes a file that the real rqt can read, too. Each window is also a command: "
+        "ros2 run rqt_plot rqt_plot."
     ),
     "help.rqt_console": (
         "The log messages of all nodes, from the topic /rosout, the newest at the end. The arrow keys or a click choose one: "

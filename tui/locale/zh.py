@@ -619,12 +619,32 @@ TEXTS = {
     "rviz.seen.turned": "，转了 {degrees}°",
     "rviz.seen.more": "还有 {count} 个 link",
     # rqt
-    "rqt.plugins": "打开哪个窗口？每一个也是一条单独的命令。",
     "rqt.open": "打开",
-    "rqt.about.rqt_graph": "谁在和谁说话",
-    "rqt.about.rqt_console": "所有节点的日志",
+    "rqt.close": "关闭",
+    "rqt.is_open": "已打开：{name}",
+    "rqt.perspective": "窗口组合 {name}",
+    "rqt.perspectives": "窗口组合",
+    "rqt.create": "新建窗口组合",
+    "rqt.create.note": "保存当前打开的窗口",
+    "rqt.import": "打开文件",
+    "rqt.export": "写入文件",
+    "rqt.wrong_name": "不能用这个名字。",
+    "rqt.name_taken": "已经有同名的窗口组合。",
+    "rqt.about.rqt_action": "动作的类型、目标和结果",
+    "rqt.about.rqt_reconfigure": "修改运行中节点的参数",
+    "rqt.about.rqt_graph": "谁在和谁通信",
+    "rqt.about.rqt_bag": "录制、查看和播放 bag",
+    "rqt.about.rqt_console": "所有节点的日志消息",
+    "rqt.about.rqt_logger_level": "节点记录多少日志",
+    "rqt.about.rqt_shell": "一个终端",
+    "rqt.about.rqt_service_caller": "调用服务",
+    "rqt.about.rqt_srv": "服务的类型和字段",
+    "rqt.about.rqt_publisher": "发布自己的消息",
+    "rqt.about.rqt_msg": "消息的类型和字段",
     "rqt.about.rqt_topic": "话题、频率和消息",
-    "rqt.about.rqt_plot": "随时间变化的数字",
+    "rqt.about.rqt_image_view": "摄像头的图像",
+    "rqt.about.rqt_plot": "数值随时间的变化",
+    "rqt.about.rqt_tf_tree": "坐标系之间的关系",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -784,7 +804,12 @@ TEXTS = {
         "r 是 Randomize（随机），c 是 Center（居中），d 在弧度和角度之间切换。也可以用鼠标拖。\n\n"
         "如果还有别的节点发布同样的关节，机器人就会抖动：两边都在下命令，谁最后说就听谁的。"
     ),
-    "help.rqt": "rqt 把 ROS 工具的窗口集中在一起。用方向键选一个，按 Enter 就在这里打开。",
+    "help.rqt": (
+        "rqt 把 ROS 工具的窗口集中在一起。用方向键选一个，按 Enter 打开；已经打开的会再开一个。每个窗口是一个面板，"
+        "但它们都属于同一个程序、同一个节点。x 关闭光标所在的窗口，关掉本窗口就关闭全部。\n\n"
+        "打开着的窗口连同设置叫一个窗口组合（perspective），rqt 下次启动时恢复最后一个。按 p 可以切换、新建、"
+        "读入或写出文件，真正的 rqt 也能读这种文件。每个窗口也是一条命令：ros2 run rqt_plot rqt_plot。"
+    ),
     "help.rqt_console": (
         "所有节点的日志，来自话题 /rosout，最新的在最后。用方向键或鼠标选一条，表格下面就显示它；按 Enter 或双击看全文。"
         "Esc 回到最新的一条。\n\n"

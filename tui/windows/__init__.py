@@ -75,6 +75,8 @@ class WindowPane(Pane, Generic[Model]):
         self.window = window
         self.model: Model = window.model
         self.help_key = window.kind
+        if window.chosen:
+            self.takes_focus = self.covers_keyboard = True
         self._failed = False
 
     def render_lines(self, crop: Region) -> list[Strip]:

@@ -1,67 +1,172 @@
-"""rqt's window: the list of windows to choose from."""
+"""rqt's window: the plugins to open, those that are open, and the perspectives."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
+from rich.style import Style
 from textual import events, on
 from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
-from day6_tui.core.ros.programs.rqt_gui.model import Menu, Plugin
+from day6_tui.core.ros.programs.rqt_gui.catalogue import Entry
+from day6_tui.core.ros.programs.rqt_gui.model import Open, Rqt
+from day6_tui.core.ros.programs.rqt_gui.perspectives import wrong_name
 from day6_tui.core.session.display import Window
+from day6_tui.tui.cells import cell_len
 from day6_tui.tui.look import Look
+from day6_tui.tui.menu import Entry as MenuEntry
+from day6_tui.tui.menu import Menu
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows.pane_list import ListPane, PaneList, Row
+
+WITH_GROUPS = 64
+"""Cells of a line from which on there is room for the groups' names."""
+
+
+class PluginRow(Row):
+    """One line, cut at the right: the group of the plugin, its title, what it is for."""
+
+    def __init__(self, entries: PaneList, index: int, group: str, text: str, style: Style) -> None:
+        super().__init__(entries, index, text, "", style)
+        self._group = group
+
+    def _lines(self, width: int) -> list[tuple[str, Style]]:
+        return [(f" {self._group if width >= WITH_GROUPS else ''}{self._text}", self._style)]
 
 
 class PluginList(PaneList):
-    """The windows of `Menu.plugins`, each with its number, which is its key too."""
+    """The plugins of `Rqt.plugins` in their groups; below each those that are open."""
 
-    def __init__(self, menu: Menu, look: Look) -> None:
+    def __init__(self, model: Rqt, look: Look) -> None:
         super().__init__(look)
-        self._menu = menu
+        self._model = model
+        self._subjects: list[Entry | Open] = []
+        """What each line stands for."""
 
     def show(self) -> None:
-        """Write the entries in the present language."""
-        at, texts, colours = self.highlighted or 0, self.look.texts, self.look.colours
-        rows = [Row(self, -1, texts("rqt.plugins"), "", colours.muted)]
-        for number, plugin in enumerate(self._menu.plugins, 1):
-            note = f"{plugin.package:<12} {texts(f'rqt.about.{plugin.package}')}"
-            rows.append(Row(self, number, f"{plugin.title:<16}{note}", str(number), colours.text))
-        self.set_options([Option(row, disabled=not number) for number, row in enumerate(rows)])
-        self.highlighted = max(1, at)
+        """Write the entries in the present language; the cursor stays on what it is on."""
+        chosen, model, texts, colours = self.chosen, self._model, self.look.texts, self.look.colours
+        titles = max(cell_len(entry.title) for entry in model.plugins) + 2
+        groups = max(cell_len(entry.group) for entry in model.plugins) + 2
+        rows: list[PluginRow] = []
+        self._subjects, before = [], ""
+
+        def add(subject: Entry | Open, group: str, text: str, style: Style) -> None:
+            rows.append(PluginRow(self, len(rows), f"{group:<{groups}}", text, style))
+            self._subjects.append(subject)
+
+        for entry in model.plugins:
+            text = f"{entry.title:<{titles}}{texts(f'rqt.about.{entry.package}')}"
+            add(entry, entry.group if entry.group != before else "", text, colours.text)
+            before = entry.group
+            for opened in model.open:
+                if opened.entry == entry:
+                    text = f"{self.look.glyphs.news} {texts('rqt.is_open', name=opened.title)}"
+                    add(opened, "", text, colours.strong)
+        self.set_options([Option(row) for row in rows])
+        self.highlighted = self._subjects.index(chosen) if chosen in self._subjects else 0
+
+    @property
+    def chosen(self) -> Entry | Open | None:
+        """What the cursor is on; None before there is a list."""
+        at = self.highlighted
+        return self._subjects[at] if at is not None and at < len(self._subjects) else None
 
     def on_key(self, event: events.Key) -> None:
-        """A number opens its window."""
-        plugins = self._menu.plugins
-        if event.key.isdigit() and 1 <= int(event.key) <= len(plugins):
+        """x closes the plugin under the cursor."""
+        chosen = self.chosen
+        if event.key in ("x", "delete") and isinstance(chosen, Open):
             event.stop()
-            self._open(plugins[int(event.key) - 1])
+            self._model.stop(chosen)
 
     @on(OptionList.OptionSelected)
     def open_chosen(self, event: OptionList.OptionSelected) -> None:
-        """Enter or a click."""
+        """Enter or a click: opens a plugin; on one that is open, once more."""
         event.stop()
-        self._open(self._menu.plugins[event.option_index - 1])
-
-    def _open(self, plugin: Plugin) -> None:
-        self._menu.choose(plugin)
+        subject = self._subjects[event.option_index]
+        self._model.start(subject.entry if isinstance(subject, Open) else subject)
 
 
-class RqtPane(ListPane[Menu, PluginList]):
+class RqtPane(ListPane[Rqt, PluginList]):
     """Keeps which entry the cursor is on."""
 
-    def __init__(self, window: Window[Menu], look: Look) -> None:
+    takes_focus = covers_keyboard = True  # without keys it shows nothing
+
+    def __init__(self, window: Window[Rqt], look: Look) -> None:
         super().__init__(window, look, PluginList(window.model, look))
-        self._shown = ""
+        self._shown: tuple[object, ...] = ()
 
     def pull(self, now: float) -> bool:
-        if self._shown != self.look.texts.language and self.list.is_attached:
-            self._shown = self.look.texts.language
+        state = (self.look.texts.language, self.model.version)
+        if self._shown != state and self.list.is_attached:
+            self._shown = state
             self.list.show()
+            self.touch_status()
         return False
 
     def restyle(self) -> None:
-        self._shown = ""
+        self._shown = ()
         super().restyle()
 
+    def status(self) -> list[Piece]:
+        colours, texts = self.look.colours, self.look.texts
+        if self.model.trouble:
+            return [Piece(f" {self.model.trouble} ", colours.warning)]
+        name = texts("rqt.perspective", name=self.model.perspective)
+        return [Piece(f" {name} ", colours.muted, self.choose_perspective)]
+
     def key_hints(self) -> list[tuple[str, str]]:
-        return [("Enter", self.look.texts("rqt.open"))]
+        texts = self.look.texts
+        return [("Enter", texts("rqt.open")), ("x", texts("rqt.close")), ("p", texts("rqt.perspectives"))]
+
+    def on_key(self, event: events.Key) -> None:
+        """p: perspectives."""
+        if event.key == "p":
+            event.stop()
+            self.choose_perspective()
+
+    # -- perspectives --------------------------------------------------------------------------------------------------
+
+    def choose_perspective(self) -> None:
+        """Open the menu of the perspectives and of what can be done with them."""
+        texts, model = self.look.texts, self.model
+        entries = [
+            MenuEntry(
+                name,
+                "",
+                partial(model.switch, name),
+                None if name == model.perspective else partial(model.remove, name),
+            )
+            for name in model.perspectives
+        ]
+        entries += [
+            MenuEntry(texts("rqt.create"), texts("rqt.create.note"), self._ask_name),
+            MenuEntry(texts("rqt.import"), ".perspective", partial(self._ask_file, "rqt.import", model.load)),
+            MenuEntry(texts("rqt.export"), ".perspective", partial(self._ask_file, "rqt.export", model.export)),
+        ]
+        self.lay_over(Menu(self.look, "rqt.perspectives", entries))
+
+    def _ask_name(self) -> None:
+        def taken(name: str) -> str | None:
+            if wrong_name(name):
+                return self.look.texts("rqt.wrong_name")
+            if name in self.model.perspectives:
+                return self.look.texts("rqt.name_taken")
+            self.model.keep_as(name)
+            return None
+
+        self.ask(self.look.texts("rqt.create"), "", taken)
+
+    def _ask_file(self, title: str, deed: Callable[[str], object]) -> None:
+        def taken(name: str) -> str | None:
+            if not name:
+                return self.look.texts("rqt.wrong_name")
+            deed(name)
+            return None
+
+        writes = deed == self.model.export
+        checked = before_replacing(self.look, self.model.path, taken) if writes else taken
+        self.ask(self.look.texts(title), f"{self.model.perspective}.perspective", checked)

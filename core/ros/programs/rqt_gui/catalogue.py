@@ -8,15 +8,16 @@ from day6_tui.core.ros.program_index import executables
 
 
 class Entry(NamedTuple):
-    """One plugin: its group in rqt's menu, its title there, and its name in ROS, `<package>/<class>`.
-
-    The package's executable of the same name runs it alone; that module's `Plugin` subclass is named by `class_name`.
-    """
+    """One plugin, as the `plugin.xml` of its package describes it."""
 
     group: str
     title: str
     name: str
+    """`<package>/<class>`, by which perspectives name it."""
+    type: str
+    """Module and class of the real plugin, which `rqt --list-plugins` prints and `rqt --standalone` looks in."""
     class_name: str
+    """The `Plugin` that it is here, in the executable of the package's name, which runs it alone."""
 
     @property
     def package(self) -> str:
@@ -24,23 +25,27 @@ class Entry(NamedTuple):
 
 
 KNOWN = (
-    Entry("Actions", "Action Type Browser", "rqt_action/ActionPlugin", "ActionPlugin"),
-    Entry("Configuration", "Dynamic Reconfigure", "rqt_reconfigure/Param", "ReconfigurePlugin"),
-    Entry("Introspection", "Node Graph", "rqt_graph/RosGraph", "RosGraphPlugin"),
-    Entry("Logging", "Bag", "rqt_bag/Bag", "BagPlugin"),
-    Entry("Logging", "Console", "rqt_console/Console", "ConsolePlugin"),
-    Entry("Logging", "Logger Level", "rqt_logger_level/LoggerLevel", "LoggerLevelPlugin"),
-    Entry("Miscellaneous Tools", "Shell", "rqt_shell/Shell", "ShellPlugin"),
-    Entry("Services", "Service Caller", "rqt_service_caller/ServiceCaller", "ServiceCallerPlugin"),
-    Entry("Services", "Service Type Browser", "rqt_srv/ServiceTypeBrowser", "ServiceTypePlugin"),
-    Entry("Topics", "Message Publisher", "rqt_publisher/Publisher", "PublisherPlugin"),
-    Entry("Topics", "Message Type Browser", "rqt_msg/Messages", "MessageTypePlugin"),
-    Entry("Topics", "Topic Monitor", "rqt_topic/TopicMonitor", "TopicMonitorPlugin"),
-    Entry("Visualization", "Image View", "rqt_image_view/ImageView", "ImageViewPlugin"),
-    Entry("Visualization", "Plot", "rqt_plot/Plot", "PlotPlugin"),
-    Entry("Visualization", "TF Tree", "rqt_tf_tree/RosTfTree", "TfTreePlugin"),
-)
-"""The `plugin.xml` of each package names them, with their groups."""
+    Entry("Actions", "Action Type Browser", "rqt_action/ActionPlugin", "rqt_action.action_plugin.ActionPlugin",
+          "ActionPlugin"),
+    Entry("Configuration", "Dynamic Reconfigure", "rqt_reconfigure/Param", "rqt_reconfigure.param_plugin.ParamPlugin",
+          "ReconfigurePlugin"),
+    Entry("Introspection", "Node Graph", "rqt_graph/RosGraph", "rqt_graph.ros_graph.RosGraph", "RosGraphPlugin"),
+    Entry("Logging", "Bag", "rqt_bag/Bag", "rqt_bag.bag.Bag", "BagPlugin"),
+    Entry("Logging", "Console", "rqt_console/Console", "rqt_console.console.Console", "ConsolePlugin"),
+    Entry("Logging", "Logger Level", "rqt_logger_level/LoggerLevel", "rqt_logger_level.logger_level.LoggerLevel",
+          "LoggerLevelPlugin"),
+    Entry("Miscellaneous Tools", "Shell", "rqt_shell/Shell", "rqt_shell.shell.Shell", "ShellPlugin"),
+    Entry("Services", "Service Caller", "rqt_service_caller/ServiceCaller",
+          "rqt_service_caller.service_caller.ServiceCaller", "ServiceCallerPlugin"),
+    Entry("Services", "Service Type Browser", "rqt_srv/Services", "rqt_srv.services.Services", "ServiceTypePlugin"),
+    Entry("Topics", "Message Publisher", "rqt_publisher/Publisher", "rqt_publisher.publisher.Publisher",
+          "PublisherPlugin"),
+    Entry("Topics", "Message Type Browser", "rqt_msg/Messages", "rqt_msg.messages.Messages", "MessageTypePlugin"),
+    Entry("Topics", "Topic Monitor", "rqt_topic/TopicPlugin", "rqt_topic.topic.Topic", "TopicMonitorPlugin"),
+    Entry("Visualization", "Image View", "rqt_image_view/ImageView", "rqt_image_view/ImageView", "ImageViewPlugin"),
+    Entry("Visualization", "Plot", "rqt_plot/Plot", "rqt_plot.plot.Plot", "PlotPlugin"),
+    Entry("Visualization", "TF Tree", "rqt_tf_tree/RosTfTree", "rqt_tf_tree.tf_tree.RosTfTree", "TfTreePlugin"),
+)  # fmt: skip
 
 
 def plugins() -> tuple[Entry, ...]:
@@ -48,8 +53,6 @@ def plugins() -> tuple[Entry, ...]:
     return tuple(entry for entry in KNOWN if entry.package in executables(entry.package))
 
 
-def find(word: str) -> Entry | None:
-    """Return the plugin that a word of the command line names: a package, a plugin's name, or a part that only one has."""
-    fitting = [entry for entry in plugins() if word.lower() in f"{entry.name} {entry.title}".lower()]
-    exact = [entry for entry in fitting if word in (entry.package, entry.name)]
-    return (exact or fitting)[0] if exact or len(fitting) == 1 else None
+def matching(word: str) -> list[Entry]:
+    """Return the plugins that a word of the command line may name: it is a part of their name or type, in any case."""
+    return [entry for entry in plugins() if word.lower() in entry.name.lower() or word.lower() in entry.type.lower()]

@@ -1,42 +1,80 @@
-"""Which plugins `rqt` offers, in the groups of its menu."""
+"""What rqt's own window shows: the plugins, those that are open, and the perspectives."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
-
-class Plugin(NamedTuple):
-    """A window: its place in rqt's menu, and the package whose executable of the same name opens it."""
-
-    group: str
-    title: str
-    package: str
+from day6_tui.core.ros.programs.rqt_gui.catalogue import Entry
 
 
-PLUGINS = (
-    Plugin("Introspection", "Node Graph", "rqt_graph"),
-    Plugin("Logging", "Console", "rqt_console"),
-    Plugin("Topics", "Topic Monitor", "rqt_topic"),
-    Plugin("Visualization", "Plot", "rqt_plot"),
-)
+class Open(NamedTuple):
+    """A plugin that is open: its number among those of the same kind is 1 for the first one."""
+
+    entry: Entry
+    serial: int
+
+    @property
+    def title(self) -> str:
+        return self.entry.title if self.serial < 2 else f"{self.entry.title} ({self.serial})"
 
 
-def find(word: str) -> Plugin | None:
-    """Return the plugin that a word of the command line names: 'rqt_plot', or a part of it that only one has."""
-    fitting = [plugin for plugin in PLUGINS if word.lower() in f"{plugin.package} {plugin.title.lower()}"]
-    return fitting[0] if len(fitting) == 1 else None
+class Request(NamedTuple):
+    """What the window asks for: the name of a method of the program's `Container`, and what it gets."""
+
+    deed: str
+    subject: object
 
 
-class Menu:
-    """The model: `choose` is called by the window, on any thread."""
+class Rqt:
+    """The model. The window reads its attributes and calls its methods, on any thread."""
 
-    def __init__(self, on_choice: Callable[[], None]) -> None:
-        self.plugins = PLUGINS
-        self.chosen: Plugin | None = None
-        self._on_choice = on_choice
+    def __init__(self, plugins: tuple[Entry, ...], folder: Path, wake: Callable[[], None]) -> None:
+        self.plugins = plugins
+        self.open: tuple[Open, ...] = ()
+        """In the order in which they were opened."""
+        self.perspective = ""
+        self.perspectives: tuple[str, ...] = ()
+        self.trouble = ""
+        """Why the last request failed, in words of the system or of rqt; '' if it did not."""
+        self.version = 0
+        self.requests: list[Request] = []
+        self._folder = folder
+        self._wake = wake
 
-    def choose(self, plugin: Plugin) -> None:
-        """Open this window in place of the menu."""
-        self.chosen = plugin
-        self._on_choice()
+    def start(self, entry: Entry) -> None:
+        """Open a plugin, once more if it is open."""
+        self._ask("start", entry)
+
+    def stop(self, plugin: Open) -> None:
+        """Close a plugin."""
+        self._ask("stop", plugin)
+
+    def switch(self, perspective: str) -> None:
+        """Close all plugins and open those of a perspective; one that does not exist is empty."""
+        self._ask("switch", perspective)
+
+    def keep_as(self, perspective: str) -> None:
+        """Make a perspective of the plugins that are open."""
+        self._ask("keep_as", perspective)
+
+    def remove(self, perspective: str) -> None:
+        """Forget a perspective that is not the current one."""
+        self._ask("remove", perspective)
+
+    def load(self, name: str) -> None:
+        """Open the perspective of a file."""
+        self._ask("load", self.path(name))
+
+    def export(self, name: str) -> None:
+        """Write the perspective to a file."""
+        self._ask("export", self.path(name))
+
+    def path(self, name: str) -> Path:
+        """The file that a user of this program means."""
+        return self._folder / Path(name).expanduser()
+
+    def _ask(self, deed: str, subject: object) -> None:
+        self.requests.append(Request(deed, subject))
+        self._wake()

@@ -1,0 +1,83 @@
+"""rqt's window on a stepped desktop: plugins are opened and closed, perspectives chosen, by keys and by the mouse."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
+
+from screens import ToolWindow, step, use_window
+
+from day6_tui.core.ros.programs.rqt_gui.catalogue import plugins
+from day6_tui.core.ros.programs.rqt_gui.model import Open, Rqt
+
+
+def play(*keys: str, click: str = "", size: tuple[int, int] = (80, 24), **options: Any) -> tuple[list[Any], str]:
+    """What is asked for after these keys, or after a click on a text, and the last screen. Plot is open."""
+    model = Rqt(plugins(), Path("/nowhere"), lambda: None)
+    model.open = (Open(plot(), 1),)
+    model.perspective, model.perspectives = "Default", ("Default", "talk")
+    model.trouble = options.pop("trouble", "")
+    seen: list[str] = []
+
+    async def act(window: ToolWindow) -> None:
+        if click:
+            lines = window.text.split("\n")
+            y = next(y for y, line in enumerate(lines) if click in line)
+            await window.pilot.click(offset=(lines[y].index(click), y))
+            await step(window.app, window.pilot)
+        await window.press(*keys)
+        seen.append(window.text)
+
+    use_window(("rqt", "rqt", model), act, size, ToolWindow, **options)
+    return model.requests, seen[0]
+
+
+def plot() -> Any:
+    return next(entry for entry in plugins() if entry.package == "rqt_plot")
+
+
+def test_enter_opens_a_plugin_and_x_closes_one_that_is_open() -> None:
+    assert play("enter")[0] == [("start", plugins()[0])]
+    at = plugins().index(plot())
+    down = ["down"] * at
+    assert play(*down, "enter")[0] == [("start", plot())]
+    assert play(*down, "x")[0] == []
+    assert play(*down, "down", "x")[0] == [("stop", Open(plot(), 1))]
+    assert play(*down, "down", "enter")[0] == [("start", plot())]
+
+
+def test_a_click_opens_the_plugin_it_is_on() -> None:
+    assert play(click="numbers over time")[0] == [("start", plot())]
+
+
+def test_perspectives_are_switched_made_and_removed_in_a_menu() -> None:
+    assert play("p", "down", "enter")[0] == [("switch", "talk")]
+    assert play("p", *"New", "enter", *"third", "enter")[0] == [("keep_as", "third")]
+    assert play("p", "down", "delete")[0] == [("remove", "talk")]
+    assert play("p", *"Open a", "enter", "enter")[0] == [("load", Path("/nowhere/Default.perspective"))]
+    assert play("p", *"Write", "enter", "enter")[0] == [("export", Path("/nowhere/Default.perspective"))]
+
+
+@pytest.mark.parametrize(
+    ("name", "complaint"), [("talk", "There is one of this name."), ("a/b", "This cannot be its name.")]
+)
+def test_a_name_that_is_taken_or_that_no_file_can_have_is_refused(name: str, complaint: str) -> None:
+    requests, screen = play("p", *"New", "enter", *name, "enter")
+    assert requests == [] and complaint in screen
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("size", [(80, 24), (40, 24)])
+def test_every_plugin_is_offered_in_one_line(lang: str, size: tuple[int, int]) -> None:
+    screen = play(lang=lang, size=size)[1]
+    lines = [line for line in screen.split("\n") if any(f" {entry.title} " in line for entry in plugins())]
+    assert len(lines) >= len(plugins()) and ("Visualization" in screen) == (size[0] == 80)
+
+
+def test_what_went_wrong_stands_on_the_frame() -> None:
+    assert "mine.perspective: No such file" in play(trouble="mine.perspective: No such file")[1]
