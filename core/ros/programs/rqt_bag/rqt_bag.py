@@ -29,21 +29,19 @@ class BagPlugin(Plugin[Bags]):
 
     def __init__(self, place: Place) -> None:
         super().__init__(place, Bags(place.session, place.node, publish_clock="--clock" in place.words))
+        place.defer(self.model.close)
         for word in place.words:
             if not word.startswith("-"):
                 self.model.load(word)
 
     async def run(self) -> None:
         place, model = self.place, self.model
-        for work in (model.serve_loads, model.serve_looks, model.player.run):
+        for work in model.work:
             place.spawn(work())
         await model.serve()
 
-    def close(self) -> None:
-        self.model.close()
-
     async def without_screen(self) -> int | None:
-        session, model = self.place.session, self.model
+        session = self.place.session
         if stays(session, self.place.node):
             session.spawn(session.spin(self.place.node))
             await self.run()

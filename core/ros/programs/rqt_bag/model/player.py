@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from rosbag2_py._playing import CLOCK_QOS
 from rosbag2_py._qos import convert_rclcpp_qos_to_rclpy_qos, offer_for
@@ -20,7 +20,7 @@ from rosgraph_msgs.msg import Clock
 
 from day6_tui.core.interfaces import get_interface
 from day6_tui.core.ros.programs.rqt_bag.model.playhead import Playhead
-from day6_tui.core.ros.programs.rqt_bag.model.timeline import Found, Timeline
+from day6_tui.core.ros.programs.rqt_bag.model.timeline import MOST_AT_ONCE, Found, Passed, Timeline
 from day6_tui.core.session.task import Signal, let_others_run, wait_for
 from day6_tui.core.session.threads import in_thread
 from rclpy.qos import DurabilityPolicy
@@ -39,17 +39,6 @@ EARLY_NS = NANOSECONDS // 20
 
 SHORTEST_NS = NANOSECONDS // 100
 """A region that is over sooner is not played again and again."""
-
-MOST_AHEAD = 256
-MOST_BYTES = 16 << 20
-"""Messages, and bytes of them, that are read ahead at most."""
-
-
-class Passed(NamedTuple):
-    """A message that the playhead reaches, and where it is in the index."""
-
-    found: Found
-    message: Message
 
 
 class Player:
@@ -129,8 +118,8 @@ class Player:
         self.version += 1
         self.jump(self.now())
 
-    def forget(self) -> None:
-        """The bags are closed."""
+    def forget(self, timeline: Timeline) -> None:
+        """The bags are closed; go on with another timeline."""
         for topic in list(self._publishers):
             self.stop_publishing(topic)
         self.topics, self.watched, self.region = {}, frozenset(), None
@@ -138,11 +127,13 @@ class Player:
         self.current.clear()
         self._queue.clear()
         self.playhead.set_speed(0.0)
+        self._timeline = timeline
+        self._jumped, self._steps = False, 0
         self.version += 1
 
     def close(self) -> None:
         """Destroy what it has on the node."""
-        self.forget()
+        self.forget(self._timeline)
         if self._clock is not None:
             self._node.destroy_publisher(self._clock)
 
@@ -257,14 +248,12 @@ class Player:
         playhead = self.playhead
         if playhead.speed <= 0 or self._read_to >= self.play_region[1]:
             return False
-        return playhead.steady_at(self._read_to) - self._steady_ns() <= EARLY_NS and len(self._queue) < MOST_AHEAD
+        return playhead.steady_at(self._read_to) - self._steady_ns() <= EARLY_NS and len(self._queue) < MOST_AT_ONCE
 
     async def _read_ahead(self) -> None:
         topics, timeline, after = self._topics(), self._timeline, self._read_to
         until = min(after + round(AHEAD_NS * max(1.0, self.playhead.speed)), self.play_region[1])
-        while timeline.estimate(topics, after, until) > MOST_AHEAD and until - after > 1000:
-            until = (after + until) // 2
-        passed, read_to = await in_thread(lambda: _read_between(timeline, topics, after, until))
+        passed, read_to = await in_thread(lambda: timeline.read(topics, after, until))
         if self._jumped or self._read_to != after:
             return
         # Time that was lost by reading is made up for; more than that, and the playhead waits.
@@ -294,7 +283,7 @@ class Player:
             else:
                 self.jump(begin)  # it wraps, as in rqt_bag
             return None
-        more = self._read_to < end and len(self._queue) < MOST_AHEAD
+        more = self._read_to < end and len(self._queue) < MOST_AT_ONCE
         due = [playhead.steady_at(self._queue[0].found.time_ns)] if self._queue else []
         due += [playhead.steady_at(self._read_to) - EARLY_NS] if more else []
         return min(due, default=playhead.steady_at(end))
@@ -328,15 +317,3 @@ def _unless_known(found: list[Found], last: Found | None) -> list[Found]:
     """Nothing, if the newest one is the last one that was published."""
     same = found and last is not None and found[-1][:3] == last[:3] and found[-1].source is last.source
     return [] if same else found
-
-
-def _read_between(timeline: Timeline, topics: list[str], after_ns: int, until_ns: int) -> tuple[list[Passed], int]:
-    """The messages in a time, and until when they are: earlier than asked for if they are too large."""
-    passed: list[Passed] = []
-    size = 0
-    for found in timeline.between(topics, after_ns, until_ns):
-        if size > MOST_BYTES and found.time_ns != passed[-1].found.time_ns:
-            return passed, passed[-1].found.time_ns
-        passed.append(Passed(found, found.read()))
-        size += len(passed[-1].message.data)
-    return passed, until_ns

@@ -11,6 +11,7 @@ import threading
 from bisect import bisect_left, bisect_right
 from collections import OrderedDict
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -20,6 +21,10 @@ from rosbag2_py._storage import NANOSECONDS, Message, MessageDefinition, TopicMe
 
 KEPT = 256
 """Blocks of which the times of the messages are kept."""
+
+MOST_AT_ONCE = 256
+MOST_BYTES = 16 << 20
+"""Messages, and bytes of them, that are read in one go."""
 
 LATEST = 2**63 - 1
 
@@ -95,6 +100,13 @@ class Found(NamedTuple):
     def read(self) -> Message:
         """Read it. Raises RuntimeError."""
         return self.source.message(self.block, self.topic, self.key)
+
+
+class Passed(NamedTuple):
+    """A message that was read, and where it is in the index."""
+
+    found: Found
+    message: Message
 
 
 class _Lane:
@@ -183,7 +195,7 @@ class Timeline:
             return [0.0] * columns
         edges = [left_ns + (right_ns - left_ns) * column // columns for column in range(columns)]
         counts = [lane.count_until(edge) for edge in (*edges, right_ns + 1)]
-        return [max(0.0, after - before) for before, after in zip(counts, counts[1:], strict=False)]
+        return [max(0.0, after - before) for before, after in pairwise(counts)]
 
     def estimate(self, topics: Iterable[str], after_ns: int, until_ns: int) -> float:
         """About how many messages of these topics lie in a time."""
@@ -267,6 +279,22 @@ class Timeline:
                 found += [Found(times[each], topic, keys[each], block, source) for each in range(first, end)]
         return sorted(found, key=_TIME)
 
+    def read(self, topics: Sequence[str], after_ns: int, until_ns: int) -> tuple[list[Passed], int]:
+        """Read the messages after one moment, by time, until another or until there are enough; and until when that is.
+
+        Raises RuntimeError.
+        """
+        while self.estimate(topics, after_ns, until_ns) > MOST_AT_ONCE and until_ns - after_ns > 1000:
+            until_ns = (after_ns + until_ns) // 2
+        passed: list[Passed] = []
+        size = 0
+        for found in self.between(topics, after_ns, until_ns):
+            if size > MOST_BYTES and found.time_ns != passed[-1].found.time_ns:
+                return passed, passed[-1].found.time_ns
+            passed.append(Passed(found, found.read()))
+            size += len(passed[-1].message.data)
+        return passed, until_ns
+
     def _of(self, source: Source, block: Block, topic: str) -> Entries:
         return self._entries(source, block).get(topic) or _NOTHING
 
@@ -283,6 +311,8 @@ class Timeline:
         return found
 
 
-_TIME = attrgetter("time_ns")
+_TIME = attrgetter("time_ns", "block.start_ns", "key")
+"""By time; messages of the same time in the order of their file."""
+
 _NO_TIMES: Sequence[int] = ()
 _NOTHING = Entries(_NO_TIMES, _NO_TIMES)  # type: ignore[arg-type]
