@@ -34,6 +34,8 @@ class Block:
     counts: dict[str, int]
     place: object
     """Where it is, for the file that made it."""
+    number: int = 0
+    """Its place among all blocks, given by whoever collects them."""
     entries: dict[str, Entries] | None = field(default=None, repr=False)
     """What `BlockFile.entries` returned, while somebody keeps it here."""
 

@@ -161,6 +161,7 @@ class Timeline:
         self.end_ns: int | None = None
         self.version = 0
         """Grows whenever something would be counted otherwise."""
+        self._blocks = 0
         self._lanes: dict[str, _Lane] = {}
         self._kept: OrderedDict[Block, None] = OrderedDict()
         self._keeping = threading.Lock()
@@ -175,6 +176,8 @@ class Timeline:
 
     def add(self, source: Source, block: Block) -> None:
         """Add a block; one thread at a time."""
+        self._blocks += 1
+        block.number = self._blocks
         for topic in block.counts:
             lane = self._lanes.get(topic) or _Lane(topic=topic)
             self._lanes[topic] = lane.with_block(source, block)
@@ -311,7 +314,7 @@ class Timeline:
         return found
 
 
-_TIME = attrgetter("time_ns", "block.start_ns", "key")
+_TIME = attrgetter("time_ns", "block.number", "key")
 """By time; messages of the same time in the order of their file."""
 
 _NO_TIMES: Sequence[int] = ()
