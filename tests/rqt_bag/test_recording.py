@@ -124,7 +124,9 @@ def test_everything_is_copied_without_a_region_with_quality_of_service_and_defin
     reader = rosbag2_py.SequentialReader()
     reader.open_uri(str(desk.folder / "all"))
     qos = {each.name: each.offered_qos_profiles for each in reader.get_all_topics_and_types()}
-    assert len(qos["/static"]) == 2 and "string data" in reader.get_all_message_definitions()[1].encoded_message_definition
+    assert (
+        len(qos["/static"]) == 2 and "string data" in reader.get_all_message_definitions()[1].encoded_message_definition
+    )
     reader.close()
 
 

@@ -512,6 +512,41 @@ TEXTS = {
     "bag.ends": "to the beginning, the end",
     "bag.region": "select from here, until here",
     "bag.no_region": "select nothing",
+    "bag.open.other": "another one …",
+    "bag.view": "message",
+    "bag.no_message": "no message before the playhead",
+    "bag.panel": "to the fields of the message, and back",
+    "bag.timeline": "back to the timeline",
+    "bag.open_field": "open, close",
+    "bag.plot": "plot",
+    "bag.thumbnails": "thumbnails of images",
+    "bag.record": "record",
+    "bag.record.title": "Select name for new rosbag",
+    "bag.record.topics": "Select the topics you want to record",
+    "bag.recording": "recording: {count} messages, {size}",
+    "bag.recording_paused": "recording paused: {count} messages, {size}",
+    "bag.stop_recording": "stop recording",
+    "bag.hold_recording": "pause, go on",
+    "bag.save": "export the selected region",
+    "bag.save.title": "Save selected region...",
+    "bag.save.topics": "Which topics are exported?",
+    "bag.name.note": "A new folder: nothing is overwritten.",
+    "bag.name.none": "It needs a name.",
+    "bag.all": "All",
+    "bag.tick": "tick",
+    "bag.go_on": "go on",
+    "bag.cancel": "cancel",
+    "bag.menu": "menu",
+    "bag.menu.publish": "Publish",
+    "bag.menu.unpublish": "No longer publish",
+    "bag.menu.publish_all": "Publish All",
+    "bag.menu.publish_none": "Publish None",
+    "bag.menu.view": "View the message",
+    "bag.menu.thumbnails": "Thumbnails",
+    "bag.menu.reset": "Reset Timeline",
+    "bag.menu.save": "Save Bag",
+    "bag.menu.open": "Load Bag",
+    "bag.menu.record": "Record Bag",
     "plot.none": "Nothing is plotted yet: a chooses a field, e types one, like /turtle1/pose/x.",
     "plot.waiting": "waiting for the topic",
     "plot.quiet": "nothing received yet",
@@ -653,7 +688,9 @@ TEXTS = {
         "message wherever the playhead is moved to, and every message while it plays. So Plot and RViz follow the playhead. "
         "(The real rqt_bag publishes only while it plays.)\n\nClick or drag in the timeline to move the playhead, drag in the "
         "ruler to select a region, turn the wheel to zoom, drag with the middle button or Shift to move what is seen. Playing "
-        "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once."
+        "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once.\n\n"
+        "v shows the message or image of the chosen topic at the playhead; Tab goes to its fields, where g types the command "
+        "that plots one. s exports the selected region to a new bag, r records a new one."
     ),
     "help.rqt_plot": (
         "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "

@@ -696,6 +696,41 @@ TEXTS = {
     "bag.ends": "到开头、到结尾",
     "bag.region": "从这里选起、选到这里",
     "bag.no_region": "取消选择",
+    "bag.open.other": "其他……",
+    "bag.view": "消息",
+    "bag.no_message": "播放头之前没有消息",
+    "bag.panel": "到消息的字段、返回",
+    "bag.timeline": "回到时间线",
+    "bag.open_field": "展开、收起",
+    "bag.plot": "画曲线",
+    "bag.thumbnails": "图像缩略图",
+    "bag.record": "录制",
+    "bag.record.title": "新 rosbag 的名字",
+    "bag.record.topics": "选择要录制的话题",
+    "bag.recording": "录制中：{count} 条消息，{size}",
+    "bag.recording_paused": "录制已暂停：{count} 条消息，{size}",
+    "bag.stop_recording": "停止录制",
+    "bag.hold_recording": "暂停、继续",
+    "bag.save": "导出选中的一段",
+    "bag.save.title": "保存选中的一段……",
+    "bag.save.topics": "导出哪些话题？",
+    "bag.name.note": "一个新文件夹：不会覆盖任何东西。",
+    "bag.name.none": "需要一个名字。",
+    "bag.all": "全部",
+    "bag.tick": "勾选",
+    "bag.go_on": "继续",
+    "bag.cancel": "取消",
+    "bag.menu": "菜单",
+    "bag.menu.publish": "发布",
+    "bag.menu.unpublish": "停止发布",
+    "bag.menu.publish_all": "全部发布",
+    "bag.menu.publish_none": "全不发布",
+    "bag.menu.view": "查看消息",
+    "bag.menu.thumbnails": "缩略图",
+    "bag.menu.reset": "重置时间线",
+    "bag.menu.save": "保存 bag",
+    "bag.menu.open": "打开 bag",
+    "bag.menu.record": "录制 bag",
     "plot.none": "还没有曲线：按 a 选一个字段，或按 e 输入，例如 /turtle1/pose/x。",
     "plot.waiting": "等待这个话题出现",
     "plot.quiet": "还没有数据",
@@ -818,10 +853,13 @@ TEXTS = {
         "节点根本不输出哪些日志，由它自己的级别决定：看看 --log-level 和 logger 的服务。"
     ),
     "help.rqt_bag": (
-        "时间线上的 bag：每个话题一行，消息越多，柱越高。红线是播放头。\n\n勾选一个话题（Enter），它的消息就会发布，服务质量与录制时相同："
-        "播放头移到哪里，就发布那里最新的一条；播放时发布每一条。所以 Plot 和 RViz 跟着播放头走。（真正的 rqt_bag 只在播放时发布。）\n\n"
-        "在时间线上点击或拖动来移动播放头，在标尺上拖动来选择一段，滚轮缩放，按中键或 Shift 拖动来移动视野。播放在选中的一段里循环，"
-        "没有选择时在全部里循环。打开 bag 只读索引：很大的也马上打开。"
+        "时间线上的 bag：每个话题一行，消息越多，柱越高。红线是播放头。\n\n"
+        "勾选一个话题（Enter），它的消息就会发布，服务质量与录制时相同：播放头移到哪里，就发布那里最新的一条；"
+        "播放时发布每一条。所以 Plot 和 RViz 跟着播放头走。（真正的 rqt_bag 只在播放时发布。）\n\n"
+        "在时间线上点击或拖动来移动播放头，在标尺上拖动来选择一段，滚轮缩放，按中键或 Shift 拖动来移动视野。"
+        "播放在选中的一段里循环，没有选择时在全部里循环。打开 bag 只读索引：很大的也马上打开。\n\n"
+        "v 在下面显示选中话题在播放头处的消息或图像；Tab 到它的字段，那里按 g 输入画这个字段的命令。"
+        "s 把选中的一段导出成新的 bag，r 录制新的 bag。"
     ),
     "help.rqt_plot": (
         "把消息里的数字画成随时间变化的曲线。一条曲线就是一个话题的一个字段，图例里是它的最新值。纵轴会自动适应看得见的"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from rich.segment import Segment
@@ -11,6 +12,7 @@ from rich.style import Style
 from textual import events
 
 from day6_tui.core.elide import elide
+from day6_tui.core.ros.programs.rqt_bag.model.pictures import IMAGE, Picture
 from day6_tui.core.ros.programs.rqt_bag.model.playhead import faster, slower, speed_text
 from day6_tui.core.ros.programs.rqt_bag.model.view import (
     PAN,
@@ -20,6 +22,7 @@ from day6_tui.core.ros.programs.rqt_bag.model.view import (
     ZOOM_OUT,
     View,
     divisions,
+    proposed_name,
     size_text,
     whole,
 )
@@ -30,6 +33,9 @@ from day6_tui.tui.colours import background_of, pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.bag_message import MessageTree
+from day6_tui.tui.windows.bag_picture import Cell, paint
+from day6_tui.tui.windows.bag_topics import TopicChoice
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
@@ -58,12 +64,20 @@ OTHERS = (0x7AA2F7, 0x000066)
 PLAYHEAD = (0xFF5555, 0xCC0000)
 
 
+THUMB_COLUMNS, THUMB_LINES = 10, 4
+"""Cells of a thumbnail, which has a blank column behind it."""
+
+LEAST_PANEL = 3
+"""Lines of a message or an image below the timeline."""
+
+
 class _Place(NamedTuple):
-    """Where things are inside: widths of names and of the timeline, lines of topics."""
+    """Where things are inside: widths of names and of the timeline, lines of topics, and of what is below them."""
 
     names: int
     columns: int
     rows: int
+    panel: int
 
     @property
     def left(self) -> int:
@@ -88,6 +102,12 @@ class RqtBagPane(WindowPane["Bags"]):
         """Where the playhead was when the view last followed it."""
         self._drag = ""
         self._dragged_from = 0
+        self._choice: TopicChoice | None = None
+        self._tree: MessageTree | None = None
+        """The message that is shown below the timeline."""
+        self._in_panel = False
+        """Whether keys go to what is below the timeline."""
+        self._thumbnails = False
 
     # -- places --------------------------------------------------------------------------------------------------------
 
@@ -106,18 +126,36 @@ class RqtBagPane(WindowPane["Bags"]):
         longest = max((cell_len(topic) for topic in self.model.topics), default=8) + 4
         names = min(longest, max(12, width // 3))
         about = ABOUT_WIDTH if width >= WIDE else 0
-        return _Place(names, max(1, width - names - 1 - about), max(1, self.inner_height - HEAD - 1))
+        panel = max(LEAST_PANEL, self.inner_height // 2) if self._tree is not None else 0
+        return _Place(names, max(1, width - names - 1 - about), max(1, self.inner_height - HEAD - 1 - panel), panel)
+
+    def _height(self, index: int) -> int:
+        """Lines of a topic."""
+        return THUMB_LINES if self._thumbnails and self.model.topics[self.topics[index]] == IMAGE else 1
+
+    def _rows(self, place: _Place) -> list[tuple[int, int]]:
+        """The topics in sight, each line with the index of its topic and which of its lines it is."""
+        count = len(self.model.topics)
+        self._first = max(0, min(self._first, self._chosen, count - 1))
+        while sum(map(self._height, range(self._first, min(self._chosen + 1, count)))) > max(
+            place.rows, self._height(self._chosen) if self._chosen < count else 1
+        ):
+            self._first += 1
+        lines = [(index, part) for index in range(self._first, count) for part in range(self._height(index))]
+        return lines[: place.rows]
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def pull(self, now: float) -> bool:
         model, timeline = self.model, self.model.timeline
-        moves = bool(model.player.playhead.speed) or model.loading
+        moves = bool(model.player.playhead.speed) or model.loading or model.recorder is not None
         if timeline.start_ns is not None and timeline.end_ns is not None:
             if self.view is None or self._fits:
                 self.view = whole(timeline.start_ns, timeline.end_ns)
             self._follow(model.player.now())
         place = self._place()
+        if self._tree is not None:
+            self._tree.take(model.shown(self._tree.topic))
         state = (model.version, self.view, self._playhead_column(place), self._chosen, place, self._time_text())
         if state == self._drawn:
             return moves
@@ -148,8 +186,8 @@ class RqtBagPane(WindowPane["Bags"]):
         for topic in model.topics:
             counts = model.timeline.columns(topic, view.left, view.right, place.columns)
             self._marks[topic] = _bars(counts, bars)
-        if self._seen != (view, model.timeline.count):
-            self._seen = (view, model.timeline.count)
+        if self._seen != (view, model.timeline.blocks):
+            self._seen = (view, model.timeline.blocks)
             model.see(view.left, view.right)
 
     def _playhead_column(self, place: _Place) -> int:
@@ -167,6 +205,8 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         place = self._place()
+        if self._choice is not None:
+            return self._choice.line(y, width, self.inner_height)
         if self.view is None:
             return self._empty_line(y, width)
         self._count(place)
@@ -175,21 +215,42 @@ class RqtBagPane(WindowPane["Bags"]):
         if y == 1:
             return self._ruler(place)
         if y < HEAD + place.rows:
-            return self._topic_line(self._first_row(place) + y - HEAD, place)
-        return self._about_line(width) if y == HEAD + place.rows else ()
+            rows = self._rows(place)
+            return self._topic_line(*rows[y - HEAD], place) if y - HEAD < len(rows) else ()
+        if y == HEAD + place.rows:
+            return self._about_line(width)
+        return self._panel_line(y - HEAD - place.rows - 1, width, place.panel)
+
+    def _panel_line(self, y: int, width: int, height: int) -> list[Segment]:
+        """What is below the timeline: the image at the playhead, or the message."""
+        tree, model = self._tree, self.model
+        if tree is None or y >= height:
+            return []
+        shown = model.shown(tree.topic)
+        if shown is None:
+            return (
+                [Segment(" " + clip(self.look.texts("bag.no_message"), width - 1), self.look.colours.muted)]
+                if not y
+                else []
+            )
+        if shown.problem:
+            return [Segment(" " + clip(one_line(shown.problem), width - 1), self.look.colours.warning)] if not y else []
+        if shown.type == IMAGE and not self._in_panel:
+            found = model.thumbnail(tree.topic, shown.time_ns, width - 2, 2 * height)
+            lines = self._painted(found)
+            return [Segment(" "), *_runs(lines[y])] if y < len(lines) else []
+        return tree.line(y, width, height, focused=self._in_panel and self.has_focus)
+
+    def _painted(self, found: Picture | None) -> list[list[Cell]]:
+        return paint(found, self.look) if found is not None else []
 
     def _empty_line(self, y: int, width: int) -> list[Segment]:
         model, colours, texts = self.model, self.look.colours, self.look.texts
+        if y == 1 and self.model.recorder is not None:
+            return [Segment(" " + self._recording_text(), colours.warning)]
         if y == 1 and model.status:
             return [Segment(" " + clip(model.status, width - 1), colours.warning if model.failed else colours.muted)]
         return [Segment(" " + clip(texts("bag.none"), width - 1), colours.muted)] if y == 3 else []
-
-    def _first_row(self, place: _Place) -> int:
-        """The index of the topic on the first line: the chosen one is always in sight."""
-        count = len(self.model.topics)
-        first = min(self._first, self._chosen, max(0, count - place.rows))
-        self._first = max(first, self._chosen - place.rows + 1, 0)
-        return self._first
 
     def _labels(self, place: _Place) -> list[Segment]:
         assert self.view is not None
@@ -218,20 +279,22 @@ class RqtBagPane(WindowPane["Bags"]):
             cells[at] = (pointer, cells[at][1] if ends and ends[0] <= at <= ends[1] else self._colour(PLAYHEAD))
         return [Segment(" " * place.left), *_runs(cells)]
 
-    def _topic_line(self, index: int, place: _Place) -> list[Segment]:
-        topics, colours, glyphs = self.topics, self.look.colours, self.look.glyphs
+    def _topic_line(self, index: int, part: int, place: _Place) -> list[Segment]:
+        colours, glyphs = self.look.colours, self.look.glyphs
         at = self._playhead_column(place)
-        if index >= len(topics):
-            return []
-        topic = topics[index]
+        topic = self.topics[index]
         on = index == self._chosen
         publishes = topic in self.model.player.publishing
         name = fit(elide(one_line(topic), place.names - 4, glyphs.ellipsis), place.names - 4, glyphs.ellipsis)
         style = self._colour(COLOURS.get(self.model.topics[topic], OTHERS))
         marks = self._marks.get(topic) or [" "] * place.columns
         cells = [(mark, style) for mark in marks[: place.columns]]
+        if self._height(index) > 1:
+            cells = self._thumbnail_cells(topic, part, place, marks)
         if 0 <= at < len(cells):
             cells[at] = ("│" if glyphs.unicode else "|", self._colour(PLAYHEAD))
+        if part:
+            return [Segment(" " * place.left), *_runs(cells)]
         segments = [
             Segment("[x] " if publishes else "[ ] ", colours.publisher if publishes else colours.muted),
             Segment(name, (colours.choice if self.has_focus else colours.strong) if on else colours.topic),
@@ -245,12 +308,33 @@ class RqtBagPane(WindowPane["Bags"]):
             segments.append(Segment(fit(about, ABOUT_WIDTH, glyphs.ellipsis), colours.muted))
         return segments
 
+    def _thumbnail_cells(self, topic: str, part: int, place: _Place, marks: Sequence[str]) -> list[Cell]:
+        """One line of the thumbnails beside each other, each of what is there at its left edge."""
+        assert self.view is not None
+        cells: list[Cell] = [(" ", self.background)] * place.columns
+        for column in range(0, place.columns - THUMB_COLUMNS + 1, THUMB_COLUMNS + 1):
+            if not any(mark != " " for mark in marks[column : column + THUMB_COLUMNS]):
+                continue  # no message belongs to it
+            moment = self.view.time_at(column + THUMB_COLUMNS - 1, place.columns)
+            lines = self._painted(self.model.thumbnail(topic, moment, THUMB_COLUMNS, 2 * THUMB_LINES))
+            if part < len(lines):
+                cells[column : column + len(lines[part])] = lines[part]
+        return cells
+
+    def _recording_text(self) -> str:
+        recorder = self.model.recorder
+        if recorder is None:
+            return ""
+        key = "bag.recording_paused" if recorder.paused else "bag.recording"
+        return self.look.texts(key, count=recorder.messages, size=size_text(recorder.size))
+
     def _about_line(self, width: int) -> list[Segment]:
         """What went wrong, or what the chosen topic is."""
         model, colours, ellipsis = self.model, self.look.colours, self.look.glyphs.ellipsis
-        text = model.status or model.player.problem
+        exporting = f"{model.exporting_to}  {model.exporting} %" if model.exporting is not None else ""
+        text = self._recording_text() or exporting or model.status or model.player.problem
         if text:
-            failed = model.failed or not model.status
+            failed = bool(model.recorder) or (not exporting and (model.failed or not model.status))
             return [
                 Segment(" " + clip(one_line(text), width - 1, ellipsis), colours.warning if failed else colours.muted)
             ]
@@ -299,15 +383,22 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
+        if self._choice is not None:
+            return [("Space", texts("bag.tick")), ("Enter", texts("bag.go_on")), ("Esc", texts("bag.cancel"))]
+        if self.model.recorder is not None:
+            return [("r", texts("bag.stop_recording")), ("Space", texts("bag.hold_recording"))]
         if self.view is None:
-            return [("o", texts("bag.open"))]
+            return [("o", texts("bag.open")), ("r", texts("bag.record"))]
+        if self._in_panel:
+            return [("Enter", texts("bag.open_field")), ("g", texts("bag.plot")), ("Tab", texts("bag.timeline"))]
         plays = bool(self.model.player.playhead.speed)
         return [
             ("Space", texts("bag.pause" if plays else "bag.play")),
             ("Enter", texts("bag.unpublish" if self.chosen in self.model.player.publishing else "bag.publish")),
             ("+ -", texts("bag.speed")),
             ("p n", texts("bag.step")),
-            ("o", texts("bag.open")),
+            ("v", texts("bag.view")),
+            ("m", texts("bag.menu")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
@@ -322,6 +413,11 @@ class RqtBagPane(WindowPane["Bags"]):
             ("[ ]", texts("bag.region")),
             ("Esc", texts("bag.no_region")),
             ("a", texts("bag.publish_all")),
+            ("Tab", texts("bag.panel")),
+            ("t", texts("bag.thumbnails")),
+            ("o", texts("bag.open")),
+            ("r", texts("bag.record")),
+            ("s", texts("bag.save")),
         ]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
@@ -334,6 +430,19 @@ class RqtBagPane(WindowPane["Bags"]):
             self.look.wake()
 
     def _press(self, key: str, character: str) -> bool:
+        if self._choice is not None:
+            used = self._choice.press(key)
+            if self._choice is not None and self._choice.is_over:
+                self._choice = None
+            return used
+        if self.model.recorder is not None:
+            return self._press_recording(key, character)
+        if self._in_panel and self._tree is not None:
+            if self._tree.press(key):
+                return True
+            if character == "g" and self._tree.field:
+                self.post_message(self.CommandChosen(self, f"ros2 run rqt_plot rqt_plot {self._tree.field}"))
+                return True
         action = {
             "space": self._toggle_play,
             "enter": self._toggle_publishing,
@@ -347,7 +456,8 @@ class RqtBagPane(WindowPane["Bags"]):
             "shift+right": lambda: self._scrub(1),
             "pageup": lambda: self._zoom(ZOOM_IN),
             "pagedown": lambda: self._zoom(ZOOM_OUT),
-            "escape": lambda: self._select(None),
+            "escape": self._escape,
+            "tab": self._change_panel,
         }.get(key) or {
             "+": lambda: self._speed(faster),
             "=": lambda: self._speed(faster),
@@ -359,6 +469,11 @@ class RqtBagPane(WindowPane["Bags"]):
             "]": lambda: self._select_end(left=False),
             "a": lambda: self.model.publish_all(self.model.player.publishing != set(self.model.topics)),
             "o": self._ask_bag,
+            "v": self._toggle_view,
+            "t": self._toggle_thumbnails,
+            "r": self._ask_recording,
+            "s": self._ask_export,
+            "m": self._open_menu,
         }.get(character)
         if action is None:
             return False
@@ -369,16 +484,14 @@ class RqtBagPane(WindowPane["Bags"]):
         player = self.model.player
         self.model.request(lambda: player.set_speed(0.0 if player.playhead.speed else 1.0))
 
-    def _speed(self, change: object) -> None:
+    def _speed(self, change: Callable[[float], float]) -> None:
         player = self.model.player
-        assert callable(change)
         self.model.request(lambda: player.set_speed(change(player.playhead.speed)))
 
     def _step(self, count: int) -> None:
         self.model.request(lambda: self.model.player.step(count))
 
-    def _go(self, where: object) -> None:
-        assert callable(where)
+    def _go(self, where: Callable[[], int]) -> None:
         self.model.request(lambda: self.model.player.jump(where()))
 
     def _toggle_publishing(self) -> None:
@@ -423,12 +536,114 @@ class RqtBagPane(WindowPane["Bags"]):
         begin, end = player.region or (timeline.start_ns or 0, timeline.end_ns or 0)
         self._select((now, max(now, end)) if left else (min(now, begin), now))
 
+    def _press_recording(self, key: str, character: str) -> bool:
+        recorder = self.model.recorder
+        if character == "r":
+            self.model.stop_recording()
+        elif key == "space" and recorder is not None:
+            self.model.request(recorder.toggle_paused)
+        else:
+            return False
+        return True
+
+    def _escape(self) -> None:
+        """Stop copying, close what is below the timeline, or select nothing: what is there, in this order."""
+        if self.model.exporting is not None:
+            self.model.cancel_export()
+        elif self._tree is not None:
+            self._toggle_view()
+        else:
+            self._select(None)
+
+    def _toggle_view(self) -> None:
+        """Show the messages of the chosen topic below the timeline; or, if it is shown, no longer."""
+        before, self._tree, self._in_panel = self._tree, None, False
+        if before is not None:
+            self.model.toggle_watching(before.topic)
+        if self.chosen and (before is None or before.topic != self.chosen):
+            self._tree = MessageTree(self.look, self.chosen)
+            self.model.toggle_watching(self.chosen)
+
+    def _change_panel(self) -> None:
+        """Give the keys to the fields below the timeline, or back."""
+        if self._tree is None:
+            self._toggle_view()
+        self._in_panel = not self._in_panel and self._tree is not None
+
+    def _toggle_thumbnails(self) -> None:
+        self._thumbnails = not self._thumbnails
+
+    # -- questions -----------------------------------------------------------------------------------------------------
+
     def _ask_bag(self) -> None:
+        """Choose one of the bags in the working folder, or type where it is."""
+        from day6_tui.tui.menu import Entry, Menu
+
+        entries = [Entry(name, "", partial(self.model.load, name)) for name in self.model.nearby()]
+        other = Entry(self.look.texts("bag.open.other"), "", self._type_bag)
+        if entries:
+            self.lay_over(Menu(self.look, "bag.open.title", [*entries, other]))
+        else:
+            self._type_bag()
+
+    def _type_bag(self) -> None:
         def taken(text: str) -> None:
             if text.strip():
                 self.model.load(text.strip())
 
         self.ask(self.look.texts("bag.open.title"), "", taken, note=self.look.texts("bag.open.note"))
+
+    def _ask_recording(self) -> None:
+        def chosen(topics: Sequence[str] | None) -> None:
+            self._ask_name("bag.record.title", lambda name: self.model.record(name, topics))
+
+        title = self.look.texts("bag.record.topics")
+        self._choice = TopicChoice(self.look, title, self.model.graph_topics(), chosen, ticked=True)
+
+    def _ask_export(self) -> None:
+        def chosen(topics: Sequence[str] | None) -> None:
+            names = list(self.model.topics) if topics is None else topics
+            self._ask_name("bag.save.title", lambda name: self.model.export(name, names))
+
+        if self.model.topics:
+            title = self.look.texts("bag.save.topics")
+            self._choice = TopicChoice(self.look, title, self.model.topics, chosen, ticked=True)
+
+    def _ask_name(self, title: str, use: Callable[[str], object]) -> None:
+        def taken(text: str) -> str | None:
+            if not text.strip():
+                return self.look.texts("bag.name.none")
+            use(text.strip())
+            return None
+
+        self.ask(self.look.texts(title), proposed_name(), taken, note=self.look.texts("bag.name.note"))
+
+    def _open_menu(self) -> None:
+        """What rqt_bag offers at a right click (timeline_menu.py)."""
+        from day6_tui.tui.menu import Entry, Menu
+
+        texts, model = self.look.texts, self.model
+        publishes = self.chosen in model.player.publishing
+        entries = [
+            Entry(
+                texts("bag.menu.unpublish" if publishes else "bag.menu.publish"), self.chosen, self._toggle_publishing
+            ),
+            Entry(texts("bag.menu.publish_all"), "", lambda: model.publish_all(True)),
+            Entry(texts("bag.menu.publish_none"), "", lambda: model.publish_all(False)),
+            Entry(texts("bag.menu.view"), self.chosen, self._toggle_view),
+            Entry(texts("bag.menu.thumbnails"), "t", self._toggle_thumbnails),
+            Entry(texts("bag.menu.reset"), "", self._reset),
+            Entry(texts("bag.menu.save"), "s", self._ask_export),
+            Entry(texts("bag.menu.open"), "o", self._ask_bag),
+            Entry(texts("bag.menu.record"), "r", self._ask_recording),
+        ]
+        self.lay_over(Menu(self.look, "bag.menu", entries))
+
+    def _reset(self) -> None:
+        """See everything, select nothing, go to the beginning (timeline_frame.reset_timeline)."""
+        self._fit()
+        self._select(None)
+        self._go(lambda: self.model.player.play_region[0])
 
     # -- mouse ---------------------------------------------------------------------------------------------------------
 
@@ -444,13 +659,25 @@ class RqtBagPane(WindowPane["Bags"]):
         place = self._place()
         column, line = event.x - self.inner_offset - place.left, event.y - self.inner_offset
         at = self._time_under(event)
-        index = self._first_row(place) + line - HEAD
-        if at is None or not self.is_inside(event):
+        if not self.is_inside(event):
             return
-        if HEAD <= line < HEAD + place.rows and index < len(self.model.topics):
-            self._choose(index)
-            if column < 4 - place.left and event.button == 1:
+        if self._choice is not None:
+            self._choice.click(line)
+            self.touch()
+            return
+        if at is None:
+            return
+        rows = self._rows(place)
+        if HEAD <= line < HEAD + len(rows):
+            self._choose(rows[line - HEAD][0])
+            if event.button == 3:
+                self._open_menu()
+                return
+            if column < 4 - place.left:
                 self._toggle_publishing()
+        elif line > HEAD + place.rows and self._tree is not None:
+            self._in_panel = True
+            self._tree.click(line - HEAD - place.rows - 1)
         if 0 <= column < place.columns and line < HEAD + place.rows:
             self._drag = "pan" if event.button == 2 or event.shift else "scrub" if line >= HEAD else "select"
             self._dragged_from = at

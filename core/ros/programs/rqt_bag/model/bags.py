@@ -335,20 +335,22 @@ class Bags:
             await self._session.wait(self._wanted_export)
             self._wanted_export.clear()
             if self._exports is not None:
-                name, topics, (begin, end) = self._exports
-                path = Path(self._session.cwd, name).expanduser()
-                timeline, bags = self.timeline, self.bags
-                try:
-                    count = await in_thread(
-                        lambda: export(  # type: ignore[misc]
-                            timeline, bags, path, topics, begin, end, self._progress, lambda: self._cancelled or self._closed
-                        )
-                    )
-                    self.tell(f'{"Cancelled: " if self._cancelled else ""}{count} messages in "{name}"')
-                except ExportError as error:
-                    self.tell(str(error), failed=True)
-                finally:
-                    self.exporting, self.exporting_to = None, ""
+                await self._copy(*self._exports)
+                self.exporting, self.exporting_to = None, ""
+
+    async def _copy(self, name: str, topics: Sequence[str], region: tuple[int, int]) -> None:
+        path = Path(self._session.cwd, name).expanduser()
+        timeline, bags = self.timeline, self.bags
+
+        def cancelled() -> bool:
+            return self._cancelled or self._closed
+
+        try:
+            count = await in_thread(lambda: export(timeline, bags, path, topics, *region, self._progress, cancelled))
+        except ExportError as error:
+            self.tell(str(error), failed=True)
+        else:
+            self.tell(f'{"Cancelled: " if self._cancelled else ""}{count} messages in "{name}"')
 
     def _progress(self, percent: int) -> None:
         if percent != self.exporting:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from day6_tui.core.ros.programs.rqt_bag.model.loading import OpenBag
-from day6_tui.core.ros.programs.rqt_bag.model.timeline import Timeline
 from rosbag2_py._storage import StorageOptions
 from rosbag2_py._writer import SequentialWriter
+
+from day6_tui.core.ros.programs.rqt_bag.model.loading import OpenBag
+from day6_tui.core.ros.programs.rqt_bag.model.timeline import Timeline
 
 
 class ExportError(Exception):

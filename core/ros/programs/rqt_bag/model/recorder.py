@@ -2,29 +2,24 @@
 
 from __future__ import annotations
 
-import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.programs.rqt_bag.model.timeline import Source, Timeline
 from rosbag2_py._blocks import Block, Entries
 from rosbag2_py._metadata import folder_size
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._recording import Recording
 from rosbag2_py._storage import Message, MessageDefinition, StorageOptions, TopicMetadata
 
+from day6_tui.core.ros.programs.rqt_bag.model.timeline import Source, Timeline
+
 if TYPE_CHECKING:
     from rclpy.node import Node
 
 POLL_SECONDS = 0.1
 """How often it looks for new topics, and puts what came on the timeline."""
-
-
-def proposed_name() -> str:
-    """The name that rqt_bag proposes for a new bag (bag_widget._on_record_settings_selected)."""
-    return time.strftime("%Y-%m-%d-%H-%M-%S")
 
 
 class Recorder:

@@ -161,7 +161,8 @@ class Timeline:
         self.end_ns: int | None = None
         self.version = 0
         """Grows whenever something would be counted otherwise."""
-        self._blocks = 0
+        self.blocks = 0
+        """How many there are."""
         self._lanes: dict[str, _Lane] = {}
         self._kept: OrderedDict[Block, None] = OrderedDict()
         self._keeping = threading.Lock()
@@ -176,8 +177,8 @@ class Timeline:
 
     def add(self, source: Source, block: Block) -> None:
         """Add a block; one thread at a time."""
-        self._blocks += 1
-        block.number = self._blocks
+        self.blocks += 1
+        block.number = self.blocks
         for topic in block.counts:
             lane = self._lanes.get(topic) or _Lane(topic=topic)
             self._lanes[topic] = lane.with_block(source, block)

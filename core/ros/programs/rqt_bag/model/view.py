@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import NamedTuple
 
 from rosbag2_py._storage import NANOSECONDS
@@ -111,3 +112,8 @@ def size_text(size: int) -> str:
     while value >= 1024 and unit < 4:
         value, unit = value / 1024, unit + 1
     return f"{round(value, 2)} {('B', 'KB', 'MB', 'GB', 'TB')[unit]}" if size > 0 else "0 B"
+
+
+def proposed_name() -> str:
+    """The name that rqt_bag proposes for a new bag (bag_widget._on_record_settings_selected)."""
+    return time.strftime("%Y-%m-%d-%H-%M-%S")
