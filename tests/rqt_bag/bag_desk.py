@@ -7,6 +7,7 @@ from typing import Any
 
 import rosbag2_py
 from rosbag2_py._qos import QoS
+from sensor_msgs.msg import Image
 from std_msgs.msg import Float64, String
 from stepped_machine import Running, SteppedMachine
 
@@ -37,6 +38,19 @@ def write_bag(folder: Path, storage: str = "mcap", *, seconds: float = 10.0, pre
         writer.write("/number", serialize_message(Float64(data=float(number))), at)
         if number % 10 == 5:
             writer.write("/word", serialize_message(String(data=f"at {number}")), at)
+    writer.close()
+    return folder
+
+
+def write_images(folder: Path, encoding: str = "rgb8") -> Path:
+    """Write /camera for ten seconds: red images, from the middle on green ones."""
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(folder)))
+    writer.create_topic(rosbag2_py.TopicMetadata(0, "/camera", "sensor_msgs/msg/Image", "cdr", [QoS(10)]))
+    for number in range(20):
+        pixels = bytes([255, 0, 0] if number < 10 else [0, 255, 0]) * 40 * 30
+        image = Image(width=40, height=30, encoding=encoding, step=120, data=pixels)
+        writer.write("/camera", serialize_message(image), START + number * SECOND // 2)
     writer.close()
     return folder
 

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from bag_desk import SECOND, START, write_bag
+from bag_desk import SECOND, START, write_bag, write_images
 from std_msgs.msg import Float64
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
@@ -198,6 +198,104 @@ def test_without_a_bag_the_window_says_what_to_do(desk):
 
     async def act(tool):
         assert "No bag is open" in tool.text
+
+    use(desk, act)
+
+
+# -- images ------------------------------------------------------------------------------------------------------------
+
+
+def colours_of(tool, lines):
+    """The colours of the cells of these lines of the pane."""
+    found = set()
+    for line in lines:
+        for segment in tool.pane._strip(line):
+            if segment.text.strip("│┃") and segment.style is not None and segment.style.bgcolor is not None:
+                triplet = segment.style.bgcolor.triplet
+                found.add(triplet.hex if triplet is not None else "")
+    return found
+
+
+async def pictures(tool, desk):
+    """Let the images be read that the window asks for."""
+    for _ in range(3):
+        await tool.draw()
+        desk.machine.until(lambda: not desk.model._missing)
+        desk.machine.until(lambda: not desk.model._wanted_pictures.is_set())
+    await tool.draw()
+
+
+def test_thumbnails_of_images_lie_along_the_line_of_their_topic(desk):
+    write_images(desk.folder / "bag")
+    desk.open("bag", topics=1)
+
+    async def act(tool):
+        await tool.go("t")
+        desk.machine.until(lambda: desk.model._pictures)
+        await pictures(tool, desk)
+        desk.machine.until(lambda: len(desk.model._pictures) >= 5)
+        await pictures(tool, desk)
+        assert {"#ff0000", "#00ff00"} <= colours_of(tool, range(3, 7))
+
+    use(desk, act)
+
+
+def test_the_image_at_the_playhead_is_shown_below_the_timeline(desk):
+    write_images(desk.folder / "bag")
+    desk.open("bag", topics=1)
+
+    async def act(tool):
+        await tool.go("v")
+        desk.machine.until(lambda: desk.model._pictures)
+        await pictures(tool, desk)
+        place = tool.pane._place()
+        below = range(4 + place.rows, 4 + place.rows + 5)
+        assert "#ff0000" in colours_of(tool, below)
+        desk.jump(8.0)
+        await tool.settle()
+        await pictures(tool, desk)
+        desk.machine.until(lambda: len(desk.model._pictures) >= 2)
+        await pictures(tool, desk)
+        assert "#00ff00" in colours_of(tool, below)
+        await tool.go("tab")
+        assert "encoding: rgb8" in tool.text
+
+    use(desk, act)
+
+
+def test_an_image_of_an_unknown_encoding_is_told_and_nothing_hangs(desk):
+    write_images(desk.folder / "bag", "strange")
+    desk.open("bag", topics=1)
+
+    async def act(tool):
+        await tool.go("v")
+        desk.machine.until(lambda: desk.model.failed)
+        await tool.draw()
+        assert "Unsupported image format: strange" in tool.text
+
+    use(desk, act)
+
+
+# -- recording ---------------------------------------------------------------------------------------------------------
+
+
+def test_a_recording_is_started_from_the_list_of_topics_and_stopped_with_r(desk):
+    publisher = desk.machine.node.create_publisher(Float64, "/number", 10)
+    desk.open(topics=0)
+
+    async def act(tool):
+        await tool.press("r")
+        assert "Select the topics you want to record" in tool.text and "[x] /number" in tool.text
+        await tool.press("enter", "enter")
+        desk.machine.until(lambda: desk.model.recorder is not None)
+        desk.machine.advance(0.2)
+        publisher.publish(Float64(data=1.0))
+        desk.machine.advance(0.2)
+        await tool.draw()
+        assert "recording: " in tool.text
+        await tool.press("r")
+        desk.machine.until(lambda: desk.model.bags and not desk.model.loading)
+        assert "/number" in desk.model.topics
 
     use(desk, act)
 

@@ -67,6 +67,9 @@ PLAYHEAD = (0xFF5555, 0xCC0000)
 THUMB_COLUMNS, THUMB_LINES = 10, 4
 """Cells of a thumbnail, which has a blank column behind it."""
 
+MOST_PAINTED = 64
+"""Images that are kept painted."""
+
 LEAST_PANEL = 3
 """Lines of a message or an image below the timeline."""
 
@@ -108,6 +111,8 @@ class RqtBagPane(WindowPane["Bags"]):
         self._in_panel = False
         """Whether keys go to what is below the timeline."""
         self._thumbnails = False
+        self._cells: dict[int, tuple[Picture, list[list[Cell]]]] = {}
+        """Painted images by the identity of the image, which is kept with them."""
 
     # -- places --------------------------------------------------------------------------------------------------------
 
@@ -195,6 +200,7 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def restyle(self) -> None:
         self._counted = self._drawn = ()
+        self._cells.clear()
         super().restyle()
 
     def on_resize(self, event: events.Resize) -> None:
@@ -238,11 +244,18 @@ class RqtBagPane(WindowPane["Bags"]):
         if shown.type == IMAGE and not self._in_panel:
             found = model.thumbnail(tree.topic, shown.time_ns, width - 2, 2 * height)
             lines = self._painted(found)
-            return [Segment(" "), *_runs(lines[y])] if y < len(lines) else []
+            return [Segment(" ", self.background), *_runs(lines[y])] if y < len(lines) else []
         return tree.line(y, width, height, focused=self._in_panel and self.has_focus)
 
     def _painted(self, found: Picture | None) -> list[list[Cell]]:
-        return paint(found, self.look) if found is not None else []
+        """The cells of an image; those of the last ones are kept."""
+        if found is None:
+            return []
+        if id(found) not in self._cells:
+            if len(self._cells) >= MOST_PAINTED:
+                self._cells.pop(next(iter(self._cells)))
+            self._cells[id(found)] = (found, paint(found, self.look))
+        return self._cells[id(found)][1]
 
     def _empty_line(self, y: int, width: int) -> list[Segment]:
         model, colours, texts = self.model, self.look.colours, self.look.texts
@@ -277,7 +290,7 @@ class RqtBagPane(WindowPane["Bags"]):
             cells.append((char, colours.selection if selected else colours.frame))
         if 0 <= at < place.columns:
             cells[at] = (pointer, cells[at][1] if ends and ends[0] <= at <= ends[1] else self._colour(PLAYHEAD))
-        return [Segment(" " * place.left), *_runs(cells)]
+        return [Segment(" " * place.left, self.background), *_runs(cells)]
 
     def _topic_line(self, index: int, part: int, place: _Place) -> list[Segment]:
         colours, glyphs = self.look.colours, self.look.glyphs
@@ -294,11 +307,11 @@ class RqtBagPane(WindowPane["Bags"]):
         if 0 <= at < len(cells):
             cells[at] = ("│" if glyphs.unicode else "|", self._colour(PLAYHEAD))
         if part:
-            return [Segment(" " * place.left), *_runs(cells)]
+            return [Segment(" " * place.left, self.background), *_runs(cells)]
         segments = [
             Segment("[x] " if publishes else "[ ] ", colours.publisher if publishes else colours.muted),
             Segment(name, (colours.choice if self.has_focus else colours.strong) if on else colours.topic),
-            Segment(" "),
+            Segment(" ", self.background),
             *_runs(cells),
         ]
         if self.inner_width >= WIDE:
