@@ -95,24 +95,10 @@ def measure(folder: Path, jumps: int) -> None:
     run = machine.scheduler.run
     run(lambda: model.topics, 60)
     shown = time.monotonic() - began
-    longest = 0.0
-    last = time.monotonic()
-    done = False
-
-    def is_indexed() -> bool:
-        nonlocal longest, last, done
-        now = time.monotonic()
-        longest, last = max(longest, now - last), now
-        done = not model.loading and bool(model.bags)
-        return done
-
-    machine.scheduler.run(is_indexed, 600)
+    run(lambda: not model.loading and bool(model.bags), 600)
     print(f"topics shown after {shown * 1000:.0f} ms, indexed after {time.monotonic() - began:.2f} s")
     print(f"memory {before:.0f} MB before, {memory():.0f} MB indexed, {model.timeline.blocks} blocks")
     heard: dict[str, int] = {}
-    for topic in model.topics:
-        kind = machine.node.get_publishers_info_by_topic(topic)
-        assert not kind
     model.publish_all(True)
     run(lambda: len(model.player.publishing) == len(model.topics), 10)
     took: dict[str, list[float]] = {"warm": [], "cold": []}
@@ -125,12 +111,12 @@ def measure(folder: Path, jumps: int) -> None:
             get_interface(kind_name), topic, lambda data, topic=topic: heard.__setitem__(topic, heard.get(topic, 0) + 1),
             10, raw=True,
         )  # fmt: skip
+    moving = [topic for topic in model.topics if topic != "/static"]
     for number in range(jumps):
         cold = number % 10 == 9
         if cold:
             forget(folder)
         at = pick.randrange(start + 2 * SECOND, end)
-        moving = [topic for topic in model.topics if topic != "/static"]
         heard.clear()
         began = time.monotonic()
         model.request(lambda at=at: model.player.jump(at))

@@ -131,8 +131,12 @@ class RqtBagPane(WindowPane["Bags"]):
         longest = max((cell_len(topic) for topic in self.model.topics), default=8) + 4
         names = min(longest, max(12, width // 3))
         about = ABOUT_WIDTH if width >= WIDE else 0
-        panel = max(LEAST_PANEL, self.inner_height // 2) if self._tree is not None else 0
-        return _Place(names, max(1, width - names - 1 - about), max(1, self.inner_height - HEAD - 1 - panel), panel)
+        rows = max(1, self.inner_height - HEAD - 1)
+        panel = 0
+        if self._tree is not None:
+            needed = sum(map(self._height, range(len(self.model.topics))))
+            panel = rows - max(1, min(needed, rows - max(LEAST_PANEL, self.inner_height // 2)))
+        return _Place(names, max(1, width - names - 1 - about), rows - panel, panel)
 
     def _height(self, index: int) -> int:
         """Lines of a topic."""
