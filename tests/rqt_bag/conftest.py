@@ -11,6 +11,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from bag_desk import BagDesk
+from rights import plain_user
 
 
 @pytest.fixture
@@ -24,3 +25,6 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[BagDesk]:
 @pytest.fixture(params=["mcap", "sqlite3"])
 def storage(request: pytest.FixtureRequest) -> str:
     return str(request.param)
+
+
+__all__ = ["plain_user"]

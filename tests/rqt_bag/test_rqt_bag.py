@@ -209,6 +209,73 @@ def test_a_damaged_bag_is_told_and_the_window_goes_on(desk, damage, reason):
     assert model.timeline.count("/number") >= 100 and len(model.topics) == 3
 
 
+def test_one_file_of_a_bag_is_opened_without_its_metadata(desk, storage):
+    bag = write_bag(desk.folder / "bag", storage)
+    (bag / "metadata.yaml").unlink()
+    (file,) = bag.iterdir()
+    model = desk.open(f"bag/{file.name}")
+    assert model.timeline.count("/number") == 100 and not model.failed
+    numbers = desk.watch(Float64, "/number")
+    desk.publish("/number")
+    assert values(numbers) == [0.0]
+
+
+def test_a_file_that_may_not_be_read_is_told(desk, plain_user):
+    bag = write_bag(desk.folder / "bag")
+    (bag / "bag_0.mcap").chmod(0)
+    model = desk.open("bag", topics=0)
+    desk.machine.until(lambda: model.failed)
+    assert model.status.startswith("Loading 'bag' failed due to: Permission denied")
+
+
+def test_a_topic_of_an_unknown_type_is_told_and_the_others_are_published(desk):
+    import rosbag2_py
+
+    from rclpy.serialization import serialize_message
+
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(desk.folder / "bag")))
+    for id_, (name, kind) in enumerate((("/number", "std_msgs/msg/Float64"), ("/odd", "nobody_msgs/msg/Odd"))):
+        writer.create_topic(rosbag2_py.TopicMetadata(id_, name, kind, "cdr"))
+        writer.write(name, serialize_message(Float64(data=4.0)), START)
+    writer.close()
+    model = desk.open("bag", topics=2)
+    model.publish_all(True)
+    desk.machine.until(lambda: model.player.publishing)
+    assert model.player.publishing == {"/number"}
+    assert "Error creating publisher on topic /odd for type nobody_msgs/msg/Odd." in desk.running.errors
+    model.toggle_watching("/odd")
+    desk.arrive()
+    assert "nobody_msgs" in model.shown("/odd").problem
+
+
+def test_bags_that_disagree_about_a_topic_are_not_shown_together(desk):
+    import rosbag2_py
+
+    from rclpy.serialization import serialize_message
+
+    write_bag(desk.folder / "bag")
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(desk.folder / "other")))
+    writer.create_topic(rosbag2_py.TopicMetadata(0, "/number", "std_msgs/msg/String", "cdr"))
+    writer.write("/number", serialize_message(String(data="4")), START)
+    writer.close()
+    model = desk.open("bag")
+    model.load("other")
+    desk.machine.until(lambda: model.failed)
+    assert "topic /number has multiple datatypes: std_msgs/msg/Float64 and std_msgs/msg/String" in model.status
+    assert len(model.bags) == 1
+
+
+def test_it_is_a_plugin_of_rqt(desk):
+    write_bag(desk.folder / "bag")
+    desk.machine.start("rqt_gui", "rqt_gui", "--standalone", "rqt_bag", "--args", "bag", screen=True)
+    (window,) = desk.machine.display.windows
+    assert window.kind == "rqt_bag"
+    desk.machine.until(lambda: len(window.model.topics) == 3)
+    assert "rqt_bag.bag.Bag" in desk.machine.start("rqt_gui", "rqt_gui").output
+
+
 def test_without_a_screen_it_prints_what_is_in_the_bag(desk):
     write_bag(desk.folder / "bag")
     running = desk.machine.start("rqt_bag", "rqt_bag", "bag")

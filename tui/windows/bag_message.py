@@ -34,14 +34,15 @@ class MessageTree:
         self._open: set[Path] = set()
         self._cursor = self._first = 0
         self._lines: list[_Line] = []
+        self._shown: Shown | None = None
         self._made_for: tuple[object, ...] = ()
 
     def take(self, shown: Shown | None) -> None:
         """Show another message."""
-        made_for = (id(shown), len(self._open), self._cursor)
-        if made_for == self._made_for:
+        made_for = (len(self._open), self._cursor)
+        if shown is self._shown and made_for == self._made_for:
             return
-        self._made_for = made_for
+        self._shown, self._made_for = shown, made_for
         self._lines = []
         if shown is not None and shown.message is not None:
             self._add((), shown.type, shown.message)

@@ -129,7 +129,7 @@ class RqtBagPane(WindowPane["Bags"]):
     def _place(self) -> _Place:
         width = self.inner_width
         longest = max((cell_len(topic) for topic in self.model.topics), default=8) + 4
-        names = min(longest, max(12, width // 3))
+        names = min(longest, max(14, width * 2 // 5))
         about = ABOUT_WIDTH if width >= WIDE else 0
         rows = max(1, self.inner_height - HEAD - 1)
         panel = 0

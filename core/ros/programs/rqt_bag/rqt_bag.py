@@ -5,21 +5,15 @@ Without a screen it prints what is in the bags (see `programs/_without_screen.py
 
 from __future__ import annotations
 
-from pathlib import Path
+from functools import partial
 
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
-from day6_tui.core.ros.programs.rqt_bag.model.loading import is_bag
+from day6_tui.core.ros.programs.rqt_bag.model.loading import is_bag, path_of
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, own_words, run_alone
+from day6_tui.core.session.argument_parser import Parser, ParserExit
 from day6_tui.core.session.session import Session
-
-USAGE = "usage: rqt_bag [-h] [--clock] [bagfiles ...]"
-
-HELP = f"""{USAGE}
-
-Options for rqt_bag plugin:
-  --clock     publish the clock time
-  bagfiles    Bagfiles to load"""
+from day6_tui.core.session.threads import in_thread
 
 
 class BagPlugin(Plugin[Bags]):
@@ -45,40 +39,41 @@ class BagPlugin(Plugin[Bags]):
         if stays(session, self.place.node):
             session.spawn(session.spin(self.place.node))
             await self.run()
-        return await _print(session, self.place.words)
+        return await _print(session, [word for word in self.place.words if not word.startswith("-")])
 
 
-async def _print(session: Session, words: list[str]) -> int:
+def _parser(session: Session) -> Parser:
+    """The options of rqt_bag's plugin (rqt_bag/bag.py); those of every rqt window are not here."""
+    parser = Parser(session, prog="rqt_bag")
+    group = parser.add_argument_group("Options for rqt_bag plugin")
+    group.add_argument("--clock", action="store_true", help="publish the clock time")
+    group.add_argument("bagfiles", nargs="*", default=[], help="Bagfiles to load")
+    return parser
+
+
+async def _print(session: Session, names: list[str]) -> int:
     """Print what is in the bags, as `ros2 bag info` does."""
     from rosbag2_py._info import Info
 
-    from day6_tui.core.session.threads import in_thread
-
-    status = 0
-    for word in words:
-        if word.startswith("-"):
-            continue
-        path = Path(session.cwd, word)
+    status, info = 0, Info()
+    for name in names:
+        path = str(path_of(session.cwd, name))
         try:
-            text = await in_thread(lambda path=path: Info().text(Info().read_metadata(str(path), "")))  # type: ignore[misc]
-            session.print(text)
+            session.print(await in_thread(partial(lambda path: info.text(info.read_metadata(path)), path)))
         except (RuntimeError, OSError) as error:
-            session.print_error(f"Loading '{word}' failed due to: {error}")
+            session.print_error(f"Loading '{name}' failed due to: {error}")
             status = 1
     return status
 
 
 async def main(session: Session) -> int | None:
     """Open the window and play until it is closed; without a display print what is in the bags once, or stay."""
-    words = own_words(session.argv)
-    if {"-h", "--help"} & set(words):
-        session.print(HELP)
-        return 0
-    for word in words:
-        if word.startswith("-") and word != "--clock":
-            session.print_error(f"{USAGE}\nrqt_bag: error: unrecognized arguments: {word}")
-            return 2
-        if not word.startswith("-") and not is_bag(Path(session.cwd, word)):
-            session.print_error(f"{USAGE}\nrqt_bag: error: '{word}' is not a valid rosbag")
-            return 2
+    parser = _parser(session)
+    try:
+        options = parser.parse_args(own_words(session.argv))
+        for name in options.bagfiles:
+            if not is_bag(path_of(session.cwd, name)):
+                parser.error(f"'{name}' is not a valid rosbag")
+    except ParserExit as end:
+        return end.status
     return await run_alone(session, BagPlugin)

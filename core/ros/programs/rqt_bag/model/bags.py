@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections import OrderedDict, deque
 from collections.abc import Callable, Coroutine, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.interfaces import DeserializationError, UnknownInterfaceError, deserialize, get_interface
 from day6_tui.core.ros.programs.rqt_bag.model.exporting import ExportError, export
-from day6_tui.core.ros.programs.rqt_bag.model.loading import OpenBag, index_bag, is_bag, open_bag
+from day6_tui.core.ros.programs.rqt_bag.model.loading import OpenBag, index_bag, is_bag, open_bag, path_of
 from day6_tui.core.ros.programs.rqt_bag.model.pictures import IMAGE, NoPicture, Picture, picture
 from day6_tui.core.ros.programs.rqt_bag.model.player import Player
 from day6_tui.core.ros.programs.rqt_bag.model.recorder import POLL_SECONDS, Recorder
@@ -220,13 +219,13 @@ class Bags:
         self._version += 1
 
     async def _load(self, name: str, problem: str) -> None:
-        path = Path(self._session.cwd, name).expanduser()
+        path = path_of(self._session.cwd, name)
         self.tell(f"Loading '{name}' ...")
         self.loading = True
         try:
             bag = await in_thread(lambda: open_bag(path))
             self._add(bag)
-            await in_thread(lambda: index_bag(bag, self.timeline, lambda: self._closed))
+            await in_thread(lambda: index_bag(bag, self.timeline, lambda: self._is_closed(bag)))
             self._began()
             rates = await in_thread(lambda: {topic: self.timeline.rate(topic) for topic in bag.topics})
             self.rates = {**self.rates, **rates}
@@ -248,6 +247,13 @@ class Bags:
             self.timeline.span(bag.start_ns, bag.end_ns)
         self._refresh()
         self._began()
+
+    def _is_closed(self, bag: OpenBag) -> bool:
+        """Asked between two blocks, in the thread: topics that metadata.yaml doesn't name are shown as soon as they come."""
+        if not self._closed and bag.topics.keys() - self.topics.keys():
+            self.request(self._refresh)
+            self.request(self._began)
+        return self._closed
 
     def _began(self) -> None:
         """The playhead of the first bag is at its beginning."""
@@ -282,9 +288,11 @@ class Bags:
 
     def _record(self, name: str, topics: Sequence[str] | None) -> None:
         if self.recorder is not None or self.loading or self.exporting is not None:
+            what = self.exporting_to or self.status or "Recording"
+            self.tell(f"Background operation already running: {what}", failed=True)
             return
         self._start_anew()
-        path = Path(self._session.cwd, name).expanduser()
+        path = path_of(self._session.cwd, name)
         self._node.get_logger().get_child("rqt_bag.BagWidget").info(f"Recording to {name}.")
         try:
             self.recorder = Recorder(self._node, path, topics, self.timeline)
@@ -339,7 +347,7 @@ class Bags:
                 self.exporting, self.exporting_to = None, ""
 
     async def _copy(self, name: str, topics: Sequence[str], region: tuple[int, int]) -> None:
-        path = Path(self._session.cwd, name).expanduser()
+        path = path_of(self._session.cwd, name)
         timeline, bags = self.timeline, self.bags
 
         def cancelled() -> bool:

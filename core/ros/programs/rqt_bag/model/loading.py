@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
 import weakref
@@ -43,11 +44,19 @@ class OpenBag:
             source.close()
 
 
+def path_of(folder: Path, name: str) -> Path:
+    """The path that a user means who is in a folder."""
+    return folder / Path(name).expanduser()
+
+
 def is_bag(path: Path) -> bool:
-    """Whether rqt_bag takes this path for a bag: a folder with a metadata.yaml, that file, or a file of either storage."""
-    if path.is_file():
+    """Whether rqt_bag takes this path for a bag: a folder with a metadata.yaml, that file, or a file of either storage.
+
+    The real one refuses the last of these (rqt_bag/bag.py, _isbag).
+    """
+    if os.path.isfile(path):
         return path.name == FILE_NAME or path.suffix in (".mcap", ".db3")
-    return (path / FILE_NAME).is_file()
+    return os.path.isfile(path / FILE_NAME)
 
 
 def open_bag(path: Path) -> OpenBag:
