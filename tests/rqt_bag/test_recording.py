@@ -144,6 +144,24 @@ def test_nothing_is_overwritten_and_nothing_found_is_told(desk):
     assert not (desk.folder / "none").exists()
 
 
+def test_a_full_disk_ends_the_export_and_is_told(desk, monkeypatch):
+    import errno
+
+    from rosbag2_py._mcap_write import McapWriter
+
+    write_bag(desk.folder / "bag")
+    model = desk.open("bag")
+
+    def full(self, *words):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(McapWriter, "write", full)
+    model.export("part", ["/number"])
+    desk.machine.until(lambda: model.failed)
+    assert model.status.startswith("Error exporting message at position")
+    assert model.status.endswith("No space left on device")
+
+
 def test_a_cancelled_export_leaves_a_whole_bag_with_what_was_copied(desk, monkeypatch):
     write_bag(desk.folder / "bag", seconds=200)
     model = desk.open("bag")

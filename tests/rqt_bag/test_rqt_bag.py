@@ -127,6 +127,17 @@ def test_playing_goes_around_at_the_end_of_the_region(desk):
     assert values(numbers)[:12] == [*map(float, range(11, 21)), 10.0, 11.0]
 
 
+def test_playing_begins_with_the_region_even_if_the_playhead_is_elsewhere(desk):
+    write_bag(desk.folder / "bag")
+    model = desk.open("bag")
+    model.request(lambda: setattr(model.player, "region", (START + 5 * SECOND, START + 8 * SECOND)))
+    for beside in (1.0, 9.0):
+        desk.jump(beside)
+        play(desk)
+        play_until(desk, lambda: 5.0 <= desk.playhead < 6.0)
+        play(desk, 0.0)
+
+
 def test_backwards_nothing_is_published(desk):
     write_bag(desk.folder / "bag")
     desk.open("bag")
@@ -274,6 +285,25 @@ def test_it_is_a_plugin_of_rqt(desk):
     assert window.kind == "rqt_bag"
     desk.machine.until(lambda: len(window.model.topics) == 3)
     assert "rqt_bag.bag.Bag" in desk.machine.start("rqt_gui", "rqt_gui").output
+
+
+def test_closed_within_rqt_it_gives_back_what_it_has_on_the_shared_node(desk):
+    from day6_tui.core.ros.programs.rqt_gui.catalogue import plugins
+
+    write_bag(desk.folder / "bag")
+    running = desk.machine.start("rqt_gui", "rqt_gui", screen=True)
+    (menu,) = desk.machine.display.windows
+    menu.model.start(next(each for each in plugins() if each.package == "rqt_bag"))
+    desk.machine.until(lambda: len(desk.machine.display.windows) == 2)
+    window = desk.machine.display.windows[-1]
+    desk.model = window.model
+    desk.model.load("bag")
+    desk.machine.until(lambda: len(desk.model.topics) == 3)
+    desk.publish("/number")
+    assert len(desk.machine.node.get_publishers_info_by_topic("/number")) == 1
+    window.close_by_user()
+    desk.machine.until(lambda: not desk.machine.node.get_publishers_info_by_topic("/number"))
+    assert running.program.status is None
 
 
 def test_without_a_screen_it_prints_what_is_in_the_bag(desk):

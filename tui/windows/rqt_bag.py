@@ -169,7 +169,7 @@ class RqtBagPane(WindowPane["Bags"]):
         if state == self._drawn:
             return moves
         self._drawn = state
-        self._count(place)
+        self._look(place)
         self.touch_lines(range(self.inner_height))
         self.touch_frame()
         return moves
@@ -183,21 +183,26 @@ class RqtBagPane(WindowPane["Bags"]):
             if moved != self.view:
                 self.view, self._fits = moved, False
 
-    def _count(self, place: _Place) -> None:
-        """Count the messages of every topic in each column, unless nothing has changed."""
+    def _look(self, place: _Place) -> None:
+        """Forget the marks if something has changed, and have single messages looked up."""
         model, view = self.model, self.view
-        counted = (model.timeline.version, view, place.columns, tuple(model.topics), self.look.glyphs.bars)
+        counted = (model.timeline.version, view, place.columns, self.look.glyphs.bars)
         if view is None or counted == self._counted:
             return
         self._counted = counted
-        bars = self.look.glyphs.bars
         self._marks = {}
-        for topic in model.topics:
-            counts = model.timeline.columns(topic, view.left, view.right, place.columns)
-            self._marks[topic] = _bars(counts, bars)
         if self._seen != (view, model.timeline.blocks):
             self._seen = (view, model.timeline.blocks)
             model.see(view.left, view.right)
+
+    def _marks_of(self, topic: str, place: _Place) -> list[str]:
+        """A mark for each column with messages of a topic."""
+        assert self.view is not None
+        found = self._marks.get(topic)
+        if found is None:
+            counts = self.model.timeline.columns(topic, self.view.left, self.view.right, place.columns)
+            found = self._marks[topic] = _bars(counts, self.look.glyphs.bars)
+        return found
 
     def _playhead_column(self, place: _Place) -> int:
         return -1 if self.view is None else self.view.column_of(self.model.player.now(), place.columns)
@@ -219,7 +224,7 @@ class RqtBagPane(WindowPane["Bags"]):
             return self._choice.line(y, width, self.inner_height)
         if self.view is None:
             return self._empty_line(y, width)
-        self._count(place)
+        self._look(place)
         if y == 0:
             return self._labels(place)
         if y == 1:
@@ -304,8 +309,8 @@ class RqtBagPane(WindowPane["Bags"]):
         publishes = topic in self.model.player.publishing
         name = fit(elide(one_line(topic), place.names - 4, glyphs.ellipsis), place.names - 4, glyphs.ellipsis)
         style = self._colour(COLOURS.get(self.model.topics[topic], OTHERS))
-        marks = self._marks.get(topic) or [" "] * place.columns
-        cells = [(mark, style) for mark in marks[: place.columns]]
+        marks = self._marks_of(topic, place)
+        cells = [(mark, style) for mark in marks]
         if self._height(index) > 1:
             cells = self._thumbnail_cells(topic, part, place, marks)
         if 0 <= at < len(cells):
@@ -349,7 +354,8 @@ class RqtBagPane(WindowPane["Bags"]):
         """What went wrong, or what the chosen topic is."""
         model, colours, ellipsis = self.model, self.look.colours, self.look.glyphs.ellipsis
         exporting = f"{model.exporting_to}  {model.exporting} %" if model.exporting is not None else ""
-        text = self._recording_text() or exporting or model.status or model.player.problem
+        loading = f"{model.status} {model.indexed} %" if model.indexed is not None else ""
+        text = self._recording_text() or exporting or loading or model.status or model.player.problem
         if text:
             failed = bool(model.recorder) or (not exporting and (model.failed or not model.status))
             return [

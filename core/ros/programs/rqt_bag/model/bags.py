@@ -86,6 +86,12 @@ class Bags:
         """Bytes of all bags."""
         return sum(bag.size for bag in self.bags)
 
+    @property
+    def indexed(self) -> int | None:
+        """Per cent of the bags' messages that are in the index while one is loaded; None if that isn't known."""
+        count = sum(bag.count for bag in self.bags)
+        return min(100, 100 * self.timeline.messages // count) if self.loading and count else None
+
     # -- the window's side ---------------------------------------------------------------------------------------------
 
     def request(self, action: Callable[[], object]) -> None:
@@ -114,10 +120,11 @@ class Bags:
 
     def publish_all(self, on: bool) -> None:
         """Publish all topics, or none."""
-        self.request(lambda: [self._publish(topic, on) for topic in self.topics])
+        self.request(lambda: self._publish_all(on))
 
-    def _publish(self, topic: str, on: bool) -> None:
-        (self.player.start_publishing if on else self.player.stop_publishing)(topic)
+    def _publish_all(self, on: bool) -> None:
+        for topic in self.topics:
+            (self.player.start_publishing if on else self.player.stop_publishing)(topic)
 
     def shown(self, topic: str) -> Shown | None:
         """The message of a watched topic at the playhead; None if there is none, or it is not read yet."""

@@ -27,6 +27,8 @@ class OpenBag:
     path: Path
     size: int = 0
     """Bytes on the disk."""
+    count: int = 0
+    """Messages, by metadata.yaml; 0 for a file without one."""
     start_ns: int | None = None
     end_ns: int | None = None
     topics: dict[str, TopicMetadata] = field(default_factory=dict)
@@ -74,6 +76,7 @@ def open_bag(path: Path) -> OpenBag:
     return OpenBag(
         path,
         metadata.bag_size,
+        metadata.message_count,
         start if counted else None,
         last_moment(metadata) if counted else None,
         {each.topic_metadata.name: each.topic_metadata for each in metadata.topics_with_message_count},

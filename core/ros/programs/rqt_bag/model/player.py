@@ -273,6 +273,9 @@ class Player:
                 self.jump(end)
             return max(playhead.steady_at(begin), self._steady_ns() + 1)
         now = playhead.now()
+        if now < begin:
+            self.jump(begin)
+            return None
         for _ in range(AT_ONCE):
             if not self._queue or self._queue[0].found.time_ns > now:
                 break

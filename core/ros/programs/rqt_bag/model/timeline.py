@@ -163,6 +163,8 @@ class Timeline:
         """Grows whenever something would be counted otherwise."""
         self.blocks = 0
         """How many there are."""
+        self.messages = 0
+        """How many messages they hold."""
         self._lanes: dict[str, _Lane] = {}
         self._kept: OrderedDict[Block, None] = OrderedDict()
         self._keeping = threading.Lock()
@@ -179,6 +181,7 @@ class Timeline:
         """Add a block; one thread at a time."""
         self.blocks += 1
         block.number = self.blocks
+        self.messages += sum(block.counts.values())
         for topic in block.counts:
             lane = self._lanes.get(topic) or _Lane(topic=topic)
             self._lanes[topic] = lane.with_block(source, block)
