@@ -103,7 +103,7 @@ def test_a_full_disk_ends_the_recording_and_is_told(desk, monkeypatch):
 def test_the_selected_region_of_the_chosen_topics_is_copied(desk, storage):
     write_bag(desk.folder / "bag", storage)
     model = desk.open("bag")
-    model.request(lambda: setattr(model.player, "region", (START + SECOND, START + 2 * SECOND)))
+    model.request(lambda: model.player.select((START + SECOND, START + 2 * SECOND)))
     model.export("part", ["/number", "/static"])
     desk.machine.until(lambda: "messages in" in model.status)
     assert model.status == '11 messages in "part"' and not model.failed
@@ -138,7 +138,7 @@ def test_nothing_is_overwritten_and_nothing_found_is_told(desk):
     desk.machine.until(lambda: model.failed)
     assert "for writing: Bag directory already exists" in model.status
     assert (desk.folder / "bag" / "metadata.yaml").read_bytes() == before
-    model.request(lambda: setattr(model.player, "region", (START + 1, START + 2)))
+    model.request(lambda: model.player.select((START + 1, START + 2)))
     model.export("none", ["/number"])
     desk.machine.until(lambda: model.status == "No messages found")
     assert not (desk.folder / "none").exists()

@@ -118,7 +118,7 @@ def test_playing_goes_around_at_the_end_of_the_region(desk):
     model = desk.open("bag")
     numbers = desk.watch(Float64, "/number")
     desk.publish("/number")
-    model.request(lambda: setattr(model.player, "region", (START + SECOND, START + 2 * SECOND)))
+    model.request(lambda: model.player.select((START + SECOND, START + 2 * SECOND)))
     desk.jump(1.0)
     numbers.clear()
     play(desk, 4.0)
@@ -130,12 +130,28 @@ def test_playing_goes_around_at_the_end_of_the_region(desk):
 def test_playing_begins_with_the_region_even_if_the_playhead_is_elsewhere(desk):
     write_bag(desk.folder / "bag")
     model = desk.open("bag")
-    model.request(lambda: setattr(model.player, "region", (START + 5 * SECOND, START + 8 * SECOND)))
+    model.request(lambda: model.player.select((START + 5 * SECOND, START + 8 * SECOND)))
     for beside in (1.0, 9.0):
         desk.jump(beside)
         play(desk)
         play_until(desk, lambda: 5.0 <= desk.playhead < 6.0)
         play(desk, 0.0)
+
+
+def test_a_region_that_is_chosen_while_it_plays_counts_at_once(desk):
+    write_bag(desk.folder / "bag")
+    model = desk.open("bag")
+    numbers = desk.watch(Float64, "/number")
+    desk.publish("/number")
+    play(desk)
+    play_until(desk, lambda: desk.playhead > 2.0)
+    end = model.player.now() + 1
+    model.request(lambda: model.player.select((START, end)))
+    desk.arrive()
+    seen = max(values(numbers))
+    numbers.clear()
+    play_until(desk, lambda: len(numbers) > 5)
+    assert max(values(numbers)) <= seen + 1
 
 
 def test_backwards_nothing_is_published(desk):
@@ -255,7 +271,7 @@ def test_a_topic_of_an_unknown_type_is_told_and_the_others_are_published(desk):
     desk.machine.until(lambda: model.player.publishing)
     assert model.player.publishing == {"/number"}
     assert "Error creating publisher on topic /odd for type nobody_msgs/msg/Odd." in desk.running.errors
-    model.toggle_watching("/odd")
+    model.watch("/odd")
     desk.arrive()
     assert "nobody_msgs" in model.shown("/odd").problem
 

@@ -300,6 +300,26 @@ def test_a_recording_is_started_from_the_list_of_topics_and_stopped_with_r(desk)
     use(desk, act)
 
 
+def test_a_new_recording_is_seen_whole_however_the_last_bag_was_looked_at(bag):
+    publisher = bag.machine.node.create_publisher(Float64, "/fresh", 10)
+
+    async def act(tool):
+        await tool.go("pageup", "pageup", "v")
+        bag.model.record("new", None)
+        bag.machine.until(lambda: bag.model.recorder is not None)
+        bag.machine.advance(0.2)
+        publisher.publish(Float64(data=1.0))
+        bag.machine.advance(0.2)
+        bag.model.stop_recording()
+        bag.machine.until(lambda: bag.model.bags and not bag.model.loading and "/fresh" in bag.model.topics)
+        await tool.settle()
+        timeline = bag.model.timeline
+        assert tool.pane.view == whole(timeline.start_ns, timeline.end_ns)
+        assert "data: " not in tool.text and bag.model.player.watched == set()
+
+    use(bag, act)
+
+
 # -- the axis ----------------------------------------------------------------------------------------------------------
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from rich.segment import Segment
@@ -22,7 +20,6 @@ from day6_tui.core.ros.programs.rqt_bag.model.view import (
     ZOOM_OUT,
     View,
     divisions,
-    proposed_name,
     size_text,
     whole,
 )
@@ -33,8 +30,10 @@ from day6_tui.tui.colours import background_of, pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.bag_cells import COLOURS, NANOSECONDS, OTHERS, Cell, bars_of, date, runs, short
 from day6_tui.tui.windows.bag_message import MessageTree
-from day6_tui.tui.windows.bag_picture import Cell, paint
+from day6_tui.tui.windows.bag_picture import paint
+from day6_tui.tui.windows.bag_questions import Questions
 from day6_tui.tui.windows.bag_topics import TopicChoice
 
 if TYPE_CHECKING:
@@ -43,7 +42,6 @@ if TYPE_CHECKING:
 HEAD = 2
 """Lines above the topics: labels and the ruler, in which a region is selected."""
 
-NANOSECONDS = 1_000_000_000
 WIDE = 100
 """From this width on there are columns for count, rate and type."""
 
@@ -51,16 +49,6 @@ ABOUT_WIDTH = 34
 LABEL_ROOM = 10
 """Cells between two labels of the time axis."""
 
-COLOURS = {
-    "sensor_msgs/msg/Image": (0x3FC1C1, 0x006D6D),
-    "sensor_msgs/msg/CompressedImage": (0x3FC1C1, 0x006D6D),
-    "sensor_msgs/msg/CameraInfo": (0x8F9BFF, 0x20208C),
-    "sensor_msgs/msg/LaserScan": (0xFF7B6B, 0x990000),
-    "tf2_msgs/msg/TFMessage": (0x5FCB6B, 0x006E00),
-}
-"""On dark and on light: rqt_bag's colours of types (timeline_frame._datatype_colors), brightened for dark."""
-
-OTHERS = (0x7AA2F7, 0x000066)
 PLAYHEAD = (0xFF5555, 0xCC0000)
 
 
@@ -92,6 +80,7 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def __init__(self, window: Window[Bags], look: Look) -> None:
         super().__init__(window, look)
+        self._timeline = window.model.timeline
         self.view: View | None = None
         self._fits = True
         """Whether everything is to be seen, however the bags grow."""
@@ -105,7 +94,9 @@ class RqtBagPane(WindowPane["Bags"]):
         """Where the playhead was when the view last followed it."""
         self._drag = ""
         self._dragged_from = 0
-        self._choice: TopicChoice | None = None
+        self._questions = Questions(self)
+        self.choice: TopicChoice | None = None
+        """The list of topics that lies over the timeline while some are chosen."""
         self._tree: MessageTree | None = None
         """The message that is shown below the timeline."""
         self._in_panel = False
@@ -157,6 +148,8 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def pull(self, now: float) -> bool:
         model, timeline = self.model, self.model.timeline
+        if timeline is not self._timeline:
+            self._begin_anew()
         moves = bool(model.player.playhead.speed) or model.loading or model.recorder is not None
         if timeline.start_ns is not None and timeline.end_ns is not None:
             if self.view is None or self._fits:
@@ -173,6 +166,12 @@ class RqtBagPane(WindowPane["Bags"]):
         self.touch_lines(range(self.inner_height))
         self.touch_frame()
         return moves
+
+    def _begin_anew(self) -> None:
+        """Other bags are on the timeline: nothing of how the last ones were seen is of use."""
+        self._timeline, self.view, self._fits, self._tree, self._in_panel = self.model.timeline, None, True, None, False
+        self._chosen = self._first = 0
+        self._counted = ()
 
     def _follow(self, playhead: int) -> None:
         """When the playhead leaves what is seen, the view goes with it."""
@@ -201,7 +200,7 @@ class RqtBagPane(WindowPane["Bags"]):
         found = self._marks.get(topic)
         if found is None:
             counts = self.model.timeline.columns(topic, self.view.left, self.view.right, place.columns)
-            found = self._marks[topic] = _bars(counts, self.look.glyphs.bars)
+            found = self._marks[topic] = bars_of(counts, self.look.glyphs.bars)
         return found
 
     def _playhead_column(self, place: _Place) -> int:
@@ -220,8 +219,8 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         place = self._place()
-        if self._choice is not None:
-            return self._choice.line(y, width, self.inner_height)
+        if self.choice is not None:
+            return self.choice.line(y, width, self.inner_height)
         if self.view is None:
             return self._empty_line(y, width)
         self._look(place)
@@ -253,7 +252,7 @@ class RqtBagPane(WindowPane["Bags"]):
         if shown.type == IMAGE and not self._in_panel:
             found = model.thumbnail(tree.topic, shown.time_ns, width - 2, 2 * height)
             lines = self._painted(found)
-            return [Segment(" ", self.background), *_runs(lines[y])] if y < len(lines) else []
+            return [Segment(" ", self.background), *runs(lines[y])] if y < len(lines) else []
         return tree.line(y, width, height, focused=self._in_panel and self.has_focus)
 
     def _painted(self, found: Picture | None) -> list[list[Cell]]:
@@ -299,7 +298,7 @@ class RqtBagPane(WindowPane["Bags"]):
             cells.append((char, colours.selection if selected else colours.frame))
         if 0 <= at < place.columns:
             cells[at] = (pointer, cells[at][1] if ends and ends[0] <= at <= ends[1] else self._colour(PLAYHEAD))
-        return [Segment(" " * place.left, self.background), *_runs(cells)]
+        return [Segment(" " * place.left, self.background), *runs(cells)]
 
     def _topic_line(self, index: int, part: int, place: _Place) -> list[Segment]:
         colours, glyphs = self.look.colours, self.look.glyphs
@@ -316,17 +315,15 @@ class RqtBagPane(WindowPane["Bags"]):
         if 0 <= at < len(cells):
             cells[at] = ("│" if glyphs.unicode else "|", self._colour(PLAYHEAD))
         if part:
-            return [Segment(" " * place.left, self.background), *_runs(cells)]
+            return [Segment(" " * place.left, self.background), *runs(cells)]
         segments = [
             Segment("[x] " if publishes else "[ ] ", colours.publisher if publishes else colours.muted),
             Segment(name, (colours.choice if self.has_focus else colours.strong) if on else colours.topic),
             Segment(" ", self.background),
-            *_runs(cells),
+            *runs(cells),
         ]
         if self.inner_width >= WIDE:
-            about = (
-                f" {self.model.timeline.count(topic):>9} {self._rate(topic):>10}  {_short(self.model.topics[topic])}"
-            )
+            about = f" {self.model.timeline.count(topic):>9} {self._rate(topic):>10}  {short(self.model.topics[topic])}"
             segments.append(Segment(fit(about, ABOUT_WIDTH, glyphs.ellipsis), colours.muted))
         return segments
 
@@ -392,7 +389,7 @@ class RqtBagPane(WindowPane["Bags"]):
         elapsed = f"{(now - model.timeline.start_ns) / NANOSECONDS:.3f}s"
         if self.inner_width < 50:
             return f" {elapsed} "
-        return f" {elapsed}  {_date(now)} "
+        return f" {elapsed}  {date(now)} "
 
     def status(self) -> list[Piece]:
         colours, model = self.look.colours, self.model
@@ -406,7 +403,7 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        if self._choice is not None:
+        if self.choice is not None:
             return [("Space", texts("bag.tick")), ("Enter", texts("bag.go_on")), ("Esc", texts("bag.cancel"))]
         if self.model.recorder is not None:
             return [("r", texts("bag.stop_recording")), ("Space", texts("bag.hold_recording"))]
@@ -453,10 +450,10 @@ class RqtBagPane(WindowPane["Bags"]):
             self.look.wake()
 
     def _press(self, key: str, character: str) -> bool:
-        if self._choice is not None:
-            used = self._choice.press(key)
-            if self._choice is not None and self._choice.is_over:
-                self._choice = None
+        if self.choice is not None:
+            used = self.choice.press(key)
+            if self.choice is not None and self.choice.is_over:
+                self.choice = None
             return used
         if self.model.recorder is not None:
             return self._press_recording(key, character)
@@ -468,7 +465,7 @@ class RqtBagPane(WindowPane["Bags"]):
                 return True
         action = {
             "space": self._toggle_play,
-            "enter": self._toggle_publishing,
+            "enter": self.toggle_publishing,
             "home": lambda: self._go(lambda: self.model.player.play_region[0]),
             "end": lambda: self._go(lambda: self.model.player.play_region[1]),
             "up": lambda: self._choose(self._chosen - 1),
@@ -491,12 +488,12 @@ class RqtBagPane(WindowPane["Bags"]):
             "[": lambda: self._select_end(left=True),
             "]": lambda: self._select_end(left=False),
             "a": lambda: self.model.publish_all(self.model.player.publishing != set(self.model.topics)),
-            "o": self._ask_bag,
-            "v": self._toggle_view,
-            "t": self._toggle_thumbnails,
-            "r": self._ask_recording,
-            "s": self._ask_export,
-            "m": self._open_menu,
+            "o": self._questions.bag,
+            "v": self.toggle_view,
+            "t": self.toggle_thumbnails,
+            "r": self._questions.recording,
+            "s": self._questions.export,
+            "m": self._questions.menu,
         }.get(character)
         if action is None:
             return False
@@ -517,7 +514,7 @@ class RqtBagPane(WindowPane["Bags"]):
     def _go(self, where: Callable[[], int]) -> None:
         self.model.request(lambda: self.model.player.jump(where()))
 
-    def _toggle_publishing(self) -> None:
+    def toggle_publishing(self) -> None:
         if self.chosen:
             self.model.toggle_publishing(self.chosen)
 
@@ -549,8 +546,7 @@ class RqtBagPane(WindowPane["Bags"]):
             self.model.request(lambda: player.jump(at))
 
     def _select(self, region: tuple[int, int] | None) -> None:
-        player = self.model.player
-        self.model.request(lambda: setattr(player, "region", region))
+        self.model.request(lambda: self.model.player.select(region))
 
     def _select_end(self, *, left: bool) -> None:
         """Begin or end the selected region at the playhead."""
@@ -574,95 +570,27 @@ class RqtBagPane(WindowPane["Bags"]):
         if self.model.exporting is not None:
             self.model.cancel_export()
         elif self._tree is not None:
-            self._toggle_view()
+            self.toggle_view()
         else:
             self._select(None)
 
-    def _toggle_view(self) -> None:
+    def toggle_view(self) -> None:
         """Show the messages of the chosen topic below the timeline; or, if it is shown, no longer."""
         before, self._tree, self._in_panel = self._tree, None, False
-        if before is not None:
-            self.model.toggle_watching(before.topic)
         if self.chosen and (before is None or before.topic != self.chosen):
             self._tree = MessageTree(self.look, self.chosen)
-            self.model.toggle_watching(self.chosen)
+        self.model.watch(*([self._tree.topic] if self._tree is not None else []))
 
     def _change_panel(self) -> None:
         """Give the keys to the fields below the timeline, or back."""
         if self._tree is None:
-            self._toggle_view()
+            self.toggle_view()
         self._in_panel = not self._in_panel and self._tree is not None
 
-    def _toggle_thumbnails(self) -> None:
+    def toggle_thumbnails(self) -> None:
         self._thumbnails = not self._thumbnails
 
-    # -- questions -----------------------------------------------------------------------------------------------------
-
-    def _ask_bag(self) -> None:
-        """Choose one of the bags in the working folder, or type where it is."""
-        from day6_tui.tui.menu import Entry, Menu
-
-        entries = [Entry(name, "", partial(self.model.load, name)) for name in self.model.nearby()]
-        other = Entry(self.look.texts("bag.open.other"), "", self._type_bag)
-        if entries:
-            self.lay_over(Menu(self.look, "bag.open.title", [*entries, other]))
-        else:
-            self._type_bag()
-
-    def _type_bag(self) -> None:
-        def taken(text: str) -> None:
-            if text.strip():
-                self.model.load(text.strip())
-
-        self.ask(self.look.texts("bag.open.title"), "", taken, note=self.look.texts("bag.open.note"))
-
-    def _ask_recording(self) -> None:
-        def chosen(topics: Sequence[str] | None) -> None:
-            self._ask_name("bag.record.title", lambda name: self.model.record(name, topics))
-
-        title = self.look.texts("bag.record.topics")
-        self._choice = TopicChoice(self.look, title, self.model.graph_topics(), chosen, ticked=True)
-
-    def _ask_export(self) -> None:
-        def chosen(topics: Sequence[str] | None) -> None:
-            names = list(self.model.topics) if topics is None else topics
-            self._ask_name("bag.save.title", lambda name: self.model.export(name, names))
-
-        if self.model.topics:
-            title = self.look.texts("bag.save.topics")
-            self._choice = TopicChoice(self.look, title, self.model.topics, chosen, ticked=True)
-
-    def _ask_name(self, title: str, use: Callable[[str], object]) -> None:
-        def taken(text: str) -> str | None:
-            if not text.strip():
-                return self.look.texts("bag.name.none")
-            use(text.strip())
-            return None
-
-        self.ask(self.look.texts(title), proposed_name(), taken, note=self.look.texts("bag.name.note"))
-
-    def _open_menu(self) -> None:
-        """What rqt_bag offers at a right click (timeline_menu.py)."""
-        from day6_tui.tui.menu import Entry, Menu
-
-        texts, model = self.look.texts, self.model
-        publishes = self.chosen in model.player.publishing
-        entries = [
-            Entry(
-                texts("bag.menu.unpublish" if publishes else "bag.menu.publish"), self.chosen, self._toggle_publishing
-            ),
-            Entry(texts("bag.menu.publish_all"), "", lambda: model.publish_all(True)),
-            Entry(texts("bag.menu.publish_none"), "", lambda: model.publish_all(False)),
-            Entry(texts("bag.menu.view"), self.chosen, self._toggle_view),
-            Entry(texts("bag.menu.thumbnails"), "t", self._toggle_thumbnails),
-            Entry(texts("bag.menu.reset"), "", self._reset),
-            Entry(texts("bag.menu.save"), "s", self._ask_export),
-            Entry(texts("bag.menu.open"), "o", self._ask_bag),
-            Entry(texts("bag.menu.record"), "r", self._ask_recording),
-        ]
-        self.lay_over(Menu(self.look, "bag.menu", entries))
-
-    def _reset(self) -> None:
+    def reset(self) -> None:
         """See everything, select nothing, go to the beginning (timeline_frame.reset_timeline)."""
         self._fit()
         self._select(None)
@@ -684,8 +612,8 @@ class RqtBagPane(WindowPane["Bags"]):
         at = self._time_under(event)
         if not self.is_inside(event):
             return
-        if self._choice is not None:
-            self._choice.click(line)
+        if self.choice is not None:
+            self.choice.click(line)
             self.touch()
             return
         if at is None:
@@ -694,10 +622,10 @@ class RqtBagPane(WindowPane["Bags"]):
         if HEAD <= line < HEAD + len(rows):
             self._choose(rows[line - HEAD][0])
             if event.button == 3:
-                self._open_menu()
+                self._questions.menu()
                 return
             if column < 4 - place.left:
-                self._toggle_publishing()
+                self.toggle_publishing()
         elif line > HEAD + place.rows and self._tree is not None:
             self._in_panel = True
             self._tree.click(line - HEAD - place.rows - 1)
@@ -742,35 +670,3 @@ class RqtBagPane(WindowPane["Bags"]):
         self._zoom(factor)
         self._drawn = ()
         self.look.wake()
-
-
-def _bars(counts: Sequence[float], bars: str) -> list[str]:
-    """Counts as bars: none for none, the highest for the most of the line."""
-    top = max(counts, default=0.0)
-    if top <= 0:
-        return [" "] * len(counts)
-    steps = len(bars) - 1
-    return [" " if count < 0.01 else bars[max(1, round(count / top * steps))] for count in counts]
-
-
-def _runs(cells: Sequence[tuple[str, Style]]) -> list[Segment]:
-    """Cells as segments, one for each run of a style."""
-    found: list[tuple[list[str], Style]] = []
-    for char, style in cells:
-        if found and found[-1][1] is style:
-            found[-1][0].append(char)
-        else:
-            found.append(([char], style))
-    return [Segment("".join(chars), style) for chars, style in found]
-
-
-def _short(type_name: str) -> str:
-    return type_name.replace("/msg/", "/")
-
-
-def _date(time_ns: int) -> str:
-    """A time as rqt_bag writes it: seconds until 1975, else the local date (bag_widget._stamp_to_str)."""
-    seconds, rest = divmod(time_ns, NANOSECONDS)
-    if seconds < 5 * 365 * 86400:
-        return f"{time_ns / NANOSECONDS:.3f}s"
-    return f"{time.strftime('%b %d %Y %H:%M:%S', time.localtime(seconds))}.{rest // 1_000_000:03d}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict, deque
-from collections.abc import Callable, Coroutine, Sequence
+from collections.abc import Callable, Coroutine, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.interfaces import DeserializationError, UnknownInterfaceError, deserialize, get_interface
@@ -17,12 +17,13 @@ from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 
 if TYPE_CHECKING:
+    from rosbag2_py._storage import Message
+
     from day6_tui.core.session.session import Session
     from rclpy.node import Node
 
 MOST_SHOWN = 8_000_000
 """Bytes of a message that is shown as a tree: reading a larger one would hold up the window."""
-
 
 MOST_PICTURES = 256
 """Pictures that are kept."""
@@ -64,7 +65,7 @@ class Bags:
         self._to_load: deque[tuple[str, str]] = deque()
         self._in_sight: tuple[int, int] | None = None
         self._closed = self._has_begun = False
-        self._shown: dict[str, Shown] = {}
+        self._shown: dict[str, tuple[Message, Shown]] = {}
         self.recorder: Recorder | None = None
         self.exporting: int | None = None
         """Per cent of an export, None without one."""
@@ -115,15 +116,15 @@ class Bags:
 
     def toggle_publishing(self, topic: str) -> None:
         """Publish a topic, or stop that."""
-        player = self.player
-        self.request(lambda: (player.stop_publishing if topic in player.publishing else player.start_publishing)(topic))
+        self.request(lambda: self._publish([topic], topic not in self.player.publishing))
 
     def publish_all(self, on: bool) -> None:
         """Publish all topics, or none."""
-        self.request(lambda: self._publish_all(on))
+        self.request(lambda: self._publish(self.topics, on))
 
-    def _publish_all(self, on: bool) -> None:
-        for topic in self.topics:
+    def _publish(self, topics: Iterable[str], on: bool) -> None:
+        self.player.problem = ""
+        for topic in topics:
             (self.player.start_publishing if on else self.player.stop_publishing)(topic)
 
     def shown(self, topic: str) -> Shown | None:
@@ -131,8 +132,8 @@ class Bags:
         found = self.player.current.get(topic)
         if found is None:
             return None
-        before = self._shown.get(topic)
-        if before is not None and before.time_ns == found.received_ns:
+        message, before = self._shown.get(topic, (None, None))
+        if message is found:
             return before
         kind = self.topics.get(topic, "")
         if len(found.data) > MOST_SHOWN:
@@ -142,12 +143,12 @@ class Bags:
                 after = Shown(kind, found.received_ns, deserialize(found.data, get_interface(kind)))
             except (DeserializationError, UnknownInterfaceError, ValueError, LookupError) as error:
                 after = Shown(kind, found.received_ns, None, str(error))
-        self._shown[topic] = after
+        self._shown[topic] = (found, after)
         return after
 
-    def toggle_watching(self, topic: str) -> None:
-        """Read the messages of a topic at the playhead, for `shown`; or no longer."""
-        self.request(lambda: self.player.watch(self.player.watched ^ {topic}))
+    def watch(self, *topics: str) -> None:
+        """Read the messages of these topics at the playhead, for `shown`."""
+        self.request(lambda: self.player.watch(topics))
 
     def record(self, path: str, topics: Sequence[str] | None) -> None:
         """Record topics (None: all) to a new bag, in place of what is open."""

@@ -59,8 +59,6 @@ class Player:
         """Why something could not be published or read, '' if it could."""
         self.version = 0
         """Grows with each message in `current` and each choice of a topic."""
-        self.published = 0
-        """Messages so far."""
         self._publishers: dict[str, Any] = {}
         self._clock: Any = node.create_publisher(Clock, "/clock", CLOCK_QOS) if publish_clock else None
         self._last: dict[str, Found] = {}
@@ -114,7 +112,7 @@ class Player:
         self._rejoin()
 
     def _rejoin(self) -> None:
-        """A topic has come: its message at the playhead is wanted, and what was read ahead lacks it."""
+        """Something else is played from now on: what was read ahead is of no use, and what is at the playhead may be missing."""
         self.version += 1
         self.jump(self.now())
 
@@ -122,7 +120,7 @@ class Player:
         """The bags are closed; go on with another timeline."""
         for topic in list(self._publishers):
             self.stop_publishing(topic)
-        self.topics, self.watched, self.region = {}, frozenset(), None
+        self.topics, self.watched, self.region, self.problem = {}, frozenset(), None, ""
         self._last.clear()
         self.current.clear()
         self._queue.clear()
@@ -156,6 +154,11 @@ class Player:
         self._queue.clear()
         self._jumped = True
         self._changed.set()
+
+    def select(self, region: tuple[int, int] | None) -> None:
+        """Play only a part, or everything again."""
+        self.region = region
+        self._rejoin()
 
     def set_speed(self, speed: float) -> None:
         """Play at a speed, backwards if it is negative, or stand (0)."""
@@ -193,7 +196,8 @@ class Player:
                         await wait_for(self._changed, due)
             except (RuntimeError, OSError) as error:
                 # A damaged bag is played as far as it can be read.
-                self.problem = str(error)
+                if self.topics:  # otherwise it was closed meanwhile
+                    self.problem = str(error)
                 self.playhead.set_speed(0.0)
 
     def _topics(self) -> list[str]:
@@ -305,7 +309,6 @@ class Player:
             self._publish_clock(message.received_ns)
         try:
             publisher.publish(message.data)
-            self.published += 1
         except Exception as error:
             # One damaged message must not end the playback.
             self.problem = f"Failed to publish message on '{topic}' topic. \nError: {error}"
