@@ -112,6 +112,26 @@ def test_an_mcap_file_without_chunks_is_gone_through(tmp_path):
     assert everything(path)[1] == by_reader(path)
 
 
+@pytest.mark.parametrize("compression", ["NONE", "LZ4", "ZSTD"])
+@pytest.mark.parametrize("index", ["ALL", "CHUNK", "NONE"])
+def test_files_of_another_writer_with_and_without_indexes(tmp_path, compression, index):
+    from mcap.writer import CompressionType, IndexType, Writer
+
+    path = tmp_path / "other.mcap"
+    with path.open("wb") as stream:
+        types = IndexType[index]
+        writer = Writer(stream, chunk_size=2000, compression=CompressionType[compression], index_types=types)
+        writer.start("ros2", "test")
+        schema = writer.register_schema("std_msgs/msg/String", "ros2msg", b"string data")
+        channels = [writer.register_channel(topic, "cdr", schema) for topic in ("/a", "/b", "/a")]
+        for number in range(500):
+            time_ns = 1000 + number - 3 * (number % 7 == 0)
+            writer.add_message(channels[number % 3], time_ns, serialize_message(String(data=f"{number}")), time_ns)
+        writer.finish()
+    counts, found = everything(path)
+    assert counts == {"/a": 333, "/b": 167} and found == by_reader(path)
+
+
 def test_a_long_file_has_no_more_blocks_than_a_timeline_can_use(tmp_path, monkeypatch):
     from rosbag2_py import _sqlite_blocks
 
