@@ -80,6 +80,7 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def __init__(self, window: Window[Bags], look: Look) -> None:
         super().__init__(window, look)
+        self._named: tuple[dict[str, str], list[str], int] = ({}, [], 8)
         self._timeline = window.model.timeline
         self.view: View | None = None
         self._fits = True
@@ -107,9 +108,16 @@ class RqtBagPane(WindowPane["Bags"]):
 
     # -- places --------------------------------------------------------------------------------------------------------
 
+    def _names(self) -> tuple[list[str], int]:
+        """The topics, and the width of the longest; made anew only when they have changed."""
+        if self._named[0] is not self.model.topics:
+            topics = self.model.topics
+            self._named = (topics, list(topics), max(map(cell_len, topics), default=8))
+        return self._named[1:]
+
     @property
     def topics(self) -> list[str]:
-        return list(self.model.topics)
+        return self._names()[0]
 
     @property
     def chosen(self) -> str:
@@ -119,8 +127,7 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def _place(self) -> _Place:
         width = self.inner_width
-        longest = max((cell_len(topic) for topic in self.model.topics), default=8) + 4
-        names = min(longest, max(14, width * 2 // 5))
+        names = min(self._names()[1] + 4, max(14, width * 2 // 5))
         about = ABOUT_WIDTH if width >= WIDE else 0
         rows = max(1, self.inner_height - HEAD - 1)
         panel = 0
@@ -131,7 +138,7 @@ class RqtBagPane(WindowPane["Bags"]):
 
     def _height(self, index: int) -> int:
         """Lines of a topic."""
-        return THUMB_LINES if self._thumbnails and self.model.topics[self.topics[index]] == IMAGE else 1
+        return THUMB_LINES if self._thumbnails and self.model.topics.get(self.topics[index]) == IMAGE else 1
 
     def _rows(self, place: _Place) -> list[tuple[int, int]]:
         """The topics in sight, each line with the index of its topic and which of its lines it is."""
