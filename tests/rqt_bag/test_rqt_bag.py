@@ -8,6 +8,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Float64, String
 
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.time import Time
 
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 EAR = QoSProfile(depth=1000, reliability=ReliabilityPolicy.BEST_EFFORT)
@@ -85,6 +86,35 @@ def test_steps_go_to_the_next_and_the_last_message_of_any_topic_and_around_the_e
     assert step(-1) == 0.0
     assert step(-1) == pytest.approx(9.9)
     assert step(1) == 0.0
+
+
+def test_rviz_follows_backwards_too_when_both_go_by_the_clock_of_the_bag(desk):
+    import rosbag2_py
+    from geometry_msgs.msg import TransformStamped
+    from tf2_msgs.msg import TFMessage
+
+    from rclpy.serialization import serialize_message
+
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(desk.folder / "bag")))
+    writer.create_topic(rosbag2_py.TopicMetadata(0, "/tf", "tf2_msgs/msg/TFMessage", "cdr", [rosbag2_py.QoS(100)]))
+    for number in range(600):
+        at = START + number * SECOND // 10
+        pose = TransformStamped(child_frame_id="arm")
+        pose.header.frame_id, pose.header.stamp.sec = "world", at // SECOND
+        pose.header.stamp.nanosec, pose.transform.translation.x = at % SECOND, float(number)
+        writer.write("/tf", serialize_message(TFMessage(transforms=[pose])), at)
+    writer.close()
+    desk.open("--clock", "bag", topics=1)
+    desk.machine.start("rviz2", "rviz2", "--ros-args", "-p", "use_sim_time:=true", screen=True)
+    desk.machine.until(lambda: len(desk.machine.display.windows) == 2)
+    rviz = desk.machine.display.windows[-1].model
+    desk.publish("/tf")
+    for second in (50, 3, 30, 2.5):
+        desk.jump(second)
+        desk.machine.advance(0.2)
+        found = rviz.frames.buffer.lookup_transform("world", "arm", Time())
+        assert found.transform.translation.x == second * 10, second
 
 
 # -- playing -----------------------------------------------------------------------------------------------------------
