@@ -198,6 +198,17 @@ def test_backwards_nothing_is_published(desk):
     play_until(desk, lambda: desk.playhead > 8.0)  # around the beginning
 
 
+@pytest.mark.parametrize("speed", [1.0, -1.0, 1024.0])
+def test_a_region_without_extent_is_not_played_for_ever(desk, speed):
+    write_bag(desk.folder / "bag")
+    model = desk.open("bag")
+    desk.publish("/number")
+    model.request(lambda: model.player.select((START + SECOND, START + SECOND)))
+    desk.jump(1.0)
+    play(desk, speed)
+    desk.machine.until(lambda: model.player.playhead.speed == 0.0)
+
+
 def test_with_clock_the_time_of_the_messages_is_published(desk):
     write_bag(desk.folder / "bag")
     desk.open("--clock", "bag")

@@ -274,7 +274,8 @@ class Player:
         begin, end = self.play_region
         if playhead.speed < 0:
             if playhead.now() <= begin:
-                self.jump(end)
+                self._wrap(end)
+                return None
             return max(playhead.steady_at(begin), self._steady_ns() + 1)
         now = playhead.now()
         if now < begin:
@@ -285,15 +286,20 @@ class Player:
                 break
             self._pass(self._queue.popleft(), clock=True)
         if now >= end and not self._queue and self._read_to >= end:
-            if (end - begin) < SHORTEST_NS * playhead.speed:
-                self.set_speed(0.0)
-            else:
-                self.jump(begin)  # it wraps, as in rqt_bag
+            self._wrap(begin)
             return None
         more = self._read_to < end and len(self._queue) < MOST_AT_ONCE
         due = [playhead.steady_at(self._queue[0].found.time_ns)] if self._queue else []
         due += [playhead.steady_at(self._read_to) - EARLY_NS] if more else []
         return min(due, default=playhead.steady_at(end))
+
+    def _wrap(self, at_ns: int) -> None:
+        """Go on at the other end, as rqt_bag does; unless it would be reached again at once."""
+        begin, end = self.play_region
+        if end - begin < SHORTEST_NS * abs(self.playhead.speed):
+            self.set_speed(0.0)
+        else:
+            self.jump(at_ns)
 
     # -- publishing ----------------------------------------------------------------------------------------------------
 
