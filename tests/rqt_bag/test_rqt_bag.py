@@ -209,6 +209,22 @@ def test_a_region_without_extent_is_not_played_for_ever(desk, speed):
     desk.machine.until(lambda: model.player.playhead.speed == 0.0)
 
 
+@pytest.mark.parametrize("exponent", [-10, -3, 1, 5, 10])
+def test_at_every_speed_the_world_goes_on(desk, exponent):
+    write_bag(desk.folder / "bag")
+    model = desk.open("bag")
+    numbers = desk.watch(Float64, "/number")
+    desk.publish("/number")
+    for direction in (1.0, -1.0):
+        play(desk, 0.0)
+        desk.jump(5.125)
+        play(desk, direction * 2.0**exponent)
+        for step in (0.000_000_001, 0.000_1, 0.033_333_333, 0.123_456_789):
+            desk.machine.advance(step)
+            desk.machine.until(lambda: not model.player.arriving)
+    assert numbers
+
+
 def test_with_clock_the_time_of_the_messages_is_published(desk):
     write_bag(desk.folder / "bag")
     desk.open("--clock", "bag")

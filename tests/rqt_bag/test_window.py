@@ -330,6 +330,7 @@ def test_a_new_recording_is_seen_whole_however_the_last_bag_was_looked_at(bag):
         (0.1, 50, ["0.00s", "0.05s", "0.10s"]),
         (3600 * 5, 60, ["0h", "1h", "2h", "3h", "4h", "5h"]),
         (1200, 60, ["0m", "5m", "10m", "15m", "20m"]),
+        (400 * 86400, 40, ["0w", "15w", "30w", "45w"]),
     ),
 )
 def test_the_axis_is_labelled_as_in_rqt_bag(seconds, columns, labels):

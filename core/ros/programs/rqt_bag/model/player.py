@@ -273,19 +273,18 @@ class Player:
             return None
         begin, end = self.play_region
         if playhead.speed < 0:
-            if playhead.now() <= begin:
+            if playhead.has_reached(begin):
                 self._wrap(end)
                 return None
-            return max(playhead.steady_at(begin), self._steady_ns() + 1)
-        now = playhead.now()
-        if now < begin:
+            return playhead.steady_at(begin)
+        if playhead.now() < begin:
             self.jump(begin)
             return None
         for _ in range(AT_ONCE):
-            if not self._queue or self._queue[0].found.time_ns > now:
+            if not self._queue or not playhead.has_reached(self._queue[0].found.time_ns):
                 break
             self._pass(self._queue.popleft(), clock=True)
-        if now >= end and not self._queue and self._read_to >= end:
+        if playhead.has_reached(end) and not self._queue and self._read_to >= end:
             self._wrap(begin)
             return None
         more = self._read_to < end and len(self._queue) < MOST_AT_ONCE

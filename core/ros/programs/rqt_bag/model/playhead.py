@@ -37,6 +37,10 @@ class Playhead:
         """When it will be there, in steady time; it must not stand."""
         return self._since + round((at_ns - self._at) / self.speed)
 
+    def has_reached(self, at_ns: int) -> bool:
+        """Whether `steady_at` is now or over; rounded, `now` may differ by what a nanosecond is at its speed."""
+        return self.steady_at(at_ns) <= self._steady_ns()
+
 
 def faster(speed: float) -> float:
     """The speed after 'Fast Forward' (bag_timeline.navigate_fastforward)."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from typing import NamedTuple
 
@@ -75,7 +76,9 @@ def whole(start: int, end: int) -> View:
 def divisions(view: View, start: int, columns: int, room: int) -> list[tuple[int, str]]:
     """Columns with their labels, which tell the time since the beginning of the bag; `room`: cells a label needs."""
     per_column = view.span / NANOSECONDS / max(1, columns)
-    step = next((each for each in _DIVISIONS if each >= per_column * room), _DIVISIONS[-1])
+    longest = _DIVISIONS[-1]
+    needed = per_column * room
+    step = next((each for each in _DIVISIONS if each >= needed), longest * math.ceil(needed / longest))
     step_ns = round(step * NANOSECONDS)
     first = max(0, -(-(view.left - start) // step_ns))
     found = []
