@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from rich.segment import Segment
 from rich.style import Style
 
-NANOSECONDS = 1_000_000_000
+from day6_tui.core.ros.programs.rqt_bag.model.view import NANOSECONDS
 
 Cell = tuple[str, Style]
 

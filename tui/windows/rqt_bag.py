@@ -13,6 +13,7 @@ from day6_tui.core.elide import elide
 from day6_tui.core.ros.programs.rqt_bag.model.pictures import IMAGE, Picture
 from day6_tui.core.ros.programs.rqt_bag.model.playhead import faster, slower, speed_text
 from day6_tui.core.ros.programs.rqt_bag.model.view import (
+    NANOSECONDS,
     PAN,
     WHEEL_IN,
     WHEEL_OUT,
@@ -30,7 +31,7 @@ from day6_tui.tui.colours import background_of, pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.bag_cells import COLOURS, NANOSECONDS, OTHERS, Cell, bars_of, date, runs, short
+from day6_tui.tui.windows.bag_cells import COLOURS, OTHERS, Cell, bars_of, date, runs, short
 from day6_tui.tui.windows.bag_message import MessageTree
 from day6_tui.tui.windows.bag_picture import paint
 from day6_tui.tui.windows.bag_questions import Questions

@@ -6,7 +6,7 @@ import math
 import time
 from typing import NamedTuple
 
-from rosbag2_py._storage import NANOSECONDS
+NANOSECONDS = 1_000_000_000
 
 LEAST_NS = 5 * NANOSECONDS
 """So much is seen of a shorter bag (timeline_frame.reset_zoom)."""
