@@ -47,8 +47,8 @@ WIDE = 100
 """From this width on there are columns for count, rate and type."""
 
 ABOUT_WIDTH = 34
-LABEL_ROOM = 10
-"""Cells between two labels of the time axis."""
+LABEL_ROOM = 7
+"""Cells from one label of the time axis to the next, at least."""
 
 PLAYHEAD = (0xFF5555, 0xCC0000)
 
