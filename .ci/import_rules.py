@@ -19,6 +19,8 @@ from pathlib import Path
 TREE = Path(__file__).resolve().parents[1]
 PARTS = ("core", "tui", "urdf")
 ON_THE_PATH = Path("core", "ros", "python")
+OF_DISTRIBUTIONS = Path("core", "ros", "python_of")
+"""The packages that not every distribution has; a folder for each one, which repeat each other."""
 SHARE = Path("core", "ros", "share")
 """Data, launch files among them."""
 FOR_STUDENTS = ON_THE_PATH / "day6_tui" / "__init__.py"
@@ -41,7 +43,8 @@ def modules(tree: Path) -> Iterator[tuple[str, Path]]:
             path = file.relative_to(tree)
             if SHARE in path.parents or path == FOR_STUDENTS:
                 continue
-            below = path.relative_to(ON_THE_PATH) if ON_THE_PATH in path.parents else Path("day6_tui", path)
+            top = _top(path)
+            below = path.relative_to(top) if top.parts else Path("day6_tui", path)
             names = below.with_suffix("").parts
             yield ".".join(names[:-1] if names[-1] == "__init__" else names), path
 
@@ -104,8 +107,15 @@ def _height(module: str, height: dict[str, int]) -> int:
 
 def _packages_around(path: Path) -> Iterator[Path]:
     """Yield the folders that have to be packages for the file to be a module of the tree."""
-    top = ON_THE_PATH if ON_THE_PATH in path.parents else Path()
+    top = _top(path)
     yield from (folder for folder in path.parents if top in folder.parents)
+
+
+def _top(path: Path) -> Path:
+    """Return the folder that is on the path of programs and contains the file; the tree's own for all other files."""
+    if OF_DISTRIBUTIONS in path.parents:
+        return OF_DISTRIBUTIONS / path.relative_to(OF_DISTRIBUTIONS).parts[0]
+    return ON_THE_PATH if ON_THE_PATH in path.parents else Path()
 
 
 def _parsed(file: Path) -> ast.Module:
@@ -117,7 +127,7 @@ def make_importable(tree: Path) -> None:
     spec = ModuleSpec("day6_tui", None, is_package=True)
     spec.submodule_search_locations = [str(tree)]
     sys.modules["day6_tui"] = module_from_spec(spec)
-    sys.path.insert(0, str(tree / ON_THE_PATH))
+    sys.path[:0] = [str(tree / ON_THE_PATH), *map(str, sorted((tree / OF_DISTRIBUTIONS).iterdir()))]
 
 
 def main(tree: Path = TREE) -> int:

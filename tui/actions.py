@@ -51,6 +51,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("clear"),
     Action("language"),
     Action("theme"),
+    Action("distro"),
     Action("glyphs"),
     Action("layout.load"),
     Action("layout.save"),

@@ -31,6 +31,7 @@ from textual.binding import Binding
 from textual.message import Message
 from textual.widget import Widget
 
+from day6_tui.core.ros import distribution
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.shell.heap import keep_heap_small
 from day6_tui.tui import actions, chops, departure, output
@@ -40,6 +41,7 @@ from day6_tui.tui.classroom import Classroom
 from day6_tui.tui.colours import colours
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.detachment import Detachment
+from day6_tui.tui.distribution_choice import SETTING
 from day6_tui.tui.explaining import Explaining
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
@@ -208,6 +210,7 @@ class Day6App(TerminalApp):
                 "detach": self.detachment.detach,
                 "language": looks.next_language,
                 "theme": self.choose_theme,
+                "distro": self.choose_distribution,
                 "glyphs": lambda: notices.show(looks.next_glyphs()),
                 "motion": looks.toggle_motion,
                 "class": self.show_class,
@@ -271,6 +274,8 @@ class Day6App(TerminalApp):
         if self.settings.fault:
             text = self.look.texts("settings.fault", path=self.settings.path, reason=self.settings.fault)
             self.notices.show(one_line(text), NOTICE_SECONDS)
+        if self.options.distro is not None:
+            self._remember(SETTING, self.options.distro)
         if self.options.record is not None:
             self.recording.begin(self.options.record)
         if self.options.scene is not None:
@@ -385,14 +390,29 @@ class Day6App(TerminalApp):
     def choose_theme(self) -> None:
         """Offer the themes, and remember the choice."""
         if self.looks.has_choice:
-            self.desktop.open_overlay(self.looks.theme_menu(self._remember_theme))
+            self.desktop.open_overlay(self.looks.theme_menu(partial(self._remember, "theme")))
 
-    def _remember_theme(self, name: str) -> None:
+    def choose_distribution(self) -> None:
+        """Offer the distributions of ROS 2, and remember the choice for the next start: here programs have messages by now."""
+        from day6_tui.tui.menu import Entry, Menu
+
+        def take(name: str) -> None:
+            if self._remember(SETTING, name) and name != distribution.current():
+                self.notices.show(self.look.texts("distro.next_start", name=name), NOTICE_SECONDS)
+
+        entries = [Entry(name.capitalize(), f"/opt/ros/{name}", partial(take, name)) for name in distribution.NAMES]
+        present = distribution.NAMES.index(distribution.current())
+        self.desktop.open_overlay(Menu(self.look, "distro.title", entries, chosen=present))
+
+    def _remember(self, setting: str, value: str) -> bool:
+        """Keep a choice; returns whether that could be done."""
         try:
-            self.settings.set("theme", name)
+            self.settings.set(setting, value)
         except OSError as error:
             reason = error.strerror or str(error)
             self.notices.show(self.look.texts("settings.not_kept", reason=reason), NOTICE_SECONDS)
+            return False
+        return True
 
     def action_help_quit(self) -> None:
         """Ctrl-C that no pane handles does nothing (Textual would explain how to quit)."""

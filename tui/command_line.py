@@ -9,6 +9,7 @@ from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
+from day6_tui.core.ros.distribution import NAMES
 from day6_tui.tui.locale import LANGUAGES, Texts, detect
 
 
@@ -34,6 +35,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
     options.add_argument("--scene", choices=("turtle", "car", "world", "empty"), help=texts("cli.scene"))
     options.add_argument("--robot", metavar="FILE", help=texts("cli.robot"))
+    options.add_argument("--distro", choices=NAMES, help=texts("cli.distro"))
     options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.lang"))
     options.add_argument("--glyphs", choices=("pixels", "half", "braille", "cell", "ascii"), help=texts("cli.glyphs"))
     options.add_argument("--theme", choices=("dark", "light", "contrast", "colourblind"), help=texts("cli.theme"))

@@ -27,6 +27,9 @@ def main(arguments: list[str] | None = None) -> int:
 
     words = sys.argv[1:] if arguments is None else arguments
     guard_standard_streams()
+    from day6_tui.tui.distribution_choice import settle
+
+    words = settle(words)
     if words[:1] == ["demo"]:
         if len(words) == 1 or words[1].startswith("-"):
             print(
@@ -279,7 +282,10 @@ def _own_words(words: list[str]) -> list[str]:
     """Completions for the last word after `day6-tui`: commands and options; nothing where a file is expected."""
     from day6_tui.core.ros.program_index import COMMANDS
     from day6_tui.tui.command_line import build_parser
+    from day6_tui.tui.distribution_choice import OPTION
 
+    if words[0] == OPTION and len(words) > 2:  # a command may follow
+        words = words[2:]
     options = build_parser()._option_string_actions
     option = options.get(words[-2]) if len(words) > 1 else None
     if option is not None and option.choices is not None:

@@ -19,6 +19,8 @@ class Options:
     """A name of `scenes.SCENES`."""
     robot: str | None = None
     """A URDF file in place of the shipped car's."""
+    distro: str | None = None
+    """The distribution of ROS 2 that `--distro` named: it is already this process's, and is remembered."""
     lang: str | None = None
     glyphs: str | None = None
     theme: str | None = None

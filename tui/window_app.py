@@ -281,6 +281,8 @@ class WindowApp(TerminalApp):
         look = self.look
         keys = [KeyHint(key, look.texts(f"single.{part}"), self.deeds[part]) for key, part in KEYS]
         pane = self.stage.shown
+        if len(self.stage.panes) > 1:
+            keys.insert(1, KeyHint("F3", look.texts("single.next"), self.deeds["next"]))
         if pane is not None:
             keys = [*keys[:1], *(KeyHint(key, name, weight=5) for key, name in pane.key_hints()), *keys[1:]]
         right = key_pieces(look, keys, width // 2)

@@ -29,6 +29,8 @@ from functools import lru_cache
 from pathlib import Path
 from string import Formatter
 
+from day6_tui.core.ros.differences import retold
+
 TOPICS = ("python", "syntax", "packages", "build", "setup", "launch", "graph", "messages", "parameters", "actions", "tf",
           "rviz", "urdf", "programs", "link", "bags", "files", "shell", "usage", "rclpy", "errors", "ends")  # fmt: skip
 """The files in the order in which their cards are tried: what is special comes before what is general."""
@@ -146,7 +148,7 @@ def _longest_literal(expression: str) -> str:
 
 def read_topic(path: Path) -> tuple[dict[str, str], list[Card]]:
     """Return the titles of a topic by language, and its cards. Raises CardError with the line, OSError."""
-    lines = path.read_text(encoding="utf-8").split("\n")
+    lines = retold(path.read_text(encoding="utf-8")).split("\n")
     titles = [title.strip() for title in lines[0].removeprefix("# ").split("|")]
     if not lines[0].startswith("# ") or len(titles) != 2 or not all(titles):
         raise CardError(path, 1, "the first line has to be '# TITLE | ENGLISH TITLE'")

@@ -18,7 +18,8 @@ from day6_tui.core.interfaces.definition import (
 )
 from day6_tui.core.interfaces.fields import SINGLE
 from day6_tui.core.interfaces.values import InvalidValue
-from day6_tui.core.ros.environment import PYTHON_PATH, SHARE_PATH
+from day6_tui.core.ros.differences import has_interface, path_of
+from day6_tui.core.ros.environment import SHARE_PATH, python_folders
 
 SEPARATOR = os.pathsep
 
@@ -43,7 +44,8 @@ def names_of(module: str, variables: Mapping[str, str]) -> list[str]:
     """Return what can be imported from a module: its types where it is one of messages, else its classes and functions."""
     package, _, kind = module.partition(".")
     if kind in ("msg", "srv", "action"):
-        return sorted({path.stem for share in shares(variables) for path in (share / package / kind).glob(f"*.{kind}")})
+        found = {path.stem for share in shares(variables) for path in (share / package / kind).glob(f"*.{kind}")}
+        return sorted(name for name in found if has_interface(f"{module.replace('.', '/')}/{name}"))
     found = set(parts_of(module, variables))
     for folder in _folders_of(module, variables):
         for path in (folder / "__init__.py", folder.with_suffix(".py")):
@@ -62,7 +64,7 @@ def types_called(name: str, variables: Mapping[str, str]) -> list[str]:
     for share in shares(variables):
         for kind in ("msg", "srv", "action"):
             found += [f"{path.parent.parent.name}/{kind}/{name}" for path in share.glob(f"*/{kind}/{name}.{kind}")]
-    return sorted(set(found))
+    return sorted(filter(has_interface, set(found)))
 
 
 def fields_of(name: str, variables: Mapping[str, str]) -> list[tuple[str, list[str]]]:
@@ -112,7 +114,8 @@ _NOUGHTS = {"bool": "false", "float32": "0.0", "float64": "0.0", "string": "''",
 def _structure(whole: str, variables: Mapping[str, str], *, sent: bool = False) -> Structure | None:
     package, kind, name = whole.split("/")
     for share in shares(variables):
-        path = share / package / kind / f"{name}.{kind}"
+        usual = share / package / kind / f"{name}.{kind}"
+        path = Path(path_of(whole, str(share))) if share == SHARE_PATH else usual
         if path.is_file():
             try:
                 text = path.read_text(encoding="utf-8", errors="replace")
@@ -190,7 +193,7 @@ def shares(variables: Mapping[str, str]) -> Iterator[Path]:
 
 
 def _python_path(variables: Mapping[str, str]) -> Iterator[Path]:
-    yield PYTHON_PATH
+    yield from map(Path, python_folders())
     yield from (Path(entry) for entry in variables.get("PYTHONPATH", "").split(os.pathsep) if entry)
 
 

@@ -15,7 +15,8 @@ from day6_tui.core.advice.lookers_line import of_slip
 from day6_tui.core.advice.looking import Found, Scene, found, looker
 from day6_tui.core.advice.rules import cause_of
 from day6_tui.core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
-from day6_tui.core.ros.environment import SHARE_PATH
+from day6_tui.core.ros.differences import has_interface, has_package
+from day6_tui.core.ros.distribution import setup_script
 from day6_tui.urdf.explain import language_of
 
 MOST_FILES = 2000
@@ -37,7 +38,7 @@ def ros_itself(scene: Scene) -> Found | None:
     """Whether ROS itself is sourced in this terminal."""
     if scene.variables.get("ROS_DISTRO") or scene.variables.get("AMENT_PREFIX_PATH"):
         return None
-    return found("ros_not_sourced", "source /opt/ros/jazzy/setup.bash")
+    return found("ros_not_sourced", f"source {setup_script()}")
 
 
 @looker
@@ -239,12 +240,9 @@ def message_package(scene: Scene) -> Found | None:
     if others and whole not in exact:
         near = others[0]
     else:
-        shares = [
-            SHARE_PATH,
-            *(Path(p, "share") for p in scene.variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p),
-        ]
-        types = sorted({f"{f.parent.parent.name}/{f.parent.name}/{f.stem}" for share in shares
+        types = sorted({f"{f.parent.parent.name}/{f.parent.name}/{f.stem}" for share in known.shares(scene.variables)
                         for f in share.glob(f"{package}/*/*.*") if f.parent.name in ("msg", "srv", "action")})  # fmt: skip
+        types = list(filter(has_interface, types))
         found_near = get_close_matches(whole, types, 1, CLOSE)
         if not found_near or found_near[0] == whole:
             return None
@@ -268,11 +266,8 @@ def _type_of_name(name: str, scene: Scene) -> Found | None:
 
 def known_packages(scene: Scene) -> list[str]:
     """Return the packages that this terminal knows."""
-    shares = [
-        SHARE_PATH,
-        *(Path(each, "share") for each in scene.variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if each),
-    ]
-    return sorted({path.parent.name for share in shares for path in share.glob("*/package.xml")})
+    names = {path.parent.name for share in known.shares(scene.variables) for path in share.glob("*/package.xml")}
+    return sorted(filter(has_package, names))
 
 
 def _again(scene: Scene, wrong: str, right: str) -> str:

@@ -261,9 +261,13 @@ class Subscription(Endpoint):
         self.queue: deque[Sample] = deque(maxlen=self.qos.capacity)
         self.matched: tuple[Publisher, ...] = ()
         self.on_ready: Callable[[Subscription], None] | None = None
+        self.on_message: Callable[[Any], object] | None = None
+        """Takes every message at once, on the publishing thread; then none is queued."""
         self.dropped = 0
         self.accepts: Callable[[Any], bool] | None = None
         """The content filter: messages for which it returns false are not received."""
+        self.takes_bytes = False
+        """Whether it is given the messages of other processes as they come, as CDR bytes; those of this one never are."""
         self._received = 0
         self._lifespan = self.qos.lifespan if is_finite(self.qos.lifespan) else 0
         self._deadline: DeadlineWatch | None = None
@@ -289,6 +293,10 @@ class Subscription(Endpoint):
     def receive(self, sample: Sample) -> None:
         """Queue one sample (called by publishers)."""
         if not self._accepts_all and not self._admit(sample):
+            return
+        if self.on_message is not None:
+            self._received += 1
+            self.on_message(sample[0])
             return
         queue = self.queue
         if len(queue) == queue.maxlen:

@@ -224,10 +224,13 @@ class Graph:
     def endpoints(self, *kinds: EndpointKind, topic: str | None = None) -> list[Endpoint]:
         """Return the endpoints of some kinds, on all topics or on one."""
         with self._lock:
+            if topic is None:
+                groups = list(self._by_name.values())
+            else:
+                groups = [self._by_name.get((is_service, topic), []) for is_service in (False, True)]
             return [
                 endpoint
-                for (_, name), peers in self._by_name.items()
-                if topic is None or name == topic
+                for peers in groups
                 for endpoint in peers
                 if endpoint.kind in kinds and not endpoint.node.is_observer
             ]

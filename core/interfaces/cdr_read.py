@@ -102,7 +102,8 @@ class _Generator(cdr_layout.Source):
     def message(self, cls: Any, variable: str) -> None:
         """Create a message in a variable and read its fields."""
         self.line(f"{variable} = new({self.name(cls)})")
-        self.line(f"{variable}._check_fields = check")
+        for line in checks.slot_lines(variable):
+            self.line(line)
         structure: Structure = cls._structure
         if not structure.fields:
             self.run.add("B", 1, 1, self.name())

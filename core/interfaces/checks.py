@@ -1,8 +1,8 @@
 """Checks the values of fields, with the AssertionError texts of rosidl_generator_py.
 
 Setters of the generated classes accept the usual valid values themselves; everything else is checked here: valid values of
-unusual types (a tuple, a UserList, numpy.float64) and invalid ones. Real ROS checks only if ROS_PYTHON_CHECK_FIELDS=1;
-day6-tui is for learners and checks unless ROS_PYTHON_CHECK_FIELDS=0.
+unusual types (a tuple, a UserList, numpy.float64) and invalid ones. Real ROS checks always in Humble, and from Iron on only if
+ROS_PYTHON_CHECK_FIELDS=1; day6-tui is for learners and checks unless ROS_PYTHON_CHECK_FIELDS=0.
 """
 
 from __future__ import annotations
@@ -12,13 +12,21 @@ from _collections_abc import Sequence, Set
 from array import array
 
 from day6_tui.core.interfaces.fields import ARRAY, SINGLE, UNBOUNDED, FieldType
+from day6_tui.core.ros import differences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-CHECK_FIELDS: bool = os.environ.get("ROS_PYTHON_CHECK_FIELDS", "1") != "0"
+IS_OPTION: bool = differences.value("messages.check_fields") == "option"
+"""Whether a message can be told not to check; in Humble it has no such slot and only `python -O` turns the checks off."""
+CHECK_FIELDS: bool = os.environ.get("ROS_PYTHON_CHECK_FIELDS", "1") != "0" if IS_OPTION else __debug__
 """The `_check_fields` of new messages; read once at import, as in real ROS."""
+
+
+def slot_lines(message: str) -> list[str]:
+    """Return the line of generated code that tells a new message whether it checks, none where it has no such slot."""
+    return [f"{message}._check_fields = check"] if IS_OPTION else []
 
 
 def check_arguments(message: Any, arguments: dict[str, Any]) -> None:
@@ -27,7 +35,7 @@ def check_arguments(message: Any, arguments: dict[str, Any]) -> None:
     Raises:
         AssertionError: a name is not a field.
     """
-    if "check_fields" in arguments:
+    if IS_OPTION and "check_fields" in arguments:
         message._check_fields = arguments["check_fields"]
     if message._check_fields:
         unknown = sorted(name for name in arguments if "_" + name not in message.__slots__)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from day6_tui.core.interfaces import checks
 from day6_tui.core.interfaces.definition import Field, Structure
 from day6_tui.core.interfaces.fields import ARRAY, BOUNDED, SINGLE, UNBOUNDED, FieldType
 
@@ -50,7 +51,7 @@ def constructor_lines(structure: Structure, find_class: Callable[[str], type], n
 
     Adds the nested classes the source needs to `names`.
     """
-    lines = ["def __init__(self, **kwargs):", "    self._check_fields = check"]
+    lines = ["def __init__(self, **kwargs):", *checks.slot_lines("    self")]
     if structure.fields:
         lines.append("    if not kwargs:")
         _Defaults(lines, find_class, names).fill("self", structure)
@@ -102,7 +103,7 @@ class _Defaults:
             self.lines.append(f"        {slot} = {name}()")
             return
         variable = f"n{self.count}"
-        self.lines += [f"        {variable} = new({name})", f"        {variable}._check_fields = check"]
+        self.lines += [f"        {variable} = new({name})", *checks.slot_lines(f"        {variable}")]
         self.fill(variable, structure)
         self.lines.append(f"        {slot} = {variable}")
 

@@ -60,7 +60,7 @@ class _Writer:
     def copy(self, class_name: str, source: str, target: str, structure: Structure) -> None:
         """Append statements that create `target`, an object of the class, from the variable `source`."""
         lines = self.lines
-        lines += [f"    {target} = new({class_name})", f"    {target}._check_fields = check"]
+        lines += [f"    {target} = new({class_name})", *checks.slot_lines(f"    {target}")]
         for field in structure.fields:
             old, new = f"{source}._{field.name}", f"{target}._{field.name}"
             type_ = field.type

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from day6_tui.core.interfaces.fields import ARRAY, BOUNDED, PRIMITIVES, SINGLE, STRINGS, UNBOUNDED, FieldType
 from day6_tui.core.interfaces.values import parse_primitive, parse_value
+from day6_tui.core.ros import differences
 
 TYPE_CHECKING = False  # `import typing` costs more than this whole module
 if TYPE_CHECKING:
@@ -213,7 +214,7 @@ def _parts(text: str) -> list[str]:
 
 
 def parse_service(package: str, kind: str, name: str, text: str) -> list[Structure]:
-    """Parse a .srv text; return the structures of its request, response and event.
+    """Parse a .srv text; return the structures of its request, response and event (in Humble there are no events).
 
     Raises:
         InvalidServiceSpecification: it does not have exactly one line `---`; otherwise as `parse_message`.
@@ -224,7 +225,7 @@ def parse_service(package: str, kind: str, name: str, text: str) -> list[Structu
         raise InvalidServiceSpecification(f"Could not find {unique}separator '---' between request and response")
     request = parse_message(package, kind, f"{name}_Request", parts[0])
     response = parse_message(package, kind, f"{name}_Response", parts[1])
-    return [request, response, _event(package, kind, name)]
+    return [request, response, *_events(package, kind, name)]
 
 
 def parse_action(package: str, kind: str, name: str, text: str) -> list[Structure]:
@@ -252,14 +253,18 @@ def parse_action(package: str, kind: str, name: str, text: str) -> list[Structur
             Field(FieldType("bool"), "accepted"),
             Field(FieldType("builtin_interfaces/msg/Time"), "stamp"),
         ),
-        _event(package, kind, f"{name}_SendGoal"),
+        *_events(package, kind, f"{name}_SendGoal"),
         wrapped("_GetResult_Request", goal_id),
         wrapped(
             "_GetResult_Response", Field(FieldType("int8"), "status"), Field(FieldType(f"{prefix}_Result"), "result")
         ),
-        _event(package, kind, f"{name}_GetResult"),
+        *_events(package, kind, f"{name}_GetResult"),
         wrapped("_FeedbackMessage", goal_id, Field(FieldType(f"{prefix}_Feedback"), "feedback")),
     ]
+
+
+def _events(package: str, kind: str, service: str) -> list[Structure]:
+    return [_event(package, kind, service)] if differences.value("services.have_events") else []
 
 
 def _event(package: str, kind: str, service: str) -> Structure:

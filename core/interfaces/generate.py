@@ -103,7 +103,7 @@ def build_message(structure: Structure, find_class: Callable[[str], type]) -> ty
     namespace: dict[str, Any] = {
         "__module__": module_name(structure.package, structure.kind, structure.name),
         "__doc__": _doc(structure.name, constants),
-        "__slots__": [*(f"_{field.name}" for field in structure.fields), "_check_fields"],
+        "__slots__": [f"_{field.name}" for field in structure.fields],
         "_fields_and_field_types": {field.name: field.type.idl_name() for field in structure.fields},
         "SLOT_TYPES": _SlotTypes(structure),
         "__init__": names["__init__"],
@@ -113,6 +113,10 @@ def build_message(structure: Structure, find_class: Callable[[str], type]) -> ty
         **constants,
         **defaults,
     }
+    if checks.IS_OPTION:
+        namespace["__slots__"].append("_check_fields")
+    else:
+        namespace["_check_fields"] = checks.CHECK_FIELDS
     for function in (names["__init__"], names["__eq__"]):
         function.__qualname__ = f"{structure.name}.{function.__name__}"
     for field in structure.fields:

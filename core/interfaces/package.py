@@ -7,6 +7,7 @@ from importlib.machinery import ModuleSpec
 
 from day6_tui.core.interfaces import registry
 from day6_tui.core.interfaces.generate import module_name
+from day6_tui.core.ros import differences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -42,7 +43,9 @@ def lazy_interfaces(module: str) -> tuple[Callable[[str], Any], Callable[[], lis
 
     def exported() -> list[str]:
         names = [name.partition("/")[2] for name in registry.interface_names(package, kind)]
-        return sorted(name + part for name in names for part in ("", *_EXPORTED_PARTS[kind]))
+        has_events = differences.value("services.have_events")
+        parts = [part for part in _EXPORTED_PARTS[kind] if has_events or not part.endswith("_Event")]
+        return sorted(name + part for name in names for part in ("", *parts))
 
     def getattr_(name: str) -> Any:
         if name == "__all__":

@@ -1,6 +1,7 @@
 """Finds interface texts on the search path and keeps the classes generated from them.
 
-The search path is our own `core/ros/share`, then `share` of every prefix in AMENT_PREFIX_PATH, in order.
+The search path is our own `core/ros/share`, then `share` of every prefix in AMENT_PREFIX_PATH, in order. Of ours there is what
+the process's distribution has, in its words.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from _thread import RLock
 from day6_tui.core.interfaces.definition import Structure, is_package_name, parse_action, parse_message, parse_service
 from day6_tui.core.interfaces.generate import InterfaceType, build_message
 from day6_tui.core.interfaces.services import build_action, build_service
+from day6_tui.core.ros import differences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -82,6 +84,8 @@ def package_folder(package: str) -> str | None:
         return None
     for share in share_folders():
         folder = os.path.join(share, package)
+        if share is OWN_SHARE and not differences.has_interface(package):
+            continue
         if any(os.path.isdir(os.path.join(folder, kind)) for kind in KINDS):
             return folder
     return None
@@ -107,8 +111,16 @@ def interface_names(package: str, kind: str | None = None) -> list[str]:
         inner = os.path.join(folder, each) if folder else ""
         if inner and os.path.isdir(inner):
             files = (file for file in os.listdir(inner) if file.endswith(f".{each}"))
-            names += sorted(f"{each}/{file.rpartition('.')[0]}" for file in files)
+            found = {f"{each}/{file.rpartition('.')[0]}" for file in files}
+            if folder is not None and _is_ours(folder):
+                found.update(name for name in differences.own_texts(package) if name.startswith(f"{each}/"))
+                found = {name for name in found if differences.has_interface(f"{package}/{name}")}
+            names += sorted(found)
     return names
+
+
+def _is_ours(folder: str) -> bool:
+    return os.path.dirname(folder) == OWN_SHARE
 
 
 def split_name(name: str) -> tuple[str, str, str]:
@@ -134,7 +146,7 @@ def definition_path(name: str) -> str:
     # Compared with the listing, because some file systems find String.msg under the name string.msg.
     if folder is None or f"{kind}/{base}" not in interface_names(package, kind):
         raise UnknownInterfaceError(name, folder is not None)
-    return os.path.join(folder, kind, f"{base}.{kind}")
+    return differences.path_of(name, OWN_SHARE) if _is_ours(folder) else os.path.join(folder, kind, f"{base}.{kind}")
 
 
 def definition_text(name: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from day6_tui.core.interfaces.generate import InterfaceType, module_name
+from day6_tui.core.ros import differences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,7 +39,10 @@ class _LazyPart:
 
 def build_service(package: str, kind: str, name: str, find_class: Callable[[str], type]) -> type:
     """Return a service class with Request, Response and Event; calling it raises NotImplementedError as in real ROS."""
-    return _build(package, kind, name, "service", _parts(_SERVICE_PARTS, f"{package}/{kind}/{name}", find_class))
+    parts = _parts(_SERVICE_PARTS, f"{package}/{kind}/{name}", find_class)
+    if not differences.value("services.have_events"):
+        del parts["Event"]
+    return _build(package, kind, name, "service", parts)
 
 
 def build_action(package: str, name: str, find_class: Callable[[str], type]) -> type:

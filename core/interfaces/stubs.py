@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from day6_tui.core.interfaces import checks
 from day6_tui.core.interfaces.registry import get_action, get_message, get_service, interface_names
 
 _PRIMITIVES = {
@@ -99,12 +100,8 @@ def _class(cls: Any, name: str, module: str, imports: set[str]) -> str:
         if isinstance(value, (bool, int, float, str, bytes)):
             lines.append(f"    {constant}: ClassVar[{type(value).__name__}]")
     keywords = "".join(f", {field}: {given} = ..." for field, (_, given) in fields.items())
-    star = ", *" if fields else ""
-    lines.append(
-        f"    def __init__(self{star}{keywords}, check_fields: bool | None = ...) -> None: ..."
-        if fields
-        else "    def __init__(self) -> None: ..."
-    )
+    keywords += ", check_fields: bool | None = ..." if fields and checks.IS_OPTION else ""
+    lines.append(f"    def __init__(self{', *' if fields else ''}{keywords}) -> None: ...")
     for field, (held, given) in fields.items():
         lines.append("    @property")
         lines.append(f"    def {field}(self) -> {held}: ...")

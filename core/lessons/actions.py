@@ -27,8 +27,8 @@ NAMES = ("type", "terminal", "keys", "write", "replace", "wait", "pause", "rviz"
 MOST_PAUSE = 60.0
 
 WINDOWS = (
-    "turtlesim", "rqt_graph", "rviz2", "editor", "inspector", "rqt_plot", "rqt_console", "rqt_bag", "rqt", "topics", "car",
-    "world", "joint_state_publisher", "kitchen", "lesson",
+    "turtlesim", "rqt_graph", "rviz2", "editor", "inspector", "rqt_plot", "rqt_console", "rqt", "topics", "car", "world",
+    "rqt_bag", "rqt_tf_tree", "joint_state_publisher", "kitchen", "lesson",
 )  # fmt: skip
 """Kinds of windows."""
 

@@ -138,7 +138,7 @@ class _Reader:
         if block.kind == "picture" and not part:
             rows = tuple(block.text.split("\n")) if block.text else ()
             widest = max(map(text_width, rows), default=0)
-            if len(rows) > PICTURE_LINES or widest > PICTURE_COLUMNS:
+            if len(rows) > PICTURE_LINES or widest > PICTURE_COLUMNS + self._source.stretched:
                 self._wrong(
                     block.line,
                     f"the picture has {widest} columns, {len(rows)} lines; the most are {PICTURE_COLUMNS} and {PICTURE_LINES}",

@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 from day6_tui.core.lessons.flaws import Flaw, MarkedMap, line_of, meant
 from day6_tui.core.lessons.plain_yaml import NotYaml, read_yaml
+from day6_tui.core.ros.differences import retold
 
 LANGUAGES = ("zh", "en")
 NAME = re.compile(r"[a-z0-9][a-z0-9_-]*\Z")
@@ -49,6 +50,10 @@ class Part(Protocol):
     def needs(self) -> tuple[str, ...]: ...
 
 
+_OURS = Path(__file__).resolve().parent
+"""What is below is written for the usual distribution, and told for the present one."""
+
+
 class Source:
     """One file that is being read. Raises LessonMistakes if it is no text, or OSError where there is none."""
 
@@ -62,6 +67,12 @@ class Source:
             line = data[: error.start].count(b"\n") + 1
             told = "the file is not UTF-8: save it again, in your editor, with the encoding UTF-8"
             raise LessonMistakes(path, [Mistake(line, told)]) from None
+        self.stretched = 0
+        """By how many columns a row may have grown because another distribution's names are longer."""
+        if _OURS in path.resolve().parents and (told := retold(text)) != text:
+            pairs = zip(text.splitlines(), told.splitlines(), strict=True)
+            self.stretched = max(len(new) - len(old) for old, new in pairs)
+            text = told
         self.path = path
         self.lines = text.replace("\r\n", "\n").split("\n")
         self._mistakes: list[Mistake] = []

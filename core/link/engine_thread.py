@@ -1,4 +1,4 @@
-"""Whether this thread is inside a Zenoh callback.
+"""Zenoh's threads while they run Python: whether this is one of them, and what makes many callbacks cheap.
 
 Python collects garbage on any thread, and that may undeclare something: a node nobody references any more, say. Inside a
 callback this would deadlock.
@@ -10,9 +10,13 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
+OFTEN = 100
+"""Callbacks after which a thread keeps what Python needs to run on it."""
+
 
 class _CallbackState(threading.local):
     inside = False
+    kept = False
 
 
 _state = _CallbackState()
@@ -23,14 +27,35 @@ def inside_callback() -> bool:
     return _state.inside
 
 
-def callback(function: Callable[..., None]) -> Callable[..., None]:
-    """Wrap `function` for handing it to Zenoh."""
+def callback(function: Callable[..., None], *, often: bool = False) -> Callable[..., None]:
+    """Wrap `function` for handing it to Zenoh; `often`: for messages, which come on few threads and may be thousands a second."""
+    calls = 0
 
     def call(*arguments: Any) -> None:
-        _state.inside = True
+        nonlocal calls
+        state = _state
+        state.inside = True
+        if often and not state.kept:
+            calls += 1
+            if calls > OFTEN:
+                state.kept = True
+                _keep_thread_state()
         try:
             function(*arguments)
         finally:
-            _state.inside = False
+            state.inside = False
 
     return call
+
+
+def _keep_thread_state() -> None:
+    """Let this thread, which Python did not start, keep its thread state until it ends.
+
+    Otherwise Python makes one for every callback, with all thread-local variables: more work than most messages are. (A second
+    PyGILState_Ensure without a release is how C programs do it.)
+    """
+    try:
+        from ctypes import pythonapi
+    except ImportError:  # a Python built without it
+        return
+    pythonapi.PyGILState_Ensure()

@@ -112,7 +112,7 @@ class Topics:
         """
         import zenoh
 
-        handler = zenoh.handlers.Callback(callback(self._receiver(subscription)), indirect=False)
+        handler = zenoh.handlers.Callback(callback(self._receiver(subscription), often=True), indirect=False)
         if subscription.qos.durability != Durability.TRANSIENT_LOCAL:
             return self._open_session().declare_subscriber(
                 data_key(subscription), handler, allowed_origin=zenoh.Locality.REMOTE
@@ -173,17 +173,20 @@ class Topics:
             # Runs on Zenoh's thread: nothing here may block, and no exception may escape.
             nonlocal message_type
             try:
-                if subscription.destroyed or sample.attachment is None:
+                attachment = sample.attachment
+                if attachment is None or subscription.destroyed:
                     return
-                number, source_timestamp, gid = unpack(sample.attachment.to_bytes())
+                number, source_timestamp, gid = unpack(attachment.to_bytes())
                 if gid in self._own_gids:
                     return
                 publisher = self._remote.publisher_for(gid, subscription)
                 if publisher is None or (publisher.cache is not None and publisher.expired(source_timestamp)):
                     return
-                if message_type is None:
-                    message_type = message_class(subscription.type_name)
-                message = deserialize(sample.payload.to_bytes(), message_type)
+                message: Any = sample.payload.to_bytes()
+                if not subscription.takes_bytes or subscription.accepts is not None:
+                    if message_type is None:
+                        message_type = message_class(subscription.type_name)
+                    message = deserialize(message, message_type)
                 publisher.count_delivery()
                 subscription.receive((message, source_timestamp, number, publisher))
             except Exception as error:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from day6_tui.core.ros.distribution import DISTRO
+from day6_tui.core.ros import differences, distribution
 
 COMMANDS = {
     "rqt": ("rqt_gui", "rqt_gui"),
@@ -39,7 +39,8 @@ def executables(package: str) -> list[str]:
     folder = _PROGRAMS / package
     if not package.isidentifier() or not folder.is_dir():
         return []
-    return sorted(file.stem for file in folder.glob("[!_]*.py") if _MAIN.search(file.read_text(encoding="utf-8")))
+    names = (file.stem for file in folder.glob("[!_]*.py") if _MAIN.search(file.read_text(encoding="utf-8")))
+    return sorted(name for name in names if differences.has_executable(package, name))
 
 
 def named_by(path: Path) -> tuple[str, str] | None:
@@ -52,4 +53,4 @@ def named_by(path: Path) -> tuple[str, str] | None:
 
 def place_of_command(name: str) -> str:
     """Return the path `which` prints for a command of ROS, `/opt/ros/<distribution>/bin/<name>`; '' for other names."""
-    return f"/opt/ros/{DISTRO}/bin/{name}" if name == "ros2" or name in COMMANDS else ""
+    return f"/opt/ros/{distribution.current()}/bin/{name}" if name == "ros2" or name in COMMANDS else ""

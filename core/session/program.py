@@ -6,7 +6,7 @@ import contextlib
 import logging
 
 from day6_tui.core.graph.domain import DomainError
-from day6_tui.core.session.session import KilledBySignal, Main, Session
+from day6_tui.core.session.session import Crash, KilledBySignal, Main, Session
 from day6_tui.core.session.streams import WriteError
 from day6_tui.core.session.task import Signal, Task, TaskCancelled, wait_for
 
@@ -130,6 +130,9 @@ async def _end_of(session: Session, main: Main) -> int:
         return 1
     except (BrokenPipeError, WriteError):
         raise
+    except Crash as crash:
+        session.print_error(crash.report)
+        raise KilledBySignal(crash.number) from None
     except DomainError as error:
         session.print_error(str(error))  # as `ros2` does
         return 1

@@ -10,7 +10,7 @@ import contextlib
 import logging
 from collections.abc import Awaitable, Callable, Coroutine
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.display import Display, ProgramDisplay
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.task import Future
 
+AnyNode = TypeVar("AnyNode", bound="Node")
+
 _log = logging.getLogger(__name__)
 
 
@@ -45,6 +47,18 @@ class Terminated(KilledBySignal):
 
     def __init__(self) -> None:
         super().__init__(15)
+
+
+class Crash(Exception):
+    """An error that, where nothing in the program catches it, ends it as if by the signal `number`: a C++ exception.
+
+    `report` is what the program's run-time library then prints.
+    """
+
+    def __init__(self, text: str, report: str, number: int) -> None:
+        Exception.__init__(self, text)
+        self.report = report
+        self.number = number
 
 
 class Session:
@@ -147,7 +161,10 @@ class Session:
         """Return `rclpy.node.Node(name, …)` in this program's context, which uses the ROS arguments of its command line."""
         from rclpy.node import Node
 
-        node = Node(name, context=self.context, **keywords)
+        return self.keep(Node(name, context=self.context, **keywords))
+
+    def keep(self, node: AnyNode) -> AnyNode:
+        """Destroy a node when the program ends, however it ends. Returns the node."""
         self._nodes.append(node)
         return node
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable
@@ -15,7 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from day6_tui.core.places import data_folder
-from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_tui.core.ros.distribution import DEFAULT, current
+from day6_tui.core.ros.environment import program_environment, python_folders
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
 from day6_tui.core.whole_file import replace_file
 
@@ -49,8 +51,8 @@ def write_stubs(folder: Path) -> int:
 
 
 def stub_folder() -> Path:
-    """The folder of the stubs."""
-    return data_folder() / "stubs"
+    """The folder of the stubs; another distribution than the usual one has one of its own."""
+    return data_folder() / ("stubs" if current() == DEFAULT else f"stubs-{current()}")
 
 
 # -- VS Code -----------------------------------------------------------------------------------------------------------
@@ -77,7 +79,7 @@ def _vscode_settings(text: str, stubs: Path) -> str:
     system = f"terminal.integrated.env.{_SHELL_OF.get(sys.platform, 'linux')}"
     values: dict[str, Any] = {
         "python.analysis.extraPaths": _with_ours(
-            present.get("python.analysis.extraPaths"), [str(stubs), str(PYTHON_PATH)]
+            present.get("python.analysis.extraPaths"), [str(stubs), *python_folders()]
         ),
         system: {**(present.get(system) or {}), **variables()},
     }
@@ -128,10 +130,13 @@ def _dot_env(text: str) -> str:
     return "\n".join([*lines, ""])
 
 
+_OURS = re.compile(r"[/\\](?:core[/\\]ros[/\\]python(?:_of[/\\]\w+)?|day6-tui[/\\]stubs(?:-\w+)?)$")
+"""Folders of any installation and distribution."""
+
+
 def _with_ours(present: Iterable[str] | None, ours: list[str]) -> list[str]:
     """Our folders first, then the existing ones; an older installation's are left out."""
-    tail = os.path.join("core", "ros", "python")
-    return [*ours, *(each for each in present or () if each and each not in ours and not each.endswith(tail))]
+    return [*ours, *(each for each in present or () if each and each not in ours and not _OURS.search(each))]
 
 
 # -- PyCharm -----------------------------------------------------------------------------------------------------------
@@ -146,7 +151,7 @@ def write_pycharm(project: Path, stubs: Path) -> list[Path]:
     (idea / "runConfigurations").mkdir(parents=True, exist_ok=True)
     module = next(iter(sorted(idea.glob("*.iml"))), idea / f"{project.resolve().name}.iml")
     modules, template = idea / "modules.xml", idea / "runConfigurations" / "_template__of_Python.xml"
-    _change(module, lambda text: _pycharm_module(text, [stubs, PYTHON_PATH]))
+    _change(module, lambda text: _pycharm_module(text, [stubs, *map(Path, python_folders())]))
     if not modules.exists():
         replace_file(modules, _MODULES.format(name=module.name).encode("utf-8"))
     _change(template, _pycharm_template)
@@ -192,7 +197,7 @@ def _pycharm_module(text: str, folders: list[Path]) -> str:
     wanted = {f"file://{'' if os.name == 'posix' else '/'}{folder.as_posix()}": folder for folder in folders}
     for content in list(manager.findall("content")):
         url = content.get("url", "")
-        if url in wanted or url.endswith(("/day6-tui/stubs", "/core/ros/python")):
+        if url in wanted or _OURS.search(url):
             manager.remove(content)
     for number, url in enumerate(wanted):
         content = ElementTree.Element("content", url=url)

@@ -17,8 +17,8 @@ from types import ModuleType
 from day6_tui.core.interfaces import add_prefixes
 from day6_tui.core.interfaces.package import package_files
 from day6_tui.core.interfaces.registry import KINDS, package_folder
-from day6_tui.core.ros.distribution import DISTRO
-from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_tui.core.ros.distribution import current
+from day6_tui.core.ros.environment import program_environment, python_folders
 from day6_tui.core.ros.executables import are_on, with_executables
 from day6_tui.core.workspace.local_setup_util import Environment, source_package, source_workspace
 from day6_tui.core.workspace.setup_scripts import chained_in
@@ -87,13 +87,14 @@ def import_interfaces(changed: Mapping[str, str]) -> None:
 
 
 def _source_ros(path: Path, distribution: str, environment: Mapping[str, str]) -> dict[str, str]:
-    if distribution != DISTRO:
+    if distribution != current():
         raise FileNotFoundError(2, "No such file or directory", str(path))
     result = Environment(environment)
     after = program_environment({**environment, "PYTHONPATH": ""})
     for name in _ROS_VARIABLES[:-1]:
         result.set(name, after[name])
-    result.extend("PYTHONPATH", str(PYTHON_PATH))
+    for folder in reversed(python_folders()):
+        result.extend("PYTHONPATH", folder)
     if not are_on(result.variables.get("PATH", "")):
         result.set("PATH", with_executables(result.variables.get("PATH", "")))
     return result.changed

@@ -22,6 +22,8 @@ EXEMPT: dict[str, str] = {
     r"rviz2/model/config\.py": "the same: RViz prints it after the path of the file, and so it has a card",
     r"collada\.py|meshes\.py": "reaches the screen as `could not load` of a mesh",
     r"raise BadValue|raise NoField": "shown beside the line in which the value is typed, in the catalogue's words",
+    r"rqt_reconfigure/(model|values)\.py|rqt_image_view/model\.py": "shown below the line in which the value or file is typed",
+    r"decoding\.py.*(wordxword pixels|too large)": "the reason within `an exception was thrown`, or it says all itself",
     r"raise NotImplementedError|no shell$|urdf/__init__|properties\.py.*KeyError": "a mistake of ours",
     r"interpreter\.py.*\twordmword|state\.py.*write: exit|tf2_monitor\.py|: \n- ": "a time, a farewell, a heading, a list",
     r"(print_error|error|write|err|exit): [Uu]sage: ": "a usage says itself what to write; --help prints the same line",

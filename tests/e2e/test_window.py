@@ -178,3 +178,18 @@ def test_rviz_asks_before_q_loses_what_was_changed(place: Place) -> None:
         assert screen.wait_end() == 0
     saved = Path(os.environ["HOME"]) / ".rviz2" / "default.rviz"  # a terminal of the test's own user
     assert "rviz_default_plugins/Axes" in saved.read_text(encoding="utf-8")
+
+
+def test_plugins_of_rqt_are_tabs_of_its_terminal(place: Place) -> None:
+    with place.terminal("rqt", DAY6_LANG="en", HOME=str(place.home)) as screen:
+        screen.wait("Node Graph", "perspective Default", "End")
+        assert "F3 Next" not in screen.look()
+        screen.press("Enter")
+        screen.wait("No node is publishing", "F3 Next")
+        screen.press("F3")
+        screen.wait("open: Node Graph")
+        screen.press("Down", "x")
+        screen.wait(lambda seen: "open: Node Graph" not in seen and "F3 Next" not in seen)
+        screen.press("q")
+        assert screen.wait_end() == 0
+        assert "Traceback" not in screen.look()

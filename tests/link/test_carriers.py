@@ -256,6 +256,20 @@ def test_a_message_of_a_known_sender_is_received_and_counted(it: Carriers) -> No
     assert sender.delivered == 2 and it.problems == [] and it.refusals.counts == {}
 
 
+def test_who_takes_bytes_gets_them_unread_unless_a_filter_has_to_read_them(it: Carriers) -> None:
+    subscription = it.subscription()
+    sender = remote_publisher(it)
+    receiver = it.topics.subscribe(subscription)
+    subscription.takes_bytes = True
+    receiver.call(sample("", b"\0\1\0\0 unreadable", pack(7, 8, sender.gid)))
+    assert subscription.take() == (b"\0\1\0\0 unreadable", 8, 7, sender)
+    subscription.filter_by(lambda message: message.data == "y")
+    for data in "xy":
+        receiver.call(sample("", serialize(String(data=data)), pack(8, 9, sender.gid)))
+    assert subscription.take() == (String(data="y"), 9, 8, sender) and subscription.take() is None
+    assert it.problems == [] and sender.delivered == 3
+
+
 def test_what_is_not_for_a_subscription_is_passed_over_silently(it: Carriers) -> None:
     subscription = it.subscription(QoS(reliability=Reliability.RELIABLE))
     good = serialize(String(data="x"))

@@ -20,6 +20,7 @@ from day6_tui.core import link as package
 from day6_tui.core.graph import Graph, QoS
 from day6_tui.core.graph.endpoints import RequestId
 from day6_tui.core.graph.node import Node
+from day6_tui.core.link import engine_thread
 from day6_tui.core.link import link as link_module
 from day6_tui.core.link import meeting as meeting_module
 from day6_tui.core.link.engine_thread import callback, inside_callback
@@ -712,6 +713,27 @@ def test_a_callback_of_the_engine_is_known_as_one_also_when_it_fails() -> None:
     with pytest.raises(ValueError):
         callback(fail)(5)
     assert seen == [(True, 5)] and not inside_callback()
+
+
+def test_a_thread_with_many_messages_keeps_its_state_once_and_one_with_few_does_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    kept: list[int] = []
+    monkeypatch.setattr(engine_thread, "_keep_thread_state", lambda: kept.append(threading.get_ident()))
+    heard: list[int] = []
+    rare, often = callback(heard.append), callback(heard.append, often=True)
+
+    def many() -> None:
+        for number in range(3 * engine_thread.OFTEN):
+            rare(number)
+        assert kept == []
+        for number in range(3 * engine_thread.OFTEN):
+            often(number)
+
+    thread = threading.Thread(target=many)
+    thread.start()
+    thread.join()
+    assert kept == [thread.ident] and len(heard) == 6 * engine_thread.OFTEN
 
 
 # -- the meeting point -------------------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from day6_tui.tui.pixels.bands import Array
 from day6_tui.tui.pixels.raster import Surface
 from day6_tui.tui.pixels.sheet import Sheet
 from day6_tui.tui.windows.car_pixels import CarPicture
+from day6_tui.tui.windows.image_cells import on_ground
 from day6_tui.tui.windows.plot_pixels import paint_plot
 from day6_tui.tui.windows.rqt_graph_pixels import GraphPicture
 from day6_tui.tui.windows.world_picture import FIRM, FIRST_TREAD, LINE, TRAIL, WALL, WHEEL, fitting, look_of
@@ -100,6 +101,15 @@ def test_a_curve_passes_through_its_values() -> None:
     curve = places(pixels, 0x56B4E9, near=60)
     assert np.abs(curve[:, 0] - (99 - curve[:, 1] / 2)).max() < 3
     assert len(np.argwhere(pixels[:, 50, 0] > 0x18)) > 50  # the line of the grid
+
+
+def test_an_image_lies_on_the_grid_of_cells_in_the_middle() -> None:
+    image = np.full((100, 155, 3), 200, np.uint8)
+    whole, corner = on_ground(image, (20, 10), CELL, 0x102030)
+    assert whole.shape == (200, 200, 3) and corner == (2, 2)
+    assert np.argwhere(whole[..., 0] == 200).min(axis=0).tolist() == [40, 20]
+    assert np.argwhere(whole[..., 0] == 200).max(axis=0).tolist() == [139, 174]
+    assert whole[0, 0].tolist() == [0x10, 0x20, 0x30]
 
 
 def test_the_graph_has_every_name_as_text_and_its_boxes_around_them() -> None:

@@ -48,7 +48,13 @@ class Fault:
 
     def _place(self, tree: Path) -> Path:
         first, *rest = self.module.split(".")
-        path = tree.joinpath(*rest) if first == "day6_tui" else tree.joinpath(rules.ON_THE_PATH, first)
+        if first == "day6_tui":
+            path = tree.joinpath(*rest)
+        else:
+            tops = (rules.ON_THE_PATH, *(rules.OF_DISTRIBUTIONS / name for name in ("humble", "jazzy", "kilted")))
+            path = next(
+                (there for top in tops if (there := tree / top / first).is_dir()), tree / rules.ON_THE_PATH / first
+            )
         return path if path.is_dir() else path.with_suffix(".py")
 
     def missing(self, output: str) -> list[str]:

@@ -19,8 +19,9 @@ else:  # the same parser under its old name comes with mypy's dependency
 ROOT = Path(__file__).resolve().parents[2]
 TOPS = ("core", "tui", "urdf")
 ON_THE_PATH = ROOT / "core" / "ros" / "python"
+OF_DISTRIBUTIONS = ROOT / "core" / "ros" / "python_of"
 SHARE = ROOT / "core" / "ros" / "share"
-"""Package data, not sub-packages: programs find the first on sys.path, launch files and configurations in the second."""
+"""Package data, not sub-packages: programs find the first two on sys.path, launch files and configurations in the third."""
 
 
 def sources() -> list[Path]:
@@ -42,7 +43,7 @@ def test_the_list_of_packages_names_every_folder_with_an_init() -> None:
     folders = {
         "day6_tui." + ".".join(path.parent.relative_to(ROOT).parts)
         for path in sources()
-        if path.name == "__init__.py" and ON_THE_PATH not in path.parents
+        if path.name == "__init__.py" and not {ON_THE_PATH, OF_DISTRIBUTIONS} & set(path.parents)
     }
     assert listed == folders | {"day6_tui"}
 
@@ -52,7 +53,7 @@ def test_every_folder_with_python_in_it_is_a_package() -> None:
         str(path.parent.relative_to(ROOT))
         for path in sources()
         if path.suffix == ".py"
-        and not {ON_THE_PATH, SHARE} & set(path.parents)
+        and not {ON_THE_PATH, OF_DISTRIBUTIONS, SHARE} & set(path.parents)
         and not (path.parent / "__init__.py").exists()
     }
     assert bare == set()

@@ -27,6 +27,8 @@ from day6_tui.core.shell.desk import Desk
 ROOT = Path(__file__).resolve().parents[2]
 TOPS = ("core", "tui", "urdf")
 ON_THE_PATH = ROOT / "core" / "ros" / "python"
+OF_DISTRIBUTIONS = ROOT / "core" / "ros" / "python_of"
+OF_JAZZY = OF_DISTRIBUTIONS / "jazzy"
 SHARE = ROOT / "core" / "ros" / "share"
 
 WITHOUT_UNIX = """
@@ -54,8 +56,11 @@ def sources(*tops: str) -> Iterator[Path]:
 def module_names() -> list[str]:
     names = []
     for path in sources(*TOPS):
-        on_the_path = ON_THE_PATH in path.parents
-        parts = path.relative_to(ON_THE_PATH if on_the_path else ROOT).with_suffix("").parts
+        top = next((each for each in (ON_THE_PATH, OF_JAZZY, ROOT) if each in path.parents), ROOT)
+        if OF_DISTRIBUTIONS in path.parents and top is ROOT:
+            continue
+        on_the_path = top is not ROOT
+        parts = path.relative_to(top).with_suffix("").parts
         parts = parts[:-1] if parts[-1] == "__init__" else parts
         if parts and parts[-1] != "__main__" and SHARE not in path.parents:
             names.append(".".join(parts if on_the_path else ("day6_tui", *parts)))

@@ -24,6 +24,10 @@ FRIENDS = {
     ("day6_tui.core.ros.ros2", "launch._host"): "launch's public names are those of the real one",
     ("launch_ros", "launch._loop"): "launch's public names are those of the real one",
     ("day6_tui.core.ros.programs.tf2_ros", "tf2_py._rotation"): "the C++ library tf2, which has no Python names",
+    (
+        "day6_tui.core.ros.programs.rclcpp",
+        "rclpy",
+    ): "the other client library on the same core, which is rcl in real ROS",
     ("tf2_geometry_msgs", "tf2_py._rotation"): "the C++ library tf2, which has no Python names",
 }
 """Whose package lies in two folders because the real one's does: (importer, what it may import) -> why."""

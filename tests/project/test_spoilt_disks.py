@@ -89,8 +89,12 @@ def test_a_dump_of_parameters_tells(disk: Disk) -> None:
 
 
 def test_a_picture_of_frames_tells(disk: Disk) -> None:
-    text = shell_lines(disk, "ros2 run tf2_tools view_frames --wait-time 0.1")
+    old = [disk.folder / name for name in ("tree.gv", "tree.pdf") if disk.kind != "gone"]
+    for file in old:
+        file.write_text("old")
+    text = shell_lines(disk, "ros2 run tf2_tools view_frames --wait-time 0.1 -o tree")
     assert disk.is_told(text)
+    assert all(file.read_text() == "old" for file in old)
 
 
 def test_a_download_tells(disk: Disk) -> None:

@@ -258,16 +258,16 @@ def test_a_flag_of_every_node_is_declared_quietly_unless_somebody_listens() -> N
     heard = Heard()
     store = ParameterStore(listener=heard)
     heard.listening = False
-    store.declare_flag("quiet", False)
+    store.declare_plain("quiet", False)
     assert heard.changes == []
     heard.listening = True
-    store.declare_flag("loud", True, read_only=True)
+    store.declare_plain("loud", True, read_only=True)
     assert heard.changes == [(["loud"], [], [])]
     assert (store.get("quiet").value, store.describe("quiet").name, store.describe("quiet").type) == (False, "quiet", 1)
     assert store.describe("loud").read_only
     assert ParameterStore(overrides={"x": Parameter("x", value=True)}).overrides["x"].value
     overridden = ParameterStore(overrides={"x": Parameter("x", value=True)})
-    overridden.declare_flag("x", False)
+    overridden.declare_plain("x", False)
     assert overridden.get("x").value is True
 
 

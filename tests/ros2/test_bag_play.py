@@ -176,3 +176,11 @@ def test_a_type_that_is_unknown_here_is_left_out_and_said(machine):
     command = play(machine)
     wait_for_end(command)
     assert "Ignoring a topic '/strange', reason: " in command.stderr and command.status == 0
+
+
+def test_a_rule_that_renames_nothing_is_told_in_the_words_of_rclcpp(counted):
+    played = play(counted, "--remap", "nonsense")
+    assert played.status == 1
+    assert played.stderr.startswith(
+        "failed to parse arguments: Couldn't parse remap rule: '--remap nonsense'. Error: Expected lexeme type"
+    )

@@ -29,9 +29,14 @@ def test_run_of_what_is_not_there(machine, words, error):
 
 def test_a_program_that_fails_is_reported_by_run(machine):
     result = machine.ros2("run", "turtlesim", "turtlesim_node", "--ros-args", "-p", "foo")
-    assert result.status == 1
-    assert result.stdout == "[ros2run]: Process exited with failure 1\n"
+    assert result.status == 250  # -SIGABRT, as a byte
+    assert result.stdout == "[ros2run]: Aborted\n"
     assert "Traceback" not in result.stderr
+
+
+def test_a_python_program_that_fails_is_reported_by_run(machine):
+    result = machine.ros2("run", "demo_nodes_py", "talker", "--ros-args", "-p", "foo")
+    assert (result.stdout, result.status) == ("[ros2run]: Process exited with failure 1\n", 1)
 
 
 def test_pkg_finds_what_came_with_us(machine):

@@ -150,3 +150,21 @@ def test_trouble_follows_its_topic_into_both_views() -> None:
     facts = Facts({"/a": ("/p",)}, {"/a": ("/s",)}, {"/a": ("Found qos incompatibilities:",)})
     assert set(select(facts, Options()).trouble) == {"/a"}
     assert set(select(facts, Options(graph_type=GraphType.ALL)).trouble) == {" /a"}
+
+
+STATUS = "/turtle1/rotate_absolute/_action/status"
+DRIVEN = Facts(
+    publishers={**TURTLE.publishers, STATUS: ("/turtlesim",)},
+    subscribers={**TURTLE.subscribers, STATUS: ("/teleop_turtle",)},
+)
+
+
+def test_a_driven_turtle_is_three_arrows_as_in_the_official_tutorial() -> None:
+    """The box "Actions" joins five topics of ROS 1; an action of ROS 2 has two, so nothing is joined."""
+    assert edges(select(DRIVEN, Options())) == {
+        ("/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel"),
+        ("/turtlesim", "/teleop_turtle", FEEDBACK),
+        ("/turtlesim", "/teleop_turtle", STATUS),
+    }
+    boxes = names(select(DRIVEN, Options(graph_type=GraphType.ACTIVE)))
+    assert boxes == {"/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel", FEEDBACK, STATUS}

@@ -8,11 +8,12 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 import pytest
+from pdf_text import pdf_text
 from PIL import Image
 
 from day6_tui.core.ros.programs.rqt_graph.model.dot import DotError, read_dot, write_dot
 from day6_tui.core.ros.programs.rqt_graph.model.fit import unfitted
-from day6_tui.core.ros.programs.rqt_graph.model.image import write_image
+from day6_tui.core.ros.programs.rqt_graph.model.image import WARNING, write_image
 from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge
 
 BOXES = [
@@ -74,13 +75,27 @@ def test_graphviz_takes_the_file() -> None:
 
 
 def test_the_svg_holds_every_name_and_shape(tmp_path: Path) -> None:
-    write_image(unfitted(BOXES, EDGES), tmp_path / "graph.svg", [" /a/b/chatter"])
+    write_image(unfitted(BOXES, EDGES), tmp_path / "graph.svg", {" /a/b/chatter": WARNING})
     root = xml.etree.ElementTree.parse(tmp_path / "graph.svg").getroot()
     texts = {element.text for element in root.iter("{http://www.w3.org/2000/svg}text")}
     assert texts >= {"/a/talker", "/listener", "/a/b/chatter", "/tf", "/a", "/a/b"}
     assert len(list(root.iter("{http://www.w3.org/2000/svg}ellipse"))) == 2
     assert len(list(root.iter("{http://www.w3.org/2000/svg}polygon"))) == len(EDGES)
     assert 'fill="#ff0000">/a/b/chatter' in (tmp_path / "graph.svg").read_text()
+
+
+def test_a_picture_of_too_many_pixels_is_refused_and_a_drawing_is_not(tmp_path: Path) -> None:
+    boxes = [Box(f"box {number}", ("x" * 200,), "node") for number in range(1000)]
+    with pytest.raises(ValueError, match=r"graph.png': \d+ x \d+ pixels are too many; .svg and .pdf have no limit"):
+        write_image(unfitted(boxes, []), tmp_path / "graph.png")
+    write_image(unfitted(boxes, []), tmp_path / "graph.svg")
+    assert [file.name for file in tmp_path.iterdir()] == ["graph.svg"]
+
+
+def test_the_pdf_holds_every_name(tmp_path: Path) -> None:
+    write_image(unfitted(BOXES, EDGES), tmp_path / "graph.pdf")
+    text = pdf_text(tmp_path / "graph.pdf")
+    assert all(name in text for name in ("/a/talker", "/listener", "/a/b/chatter", "/tf", "/a", "/a/b"))
 
 
 @pytest.mark.parametrize("suffix", [".png", ".jpg", ".bmp"])
@@ -93,20 +108,23 @@ def test_the_picture_opens_and_is_not_empty(tmp_path: Path, suffix: str) -> None
 
 
 def test_an_unknown_suffix_names_those_that_work(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"'graph.pdf': .dot, .svg, .png"):
-        write_image(unfitted(BOXES, EDGES), tmp_path / "graph.pdf")
+    with pytest.raises(ValueError, match=r"'graph.gif': .dot, .svg, .pdf, .png"):
+        write_image(unfitted(BOXES, EDGES), tmp_path / "graph.gif")
 
 
 HOSTILE = 'a\x1b]0;T\x07<script>\x9b2J\u202e\uffff&\n"b'
 
 
-@pytest.mark.parametrize("suffix", [".svg", ".png"])
+@pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf"])
 def test_a_label_from_somebody_elses_file_is_text_in_the_picture(tmp_path: Path, suffix: str) -> None:
     boxes = [Box("a", (HOSTILE,), "node"), Box("b", (HOSTILE,), "topic", "/" + HOSTILE)]
     file = tmp_path / ("graph" + suffix)
     write_image(unfitted(boxes, [Edge("a", "b", HOSTILE, "b")]), file)
     if suffix == ".png":
         assert Image.open(file).size[0] > 0
+        return
+    if suffix == ".pdf":
+        assert "a^[]0;T^G<script>\\x9b2J\\u202e\\uffff&^J" in pdf_text(file)
         return
     texts = [
         element.text or "" for element in xml.etree.ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")

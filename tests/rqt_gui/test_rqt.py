@@ -87,6 +87,24 @@ def test_a_plugin_that_is_closed_takes_its_subscription_along_and_the_others_sta
     assert running.program.status is None
 
 
+def test_every_plugin_opens_beside_the_others_and_leaves_nothing_behind(room: Room) -> None:
+    packages = [each.package for each in plugins()]
+    running = room.rqt()
+    room.start(*packages)
+    assert [plugin.entry.package for plugin in room.model.open] == packages
+    room.leave(running)
+    room.rqt()
+    assert [plugin.entry.package for plugin in room.model.open] == packages
+    for plugin in room.model.open:
+        room.ask(lambda plugin=plugin: room.model.stop(plugin))
+    assert room.kinds == ["rqt"]
+    left = {name for name in room.nodes if name.startswith("rqt_gui_")}
+    node = room.machine.node
+    for name in left:
+        assert node.get_client_names_and_types_by_node(name, "/") == []
+        assert dict(node.get_subscriber_names_and_types_by_node(name, "/")).keys() <= {"/parameter_events"}
+
+
 def test_a_plugin_can_be_open_twice_and_a_free_number_is_taken_again(room: Room) -> None:
     room.rqt()
     room.start("rqt_plot", "rqt_plot", "rqt_plot")
@@ -214,3 +232,36 @@ def test_what_names_no_plugin_or_several_is_told_in_rqts_words(room: Room) -> No
 def test_without_a_screen_the_plugins_are_listed(room: Room) -> None:
     listed = room.machine.start("rqt_gui", "rqt_gui").output.split()
     assert {"rqt_graph.ros_graph.RosGraph", "rqt_topic.topic.Topic"} <= set(listed) and listed == sorted(listed)
+
+
+TYPED = ("rqt_service_caller", "rqt_publisher", "rqt_action", "rqt_msg", "rqt_srv")
+"""The plugins whose fields are typed into, or that browse types."""
+
+
+def test_plugins_with_fields_share_the_node_and_leave_nothing_on_it(room: Room) -> None:
+    room.rqt()
+    room.start(*TYPED)
+    assert len(room.kinds) == 6 and len(room.nodes) == 1
+    models = {window.kind: window.model for window in room.machine.display.windows}
+    models["publisher"].add("/greeting", "std_msgs/msg/String")
+    room.machine.until(lambda: room.machine.node.count_publishers("/greeting") == 1)
+    for plugin in list(room.model.open):
+        room.ask(lambda plugin=plugin: room.model.stop(plugin))
+    assert room.kinds == ["rqt"] and room.machine.node.count_publishers("/greeting") == 0
+
+
+def test_publishers_and_the_chosen_service_come_back_with_the_perspective(room: Room) -> None:
+    running = room.rqt()
+    room.start("rqt_service_caller", "rqt_publisher")
+    caller, publisher = (window.model for window in room.machine.display.windows[1:])
+    caller.choose("/watcher/set_parameters")
+    publisher.add("/greeting", "std_msgs/msg/String", 2.0)
+    publisher.set_expression(0, "/data", "'Hello %d' % i")
+    publisher.set_enabled(0, True)
+    room.machine.advance(1.0)
+    room.leave(running)
+    room.rqt()
+    caller, publisher = (window.model for window in room.machine.display.windows[1:])
+    room.machine.until(lambda: caller.service == "/watcher/set_parameters")
+    (shown,) = publisher.shown()
+    assert (shown.topic, shown.rate, shown.enabled, shown.rows[0].text) == ("/greeting", 2.0, False, "'Hello %d' % i")

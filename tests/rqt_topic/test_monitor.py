@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 from std_msgs.msg import String
 
 from day6_tui.core.graph import Graph
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place
 from day6_tui.core.ros.programs.rqt_topic import rqt_topic
 from day6_tui.core.ros.programs.rqt_topic._measure import SECOND, Measure
 from day6_tui.core.session.clock import WorldClock
@@ -125,6 +127,51 @@ def _publish(world: _World, publisher: Any, text: Callable[[int], str], *, hertz
     for n in range(hertz * seconds):
         publisher.publish(String(data=text(n)))
         world.scheduler.advance(1 / hertz)
+
+
+def test_the_topics_of_a_kept_perspective_are_listened_to_as_soon_as_they_are_there(world) -> None:
+    session = Session(world.scheduler, world.graph, ["rqt"], display=world.display)
+    node = session.create_node("rqt_gui_py_node_1")
+    plugin = rqt_topic.TopicMonitorPlugin(Place(session, node, settings={"selected_topics": ["/late", 7, "/never"]}))
+    model = plugin.model
+    assert plugin.settings() == {"selected_topics": ["/late", "/never"]}
+    world.node.create_publisher(String, "late", 10)
+    model.refresh()
+    model.refresh()
+    assert _topic(model, "/late").monitored
+    assert plugin.settings() == {"selected_topics": ["/late", "/never"]}
+    plugin.close()
+    model.refresh()
+    assert _topic(model, "/late").subscriptions == ()
+    session.close()
+
+
+def test_messages_are_counted_without_waking_the_program(world) -> None:
+    publisher = world.node.create_publisher(String, "chatter", 10)
+    world.start(world.display)
+    model = world.display.windows[0].model
+    model.toggle("/chatter")
+    world.scheduler.advance(0.2)
+    for _ in range(100):  # far more than the queue of a subscription holds
+        publisher.publish(String(data="x"))
+    assert model.last_message("/chatter").data == "x"
+    world.scheduler.advance(1.0)
+    assert _topic(model, "/chatter").count == 100
+
+
+def test_what_came_from_two_threads_is_all_counted() -> None:
+    measure = Measure()
+
+    def add() -> None:
+        for number in range(20_000):
+            measure.add(number, 1)
+
+    threads = [threading.Thread(target=add) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert measure.count == 40_000
 
 
 def test_topics_that_come_later_appear_by_themselves(world) -> None:

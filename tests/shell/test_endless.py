@@ -156,7 +156,7 @@ WAITING = {
     "ros2 run demo_nodes_py talker --ros-args --params-file f": 1,
     "ros2 run demo_nodes_py talker --ros-args --params-file /dev/zero": 1,
     "ros2 run day6_world world --ros-args -p world:=f": 1,
-    "ros2 run robot_state_publisher robot_state_publisher f": 134,
+    "ros2 run robot_state_publisher robot_state_publisher f": 250,
     "colcon build": 0,
     "timeout 1 rviz2 -d f": 124,
 }

@@ -15,7 +15,7 @@ import pytest
 
 from day6_tui.core.interfaces import get_message, interface_names
 from day6_tui.core.interfaces.stubs import package_stubs
-from day6_tui.core.ros.environment import PYTHON_PATH
+from day6_tui.core.ros.environment import PYTHON_PATH, python_folders
 from day6_tui.core.shell import ide, jsonc
 from day6_tui.core.shell.subshell import print_environment
 
@@ -108,7 +108,7 @@ def test_the_users_settings_are_kept_and_ours_come_first(project: Path) -> None:
     settings = jsonc.parse(text)
     assert "// large" in text
     assert settings["python.defaultInterpreterPath"] == "/my/python"
-    assert settings["python.analysis.extraPaths"] == [str(ide.stub_folder()), str(PYTHON_PATH), "lib"]
+    assert settings["python.analysis.extraPaths"] == [str(ide.stub_folder()), *python_folders(), "lib"]
     lines = (project / ".env").read_text(encoding="utf-8").splitlines()
     assert "TOKEN=1" in lines
     (path,) = [line for line in lines if line.startswith("PYTHONPATH=")]

@@ -21,7 +21,7 @@ STUBS = Path("/stubs")
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(ide, "variables", lambda: dict(OURS))
-    monkeypatch.setattr(ide, "PYTHON_PATH", Path("/ros"))
+    monkeypatch.setattr(ide, "python_folders", lambda: [str(Path("/ros"))])
     folder = tmp_path / "project"
     folder.mkdir()
     return folder

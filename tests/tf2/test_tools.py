@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import importlib
 import math
+import os
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from pdf_text import pdf_text
 from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
+from waiting import until
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros.program_index import executables
@@ -291,6 +295,22 @@ def test_a_frame_cannot_be_its_own_parent(machine: Machine) -> None:
 # -- view_frames -------------------------------------------------------------------------------------------------------
 
 
+def view_frames(machine: Machine, *args: str) -> Running:
+    """Run it to its end, with a frame or two."""
+    machine.fixed.sendTransform(stamped("car", "wheel"))
+    view = machine.start("view_frames", "-t", "0.5", "-o", "tree", *args, package="tf2_tools")
+    machine.advance(0.5)
+    until(lambda: view.program.status is not None, meanwhile=lambda: machine.advance(0.1))
+    return view
+
+
+def install_dot(folder: Path, script: str) -> None:
+    """Put a `dot` onto the PATH of the machine's programs."""
+    dot = folder / "dot"
+    dot.write_text(f"#!/bin/sh\n{script}\n")
+    dot.chmod(0o755)
+
+
 def test_view_frames_writes_the_tree_of_five_seconds(machine: Machine) -> None:
     machine.fixed.sendTransform(stamped("car", "wheel"))
     view = machine.start("view_frames", package="tf2_tools")
@@ -298,7 +318,7 @@ def test_view_frames_writes_the_tree_of_five_seconds(machine: Machine) -> None:
     for tick in range(48):
         machine.moving.sendTransform(stamped("world", "car", 100 + tick * 0.1))
         machine.advance(0.1)
-    machine.advance(0.3)
+    until(lambda: view.program.status is not None, meanwhile=lambda: machine.advance(0.1))
     assert view.program.status == 0
     lines = view.errors.splitlines()
     assert lines[1] == "[INFO] [view_frames]: Generating graph..."
@@ -306,10 +326,7 @@ def test_view_frames_writes_the_tree_of_five_seconds(machine: Machine) -> None:
     exported = re.fullmatch(
         r"\[INFO\] \[view_frames\]: Exporting graph in (frames_[0-9._-]+)\.pdf file\.\.\.", lines[3]
     )
-    assert exported is not None
-    assert lines[4:] == [
-        f"[WARN] [view_frames]: graphviz (dot) is not installed: there is {exported[1]}.gv, but no PDF of it"
-    ]
+    assert exported is not None and lines[4:] == []
     dot = (machine.folder / f"{exported[1]}.gv").read_text(encoding="utf-8")
     assert dot.startswith(
         'digraph G {\n"car" -> "wheel"[label=" Broadcaster: default_authority\\nAverage rate: 10000.0\\n'
@@ -318,14 +335,77 @@ def test_view_frames_writes_the_tree_of_five_seconds(machine: Machine) -> None:
         '"world" -> "car"[label=" Broadcaster: default_authority\\nAverage rate: 10.213\\nBuffer length: 4.7\\n' in dot
     )
     assert dot.endswith('[ shape=plaintext ] ;\n}->"world";\n}')
+    text = pdf_text(machine.folder / f"{exported[1]}.pdf")
+    assert "Averagerate:10.213Bufferlength:4.7" in text and "wheel" in text
 
 
 def test_view_frames_without_frames(machine: Machine) -> None:
     view = machine.start("view_frames", "-t", "1", "-o", "tree", package="tf2_tools")
     machine.advance(1.0)
-    machine.advance(0.1)
+    until(lambda: view.program.status is not None, meanwhile=lambda: machine.advance(0.1))
     assert view.program.status == 0
     assert (machine.folder / "tree.gv").read_text(encoding="utf-8") == 'digraph G { "No tf data received" }'
+    assert pdf_text(machine.folder / "tree.pdf") == "Notfdatareceived"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
+def test_graphviz_draws_where_it_is_installed(machine: Machine) -> None:
+    install_dot(machine.folder, 'read line < "$2"; echo "%PDF by $1 of $line"; echo "Warning: of dot" >&2')
+    view = view_frames(machine)
+    assert view.program.status == 0
+    assert (machine.folder / "tree.pdf").read_text() == "%PDF by -Tpdf of digraph G {\n"
+    assert view.errors.endswith("\nWarning: of dot\n")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
+@pytest.mark.parametrize(
+    ("script", "told"),
+    [
+        ("echo nonsense", "graphviz (dot) made no PDF: status 0"),
+        ("echo %PDF; exit 3", "graphviz (dot) made no PDF: status 3"),
+        ("kill -9 $$", "graphviz (dot) made no PDF: status -9"),
+    ],
+)
+def test_what_graphviz_does_not_draw_is_drawn_without_it(machine: Machine, script: str, told: str) -> None:
+    install_dot(machine.folder, script)
+    view = view_frames(machine)
+    assert view.program.status == 0 and f"[WARN] [view_frames]: {told}\n" in view.errors
+    assert "wheel" in pdf_text(machine.folder / "tree.pdf")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
+def test_graphviz_has_a_time_limit(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("day6_tui.core.ros.programs._drawn_pdf.LIMIT_SECONDS", 0.05)
+    install_dot(machine.folder, "exec /bin/sleep 600")
+    view = view_frames(machine)
+    assert view.program.status == 0 and "timed out after 0.05 seconds" in view.errors
+    assert "wheel" in pdf_text(machine.folder / "tree.pdf")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
+def test_a_graphviz_that_hangs_ends_with_view_frames(machine: Machine) -> None:
+    install_dot(machine.folder, f"echo $$ > '{machine.folder}/pid'; exec /bin/sleep 600")
+    view = machine.start("view_frames", "-t", "0", "-o", "tree", package="tf2_tools")
+    file = machine.folder / "pid"
+    until(lambda: file.exists() and file.read_text().strip(), meanwhile=lambda: machine.advance(0.1))
+    assert view.interrupt() == 130
+
+    def gone() -> bool:
+        try:
+            os.kill(int(file.read_text()), 0)
+        except ProcessLookupError:
+            return True
+        return False
+
+    until(gone)
+
+
+def test_an_older_file_of_that_name_stays_whole_where_the_new_one_cannot_be_written(machine: Machine) -> None:
+    (machine.folder / "tree.pdf").mkdir()
+    view = view_frames(machine)
+    assert view.program.status == 1
+    assert view.errors.splitlines()[-1].startswith("view_frames: ") and "tree.pdf" in view.errors.splitlines()[-1]
+    assert (machine.folder / "tree.gv").exists() and not list((machine.folder / "tree.pdf").iterdir())
 
 
 def test_the_watcher_hears_what_is_sent(machine: Machine) -> None:

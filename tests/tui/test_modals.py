@@ -355,3 +355,33 @@ async def test_a_log_that_is_closed_at_once_ends_nothing_else(desk: FakeDesk) ->
         burst(app, "escape")
         await step(app, pilot)
         assert app.desktop.overlay is None and app.is_running
+
+
+# -- the distribution --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("lang", "told"), [("en", "Rolling from the next start"), ("zh", "下次打开 day6-tui 时就是 rolling")]
+)
+async def test_the_chosen_distribution_is_that_of_the_next_start(
+    desk: FakeDesk, lang: str, told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from day6_tui.core.ros import distribution
+    from day6_tui.tui.settings import Settings
+
+    async with opened(desk, 80, 24, lang=lang, scene="empty") as (app, pilot):
+        app.actions["distro"]()
+        await step(app, pilot)
+        assert "/opt/ros/humble" in screen_text(app)
+        await pilot.press(*"roll", "enter")
+        await step(app, pilot)
+        assert told.lower() in screen_text(app).lower()
+    assert (Settings().text("distro"), distribution.current()) == ("rolling", "jazzy")
+
+
+async def test_a_distribution_named_at_the_start_is_remembered(desk: FakeDesk) -> None:
+    from day6_tui.tui.settings import Settings
+
+    async with opened(desk, 80, 24, lang="en", scene="empty", distro="humble"):
+        pass
+    assert Settings().text("distro") == "humble"

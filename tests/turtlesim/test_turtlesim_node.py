@@ -170,6 +170,7 @@ def test_a_name_no_topic_can_have_ends_the_node_as_in_the_original(machine: Mach
         f"  what():  Invalid topic name: {characters}:",
         "  'my turtle/cmd_vel'",
         "     ^",
+        "",
     ]
 
 

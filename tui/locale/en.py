@@ -25,6 +25,7 @@ TEXTS = {
     "action.clear": "Clear the terminal's scrollback",
     "action.language": "中文 / English",
     "action.theme": "Theme: dark, light, high contrast, colour-blind",
+    "action.distro": "Distribution of ROS 2: Humble, Jazzy, Kilted, Rolling",
     "action.glyphs": "Next set of characters (pixels, half, braille, cell, ascii)",
     "action.split.right": "Split: terminal on the right",
     "action.split.below": "Split: terminal below",
@@ -63,6 +64,7 @@ TEXTS = {
     "help.action.clear": "discards the lines that have scrolled out of view",
     "help.action.language": "changes the language of the desktop",
     "help.action.theme": "chooses the colours; the choice is remembered",
+    "help.action.distro": "chooses whose packages, paths and defaults there are; from the next start on",
     "help.action.glyphs": "changes how pictures are drawn",
     "help.action.split.right": "opens a terminal to the right of this pane",
     "help.action.split.below": "opens a terminal below this pane",
@@ -118,6 +120,7 @@ TEXTS = {
     "single.end": "End",
     "single.help": "Help",
     "single.log": "Log",
+    "single.next": "Next",
     "single.no_log": "The program has written nothing yet.",
     "help.single.end": "ends the program",
     "help.single.help": "explains this window",
@@ -311,7 +314,7 @@ TEXTS = {
     "rqt.topic_filter": "Topic filter",
     "rqt.filter_note": "Names or regular expressions separated by commas; a leading - leaves out, / is all. Example: -/rqt.*",
     "rqt.save": "Save the graph as",
-    "rqt.save_note": ".dot for Graphviz, .svg or .png for a picture",
+    "rqt.save_note": ".dot for Graphviz, .pdf, .svg or .png for a picture",
     "rqt.load": "Open a DOT file",
     "rqt.load_note": "It is shown instead of the live graph, until r refreshes.",
     "rqt.loaded": "from the file {name}; r shows the live graph",
@@ -339,6 +342,79 @@ TEXTS = {
     "topics.filter_note": "Part of a topic's name or type; nothing shows all.",
     "topics.filtered": "of {count}, filter: {text}",
     "topics.unfilter": "show all",
+    # fields of messages
+    "fields.request": "Request: Topic",
+    "fields.response": "Response: Field",
+    "fields.type": "Type",
+    "fields.expression": "Expression",
+    "fields.value": "Value",
+    "fields.edit": "change",
+    "fields.take": "take it",
+    "fields.on": "and the next field",
+    "fields.leave": "old value",
+    "fields.next": "next field, while typing",
+    "fields.default": "default value",
+    # service_caller
+    "service.call": "Call",
+    "service.cancel": "Cancel",
+    "service.refresh": "Refresh",
+    "service.choose": "service",
+    "service.choose_title": "Service",
+    "service.none": "no service",
+    "service.count": "{count} services",
+    "service.waiting_for_any": "There are no services yet. Start a node.",
+    "service.waiting": "Called. Waiting for the answer.",
+    "service.waiting.long": "Nobody has answered yet, for {seconds} s. x waits no longer.",
+    "service.cancelled": "Cancelled: nothing waits for the answer now. The node may still be working.",
+    "service.gone": "The node that offered this service is gone: there will be no answer.",
+    # publisher
+    "publisher.columns.topic": "Topic",
+    "publisher.columns.type": "Type",
+    "publisher.columns.rate": "Rate",
+    "publisher.columns.expression": "Expression",
+    "publisher.add": "Add",
+    "publisher.once": "Publish once",
+    "publisher.remove": "Remove",
+    "publisher.clear": "Clear",
+    "publisher.tick": "publish",
+    "publisher.new": "add a new topic",
+    "publisher.none": "No publishers yet. a adds one: choose its topic, then tick its box.",
+    "publisher.choose_topic": "Topic to publish on",
+    "publisher.new_topic": "another topic …",
+    "publisher.new_topic.note": "The name of a topic; its type is asked for next.",
+    "publisher.choose_type": "Type of the topic",
+    # type browsers
+    "types.columns.tree": "Tree",
+    "types.columns.type": "Type",
+    "types.columns.path": "Path",
+    "types.package": "Package",
+    "types.no_package": "no package",
+    "types.add": "Add a type",
+    "types.text": "view text",
+    "types.remove": "remove",
+    "types.choose.msg": "Message",
+    "types.choose.srv": "Service",
+    "types.choose.action": "Action",
+    "types.none.msg": "p chooses a package, a one of its message types.",
+    "types.none.srv": "p chooses a package, a one of its service types.",
+    "types.none.action": "p chooses a package, a one of its action types.",
+    # action_browser
+    "actions.live": "Action",
+    "actions.none": "No action server is running.",
+    "actions.ends": "servers {servers}, clients {clients}",
+    "actions.server": "server",
+    "actions.client": "client",
+    "actions.goal": "Goal to send",
+    "actions.id": "goal {id}",
+    "actions.own": "sent from here",
+    "actions.feedback": "Feedback",
+    "actions.result": "Result",
+    "actions.watch": "watch",
+    "actions.send": "Send goal",
+    "actions.cancel": "Cancel goal",
+    "actions.state.sent": "Sent. The server has not accepted it yet.",
+    "actions.state.rejected": "Goal was rejected.",
+    "actions.state.no_server": "No server offers this action now.",
     # rviz2
     "rviz.key.view": "view",
     "rviz.key.panel": "panel",
@@ -452,7 +528,7 @@ TEXTS = {
     "rqt.about.rqt_bag": "record, look at and play bags",
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_logger_level": "how much a node logs",
-    "rqt.about.rqt_shell": "a terminal",
+    "rqt.about.rqt_shell": "a line for commands",
     "rqt.about.rqt_service_caller": "call a service",
     "rqt.about.rqt_srv": "the types of services, field by field",
     "rqt.about.rqt_publisher": "publish messages of your own",
@@ -461,6 +537,95 @@ TEXTS = {
     "rqt.about.rqt_image_view": "images of a camera",
     "rqt.about.rqt_plot": "numbers over time",
     "rqt.about.rqt_tf_tree": "which frame hangs on which",
+    # rqt_tf_tree
+    "tf_tree.columns.frame": "Frame",
+    "tf_tree.columns.age": "Age s",
+    "tf_tree.columns.rate": "Rate Hz",
+    "tf_tree.columns.buffer": "Buffer s",
+    "tf_tree.columns.broadcaster": "Broadcaster",
+    "tf_tree.none": "No tf data received",
+    "tf_tree.static": "static",
+    "tf_tree.again": "(again: a circle)",
+    "tf_tree.root": "{name}: a root. Nobody sends a transform that leads to it.",
+    "tf_tree.old": "{count} old",
+    "tf_tree.recorded": "Recorded at time: {time}",
+    "tf_tree.refresh": "refresh",
+    "tf_tree.clear": "clear buffer",
+    "tf_tree.auto": "auto refresh",
+    "tf_tree.sideways": "move the names",
+    "tf_tree.save": "save as",
+    "tf_tree.saved": "saved: {name}",
+    "tf_tree.save_note": "The suffix says as what: .pdf, .svg and .png are the drawing, .dot is for Graphviz.",
+    # rqt_reconfigure
+    "reconfigure.none": "No node has parameters yet. Start a node.",
+    "reconfigure.no_match": "No node matches. Esc shows all.",
+    "reconfigure.choose": "Enter opens a node at the left: its parameters come here.",
+    "reconfigure.reading": "reading the parameters …",
+    "reconfigure.unread": "not read; r reads again",
+    "reconfigure.waiting": "no response for {seconds} s: {reason}. Esc stops waiting.",
+    "reconfigure.gone": "This node is gone: these were its parameters.",
+    "reconfigure.not_there": "This node is not there.",
+    "reconfigure.no_parameters": "no parameters",
+    "reconfigure.read_only": "read-only",
+    "reconfigure.sent": "sent, no response yet",
+    "reconfigure.nodes": "nodes: {count}",
+    "reconfigure.filtered": "filter: {text}",
+    "reconfigure.open": "open",
+    "reconfigure.close": "close",
+    "reconfigure.read": "read again",
+    "reconfigure.switch": "switch",
+    "reconfigure.move": "move",
+    "reconfigure.far": "move by ten steps",
+    "reconfigure.ends": "least, greatest",
+    "reconfigure.value": "value",
+    "reconfigure.side": "other side",
+    "reconfigure.filter": "filter",
+    "reconfigure.cancel": "stop waiting; show all",
+    "reconfigure.files": "save, load",
+    "reconfigure.filter_nodes": "Nodes with",
+    "reconfigure.filter_parameters": "Parameters with",
+    "reconfigure.unfitting": "This is not a value of type {type}.",
+    "reconfigure.saved": "saved: {file}",
+    # rqt_logger_level
+    "loggers.nodes": "Nodes",
+    "loggers.loggers": "Loggers",
+    "loggers.levels": "Levels",
+    "loggers.choose": "Enter chooses a node. Grey ones do not let others read or set their levels.",
+    "loggers.gone": "{node} is gone.",
+    "loggers.not_served": (
+        "{node} does not let others read or set its levels: it was made without enable_logger_service=True "
+        "(rclcpp: NodeOptions().enable_logger_service(true))."
+    ),
+    "loggers.waiting": "No response for {seconds} s: the node may not be spinning. Esc stops waiting.",
+    "loggers.not_set": "This logger has no level of its own: that of its parent counts, INFO unless another was given.",
+    "loggers.show": "choose",
+    "loggers.to_levels": "to its level",
+    "loggers.set": "set",
+    "loggers.column": "column",
+    "loggers.add": "add a logger",
+    "loggers.name": "Name of a logger",
+    "loggers.cancel": "stop waiting",
+    # rqt_image_view
+    "images.none": "There is no topic with images (sensor_msgs/msg/Image) yet. Start a camera.",
+    "images.choose": "t chooses a topic.",
+    "images.no_topic": "Nobody publishes {topic}.",
+    "images.waiting": "Waiting for an image on {topic}.",
+    "images.topic": "topic",
+    "images.fit": "fit",
+    "images.zoom_1": "1:1",
+    "images.rotate": "rotate",
+    "images.rotate_back": "rotate to the left",
+    "images.save": "save",
+    "images.dynamic": "dynamic range",
+    "images.range": "greatest range",
+    "images.range_note": "Metres that are white in an image of distances.",
+    "images.bad_range": "A number from 0.01 to 100.",
+    "images.mouse": "publish clicks",
+    # rqt_shell
+    "shell.run": "run",
+    "shell.history": "earlier lines",
+    "shell.stop": "stop",
+    "shell.running": "running …",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -649,6 +814,77 @@ TEXTS = {
         "subscribes. The left one closes it. s sorts by the next column, S the other way round; so does a click on a column's "
         "name. / filters by part of a name or type, Esc shows all again."
     ),
+    "help.rqt_tf_tree": (
+        "The tree of frames: each stands below its parent. Age is how long ago its newest transform was sent, rate how often "
+        "it came, buffer how many seconds of it are kept. Static frames come once, from /tf_static, and hold for ever. "
+        "A frame that is not sent any more turns to the warning colour and says how old it is.\n\n"
+        "Several roots mean that parts of the tree are not connected: no transform leads from one to the other. A frame that is "
+        "named a second time stands in a circle.\n\n"
+        "The arrow keys up and down choose a frame, about which more is said below; left and right move the names, so do the "
+        "wheel and Shift with it. The tree is looked at once a second; a turns that off, then r looks again, as the original's "
+        "button. c forgets all transforms but the static ones. w saves the drawing: as .pdf, .svg, .png or .dot."
+    ),
+    "help.service_caller": (
+        "Calls a service by hand, like ros2 service call. s chooses the service; the tree below shows the fields of its "
+        "request with their default values. Enter, or a click on a value, changes it; Enter takes it, Tab goes on to the next "
+        "field, Esc leaves the old one, Del brings the default back. Then c, or Call, sends the request, and the response is "
+        "shown below.\n\n"
+        "An expression is a part of Python: 1.5, 2*pi, sin(0.3), [1, 2], 'text' or, for a text, also without quotes. What does "
+        "not fit its field is marked, and the field is sent with its default, as in the real rqt.\n\n"
+        "If nobody answers, the window says for how long, and x waits no longer. What the node thinks of the call stands in its "
+        "own terminal: turtlesim, for example, answers an empty name if a turtle of that name exists already."
+    ),
+    "help.publisher": (
+        "Publishes messages by hand, like ros2 topic pub. a adds a publisher: choose one of the topics there are, or another "
+        "name and then its type. Space, or a click on the box, begins to publish, at the rate in its line (in Hz; Enter on the "
+        "line changes it, 0 publishes only by hand). o publishes one message, d removes the publisher, C all of them.\n\n"
+        "Enter on a field, or a click on its value, types an expression, as in Service Caller. It is computed anew for each "
+        "message: i counts the messages, so sin(i/10) swings. now() is the time, for a stamp; random() and uniform(0, 1) change "
+        "every time. A text may stand without quotes. What is wrong is marked, and the field has its default until it is mended."
+    ),
+    "help.type_browser": (
+        "The types of messages or services that there are here, like ros2 interface show. p chooses a package, a adds one of its "
+        "types as a tree of fields. Enter, or v, shows the text that defines the type of the line; d removes the tree."
+    ),
+    "help.action_browser": (
+        "Below, the types of actions, as in the real rqt: p chooses a package, a adds one of its types, Enter shows its text.\n\n"
+        "Above, which the real one does not have, the actions of the graph. Enter, or the right arrow key, opens one: its "
+        "servers and clients, a goal to fill in (Enter on a field), and all goals with their status, feedback and result. g "
+        "sends the goal, x cancels it. While an action is open this window listens to it, so it counts as a client of it."
+    ),
+    "help.rqt_reconfigure": (
+        "The parameters of running nodes, like ros2 param with a window. At the left are the nodes, in their namespaces: Enter "
+        "or a click opens one, or several. At the right are their parameters. Tab changes the side.\n\n"
+        "A number for which the node allows a range is a slider: left and right move it by a step, with Shift by ten, Home and "
+        "End to its ends; with the mouse it sends its value when it is let go, as in the real rqt. A digit or Enter begins an "
+        "exact number. Other values are typed: arrays as [1, 2, 3]. Enter switches true and false.\n\n"
+        "What you set is a request. The node answers, and may refuse: then its reason is shown, and the old value. Values that "
+        "others set, as with ros2 param set, show up by themselves.\n\n"
+        "/ filters the nodes or the parameters, r reads a node again, x closes it. ^S saves its parameters as YAML, ^O loads "
+        "such a file. A node that does not spin does not answer: the seconds are counted, and Esc stops waiting."
+    ),
+    "help.rqt_logger_level": (
+        "From which level on a node logs. Choose a node, then one of its loggers, then the level: DEBUG shows most, FATAL least. "
+        "A click does the same. The change lasts until the node ends; it is what --log-level does at the start.\n\n"
+        "Only nodes that were made with enable_logger_service=True can be asked, as `ros2 run demo_nodes_py use_logger_service` "
+        "shows; the others are grey. A node does not tell which loggers it has: a adds one by its name, like rcl.\n\n"
+        "The real ROS 2 has this window only as a draft, with other services. The services used here are ROS 2's own, "
+        "get_logger_levels and set_logger_levels."
+    ),
+    "help.rqt_image_view": (
+        "The images of a topic. t, or a click on its name, chooses one of the topics with images. The newest image is shown, a "
+        "few times a second, however many come.\n\n"
+        "1 shows every pixel of the image, arrows then move the part that is seen; 1 again fits all of it into the window. r "
+        "rotates, R to the left. The line below tells size and encoding, and which pixel the mouse is on. ^S saves the whole "
+        "image (png, jpg, bmp, tiff).\n\n"
+        "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
+        "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."
+    ),
+    "help.rqt_shell": (
+        "A shell for commands that end by themselves and ask nothing, like ros2 topic list: rqt's SimpleShell, which is the only "
+        "one that the real rqt still has. What a command prints is shown above the line. ^C stops one that does not end.\n\n"
+        "Every line has a shell of its own, so cd lasts only to the end of the line. For everything else there are terminals: F2."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -727,6 +963,8 @@ TEXTS = {
     "theme.colourblind": "Safe for colour-blind eyes",
     "settings.fault": "{path} cannot be read and is left as it is: {reason}",
     "settings.not_kept": "The choice holds until the end only: {reason}",
+    "distro.title": "Distribution of ROS 2",
+    "distro.next_start": "{name} from the next start of day6-tui on (day6-tui --distro {name})",
     # the manual
     "manual.search": "type to search all pages",
     "manual.desk": "The desk",
@@ -744,7 +982,16 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_bag": "rqt_bag",
     "manual.rqt_plot": "rqt_plot",
+    "manual.service_caller": "Service Caller",
+    "manual.publisher": "Message Publisher",
+    "manual.type_browser": "Type browsers",
+    "manual.action_browser": "Action Type Browser",
     "manual.topics": "Topic Monitor",
+    "manual.rqt_tf_tree": "TF Tree",
+    "manual.rqt_reconfigure": "Parameter Reconfigure",
+    "manual.rqt_logger_level": "Logger Level",
+    "manual.rqt_image_view": "Image View",
+    "manual.rqt_shell": "Shell of rqt",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",
@@ -753,6 +1000,7 @@ TEXTS = {
     "cli.help": "show this help and exit",
     "cli.scene": "what to begin with (default: the welcome choices)",
     "cli.robot": "a URDF file of your own instead of the shipped car",
+    "cli.distro": "the distribution of ROS 2 (default: ROS_DISTRO, else as chosen last, else jazzy)",
     "cli.lang": "language of the screen (default: that of the system)",
     "cli.glyphs": "what pictures are drawn with (default: by terminal; pixels where it shows them)",
     "cli.theme": "the colours (default: as chosen last)",

@@ -22,6 +22,7 @@ TEXTS = {
     "action.clear": "清除终端的历史画面",
     "action.language": "English / 中文",
     "action.theme": "配色：深色、浅色、高对比度、色盲友好",
+    "action.distro": "ROS 2 发行版：Humble、Jazzy、Kilted、Rolling",
     "action.glyphs": "换一种画法（pixels、half、braille、cell、ascii）",
     "action.split.right": "分屏：右边开一个终端",
     "action.split.below": "分屏：下面开一个终端",
@@ -60,6 +61,7 @@ TEXTS = {
     "help.action.clear": "忘掉已经滚上去的内容",
     "help.action.language": "切换桌面语言",
     "help.action.theme": "选一套颜色，下次打开还是它",
+    "help.action.distro": "选用哪个发行版的软件包、路径和默认值；下次打开时生效",
     "help.action.glyphs": "改变图像的画法",
     "help.action.split.right": "在这个窗格右边开一个终端",
     "help.action.split.below": "在这个窗格下面开一个终端",
@@ -115,6 +117,7 @@ TEXTS = {
     "single.end": "结束",
     "single.help": "帮助",
     "single.log": "日志",
+    "single.next": "换窗口",
     "single.no_log": "程序还没有输出任何内容。",
     "help.single.end": "结束程序",
     "help.single.help": "说明这个窗口",
@@ -495,7 +498,7 @@ TEXTS = {
     "rqt.topic_filter": "话题过滤",
     "rqt.filter_note": "写名字或正则表达式，用逗号隔开；前面加 - 表示排除，/ 表示全部。例如：-/rqt.*",
     "rqt.save": "把图保存为",
-    "rqt.save_note": ".dot 给 Graphviz 用，.svg 或 .png 是图片",
+    "rqt.save_note": ".dot 给 Graphviz 用，.pdf、.svg 或 .png 是图片",
     "rqt.load": "打开 DOT 文件",
     "rqt.load_note": "会代替现在的图显示出来，按 r 刷新后恢复。",
     "rqt.loaded": "来自文件 {name}；按 r 回到现在的图",
@@ -523,6 +526,79 @@ TEXTS = {
     "topics.filter_note": "写话题名或类型的一部分；什么都不写就显示全部。",
     "topics.filtered": "共 {count} 个，过滤：{text}",
     "topics.unfilter": "显示全部",
+    # fields of messages
+    "fields.request": "请求：话题",
+    "fields.response": "响应：字段",
+    "fields.type": "类型",
+    "fields.expression": "表达式",
+    "fields.value": "值",
+    "fields.edit": "修改",
+    "fields.take": "确定",
+    "fields.on": "并改下一个",
+    "fields.leave": "保留原值",
+    "fields.next": "输入时跳到下一个字段",
+    "fields.default": "默认值",
+    # service_caller
+    "service.call": "调用",
+    "service.cancel": "取消",
+    "service.refresh": "刷新",
+    "service.choose": "服务",
+    "service.choose_title": "服务",
+    "service.none": "没有服务",
+    "service.count": "{count} 个服务",
+    "service.waiting_for_any": "还没有服务。启动一个节点吧。",
+    "service.waiting": "已调用，正在等回答。",
+    "service.waiting.long": "{seconds} 秒了还没有人回答。按 x 不再等。",
+    "service.cancelled": "已取消，不再等回答。那个节点可能还在做。",
+    "service.gone": "提供这个服务的节点不在了，不会有回答。",
+    # publisher
+    "publisher.columns.topic": "话题",
+    "publisher.columns.type": "类型",
+    "publisher.columns.rate": "频率",
+    "publisher.columns.expression": "表达式",
+    "publisher.add": "添加",
+    "publisher.once": "发布一次",
+    "publisher.remove": "删除",
+    "publisher.clear": "清空",
+    "publisher.tick": "发布",
+    "publisher.new": "添加新话题",
+    "publisher.none": "还没有发布者。按 a 添加：先选话题，再勾选方框。",
+    "publisher.choose_topic": "发布到哪个话题",
+    "publisher.new_topic": "另一个话题……",
+    "publisher.new_topic.note": "话题的名字；接下来选它的类型。",
+    "publisher.choose_type": "话题的类型",
+    # type browsers
+    "types.columns.tree": "树",
+    "types.columns.type": "类型",
+    "types.columns.path": "路径",
+    "types.package": "包",
+    "types.no_package": "没有包",
+    "types.add": "添加类型",
+    "types.text": "看定义",
+    "types.remove": "删除",
+    "types.choose.msg": "消息",
+    "types.choose.srv": "服务",
+    "types.choose.action": "动作",
+    "types.none.msg": "按 p 选包，按 a 选它的一个消息类型。",
+    "types.none.srv": "按 p 选包，按 a 选它的一个服务类型。",
+    "types.none.action": "按 p 选包，按 a 选它的一个动作类型。",
+    # action_browser
+    "actions.live": "动作",
+    "actions.none": "没有动作服务器在运行。",
+    "actions.ends": "服务器 {servers}，客户端 {clients}",
+    "actions.server": "服务器",
+    "actions.client": "客户端",
+    "actions.goal": "要发送的目标",
+    "actions.id": "目标 {id}",
+    "actions.own": "从这里发送",
+    "actions.feedback": "反馈",
+    "actions.result": "结果",
+    "actions.watch": "观察",
+    "actions.send": "发送目标",
+    "actions.cancel": "取消目标",
+    "actions.state.sent": "已发送，服务器还没有接受。",
+    "actions.state.rejected": "目标被拒绝了。",
+    "actions.state.no_server": "现在没有服务器提供这个动作。",
     # rviz2
     "rviz.key.view": "去视图",
     "rviz.key.panel": "去面板",
@@ -636,7 +712,7 @@ TEXTS = {
     "rqt.about.rqt_bag": "录制、查看和播放 bag",
     "rqt.about.rqt_console": "所有节点的日志消息",
     "rqt.about.rqt_logger_level": "节点记录多少日志",
-    "rqt.about.rqt_shell": "一个终端",
+    "rqt.about.rqt_shell": "输入一行命令",
     "rqt.about.rqt_service_caller": "调用服务",
     "rqt.about.rqt_srv": "服务的类型和字段",
     "rqt.about.rqt_publisher": "发布自己的消息",
@@ -645,6 +721,95 @@ TEXTS = {
     "rqt.about.rqt_image_view": "摄像头的图像",
     "rqt.about.rqt_plot": "数值随时间的变化",
     "rqt.about.rqt_tf_tree": "坐标系之间的关系",
+    # rqt_tf_tree
+    "tf_tree.columns.frame": "坐标系",
+    "tf_tree.columns.age": "距今 s",
+    "tf_tree.columns.rate": "频率 Hz",
+    "tf_tree.columns.buffer": "缓冲 s",
+    "tf_tree.columns.broadcaster": "发送者",
+    "tf_tree.none": "还没有收到坐标变换（No tf data received）",
+    "tf_tree.static": "静态",
+    "tf_tree.again": "（成圈）",
+    "tf_tree.root": "{name} 是根：没有人发送通向它的变换。",
+    "tf_tree.old": "{count} 个没更新",
+    "tf_tree.recorded": "记录时间：{time}",
+    "tf_tree.refresh": "刷新",
+    "tf_tree.clear": "清空缓冲",
+    "tf_tree.auto": "自动刷新",
+    "tf_tree.sideways": "左右移动",
+    "tf_tree.save": "另存为",
+    "tf_tree.saved": "已保存：{name}",
+    "tf_tree.save_note": "后缀决定格式：.pdf、.svg、.png 是图，.dot 给 Graphviz 用。",
+    # rqt_reconfigure
+    "reconfigure.none": "还没有节点带参数。先启动一个节点。",
+    "reconfigure.no_match": "没有符合的节点。按 Esc 显示全部。",
+    "reconfigure.choose": "在左边选一个节点，按 Enter，它的参数就显示在这里。",
+    "reconfigure.reading": "正在读取参数…",
+    "reconfigure.unread": "没有读完；按 r 再读一次",
+    "reconfigure.waiting": "{seconds} 秒没有回应：{reason}。按 Esc 不再等。",
+    "reconfigure.gone": "这个节点已经不在了：下面是它最后的参数。",
+    "reconfigure.not_there": "没有这个节点。",
+    "reconfigure.no_parameters": "没有参数",
+    "reconfigure.read_only": "只读",
+    "reconfigure.sent": "已经发出，还没有回应",
+    "reconfigure.nodes": "节点 {count} 个",
+    "reconfigure.filtered": "只显示：{text}",
+    "reconfigure.open": "打开",
+    "reconfigure.close": "关闭",
+    "reconfigure.read": "重新读取",
+    "reconfigure.switch": "开/关",
+    "reconfigure.move": "拖动",
+    "reconfigure.far": "一次十步",
+    "reconfigure.ends": "最小、最大",
+    "reconfigure.value": "输入数值",
+    "reconfigure.side": "换一边",
+    "reconfigure.filter": "筛选",
+    "reconfigure.cancel": "不再等；显示全部",
+    "reconfigure.files": "保存、读入",
+    "reconfigure.filter_nodes": "节点名里有",
+    "reconfigure.filter_parameters": "参数名里有",
+    "reconfigure.unfitting": "这不是 {type} 类型的值。",
+    "reconfigure.saved": "已保存：{file}",
+    # rqt_logger_level
+    "loggers.nodes": "节点",
+    "loggers.loggers": "日志器",
+    "loggers.levels": "级别",
+    "loggers.choose": "按 Enter 选一个节点。灰色的节点不让别人读取或设置级别。",
+    "loggers.gone": "{node} 已经不在了。",
+    "loggers.not_served": (
+        "{node} 不让别人读取或设置它的级别：创建它时没有写 enable_logger_service=True"
+        "（rclcpp：NodeOptions().enable_logger_service(true)）。"
+    ),
+    "loggers.waiting": "{seconds} 秒没有回应：这个节点可能没有在 spin。按 Esc 不再等。",
+    "loggers.not_set": "这个日志器没有自己的级别：用上一级的级别，没有另外指定就是 INFO。",
+    "loggers.show": "选定",
+    "loggers.to_levels": "去选级别",
+    "loggers.set": "设定",
+    "loggers.column": "换一列",
+    "loggers.add": "添加日志器",
+    "loggers.name": "日志器的名字",
+    "loggers.cancel": "不再等",
+    # rqt_image_view
+    "images.none": "还没有发布图像（sensor_msgs/msg/Image）的话题。先启动一个相机。",
+    "images.choose": "按 t 选一个话题。",
+    "images.no_topic": "没有人发布 {topic}。",
+    "images.waiting": "正在等 {topic} 上的图像。",
+    "images.topic": "话题",
+    "images.fit": "适应窗口",
+    "images.zoom_1": "1:1",
+    "images.rotate": "旋转",
+    "images.rotate_back": "向左旋转",
+    "images.save": "保存",
+    "images.dynamic": "动态范围",
+    "images.range": "最大距离",
+    "images.range_note": "距离图像里，多少米显示成白色。",
+    "images.bad_range": "0.01 到 100 之间的数。",
+    "images.mouse": "发布点击位置",
+    # rqt_shell
+    "shell.run": "运行",
+    "shell.history": "以前的命令",
+    "shell.stop": "停止",
+    "shell.running": "正在运行…",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -823,6 +988,69 @@ TEXTS = {
         "按右方向键，或者点一下小箭头，把话题展开：可以看到消息的每个字段，还有谁在发布、谁在订阅。左方向键收起。"
         "s 换一列排序，S 反过来排，点列名也行。/ 按话题名或类型的一部分过滤，Esc 显示全部。"
     ),
+    "help.rqt_tf_tree": (
+        "坐标系的树：每个坐标系都在它的上级下面。“距今”是最新的变换到现在有多久，“频率”是多久来一次，“缓冲”是存了多少秒。"
+        "静态的坐标系只在 /tf_static 上发一次，一直有效。不再有人发的坐标系会变成警告的颜色，并且写着已经多久没更新了。\n\n"
+        "有几个根，就说明树断开了：它们之间没有变换。名字出现第二次的坐标系绕成了圈。\n\n"
+        "↑ ↓ 选一个坐标系，下面会写得更详细；← → 左右移动名字，滚轮和 Shift 加滚轮也行。"
+        "树每秒看一次；a 关掉自动，再按 r 才重新看，和真的那个按钮一样。c 忘掉静态以外的所有变换。"
+        "w 存成图：.pdf、.svg、.png 或 .dot。"
+    ),
+    "help.service_caller": (
+        "手动调用服务，和 ros2 service call 一样。s 选服务；下面的树是请求的各个字段和默认值。按 Enter，或者点一下值，就能修改；"
+        "Enter 确定，Tab 接着改下一个字段，Esc 保留原来的，Del 恢复默认值。然后按 c 或者点“调用”发出请求，响应显示在下面。\n\n"
+        "表达式是 Python 的一部分：1.5、2*pi、sin(0.3)、[1, 2]、'文字'；文字也可以不加引号。不适合字段的表达式会被标出来，"
+        "这个字段就用默认值发出去，和真的 rqt 一样。\n\n"
+        "没有人回答时，窗口会告诉你等了多久，按 x 不再等。节点怎么看这次调用，要看它自己的终端："
+        "比如已经有同名的海龟时，turtlesim 回答一个空的名字。"
+    ),
+    "help.publisher": (
+        "手动发布消息，和 ros2 topic pub 一样。按 a 添加发布者：选一个已有的话题，或者输入新名字再选类型。"
+        "按空格，或者点一下方框，就按这一行的频率开始发布（单位 Hz；在这一行按 Enter 修改，0 表示只手动发布）。"
+        "o 发布一条，d 删除这个发布者，C 全部删除。\n\n"
+        "在字段上按 Enter，或者点一下它的值，就能输入表达式，和服务调用器里一样。每条消息都会重新计算："
+        "i 是消息的序号，所以 sin(i/10) 会来回摆动。now() 是现在的时间，用在时间戳上；random() 和 uniform(0, 1) 每次都不同。"
+        "文字可以不加引号。有错的会被标出来，改好以前这个字段用默认值。"
+    ),
+    "help.type_browser": (
+        "这里有哪些消息类型或服务类型，和 ros2 interface show 一样。按 p 选包，按 a 把它的一个类型加进来，显示成字段的树。"
+        "按 Enter 或 v 看这一行的类型是怎么定义的；d 删除这棵树。"
+    ),
+    "help.action_browser": (
+        "下面是动作的类型，和真的 rqt 一样：按 p 选包，按 a 添加它的一个类型，按 Enter 看它的定义。\n\n"
+        "上面是正在运行的动作，真的 rqt 没有这一部分。按 Enter 或右方向键展开：可以看到服务器和客户端、"
+        "要填写的目标（在字段上按 Enter），还有所有目标的状态、反馈和结果。g 发送目标，x 取消。"
+        "展开的时候这个窗口在听，所以它也算一个客户端。"
+    ),
+    "help.rqt_reconfigure": (
+        "正在运行的节点的参数，相当于带窗口的 ros2 param。左边是节点，按命名空间排列：按 Enter 或者点一下就打开，可以打开几个。"
+        "右边是它们的参数。Tab 换一边。\n\n"
+        "节点给了范围的数字是滑块：左右方向键走一步，加 Shift 走十步，Home 和 End 到两端；用鼠标拖，松手时才发出，"
+        "和真的 rqt 一样。按数字或 Enter 输入准确的值。其他的值直接输入，数组写成 [1, 2, 3]。true 和 false 用 Enter 切换。\n\n"
+        "改参数只是一个请求：节点会回答，也可以拒绝。拒绝时会显示它的理由，并恢复原来的值。别人改的值（比如用 ros2 param set）"
+        "会自己显示出来。\n\n"
+        "/ 筛选节点或参数，r 重新读取，x 关闭节点。^S 把参数存成 YAML，^O 读入这样的文件。不 spin 的节点不会回答：这里会数秒，"
+        "按 Esc 就不再等。"
+    ),
+    "help.rqt_logger_level": (
+        "节点从哪个级别开始输出日志。先选节点，再选它的日志器，再选级别：DEBUG 输出最多，FATAL 最少。用鼠标点也一样。"
+        "改了以后一直有效，直到节点结束；启动时用 --log-level 也是这个作用。\n\n"
+        "只有创建时写了 enable_logger_service=True 的节点才能问，例如 `ros2 run demo_nodes_py use_logger_service`；"
+        "其他的节点是灰色。节点不会告诉别人它有哪些日志器：按 a 输入名字添加，比如 rcl。\n\n"
+        "真的 ROS 2 里这个窗口还只是草稿，用的是别的服务。这里用的是 ROS 2 自己的服务 get_logger_levels 和 set_logger_levels。"
+    ),
+    "help.rqt_image_view": (
+        "显示一个话题上的图像。按 t，或者点一下话题的名字，选择有图像的话题。不管来多少图像，每秒只显示最新的几张。\n\n"
+        "按 1 显示图像的每个像素，这时用方向键移动看到的部分；再按 1 把整张图放进窗口。r 旋转，R 向左旋转。"
+        "下面一行是大小、编码和鼠标所在的像素。^S 保存整张图（png、jpg、bmp、tiff）。\n\n"
+        "距离图像（16UC1、32FC1）是灰色的：黑色是 0，白色是最大距离，按 x 修改。按 d 就用图里最小和最大的距离。"
+        "按 m 把点击的位置发布到 <话题>_mouse_left。"
+    ),
+    "help.rqt_shell": (
+        "一个简单的 shell，给会自己结束、不用输入的命令，例如 ros2 topic list：就是 rqt 的 SimpleShell，"
+        "真的 rqt 现在也只剩这一种。命令输出的内容显示在上面。不会结束的命令用 ^C 停止。\n\n"
+        "每一行都有自己的 shell，所以 cd 只在这一行里有效。其他的事用终端做：F2。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -895,6 +1123,8 @@ TEXTS = {
     "theme.colourblind": "色盲也能分清",
     "settings.fault": "{path} 读不出来，先原样留着：{reason}",
     "settings.not_kept": "这次的选择没能保存，只在退出前有效：{reason}",
+    "distro.title": "ROS 2 发行版",
+    "distro.next_start": "下次打开 day6-tui 时就是 {name}（day6-tui --distro {name}）",
     # 手册
     "manual.search": "输入文字，在所有页里查找",
     "manual.desk": "桌面",
@@ -912,7 +1142,16 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_bag": "rqt_bag",
     "manual.rqt_plot": "rqt_plot",
+    "manual.service_caller": "服务调用器",
+    "manual.publisher": "消息发布器",
+    "manual.type_browser": "类型浏览器",
+    "manual.action_browser": "动作类型浏览器",
     "manual.topics": "话题监视器",
+    "manual.rqt_tf_tree": "TF 树",
+    "manual.rqt_reconfigure": "参数调节",
+    "manual.rqt_logger_level": "日志级别",
+    "manual.rqt_image_view": "图像",
+    "manual.rqt_shell": "rqt 的 Shell",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",
@@ -921,6 +1160,7 @@ TEXTS = {
     "cli.help": "显示这份帮助",
     "cli.scene": "从哪个场景开始（默认：欢迎页面上的选项）",
     "cli.robot": "用你自己的 URDF 文件代替自带的小车",
+    "cli.distro": "用哪个 ROS 2 发行版（默认：ROS_DISTRO，否则上次选的，再否则 jazzy）",
     "cli.lang": "界面的语言（默认：和系统一样）",
     "cli.glyphs": "用什么画图（默认：看终端；能显示真像素就用 pixels）",
     "cli.theme": "用哪种配色（默认：上次选的）",

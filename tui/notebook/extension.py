@@ -13,6 +13,7 @@ from day6_tui.core.graph import Node as GraphNode
 from day6_tui.core.graph.graph import Change
 from day6_tui.core.ros.environment import activate, program_environment
 from day6_tui.tui.command_line import language_of
+from day6_tui.tui.distribution_choice import settle
 from day6_tui.tui.locale import Texts
 from day6_tui.tui.notebook.errors import picture, place, show_interrupt
 from day6_tui.tui.notebook.ros2_line import Ros2Line
@@ -34,6 +35,7 @@ _loaded: list[Notebook] = []
 def load(shell: Shell) -> None:
     """Load it into an IPython shell; a second time changes nothing."""
     if not _loaded:
+        settle([])
         activate()
         _loaded.append(Notebook(shell))
 

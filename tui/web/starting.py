@@ -12,6 +12,7 @@ from pathlib import Path
 
 from day6_tui.core.isolation.cell import Cell
 from day6_tui.core.isolation.mode import Mode
+from day6_tui.core.ros import distribution
 from day6_tui.tui.detached import meeting, wire
 
 START_SECONDS = 30.0
@@ -71,7 +72,8 @@ def _run(program: list[str], domain: int, descriptors: tuple[int, ...]) -> None:
 def environment(domain: int) -> dict[str, str]:
     """What the desktops see of the world, and nothing else of the server's variables; the cell adds its folders."""
     path = [os.path.dirname(sys.executable), "/usr/local/bin", "/usr/bin", "/bin"]
-    return {"PATH": os.pathsep.join(path), "ROS_DOMAIN_ID": str(domain), **TERMINAL}
+    of_all = {"ROS_DOMAIN_ID": str(domain), distribution.HANDED_ON: distribution.current()}
+    return {"PATH": os.pathsep.join(path), **of_all, **TERMINAL}
 
 
 def stop(mode: Mode, cell: Cell, keepers: Path) -> bool:

@@ -135,8 +135,9 @@ class TopicsPane(WindowPane["TopicMonitor"]):
     def _fill(self, now: float) -> None:
         self._topics = self._sorted()
         self.table.remark = self.look.texts("topics.no_match" if self._filter else "topics.none")
+        self._read(now)
         self._show()
-        if self._read(now):
+        if self._read(now):  # other topics have come in sight
             self._show()
         self.touch_lines([0])
         self.touch_frame()
@@ -146,7 +147,9 @@ class TopicsPane(WindowPane["TopicMonitor"]):
 
     def _sorted(self) -> list[Topic]:
         sought = self._filter.lower()
-        topics = [each for each in self.model.topics if sought in f"{each.name} {' '.join(each.types)}".lower()]
+        topics = [
+            each for each in self.model.topics if not sought or sought in f"{each.name} {' '.join(each.types)}".lower()
+        ]
         if self._sort == "type":
             topics.sort(key=lambda topic: topic.types)
         elif self._sort in ("bandwidth", "hz"):

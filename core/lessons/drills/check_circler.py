@@ -3,11 +3,14 @@
 import sys
 import time
 
-from turtlesim.msg import Pose
-
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+
+try:
+    from turtlesim_msgs.msg import Pose  # from Kilted on
+except ModuleNotFoundError:
+    from turtlesim.msg import Pose
 
 SECONDS = 0.5
 ENOUGH = 15

@@ -71,6 +71,7 @@ async def _run_process(session: Session, argv: list[str]) -> int:
 
 async def _run_built_in(session: Session, package: str, executable: Executable, argv: list[str]) -> int:
     from day6_tui.core.ros.programs import load
+    from day6_tui.core.session.session import Crash
     from day6_tui.core.session.streams import WriteError
 
     try:
@@ -79,6 +80,9 @@ async def _run_built_in(session: Session, package: str, executable: Executable, 
         return 0  # a well-written node exits cleanly on Ctrl-C, so nothing is printed here
     except (BrokenPipeError, WriteError):
         raise
+    except Crash as crash:
+        session.print_error(crash.report)
+        status = -crash.number
     except Exception as error:
         from day6_tui.core.ros.ros2.cli.failure import failure_text
 

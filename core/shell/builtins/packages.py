@@ -75,7 +75,7 @@ _COMMANDS_OF = {
 
 def _about(name: str, shell: Shell, say: Callable[..., str]) -> str:
     """Return the outcome of `apt install NAME`."""
-    from day6_tui.core.ros.distribution import DISTRO
+    from day6_tui.core.ros.distribution import current
     from day6_tui.core.shell.commands import where
 
     name = name.removeprefix("~n")  # how apt is told that a pattern of names follows
@@ -84,7 +84,7 @@ def _about(name: str, shell: Shell, say: Callable[..., str]) -> str:
     if name.startswith("ros-"):
         package = name.split("-", 2)[-1].replace("-", "_")
         if package in ("desktop", "desktop_full", "ros_base", "ros_core") or fnmatch.filter(_shipped(), package):
-            return f"{name} is already the newest version ({say('stands_in', distro=DISTRO)})."
+            return f"{name} is already the newest version ({say('stands_in', distro=current())})."
         return f"{name}: {say('not_part')}"
     if name.startswith("python3-colcon") or name == "python3-rosdep" or where(name, shell):
         return f"{name} is already the newest version."
@@ -92,9 +92,9 @@ def _about(name: str, shell: Shell, say: Callable[..., str]) -> str:
 
 
 def _shipped() -> set[str]:
-    from day6_tui.core.ros.environment import SHARE_PATH
+    from day6_tui.core.ros.environment import shipped_packages
 
-    return {path.name for path in SHARE_PATH.iterdir()}
+    return set(shipped_packages())
 
 
 async def rosdep(session: Session) -> int:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
-from example_interfaces.action import Fibonacci
 
 from day6_tui.core.ros.programs._component import ready
+from day6_tui.core.ros.programs.fibonacci_interface import Fibonacci, numbers_in
 from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from rclpy.action import ActionClient
 
@@ -31,7 +31,7 @@ async def main(session: Session) -> int:
         logger.info("Sending goal")
 
         def feedback(message: Any) -> None:
-            logger.info(f"Next number in sequence received: {_numbers(message.feedback.sequence)}")
+            logger.info(f"Next number in sequence received: {_numbers(numbers_in(message.feedback))}")
 
         sent: Any = client.send_goal_async(Fibonacci.Goal(order=10), feedback_callback=feedback)
         await session.spin_until(sent)

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from example_interfaces.action import Fibonacci
-
 from day6_tui.core.ros.programs._component import run
 from day6_tui.core.ros.programs._waiting import pause
+from day6_tui.core.ros.programs.fibonacci_interface import Fibonacci, feedback_of
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 
 if TYPE_CHECKING:
@@ -52,7 +51,7 @@ class FibonacciActionServer:
                 self._info("Goal canceled")
                 return Fibonacci.Result(sequence=sequence)
             sequence.append(sequence[number] + sequence[number - 1])
-            handle.publish_feedback(Fibonacci.Feedback(sequence=sequence))
+            handle.publish_feedback(feedback_of(sequence))
             self._info("Publish feedback")
             await pause(self._node, 1.0)
         handle.succeed()

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from example_interfaces.action import Fibonacci
-
+from day6_tui.core.ros.programs.fibonacci_interface import Fibonacci, numbers_in
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:
@@ -19,7 +18,7 @@ async def main(session: Session) -> int:
     info = node.get_logger().info
 
     def feedback(message: Any) -> None:
-        info(f"Received feedback: {message.feedback.sequence}")
+        info(f"Received feedback: {numbers_in(message.feedback)}")
 
     try:
         while not client.server_is_ready():

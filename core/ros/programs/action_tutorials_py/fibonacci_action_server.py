@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from example_interfaces.action import Fibonacci
-
 from day6_tui.core.ros.programs._waiting import pause, spin
+from day6_tui.core.ros.programs.fibonacci_interface import Fibonacci, feedback_of, numbers_in
 from rclpy.action import ActionServer
 
 if TYPE_CHECKING:
@@ -18,14 +17,15 @@ async def main(session: Session) -> int:
 
     async def execute(handle: Any) -> Any:
         node.get_logger().info("Executing goal...")
-        feedback = Fibonacci.Feedback(sequence=[0, 1])
+        feedback = feedback_of([0, 1])
+        sequence = numbers_in(feedback)
         for number in range(1, handle.request.order):
-            feedback.sequence.append(feedback.sequence[number] + feedback.sequence[number - 1])
-            node.get_logger().info(f"Feedback: {feedback.sequence}")
+            sequence.append(sequence[number] + sequence[number - 1])
+            node.get_logger().info(f"Feedback: {sequence}")
             handle.publish_feedback(feedback)
             await pause(node, 1.0)
         handle.succeed()
-        return Fibonacci.Result(sequence=feedback.sequence)
+        return Fibonacci.Result(sequence=sequence)
 
     server: ActionServer[Any, Any, Any] = ActionServer(node, Fibonacci, "fibonacci", execute)
     session.defer(server.destroy)

@@ -6,6 +6,7 @@ import difflib
 import shlex
 from collections.abc import Iterator
 
+from day6_tui.core.ros.distribution import setup_script
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
 from day6_tui.core.ros.programs.day6_inspector.files import Package, Workspace
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding, finding
@@ -28,7 +29,7 @@ def of_files(facts: Facts) -> Iterator[Finding]:
             number=number,
             variable=variable,
             entry=entry,
-            then=f"unset {variable}; source /opt/ros/jazzy/setup.bash",
+            then=f"unset {variable}; source {setup_script()}",
         )
     for place in facts.files.unreadable:
         yield finding("info", "unreadable", what=place)

@@ -10,6 +10,7 @@ import shlex
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from day6_tui.core.ros.distribution import setup_script
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding, finding
 from day6_tui.core.ros.programs.day6_inspector.frame_rules import NO_FRAME, of_extrapolation, of_frame
@@ -118,7 +119,7 @@ def _no_launch_file(output: Output, match: re.Match[str], facts: Facts) -> Findi
 
 
 def _gone_folder(output: Output, match: re.Match[str], facts: Facts) -> Finding | None:
-    then = f"unset {match[2]}; source /opt/ros/jazzy/setup.bash"
+    then = f"unset {match[2]}; source {setup_script()}"
     return finding("warning", "gone", number=output.terminal.number, variable=match[2], entry=match[1], then=then)
 
 
@@ -212,7 +213,7 @@ def _missing_module(output: Output, match: re.Match[str], facts: Facts) -> Findi
     name = match[1]
     package = name.partition(".")[0]
     if package == "rclpy":
-        return finding("error", "no_rclpy", line=output.source, then="source /opt/ros/jazzy/setup.bash")
+        return finding("error", "no_rclpy", line=output.source, then=f"source {setup_script()}")
     found = unknown_package(output, package, facts)
     if found is not None and found.id != "inspector.no_package":
         return found
@@ -271,7 +272,7 @@ def _bad_yaml(output: Output, match: re.Match[str], facts: Facts) -> Finding | N
     return finding("error", "bad_yaml", line=output.source, reason=reason, then=then)
 
 
-_OPT = "source /opt/ros/jazzy/setup.bash"
+_OPT = f"source {setup_script()}"
 
 _TABLE: tuple[tuple[str, str, Judge], ...] = (
     # a word that must be there (quick to look for), the pattern, what it means

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from day6_tui.core.link.state import Door, DoorState, LinkState
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.programs.day6_inspector.facts import Endpoint as Endpoint
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts as Facts
 from day6_tui.core.ros.programs.day6_inspector.file_rules import of_files
@@ -23,7 +24,12 @@ from day6_tui.core.ros.programs.day6_inspector.robot_rules import of_description
 SINGLE_VOICED = ("sensor_msgs/msg/JointState", "geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
 """Types of which two publishers on one topic contradict each other."""
 
-WATCHED_MOVING = ("sensor_msgs/msg/JointState", "tf2_msgs/msg/TFMessage", "turtlesim/msg/Pose", "nav_msgs/msg/Odometry")
+WATCHED_MOVING = (
+    "sensor_msgs/msg/JointState",
+    "tf2_msgs/msg/TFMessage",
+    f"{value('turtlesim.interfaces')}/msg/Pose",
+    "nav_msgs/msg/Odometry",
+)
 """Types that are watched as movement."""
 
 CLOCK = "/clock"

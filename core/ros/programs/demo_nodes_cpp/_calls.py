@@ -12,19 +12,6 @@ if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
     from rclpy.node import Node
 
-TYPE_NAMES = {
-    1: "bool",
-    2: "integer",
-    3: "double",
-    4: "string",
-    5: "byte_array",
-    6: "bool_array",
-    7: "integer_array",
-    8: "double_array",
-    9: "string_array",
-}
-"""rclcpp::to_string(ParameterType), by the numbers of ParameterType."""
-
 
 async def wait_for_service(session: Session, node: Node, look: Callable[[], bool]) -> bool:
     """Wait until `look()` is true, saying every second that it is not yet; False when Ctrl-C was pressed."""

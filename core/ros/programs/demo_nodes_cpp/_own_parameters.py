@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.programs.demo_nodes_cpp._calls import TYPE_NAMES, value_text, wait_for_service
+from day6_tui.core.ros.programs.demo_nodes_cpp._calls import value_text, wait_for_service
 from day6_tui.core.ros.programs.rclcpp import create_node
+from day6_tui.core.ros.programs.rclcpp.parameters import TYPE_NAMES
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 

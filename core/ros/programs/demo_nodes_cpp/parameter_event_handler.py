@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ParameterEvent
 
-from day6_tui.core.ros.programs.demo_nodes_cpp._calls import TYPE_NAMES, value_text
+from day6_tui.core.ros.programs.demo_nodes_cpp._calls import value_text
 from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp.parameters import TYPE_NAMES
 from rclpy.parameter import parameter_value_to_python
 from rclpy.qos import qos_profile_parameter_events
 

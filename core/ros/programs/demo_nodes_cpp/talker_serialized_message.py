@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from rclpy.qos import QoSProfile
 from rclpy.serialization import serialize_message
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 async def main(session: Session) -> int:
     node = create_node(session, "serialized_message_talker")
-    publisher = node.create_publisher(String, "chatter", TOPIC_QOS)
+    publisher = node.create_publisher(String, "chatter", QoSProfile(depth=7))
     count = 0
 
     def publish() -> None:

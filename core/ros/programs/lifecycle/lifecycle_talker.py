@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs.rclcpp import log_interrupt
-from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp.lifecycle import CppLifecycleNode
+from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 SUCCESS = TransitionCallbackReturn.SUCCESS
 
 
-class LifecycleTalker(LifecycleNode):
+class LifecycleTalker(CppLifecycleNode):
     """Publishes on `lifecycle_chatter` once a second once configured; messages are sent only while it is active."""
 
     def __init__(self, name: str, **keywords: Any) -> None:
@@ -69,8 +70,7 @@ class LifecycleTalker(LifecycleNode):
 
 
 async def main(session: Session) -> int:
-    node = LifecycleTalker("lc_talker", context=session.context)
-    session.defer(node.destroy_node)
+    node = create_node(session, "lc_talker", LifecycleTalker)
     try:
         await session.spin(node)
     except KeyboardInterrupt:

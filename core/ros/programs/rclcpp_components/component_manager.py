@@ -7,11 +7,13 @@ resource of the ament index: a line `package::Class;FILE`, with a Python file be
 from __future__ import annotations
 
 import importlib
+import os
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING, Any
 
 from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
 from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 
 from day6_tui.core.ros.programs.rclcpp import create_node
 from rclpy.parameter import Parameter
@@ -33,12 +35,22 @@ class ComponentManager:
 
     def __init__(self, session: Session, name: str = "ComponentManager") -> None:
         self.session = session
-        self.node = create_node(session, name)
+        self.node = create_node(session, name, start_parameter_services=False, start_parameter_event_publisher=False)
         self.loaded: dict[int, tuple[Node, Component]] = {}
         self._last = 0
         self.node.create_service(LoadNode, "~/_container/load_node", self._on_load)
         self.node.create_service(UnloadNode, "~/_container/unload_node", self._on_unload)
         self.node.create_service(ListNodes, "~/_container/list_nodes", self._on_list)
+        threads = os.cpu_count() or 1
+        self.node.declare_parameter(
+            "thread_num",
+            threads,
+            ParameterDescriptor(
+                description="Number of thread",
+                integer_range=[IntegerRange(from_value=1, to_value=threads)],
+                read_only=True,
+            ),
+        )
 
     def _on_load(self, request: Any, response: Any) -> Any:
         try:

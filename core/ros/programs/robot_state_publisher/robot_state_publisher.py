@@ -8,7 +8,6 @@ callback, as in the original, because that callback has to answer; its size is b
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
@@ -17,14 +16,14 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 
-from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import CppException, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp.qos import DYNAMIC_TF, STATIC_TF
 from day6_tui.core.ros.programs.robot_state_publisher._segments import FrameTransform, Segments, StaticFrames, Throttle
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.check import MAX_BYTES, check_text, read_description, too_large
 from day6_tui.urdf.model import Robot
 from rclpy.qos import (
     DurabilityPolicy,
-    QoSPolicyKind,
     QoSProfile,
     ReliabilityPolicy,
     qos_profile_parameter_events,
@@ -46,21 +45,12 @@ SHORT = 100_000
 """Characters of a description that may be read (in some hundredths of a second) without a thread."""
 
 
-class Fatal(Exception):
-    """An error that ends the original by an uncaught C++ exception: the exception's type and what()."""
-
-    def __init__(self, what: str, kind: str = "std::runtime_error", log: bool = False) -> None:
-        super().__init__(what)
-        self.kind = kind
-        self.log = log
-
-
 class Refused(Exception):
     """A description that cannot be used, in robot_state_publisher's words."""
 
 
 class RobotStatePublisher:
-    """The node; it does nothing before `start`. Raises Fatal for parameters that crash the original."""
+    """The node; it does nothing before `start`. Raises CppException for parameters that crash the original."""
 
     def __init__(self, node: Node, print_error: Callable[[str], None]) -> None:
         self._node = node
@@ -68,30 +58,22 @@ class RobotStatePublisher:
         self._segments: Segments | None = None
         self._throttle = Throttle()
         self._static = StaticFrames()
-        frequency = _declare(node, "publish_frequency", 20.0)
+        frequency = node.declare_parameter("publish_frequency", 20.0).value
         if not 0.0 <= frequency <= 1000.0:
-            raise Fatal("publish_frequency must be between 0 and 1000")
-        _declare(node, "frame_prefix", "")
-        _declare(node, "ignore_timestamp", False)
+            raise CppException("publish_frequency must be between 0 and 1000")
+        node.declare_parameter("frame_prefix", "")
+        node.declare_parameter("ignore_timestamp", False)
         # These three and the subscription have the QoS, and the `qos_overrides.…` parameters, of tf2_ros and the original.
-        kinds = (QoSPolicyKind.DEPTH, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY)
-        self._tf = node.create_publisher(
-            TFMessage,
-            "/tf",
-            QoSProfile(depth=100),
-            qos_overriding_options=QoSOverridingOptions((*kinds, QoSPolicyKind.DURABILITY)),
-        )
-        self._tf_static = node.create_publisher(
-            TFMessage, "/tf_static", _latched(), qos_overriding_options=QoSOverridingOptions(kinds)
-        )
+        self._tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100), qos_overriding_options=DYNAMIC_TF)
+        self._tf_static = node.create_publisher(TFMessage, "/tf_static", _latched(), qos_overriding_options=STATIC_TF)
         self._description = node.create_publisher(String, "robot_description", _latched())
 
     def start(self, description: str, report: Report) -> None:
-        """Publish the description and the fixed transforms, then listen. Raises Fatal."""
+        """Publish the description and the fixed transforms, then listen. Raises CppException."""
         try:
             robot = self._accept(report)
         except Refused as error:
-            raise Fatal(str(error)) from error
+            raise CppException(str(error)) from error
         self._setup(description, robot)
         node = self._node
         node.create_subscription(
@@ -217,44 +199,37 @@ def _latched() -> QoSProfile:
     return QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-def _declare(node: Node, name: str, default: Any) -> Any:
-    """Declare a parameter and return its value. Raises Fatal when the command line gives it another type."""
-    from rclpy.exceptions import InvalidParameterTypeException
-
-    try:
-        return node.declare_parameter(name, default).value
-    except InvalidParameterTypeException as error:
-        given, expected = (kind.lower() for kind in re.findall(r"type '(\w+)'", str(error))[:2])
-        raise Fatal(
-            f"parameter '{name}' has invalid type: Wrong parameter type, parameter {{{name}}} is of type {{{expected}}},"
-            f" setting it to {{{given}}} is not allowed.",
-            "rclcpp::exceptions::InvalidParameterTypeException",
-        ) from error
-
-
 def _description(session: Session, node: Node) -> tuple[str, int]:
-    """Return the description, from the parameter or the file on the command line, and its size. Raises Fatal."""
-    text = _declare(node, "robot_description", "")
-    size = len(text)
-    if size == 0:
-        arguments = remove_ros_args(args=session.argv)
-        if len(arguments) < 2:
-            raise Fatal("robot_description parameter must not be empty", log=True)
-        node.get_logger().warning(
-            "No robot_description parameter, but command-line argument available."
-            "  Assuming argument is name of URDF file."
-            "  This backwards compatibility fallback will be removed in the future."
-        )
-        try:
-            text, size = read_description(session.cwd / arguments[1])
-        except OSError as error:
-            what = f"Failed to open URDF file: {arguments[1]}: {error.strerror}"
-            raise Fatal(what, "std::system_error", log=True) from error
-        if size <= MAX_BYTES:
-            from rclpy.parameter import Parameter
+    """Return the description, from the parameter or the file on the command line, and its size. Raises CppException."""
+    text = node.declare_parameter("robot_description", "").value
+    if text:
+        return text, len(text)
+    try:
+        text, size = _description_in_file(session, node)
+    except CppException as error:
+        node.get_logger().fatal(str(error))
+        raise
+    if size <= MAX_BYTES:
+        from rclpy.parameter import Parameter
 
-            node.set_parameters([Parameter("robot_description", Parameter.Type.STRING, text)])
+        node.set_parameters([Parameter("robot_description", Parameter.Type.STRING, text)])
     return text, size
+
+
+def _description_in_file(session: Session, node: Node) -> tuple[str, int]:
+    arguments = remove_ros_args(args=session.argv)
+    if len(arguments) < 2:
+        raise CppException("robot_description parameter must not be empty")
+    node.get_logger().warning(
+        "No robot_description parameter, but command-line argument available."
+        "  Assuming argument is name of URDF file."
+        "  This backwards compatibility fallback will be removed in the future."
+    )
+    try:
+        return read_description(session.cwd / arguments[1])
+    except OSError as error:
+        what = f"Failed to open URDF file: {arguments[1]}: {error.strerror}"
+        raise CppException(what, "std::system_error") from error
 
 
 async def _report(text: str, size: int) -> Report:
@@ -265,14 +240,9 @@ async def _report(text: str, size: int) -> Report:
 
 async def main(session: Session) -> int:
     node = create_node(session, "robot_state_publisher")
-    try:
-        description, size = _description(session, node)
-        publisher = RobotStatePublisher(node, session.print_error)
-        publisher.start(description, await _report(description, size))
-    except Fatal as error:
-        if error.log:
-            node.get_logger().fatal(str(error))
-        abort(session, error.kind, str(error))
+    description, size = _description(session, node)
+    publisher = RobotStatePublisher(node, session.print_error)
+    publisher.start(description, await _report(description, size))
     try:
         await session.spin(node)
     except KeyboardInterrupt:

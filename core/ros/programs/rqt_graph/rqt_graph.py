@@ -31,14 +31,13 @@ class RosGraphPlugin(Plugin[RqtGraph]):
         assert session.graph is not None
         super().__init__(place, RqtGraph(place.node, session.graph, session.cwd))
         self.model.on_request = self._asked
-        self._wanted = False
+        self._wanted = True
 
     def _asked(self) -> None:
         self._wanted = True
         self.place.wake()
 
     async def run(self) -> None:
-        self.model.refresh()
         await self.place.follow(self._look, REFRESH_SECONDS)
 
     def _look(self) -> None:

@@ -6,7 +6,7 @@
         kind, title = "topics", "Topic Monitor"
 
         def __init__(self, place: Place) -> None:
-            super().__init__(place, TopicMonitor(place.node))      # the model that the window draws
+            super().__init__(place, TopicMonitor(place.node, place.session.clock.now_ns))  # the model that the window draws
             self.model.on_request = place.wake                     # the window calls it, on any thread
 
         async def run(self) -> None:                               # cancelled when the plugin is closed
@@ -73,12 +73,13 @@ class Place:
         self._deferred.append(function)
 
     async def follow(self, work: Callable[[], object], pause: float) -> None:
-        """Call `work` after every `wake` and every change of the graph, at most once in `pause` world seconds; for ever."""
+        """Call `work` now, and after every `wake` and change of the graph, at most once in `pause` world seconds; for ever."""
         if not self._follows_graph:
             self._follows_graph = True
             graph = self.session.graph
             assert graph is not None
             self.defer(graph.add_listener(lambda event: self._woken.set()))
+            self._woken.set()  # other threads may have changed the graph before anybody listened
         while True:
             await self.session.wait(self._woken)
             self._woken.clear()

@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rqt_gui import perspectives
 from day6_tui.core.ros.programs.rqt_gui.catalogue import Entry, matching, plugins
@@ -54,7 +54,7 @@ async def main(session: Session) -> int | None:
     if session.display is None or options.list_plugins:
         session.print("\n".join(sorted(entry.type for entry in plugins())))
         return 0
-    await Container(session, store).run(options)
+    return await Container(session, store).run(options)
 
 
 def _parser(session: Session) -> Parser:
@@ -116,7 +116,7 @@ class Container:
         """Whether the perspective is written when something changes: not over one that could not be read."""
         self.model = Rqt(plugins(), session.cwd, self._woken.set)
 
-    async def run(self, options: argparse.Namespace) -> NoReturn:
+    async def run(self, options: argparse.Namespace) -> int:
         """Open the window and work off its requests until the program is ended, as by closing it."""
         self._display.open("rqt", "rqt", self.model)
         self._session.defer(self._end_all)
@@ -135,9 +135,11 @@ class Container:
                     self.model.trouble = ""
                     await getattr(self, deed)(subject)
                     self.model.version += 1
-        except (KeyboardInterrupt, Terminated):
+        except (KeyboardInterrupt, Terminated) as end:
             await self._keep()  # settings have changed since the last plugin was opened
-            raise
+            if isinstance(end, Terminated):
+                raise
+            return 0  # Ctrl-C closes rqt's window (qt_gui's main.py)
 
     # -- requests ------------------------------------------------------------------------------------------------------
 

@@ -25,7 +25,7 @@ def fields(type_name: str, value: Any) -> list[Field]:
 
     Raises LookupError and ValueError for a type that is unknown here.
     """
-    element = _element_type(type_name)
+    element = element_type(type_name)
     if element:
         values = () if value is None else value
         found = [Field(f"[{index}]", element, each) for index, each in enumerate(islice(values, MOST_ELEMENTS))]
@@ -40,7 +40,7 @@ def fields(type_name: str, value: Any) -> list[Field]:
 
 def has_fields(type_name: str, value: Any) -> bool:
     """Whether a branch can be opened: a message, or an array that is not empty."""
-    if _element_type(type_name):
+    if element_type(type_name):
         return value is not None and len(value) > 0
     return "/" in type_name
 
@@ -77,7 +77,7 @@ def _pieces(value: Any, room: int) -> Iterator[str]:
         yield str(value)
 
 
-def _element_type(type_name: str) -> str:
+def element_type(type_name: str) -> str:
     """The type of an array's elements, '' if it is none: double[9], sequence<string, 3>."""
     if type_name.startswith("sequence<"):
         return type_name[len("sequence<") : -1].partition(",")[0]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.names import full_name
-from day6_tui.core.interfaces import DeserializationError, deserialize, get_message
+from day6_tui.core.interfaces import DeserializationError, deserialize, get_message, serialize
 from day6_tui.core.ros.programs.rqt_topic._measure import Measure
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
@@ -49,11 +49,13 @@ class Topic:
 class TopicMonitor:
     """The model of one topic monitor. The window may call `toggle` and `last_message` and read `topics` and `version`."""
 
-    def __init__(self, node: Node) -> None:
-        self._node = node
+    def __init__(self, node: Node, now_ns: Callable[[], int], selected: Iterable[str] = ()) -> None:
+        self._node, self._now_ns = node, now_ns
         self._monitors: dict[str, _Monitor] = {}
         self._problems: dict[str, str] = {}
         self._toggled: list[str] = []
+        self._awaited = set(selected)
+        """Topics to listen to as soon as they are there."""
         self.topics: tuple[Topic, ...] = ()
         self.version = 0
         self.on_request: Callable[[], None] | None = None
@@ -85,9 +87,10 @@ class TopicMonitor:
     # -- the program's side --------------------------------------------------------------------------------------------
 
     def handle_requests(self) -> None:
-        """Carry out the window's requests."""
+        """Carry out the window's requests, and read the graph."""
         while self._toggled:
             topic = self._toggled.pop(0)
+            self._awaited.discard(topic)
             monitor = self._monitors.pop(topic, None)
             if monitor is not None:
                 self._node.destroy_subscription(monitor.subscription)
@@ -100,7 +103,7 @@ class TopicMonitor:
         if topic is None:
             return
         try:
-            self._monitors[name] = _Monitor(self._node, name, topic.types[0])
+            self._monitors[name] = _Monitor(self._node, name, topic.types[0], self._now_ns)
             self._problems.pop(name, None)
         except Exception as error:
             # A type this machine does not know: the window says so, in the words of the import.
@@ -111,11 +114,12 @@ class TopicMonitor:
         now_ns = self._now_ns()
         for monitor in self._monitors.values():
             monitor.measure.tick(now_ns)
-        self.refresh()
+        self._show(self.topics)
 
     @property
-    def listening(self) -> bool:
-        return bool(self._monitors)
+    def selected(self) -> list[str]:
+        """The topics that are listened to, or will be as soon as they are there."""
+        return [*self._monitors, *sorted(self._awaited)]
 
     def close(self) -> None:
         """Stop listening."""
@@ -124,56 +128,62 @@ class TopicMonitor:
         self._monitors.clear()
 
     def refresh(self) -> None:
-        """Read the graph and the numbers again."""
-        now_ns = self._now_ns()
-        found = tuple(
-            self._topic(name, tuple(types), now_ns) for name, types in sorted(self._node.get_topic_names_and_types())
+        """Read the graph: all topics, and who is at their ends."""
+        node = self._node
+        self._show(
+            Topic(
+                name,
+                tuple(types),
+                tuple(map(_endpoint, node.get_publishers_info_by_topic(name))),
+                tuple(map(_endpoint, node.get_subscriptions_info_by_topic(name))),
+            )
+            for name, types in sorted(node.get_topic_names_and_types())
         )
+        for name in self._awaited.intersection(topic.name for topic in self.topics):
+            self._awaited.discard(name)
+            self._listen(name)
+
+    def _show(self, topics: Iterable[Topic]) -> None:
+        """Show topics with the newest numbers."""
+        now_ns = self._now_ns()
+        found = tuple(self._with_numbers(topic, now_ns) for topic in topics)
         if found != self.topics:
             self.topics = found
             self.version += 1
 
-    def _topic(self, name: str, types: tuple[str, ...], now_ns: int) -> Topic:
-        publishers = tuple(map(_endpoint, self._node.get_publishers_info_by_topic(name)))
-        subscriptions = tuple(map(_endpoint, self._node.get_subscriptions_info_by_topic(name)))
-        monitor = self._monitors.get(name)
+    def _with_numbers(self, topic: Topic, now_ns: int) -> Topic:
+        monitor = self._monitors.get(topic.name)
         if monitor is None:
-            return Topic(name, types, publishers, subscriptions, problem=self._problems.get(name, ""))
-        rates = monitor.measure.rates(now_ns)
-        rate, bandwidth = rates if rates is not None else (None, None)
-        return Topic(
-            name,
-            types,
-            publishers,
-            subscriptions,
-            True,
-            monitor.measure.count,
-            rate,
-            bandwidth,
-            monitor.measure.bars,
-            monitor.problem,
-        )
-
-    def _now_ns(self) -> int:
-        return int(self._node.get_clock().now().nanoseconds)
+            problem = self._problems.get(topic.name, "")
+            if not topic.monitored and topic.problem == problem:
+                return topic
+            return Topic(topic.name, topic.types, topic.publishers, topic.subscriptions, problem=problem)
+        measure = monitor.measure
+        rate, bandwidth = measure.rates(now_ns) or (None, None)
+        numbers = (True, measure.count, rate, bandwidth, measure.bars, monitor.problem)
+        return Topic(topic.name, topic.types, topic.publishers, topic.subscriptions, *numbers)
 
 
 class _Monitor:
-    """The subscription to one monitored topic: counts messages, and keeps the newest one serialized."""
+    """The subscription to one monitored topic: counts messages, and keeps the newest one serialized.
 
-    def __init__(self, node: Node, topic: str, type_name: str) -> None:
+    Counted on the thread that receives them: to wake the program for each of thousands a second costs more than all the rest.
+    """
+
+    def __init__(self, node: Node, topic: str, type_name: str, now_ns: Callable[[], int]) -> None:
         self.type_class = get_message(type_name)
         self.measure = Measure()
         self.newest: bytes | None = None
         self.problem = ""
-        self._clock = node.get_clock()
+        self._now_ns = now_ns
         self.subscription: Subscription[Any] = node.create_subscription(
             self.type_class, topic, self._on_message, _qos_for(node.get_publishers_info_by_topic(topic)), raw=True
         )
+        self.subscription.handle.take_at_once(self._on_message)
 
-    def _on_message(self, data: bytes) -> None:
-        self.newest = data
-        self.measure.add(int(self._clock.now().nanoseconds), len(data))
+    def _on_message(self, message: Any) -> None:
+        self.newest = data = message if isinstance(message, bytes) else serialize(message)
+        self.measure.add(self._now_ns(), len(data))
 
 
 def _qos_for(offers: list[TopicEndpointInfo]) -> QoSProfile:

@@ -6,7 +6,7 @@ What it does without a screen is the rule of `programs/_without_screen.py`.
 from __future__ import annotations
 
 from day6_tui.core.ros.programs._without_screen import stays
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.ros.programs.rqt_topic.model import TopicMonitor
 from day6_tui.core.session.session import Session
 
@@ -21,12 +21,14 @@ SETTLE_SECONDS = 0.5
 
 
 class TopicMonitorPlugin(Plugin[TopicMonitor]):
-    """rqt_topic/TopicMonitor."""
+    """rqt_topic/TopicPlugin."""
 
     kind, title = "topics", "Topic Monitor"
 
     def __init__(self, place: Place) -> None:
-        super().__init__(place, TopicMonitor(place.node))
+        kept = place.settings.get("selected_topics")
+        selected = [each for each in kept if isinstance(each, str)] if isinstance(kept, list) else []
+        super().__init__(place, TopicMonitor(place.node, place.session.clock.now_ns, selected))
         self.model.on_request = place.wake
 
     async def run(self) -> None:
@@ -36,8 +38,11 @@ class TopicMonitorPlugin(Plugin[TopicMonitor]):
 
     async def _step(self) -> None:
         async for _ in self.place.session.every(STEP_SECONDS):
-            if self.model.listening:
+            if self.model.selected:
                 self.model.tick()
+
+    def settings(self) -> Settings:
+        return {"selected_topics": self.model.selected}
 
     def close(self) -> None:
         self.model.close()

@@ -10,15 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import ParameterDescriptor
-from tf2_msgs.msg import TFMessage
 from tf2_py import _rotation as rot
 
-from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import CppException, create_node, init_and_remove_ros_arguments, log_interrupt
+from day6_tui.core.ros.programs.tf2_ros.broadcasting import StaticTransformBroadcaster
 from day6_tui.core.ros.programs.tf2_ros.listening import log_without_node
 from rclpy.parameter import Parameter
-from rclpy.qos import DurabilityPolicy, QoSPolicyKind, QoSProfile
-from rclpy.qos_overriding_options import QoSOverridingOptions
-from rclpy.utilities import remove_ros_args
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -164,22 +161,14 @@ def publish(session: Session, arguments: Arguments) -> Any:
         node.get_logger().error(
             f"cannot publish static transform from '{arguments.frame_id}' to '{arguments.child_frame_id}', exiting"
         )
-        abort(session, "std::runtime_error", "child_frame_id cannot equal frame_id")
+        raise CppException("child_frame_id cannot equal frame_id")
     message = TransformStamped(child_frame_id=arguments.child_frame_id)
     message.header.stamp = stamp
     message.header.frame_id = arguments.frame_id
     offset, turn = message.transform.translation, message.transform.rotation
     offset.x, offset.y, offset.z = arguments.translation
     turn.x, turn.y, turn.z, turn.w = arguments.rotation
-    publisher = node.create_publisher(
-        TFMessage,
-        "/tf_static",
-        QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL),
-        qos_overriding_options=QoSOverridingOptions(
-            (QoSPolicyKind.DEPTH, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY)
-        ),
-    )
-    publisher.publish(TFMessage(transforms=[message]))
+    StaticTransformBroadcaster(node).sendTransform(message)
     return node
 
 
@@ -187,7 +176,7 @@ async def main(session: Session) -> int:
     arguments = Arguments()
     problem = None
     try:
-        parse(remove_ros_args(args=session.argv)[1:], arguments)
+        parse(init_and_remove_ros_arguments(session)[1:], arguments)
     except BadArguments as error:
         problem = str(error)
     if arguments.is_old_style:

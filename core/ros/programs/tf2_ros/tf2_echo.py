@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 from tf2_py import _rotation as rot
 from tf2_ros import Buffer, TransformException
 
-from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import CppException, create_node, init_and_remove_ros_arguments, log_interrupt
 from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from rclpy.time import Time
-from rclpy.utilities import remove_ros_args
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import TransformStamped
@@ -103,7 +102,7 @@ async def echo(session: Session, node: Node, buffer: Buffer, source: str, target
 
 
 async def main(session: Session) -> int:
-    arguments = remove_ros_args(args=session.argv)
+    arguments = init_and_remove_ros_arguments(session)
     if len(arguments) not in (3, 4):
         session.print(USAGE, end="")
         return 1
@@ -115,7 +114,7 @@ async def main(session: Session) -> int:
             session.print_error(f"Failed to convert rate argument '{arguments[3]}' to a floating-point number")
             return error.status
     if rate <= 0.0:
-        abort(session, "std::invalid_argument", "rate must be greater than 0")
+        raise CppException("rate must be greater than 0", "std::invalid_argument")
     node = create_node(session, "tf2_echo")
     buffer = Buffer()
     session.spawn(session.spin(node, listen(session, buffer)))

@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING
 from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, TransformException
 
-from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import CppException, create_node, init_and_remove_ros_arguments, log_interrupt
 from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.time import Time
-from rclpy.utilities import remove_ros_args
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -130,7 +129,7 @@ class Monitor:
         try:
             stamp = self._buffer.lookup_transform_core(first, second, Time()).header.stamp
         except TransformException as error:
-            abort(self._session, f"tf2::{type(error).__name__}", str(error))
+            raise CppException(str(error), f"tf2::{type(error).__name__}") from error
         return self._now() - float(stamp.sec + stamp.nanosec * 1e-9)
 
     def _report(self, average: float, longest: float) -> None:
@@ -153,7 +152,7 @@ class Monitor:
 
 
 async def main(session: Session) -> int:
-    arguments = remove_ros_args(args=session.argv)
+    arguments = init_and_remove_ros_arguments(session)
     node = create_node(session, "tf2_monitor_main")
     if len(arguments) not in (1, 3):
         node.get_logger().info("TF_Monitor: usage: tf2_monitor framea frameb")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._component import spin_cpp
 from day6_tui.core.ros.programs.rclcpp import create_node
+from day6_tui.core.ros.programs.tf2_ros.broadcasting import TransformBroadcaster
 from day6_tui.core.ros.programs.turtle_tf2_py.frames import broadcast_carrot
 from day6_tui.core.session.clock import NANOSECONDS
 
@@ -22,5 +23,5 @@ async def main(session: Session) -> int:
         angle = math.pi * (session.timer_ns(node) // NANOSECONDS)
         return 10 * math.sin(angle), 10 * math.cos(angle), 0.0
 
-    broadcast_carrot(node, place)
+    broadcast_carrot(node, place, TransformBroadcaster)
     return await spin_cpp(session, node)

@@ -6,14 +6,17 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._component import spin_cpp
 from day6_tui.core.ros.programs.rclcpp import create_node
+from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from day6_tui.core.ros.programs.turtle_tf2_py.frames import Follower
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 
 async def main(session: Session) -> int:
     node = create_node(session, "turtle_tf2_frame_listener")
-    follower = Follower(node)
-    session.defer(lambda: follower)  # keeps its listener
-    return await spin_cpp(session, node)
+    listeners: list[Node] = []
+    follower = Follower(node, lambda buffer, _: listeners.append(listen(session, buffer)))
+    session.defer(lambda: follower)  # its timer does not keep it
+    return await spin_cpp(session, node, *listeners)

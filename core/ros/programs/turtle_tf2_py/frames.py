@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from geometry_msgs.msg import TransformStamped, Twist
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformException, TransformListener
-from turtlesim.msg import Pose
-from turtlesim.srv import Spawn
 
+from day6_tui.core.ros.programs.turtlesim_interfaces import Pose, Spawn
 from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
 
@@ -48,10 +47,18 @@ def transform(
     return stamped
 
 
-def broadcast_turtle(node: Node) -> None:
+class Broadcaster(Protocol):
+    """A broadcaster of either client library."""
+
+    def __init__(self, node: Node) -> None: ...
+
+    def sendTransform(self, transform: TransformStamped) -> None: ...
+
+
+def broadcast_turtle(node: Node, kind: type[Broadcaster] = TransformBroadcaster) -> None:
     """Broadcast the frame of the turtle named by the parameter `turtlename`, whenever it publishes its pose."""
     name = node.declare_parameter("turtlename", "turtle").value
-    broadcaster = TransformBroadcaster(node)
+    broadcaster = kind(node)
 
     def tell(pose: Pose) -> None:
         broadcaster.sendTransform(transform(node, "world", name, (pose.x, pose.y, 0.0), (0.0, 0.0, pose.theta)))
@@ -75,17 +82,21 @@ def static_words(session: Session, package: str) -> list[str] | None:
     return words
 
 
-def broadcast_static(node: Node, child: str, numbers: list[float]) -> StaticTransformBroadcaster:
+def broadcast_static(
+    node: Node, child: str, numbers: list[float], kind: type[Broadcaster] = StaticTransformBroadcaster
+) -> Broadcaster:
     """Broadcast once where `child` is in `world`: x, y, z, roll, pitch, yaw."""
-    broadcaster = StaticTransformBroadcaster(node)
+    broadcaster = kind(node)
     x, y, z, roll, pitch, yaw = numbers
     broadcaster.sendTransform(transform(node, "world", child, (x, y, z), (roll, pitch, yaw)))
     return broadcaster
 
 
-def broadcast_carrot(node: Node, place: Callable[[], tuple[float, float, float]]) -> None:
+def broadcast_carrot(
+    node: Node, place: Callable[[], tuple[float, float, float]], kind: type[Broadcaster] = TransformBroadcaster
+) -> None:
     """Broadcast ten times a second where the carrot is that hangs before turtle1."""
-    broadcaster = TransformBroadcaster(node)
+    broadcaster = kind(node)
     node.create_timer(
         CARROT_PERIOD,
         lambda: broadcaster.sendTransform(transform(node, "turtle1", "carrot1", place(), (0.0, 0.0, 0.0))),
@@ -121,11 +132,11 @@ class Follower:
 
     FOLLOWING = "turtle2"
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: Node, listen: Callable[[Buffer, Node], object] = TransformListener) -> None:
         self._node = node
         self._target = node.declare_parameter("target_frame", "turtle1").value
         self._buffer = Buffer()
-        self._listener = TransformListener(self._buffer, node)
+        self._listener = listen(self._buffer, node)
         self._spawner = Spawner(node, self.FOLLOWING)
         self._publisher = node.create_publisher(Twist, f"{self.FOLLOWING}/cmd_vel", 1)
         node.create_timer(1.0, self._step)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import PointStamped, Twist
-from turtlesim.msg import Pose
 
 from day6_tui.core.ros.programs._waiting import spin
 from day6_tui.core.ros.programs.turtle_tf2_py.frames import Spawner
+from day6_tui.core.ros.programs.turtlesim_interfaces import Pose
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

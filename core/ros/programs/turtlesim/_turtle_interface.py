@@ -5,12 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
-from turtlesim.action import RotateAbsolute
-from turtlesim.msg import Color, Pose
-from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
-from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS
+from day6_tui.core.ros.programs.turtlesim._qos import TOPIC_QOS
 from day6_tui.core.ros.programs.turtlesim.model import TurtleTopics
+from day6_tui.core.ros.programs.turtlesim_interfaces import (
+    Color,
+    Pose,
+    RotateAbsolute,
+    SetPen,
+    TeleportAbsolute,
+    TeleportRelative,
+)
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import GoalEvent
 from rclpy.task import Future
@@ -29,7 +34,7 @@ RESULT_ROUNDS = 3
 class TurtleInterface:
     """Passes messages to `turtle` and publishes what its steps did. `now_ns` tells the time the turtle moves by.
 
-    Raises rclpy's InvalidTopicNameException for a turtle whose name cannot be part of a topic.
+    Raises CppException for a turtle whose name cannot be part of a topic.
     """
 
     def __init__(self, node: Node, turtle: Turtle, now_ns: Callable[[], int]) -> None:
@@ -109,7 +114,7 @@ class TurtleInterface:
     # -- topics and services -------------------------------------------------------------------------------------------
 
     def _command(self, twist: Twist) -> None:
-        holonomic = self._node.get_parameter("holonomic").value
+        holonomic = self._node.has_parameter("holonomic") and self._node.get_parameter("holonomic").value
         aborted = self._turtle.command(
             twist.linear.x, twist.angular.z, self._now_ns(), linear_y=twist.linear.y if holonomic else None
         )

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from geometry_msgs.msg import Twist
 from std_srvs.srv import Empty
-from turtlesim.msg import Pose
 
-from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs.turtlesim import model
+from day6_tui.core.ros.programs.turtlesim._qos import TOPIC_QOS
+from day6_tui.core.ros.programs.turtlesim_interfaces import Pose
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

@@ -9,9 +9,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
-from turtlesim.action import RotateAbsolute
 
-from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS, abort, create_node
+from day6_tui.core.ros.programs.rclcpp import CppException, create_node
+from day6_tui.core.ros.programs.turtlesim._qos import TOPIC_QOS
+from day6_tui.core.ros.programs.turtlesim_interfaces import RotateAbsolute
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:
@@ -100,7 +101,7 @@ class Teleop:
 
 async def main(session: Session) -> int:
     if not session.stdin.isatty():
-        abort(session, "std::runtime_error", "Failed to get old console mode")
+        raise CppException("Failed to get old console mode")
     with session.stdin.raw():
         teleop = Teleop(session)
         session.spawn(session.spin(teleop.node))

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent
 from std_srvs.srv import Empty
-from turtlesim.srv import Kill, Spawn
 
-from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.differences import value
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs.turtlesim import model
 from day6_tui.core.ros.programs.turtlesim._turtle_interface import TurtleInterface
-from rclpy.exceptions import InvalidTopicNameException
+from day6_tui.core.ros.programs.turtlesim_interfaces import Kill, Spawn
 from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy
 
 if TYPE_CHECKING:
@@ -54,9 +54,10 @@ class TurtleFrame:
                 integer_range=[IntegerRange(from_value=0, to_value=255, step=1)],
             )
             node.declare_parameter(parameter, default, descriptor)
-        node.declare_parameter(
-            "holonomic", False, ParameterDescriptor(description="If true, then turtles will be holonomic")
-        )
+        if value("turtlesim.holonomic"):
+            node.declare_parameter(
+                "holonomic", False, ParameterDescriptor(description="If true, then turtles will be holonomic")
+            )
         self._paint_background()
         node.create_service(Empty, "clear", self._clear)
         node.create_service(Empty, "reset", self._reset)
@@ -167,9 +168,6 @@ async def main(session: Session) -> int:
                 frame.make_up_for(passed)
                 if len(passed) < patience:  # the graph may have changed
                     looked = -TICKS_BETWEEN_LOOKS
-    except InvalidTopicNameException as error:
-        # A turtle spawned by a name that no topic can have.
-        abort(session, "rclcpp::exceptions::InvalidTopicNameError", str(error))
     except KeyboardInterrupt:
         # Closing the window ends the node without a word; Ctrl-C is answered by rclcpp.
         if window is None or not window.closed:

@@ -1,19 +1,17 @@
-"""`urdf_to_graphviz FILE [NAME]`: draw a robot's links and joints as a graph (urdfdom 4.0.1).
-
-The DOT file is always written; the PDF only where graphviz's `dot` is installed.
-"""
+"""`urdf_to_graphviz FILE [NAME]`: draw a robot's links and joints as a graph (urdfdom 4.0.1)."""
 
 from __future__ import annotations
 
-import shutil
-import subprocess
+from itertools import pairwise
 
+from day6_tui.core.ros.programs._drawn_pdf import write_pdf
+from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge
 from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot, take_hint_option
-from day6_tui.core.session.harmless import quotable
+from day6_tui.core.session.harmless import one_line, quotable
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
 from day6_tui.core.whole_file import replace_file
-from day6_tui.urdf import Robot
+from day6_tui.urdf.model import Joint, Robot
 
 
 async def main(session: Session) -> int:
@@ -30,20 +28,20 @@ async def main(session: Session) -> int:
         return FAILED
     name = session.argv[2] if len(session.argv) == 3 else robot.name.replace("/", "_")
     # The original writes wherever a robot's name leads; a file from elsewhere shall not choose the place.
-    graph, picture = session.cwd / f"{name}.gv", session.cwd / f"{name}.pdf"
+    graph = session.cwd / f"{name}.gv"
     try:
-        replace_file(graph, dot_of(robot).encode("utf-8", "surrogateescape"))
+        await in_thread(lambda: replace_file(graph, dot_of(robot).encode("utf-8", "surrogateescape")))
     except OSError as error:
         session.print_error(f"Error: dot: can't open {name}.gv")
         if not isinstance(error, FileNotFoundError):
             return FAILED  # a full disk; where there is no such folder the original goes on, and so do we
     session.print(f"Created file {name}.gv")
-    dot = shutil.which("dot", path=session.env.get("PATH"))
-    if dot is None:
-        session.print_error(f"dot is not installed here, so there is no {name}.pdf")
-        return 0
     if graph.exists():
-        await in_thread(lambda: subprocess.run([dot, "-Tpdf", str(graph), "-o", str(picture)], check=False))
+        try:
+            await write_pdf(session, graph, graph_of(robot), session.print_error, _colours(robot))
+        except OSError as error:
+            session.print_error(f'Error: Could not open "{name}.pdf" for writing : {error.strerror}')
+            return FAILED
     session.print(f"Created file {name}.pdf")
     return 0
 
@@ -55,9 +53,30 @@ def dot_of(robot: Robot) -> str:
     lines += [f'"{name}" [label="{name}"];' for name in map(quotable, order)]
     lines.append("node [shape=ellipse, color=blue, fontcolor=blue];")
     for joint in robot.tree():
-        xyz = " ".join(f"{value:g}" for value in joint.origin.xyz)
-        rpy = " ".join(f"{value:g}" for value in joint.origin.rpy)
         parent, name, child = map(quotable, (joint.parent, joint.name, joint.child))
-        lines.append(f'"{parent}" -> "{name}" [label="xyz: {xyz} \\nrpy: {rpy}"]')
+        xyz, rpy = _origin(joint)
+        lines.append(f'"{parent}" -> "{name}" [label="{xyz} \\n{rpy}"]')
         lines.append(f'"{name}" -> "{child}"')
     return "\n".join([*lines, "}", ""])
+
+
+def graph_of(robot: Robot) -> tuple[list[Box], list[Edge]]:
+    """Return the same graph for our own layout."""
+    links = [robot.root, *(joint.child for joint in robot.tree())]
+    boxes = [Box(f"link {name}", (one_line(name),), "topic") for name in links]
+    edges = []
+    for joint in robot.tree():
+        stations = f"link {joint.parent}", f"origin {joint.name}", f"joint {joint.name}", f"link {joint.child}"
+        boxes.append(Box(stations[1], _origin(joint), "text"))
+        boxes.append(Box(stations[2], (one_line(joint.name),), "node"))
+        edges += [Edge(start, end, "", joint.name) for start, end in pairwise(stations)]
+    return boxes, edges
+
+
+def _colours(robot: Robot) -> dict[str, str]:
+    return {f"joint {joint.name}": "#0000ff" for joint in robot.tree()}
+
+
+def _origin(joint: Joint) -> tuple[str, str]:
+    xyz, rpy = (" ".join(f"{value:g}" for value in values) for values in (joint.origin.xyz, joint.origin.rpy))
+    return f"xyz: {xyz}", f"rpy: {rpy}"

@@ -10,6 +10,7 @@ from pathlib import Path
 from ament_index_python.constants import RESOURCE_INDEX_SUBFOLDER
 from ament_index_python.resources import names_in
 from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
+from day6_tui.core.ros.differences import has_package
 
 _VALID_NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
 
@@ -57,5 +58,5 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
 
 def _has_package(prefix: str, name: str) -> bool:
     if prefix == BUILT_IN_PREFIX:
-        return Path(prefix, "share", name, "package.xml").is_file()
+        return has_package(name) and Path(prefix, "share", name, "package.xml").is_file()
     return Path(prefix, RESOURCE_INDEX_SUBFOLDER, "packages", name).is_file()

@@ -12,6 +12,7 @@ from typing import Literal
 
 from ament_index_python.constants import RESOURCE_INDEX_SUBFOLDER
 from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
+from day6_tui.core.ros.environment import shipped_packages
 
 
 class InvalidResourceTypeNameError(ValueError):
@@ -93,7 +94,7 @@ def _is_ours(prefix: str, resource_type: str) -> bool:
 def names_in(prefix: str, resource_type: str) -> Iterator[str]:
     """Yield the names of the resources of a type under one prefix, sorted."""
     if _is_ours(prefix, resource_type):
-        yield from sorted(path.parent.name for path in Path(prefix, "share").glob("*/package.xml"))
+        yield from shipped_packages()
         return
     folder = Path(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type)
     if folder.is_dir():

@@ -18,7 +18,9 @@ from typing import TYPE_CHECKING, Any
 import rclpy.callback_groups
 import rclpy.exceptions
 import rclpy.impl  # noqa: F401
+from day6_tui.core.ros.differences import value
 from rclpy._incidental import also
+from rclpy._withdrawn import withdraw
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
 from rclpy.qos import QoSProfile as QoSProfile
@@ -106,7 +108,7 @@ def init(
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
 ) -> InitContextManager:
-    """Initialise ROS for a context.
+    """Initialise ROS for a context; returns a context manager, in Humble nothing.
 
     `args` are command line arguments (default `sys.argv`), `context` by default the default one, `domain_id` by default
     that of ROS_DOMAIN_ID. Signal handlers are installed for the default context unless `signal_handler_options` says
@@ -116,7 +118,8 @@ def init(
         RuntimeError: the second time.
         RCLError, UnknownROSArgsError: for bad arguments.
     """
-    return InitContextManager(args, context, domain_id, signal_handler_options)
+    manager = InitContextManager(args, context, domain_id, signal_handler_options)
+    return manager if value("rclpy.init_returns_manager") else None  # type: ignore[return-value]
 
 
 __executor: Executor | None = None
@@ -238,3 +241,6 @@ def spin_until_future_complete(
     finally:
         if added:
             executor.remove_node(node)
+
+
+withdraw(__name__)

@@ -14,7 +14,7 @@ from rclpy._handles import EndpointHandle, NodeHandle
 from rclpy._rclpy_pybind11 import RCLError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from day6_tui.core.graph import QoS
     from rclpy.duration import Duration
@@ -137,11 +137,19 @@ class SubscriptionHandle(EndpointHandle):
         if sample is None:
             return None
         message = sample[0]
-        if raw:
-            from rclpy.serialization import serialize_message
+        if raw != isinstance(message, bytes):
+            from rclpy.serialization import deserialize_message, serialize_message
 
-            message = serialize_message(message)
+            message = serialize_message(message) if raw else deserialize_message(message, self._msg_type)
         return message, self.info(sample)
+
+    def take_at_once(self, callback: Callable[[Any], object]) -> None:
+        """Hand every message to `callback` on the thread that receives it, as C++ programs can have it; no executor does.
+
+        As with rcl_subscription_set_on_new_message_callback it must be quick and raise nothing. It is given CDR bytes by a `raw`
+        subscription for messages of other processes, and a message else.
+        """
+        self._endpoint.on_message = callback
 
     def info(self, sample: Any) -> dict[str, Any]:
         """Return the MessageInfo of a sample. Fast DDS does not number received messages."""

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from day6_tui.core.ros.differences import value
+
 PARAMETER_EVENT = "rcl_interfaces/msg/ParameterEvent"
 LOG = "rcl_interfaces/msg/Log"
 GET_TYPE_DESCRIPTION = "type_description_interfaces/srv/GetTypeDescription"
@@ -18,7 +20,7 @@ PARAMETER_SERVICES = (
     ("set_parameters", "rcl_interfaces/srv/SetParameters"),
     ("set_parameters_atomically", "rcl_interfaces/srv/SetParametersAtomically"),
 )
-HASHES = {
+_HASHES = {
     "rcl_interfaces/msg/ParameterEvent": "RIHS01_043e627780fcad87a22d225bc2a037361dba713fca6a6b9f4b869a5aa0393204",
     "rcl_interfaces/msg/Log": "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac",
     GET_TYPE_DESCRIPTION: "RIHS01_69b9c19c1021405984cc60dbbb1edceb147a6538b411d812ba6afabeed962cd5",
@@ -29,6 +31,7 @@ HASHES = {
     "rcl_interfaces/srv/SetParameters": "RIHS01_56eed9a67e169f9cb6c1f987bc88f868c14a8fc9f743a263bc734c154015d7e0",
     "rcl_interfaces/srv/SetParametersAtomically": "RIHS01_0e192ef259c07fc3c07a13191d27002222e65e00ccec653ca05e856f79285fcd",
 }
+HASHES = _HASHES if value("messages.have_hashes") else dict.fromkeys(_HASHES, "")
 
 
 def copy_any(message: Any) -> Any:

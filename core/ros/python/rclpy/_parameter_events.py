@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from rclpy._endpoint_handles import PublisherHandle
 from rclpy._own_services import HASHES, PARAMETER_EVENT, copy_any
 from rclpy.publisher import Publisher
-from rclpy.qos import qos_profile_parameter_events
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterEvent
@@ -16,6 +15,7 @@ if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.parameter import Parameter
+    from rclpy.qos import QoSProfile
 
 _TOPIC = "/parameter_events"
 
@@ -23,8 +23,8 @@ _TOPIC = "/parameter_events"
 class ParameterEvents:
     """Publishes the changes of a node's parameters: the listener of the node's `ParameterStore`."""
 
-    def __init__(self, publisher: Publisher[ParameterEvent], node: NodeHandle, clock: Clock) -> None:
-        self.publisher: Publisher[ParameterEvent] | None = publisher
+    def __init__(self, publisher: Publisher[ParameterEvent] | None, node: NodeHandle, clock: Clock) -> None:
+        self.publisher = publisher
         self._node = node
         self._clock = clock
 
@@ -52,9 +52,8 @@ class ParameterEvents:
             )
 
 
-def parameter_event_publisher(node: NodeHandle, group: CallbackGroup) -> Publisher[ParameterEvent]:
+def parameter_event_publisher(node: NodeHandle, group: CallbackGroup, qos: QoSProfile) -> Publisher[ParameterEvent]:
     """Return the publisher of a node's parameter events; its message class is made only when an event is published."""
-    qos = qos_profile_parameter_events
     topic = node.resolve(_TOPIC, is_service=False)
     node.claim_topic(topic, PARAMETER_EVENT, "publisher", "")
     endpoint = node.node.create_publisher(

@@ -110,15 +110,16 @@ class ParameterStore:
             raise InvalidParameterTypeException(parameter, expected)
         raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
-    def declare_flag(self, name: str, value: bool, **descriptor: Any) -> None:
+    def declare_plain(self, name: str, value: bool | int | str, **descriptor: Any) -> None:
         """Declare one of the parameters every node has, without making messages unless they are needed."""
         if name in self.overrides or (self._listener is not None and self._listener.has_subscribers()):
             from rcl_interfaces.msg import ParameterDescriptor
 
             self.declare("", [(name, value, ParameterDescriptor(**descriptor))])
             return
-        self.parameters[name] = Parameter(name, Parameter.Type.BOOL, value)
-        self.descriptors.update({name: {"name": name, "type": Parameter.Type.BOOL.value, **descriptor}})
+        parameter: Parameter[Any] = Parameter(name, value=value)
+        self.parameters[name] = parameter
+        self.descriptors.update({name: {"name": name, "type": parameter.type_.value, **descriptor}})
 
     def undeclare(self, name: str) -> None:
         """Forget a parameter. Raises ParameterNotDeclaredException, ParameterImmutableException for a read-only one."""

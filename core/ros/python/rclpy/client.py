@@ -11,6 +11,7 @@ from rclpy._incidental import also
 from rclpy._node_endpoint import ServiceEndpoint
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._time_base import wait_interruptibly
+from rclpy._withdrawn import withdraw
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from rclpy.task import Future
@@ -142,3 +143,6 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
         if not self.service_is_ready():
             self.context._wait_for_graph(self._endpoint.service_is_ready, timeout_sec)
         return self.service_is_ready()
+
+
+withdraw(__name__)

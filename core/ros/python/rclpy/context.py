@@ -20,6 +20,7 @@ from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy._rclpy_pybind11 import RCL_DEFAULT_DOMAIN_ID, Destroyable, RCLError
 from rclpy._time_base import MACHINE_TIME, AutoResetEvent, TimeBase
+from rclpy._withdrawn import withdraw
 
 if TYPE_CHECKING:
     from rclpy._arguments import RosArguments
@@ -379,3 +380,6 @@ def _leave(graph: Graph) -> None:
     leave = getattr(sys.modules.get("day6_tui.core.link"), "leave", None)
     if leave is not None:  # else nobody has joined, or another thread is just importing it
         leave(graph, ending=True)
+
+
+withdraw(__name__)

@@ -18,6 +18,7 @@ from rclpy._executor_timeouts import ShutdownException as ShutdownException
 from rclpy._executor_timeouts import TimeoutException as TimeoutException
 from rclpy._executor_timeouts import TimeoutObject as TimeoutObject
 from rclpy._incidental import also
+from rclpy._withdrawn import withdraw
 from rclpy.client import Client
 from rclpy.context import Context
 from rclpy.task import Future, Task
@@ -158,3 +159,6 @@ class MultiThreadedExecutor(Executor):
         success = super().shutdown(timeout_sec)
         self._executor.shutdown(wait=wait_for_threads)
         return success
+
+
+withdraw(__name__)

@@ -8,6 +8,7 @@ from pathlib import Path
 from rclpy._incidental import also
 from rclpy._log_file import logging_directory
 from rclpy._logging_settings import PROCESS
+from rclpy._withdrawn import withdraw
 from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
 from rclpy.impl.rcutils_logger import RcutilsLogger
 
@@ -81,3 +82,6 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 def get_logging_directory() -> Path:
     """Return the folder of log files (ROS_LOG_DIR, else log in ROS_HOME, else ~/.ros/log)."""
     return logging_directory(os.environ)
+
+
+withdraw(__name__)

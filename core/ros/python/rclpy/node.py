@@ -6,7 +6,7 @@ import sys
 import weakref
 from collections.abc import Callable, Iterator, Sequence
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Final, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar, Union, overload
 
 from day6_tui.core.graph import names
 from rclpy._arguments import parse_node_arguments
@@ -22,6 +22,7 @@ from rclpy._own_services import HASHES, LOG
 from rclpy._parameter_events import ParameterEvents, parameter_event_publisher
 from rclpy._parameter_store import ParameterStore
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError as NodeNameNonExistentError
+from rclpy._withdrawn import withdraw
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.client import Client
 from rclpy.clock import Clock, ROSClock
@@ -34,6 +35,7 @@ from rclpy.parameter_service import ParameterService
 from rclpy.publisher import Publisher
 from rclpy.qos import (
     QoSProfile,
+    qos_profile_parameter_events,
     qos_profile_rosout_default,
     qos_profile_services_default,
 )
@@ -76,7 +78,7 @@ __getattr__ = also(
     "ParameterValue PublisherEventCallbacks QoSOverridingOptions Rate ReentrantCallbackGroup S_TO_NS "
     "SetParametersResult Subscription SubscriptionEventCallbacks Timer TimerInfo TopicEndpointInfo "
     "Waitable check_is_valid_msg_type check_is_valid_srv_type expand_topic_name get_logger "
-    "qos_profile_parameter_events qos_profile_services_default validate_full_topic_name validate_namespace validate_node_name "
+    "qos_profile_services_default validate_full_topic_name validate_namespace validate_node_name "
     "validate_parameter_name validate_topic_name",
 )
 
@@ -112,6 +114,12 @@ class Node:
     else:
         ParameterInput = Union[Any, Parameter.Type]  # noqa: UP007 (Any | … needs Python 3.11)
     """In real rclpy a name for the types of what declares a parameter."""
+
+    # What the nodes of rclcpp replace (core/ros/programs/rclcpp).
+    _rclpy_store: ClassVar[type[ParameterStore]] = ParameterStore
+    _rclpy_parameter_service: ClassVar[type[ParameterService]] = ParameterService
+    _rclpy_time_source: ClassVar[type[TimeSource]] = TimeSource
+    _rclpy_type_description: ClassVar[type[TypeDescriptionService]] = TypeDescriptionService
 
     # The parts have names that no attribute of a program's own node class is likely to hide.
     _rclpy_entities = Part[NodeEntities]("_default_callback_group")
@@ -163,28 +171,29 @@ class Node:
         self._clock: ROSClock = ROSClock()
         self._clock._time = self._context._time
         overrides.update({parameter.name: parameter for parameter in parameter_overrides or ()})
-        event_publisher = parameter_event_publisher(self.__node, self._default_callback_group)
+        event_publisher = self._rclpy_event_publisher(overrides)
         self.__parameter_events = ParameterEvents(event_publisher, self.__node, self._clock)
         self._rclpy_graph = NodeGraph(self.__node)
-        self._rclpy_parameters = ParameterStore(
+        self._rclpy_parameters = self._rclpy_store(
             overrides=overrides,
             allow_undeclared=allow_undeclared_parameters,
             rel_tol=self.PARAM_REL_TOL,
             listener=self.__parameter_events,
         )
         self._rclpy_entities = NodeEntities(self.__node, self._rclpy_parameters)
-        self._rclpy_entities.add_publisher(event_publisher)
+        if event_publisher is not None:
+            self._rclpy_entities.add_publisher(event_publisher)
         if automatically_declare_parameters_from_overrides:
             self._declare_overrides()
-        self._time_source = TimeSource(node=self)
+        self._time_source = self._rclpy_time_source(node=self)
         self._time_source.attach_clock(self._clock)
         if start_parameter_services:
-            self._parameter_service = ParameterService(self)
+            self._parameter_service = self._rclpy_parameter_service(self)
         if enable_logger_service:
             from rclpy.logging_service import LoggingService
 
             self._logger_service = LoggingService(self)
-        self._type_description_service = TypeDescriptionService(self)
+        self._type_description_service = self._rclpy_type_description(self)
         self._context.track_node(self)
 
     def _create_in_graph(
@@ -225,6 +234,10 @@ class Node:
             graph_node.graph.add_endpoint(publisher)
             settings.publishers[name] = publisher
         self._rosout_name = name
+
+    def _rclpy_event_publisher(self, overrides: dict[str, Parameter[Any]]) -> Publisher[Any] | None:
+        """Return the publisher of /parameter_events; `overrides` are the initial values of parameters."""
+        return parameter_event_publisher(self.__node, self._default_callback_group, qos_profile_parameter_events)
 
     def _declare_overrides(self) -> None:
         from rcl_interfaces.msg import ParameterDescriptor
@@ -794,3 +807,6 @@ class Node:
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Block until a node exists, at most `timeout` seconds; returns whether it does."""
         return self._rclpy_graph.wait_for_node(fully_qualified_node_name, timeout)
+
+
+withdraw(__name__)

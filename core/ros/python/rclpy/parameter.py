@@ -8,6 +8,7 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Final, Generic, Literal, TypeVar, overload
 
 from rclpy._incidental import also
+from rclpy._withdrawn import withdraw
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg
@@ -256,3 +257,6 @@ def parameter_dict_from_yaml_file(
     from rclpy._parameter_files import parameters_of_nodes
 
     return parameters_of_nodes(parameter_file, use_wildcard, target_nodes, namespace)
+
+
+withdraw(__name__)

@@ -11,6 +11,7 @@ from day6_tui.core.graph import qos as graph_qos
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RMW_QOS_DEADLINE_BEST_AVAILABLE, RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE
 from rclpy._rclpy_pybind11 import QoSCompatibility as QoSCompatibility
+from rclpy._withdrawn import withdraw
 from rclpy.duration import Duration
 
 __getattr__ = also(__name__)
@@ -455,3 +456,6 @@ def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile
     from rclpy._qos_compatibility import check
 
     return check(publisher_qos, subscription_qos)
+
+
+withdraw(__name__)

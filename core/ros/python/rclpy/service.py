@@ -10,6 +10,7 @@ from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING, SERVICE
 from rclpy._incidental import also
 from rclpy._node_endpoint import ServiceEndpoint
+from rclpy._withdrawn import withdraw
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from rclpy.type_support import SrvRequestT, SrvResponseT
@@ -102,3 +103,6 @@ class Service(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
         if self._introspection is not None:
             self._introspection.response_sent(response, header)
         self._endpoint.send_response(header, response)
+
+
+withdraw(__name__)

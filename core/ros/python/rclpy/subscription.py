@@ -12,6 +12,7 @@ from rclpy._entity import NOTHING, SUBSCRIPTION, Entity
 from rclpy._incidental import also
 from rclpy._node_endpoint import TopicEndpoint
 from rclpy._rclpy_pybind11 import RCLError as RCLError
+from rclpy._withdrawn import withdraw
 from rclpy.qos import QoSProfile
 from rclpy.type_support import MsgT
 
@@ -79,7 +80,13 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
         self._events = EndpointEvents(
             subscription_impl, event_callbacks, callback_group, topic, "SubscriptionEventCallbacks"
         )
+        self._endpoint.takes_bytes = raw
         self._endpoint.on_ready = self._notify
+
+    @property
+    def handle(self) -> SubscriptionHandle:
+        """The handle."""
+        return self._handle
 
     def _enter(self, scope: Scope) -> None:
         super()._enter(scope)
@@ -102,7 +109,7 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
 
     def _call_specially(self, sample: Any) -> Any:
         message = sample[0]
-        if self.raw:
+        if self.raw and not isinstance(message, bytes):
             from rclpy.serialization import serialize_message
 
             message = serialize_message(message)
@@ -161,3 +168,6 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
             RCLError: if there is none.
         """
         return self._handle.get_content_filter()
+
+
+withdraw(__name__)

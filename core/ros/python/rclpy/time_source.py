@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rosgraph_msgs.msg import Clock as ClockMessage
 
     from rclpy.node import Node
+    from rclpy.qos_overriding_options import QoSOverridingOptions
     from rclpy.subscription import Subscription
 
 __getattr__ = also(__name__, "SetParametersResult")
@@ -28,6 +29,9 @@ USE_SIM_TIME_NAME = "use_sim_time"
 
 class TimeSource:
     """Sets the clocks attached to it from /clock while the node's parameter `use_sim_time` is true."""
+
+    _clock_qos_overriding: QoSOverridingOptions | None = None
+    """Which policies of the subscription to /clock parameters may change: none in rclpy."""
 
     def __init__(self, *, node: Node | None = None) -> None:
         self._clock_sub: Subscription[ClockMessage] | None = None
@@ -64,7 +68,9 @@ class TimeSource:
             from rosgraph_msgs.msg import Clock
 
             qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
-            self._clock_sub = node.create_subscription(Clock, CLOCK_TOPIC, self.clock_callback, qos)
+            self._clock_sub = node.create_subscription(
+                Clock, CLOCK_TOPIC, self.clock_callback, qos, qos_overriding_options=self._clock_qos_overriding
+            )
 
     def _unsubscribe(self) -> None:
         node = self._get_node()
@@ -86,7 +92,7 @@ class TimeSource:
             self.detach_node()
         self._node_weak_ref = weakref.ref(node)
         if not node.has_parameter(USE_SIM_TIME_NAME):
-            node._rclpy_parameters.declare_flag(USE_SIM_TIME_NAME, False)
+            node._rclpy_parameters.declare_plain(USE_SIM_TIME_NAME, False)
         parameter = node.get_parameter(USE_SIM_TIME_NAME)
         if parameter.type_ == Parameter.Type.BOOL:
             self.ros_time_is_active = parameter.value

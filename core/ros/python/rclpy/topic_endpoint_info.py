@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Any
 
+from day6_tui.core.ros.differences import value
 from rclpy._incidental import also
 from rclpy.qos import HistoryPolicy, QoSPresetProfiles, QoSProfile
 from rclpy.type_hash import TypeHash
@@ -141,7 +142,7 @@ class TopicEndpointInfo:
             f"Node name: {self._node_name}",
             f"Node namespace: {self._node_namespace}",
             f"Topic type: {self._topic_type}",
-            f"Topic type hash: {self._topic_type_hash}",
+            *([f"Topic type hash: {self._topic_type_hash}"] if value("messages.have_hashes") else []),
             f"Endpoint type: {self._endpoint_type.name}",
             f"GID: {'.'.join(format(each, '02x') for each in self._endpoint_gid)}",
             "QoS profile:",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import value
 from rclpy._incidental import also
 from rclpy._own_services import GET_TYPE_DESCRIPTION
 from rclpy.parameter import Parameter
@@ -30,13 +31,9 @@ class TypeDescriptionService:
         name = START_TYPE_DESCRIPTION_SERVICE_PARAM
         self.service_name = f"{node.get_name()}/get_type_description"
         self.enabled = False
-        if not node.has_parameter(name):
-            node._rclpy_parameters.declare_flag(
-                name,
-                True,
-                description="If enabled, start the ~/get_type_description service.",
-                read_only=True,
-            )
+        if not value("node.describes_types"):
+            return
+        self._declare(node, name)
         parameter = node.get_parameter(name)
         if parameter.type_ == Parameter.Type.BOOL:
             self.enabled = parameter.value
@@ -52,6 +49,11 @@ class TypeDescriptionService:
                 qos_profile_services_default,
                 node.default_callback_group,
             )
+
+    def _declare(self, node: Node, name: str) -> None:
+        if not node.has_parameter(name):
+            description = "If enabled, start the ~/get_type_description service."
+            node._rclpy_parameters.declare_plain(name, True, description=description, read_only=True)
 
     def destroy(self) -> None:
         """End the service; it ends with its node's other services."""

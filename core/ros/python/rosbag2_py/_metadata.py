@@ -1,4 +1,4 @@
-"""metadata.yaml: version 9 is written, formatted as by yaml-cpp; every version since 1 is read."""
+"""metadata.yaml: version 9 is written (5 in Humble), formatted as by yaml-cpp; every version since 1 is read."""
 
 from __future__ import annotations
 
@@ -86,13 +86,16 @@ def _lines(metadata: BagMetadata, indent: str) -> list[str]:
         "starting_time:",
         f"  nanoseconds_since_epoch: {nanoseconds_of(metadata.starting_time)}",
         f"message_count: {metadata.message_count}",
-        *_list("topics_with_message_count", [_topic_lines(each) for each in metadata.topics_with_message_count]),
+        *_list(
+            "topics_with_message_count",
+            [_topic_lines(each, metadata.version) for each in metadata.topics_with_message_count],
+        ),
         f"compression_format: {_scalar(metadata.compression_format)}",
         f"compression_mode: {_scalar(metadata.compression_mode)}",
         *_list("relative_file_paths", [[_scalar(path)] for path in metadata.relative_file_paths]),
         *_list("files", [_file_lines(each) for each in metadata.files]),
-        *_custom(metadata.custom_data),
-        f"ros_distro: {_scalar(metadata.ros_distro)}",
+        *(_custom(metadata.custom_data) if metadata.version >= 6 else []),
+        *([f"ros_distro: {_scalar(metadata.ros_distro)}"] if metadata.version >= 8 else []),
     ]
     return [indent + line for line in lines]
 
@@ -106,17 +109,21 @@ def _list(name: str, entries: list[list[str]]) -> list[str]:
     return lines
 
 
-def _topic_lines(information: TopicInformation) -> list[str]:
+def _topic_lines(information: TopicInformation, version: int) -> list[str]:
     topic = information.topic_metadata
-    profiles = _qos.yaml_lines(topic.offered_qos_profiles, "    ")
+    if version >= 9:
+        profiles = ["  offered_qos_profiles:", *(_qos.yaml_lines(topic.offered_qos_profiles, "    ") or ["    []"])]
+    else:
+        text = "\n".join(_qos.yaml_lines(topic.offered_qos_profiles, word=lambda policy: str(policy.value)))
+        profiles = [f"  offered_qos_profiles: {_scalar(text)}"]
+    hashed = [f"  type_description_hash: {_scalar(topic.type_description_hash)}"] if version >= 7 else []
     return [
         "topic_metadata:",
         f"  name: {_scalar(topic.name)}",
         f"  type: {_scalar(topic.type)}",
         f"  serialization_format: {_scalar(topic.serialization_format)}",
-        "  offered_qos_profiles:",
-        *(profiles or ["    []"]),
-        f"  type_description_hash: {_scalar(topic.type_description_hash)}",
+        *profiles,
+        *hashed,
         f"message_count: {information.message_count}",
     ]
 

@@ -5,19 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rosbag2_interfaces.srv import (
-    Burst,
-    GetRate,
-    IsPaused,
-    Pause,
-    Play,
-    PlayNext,
-    Resume,
-    Seek,
-    SetRate,
-    Stop,
-    TogglePaused,
-)
+import rosbag2_interfaces.srv
+
+from day6_tui.core.ros.differences import has_interface
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -45,21 +35,22 @@ def offer_services(node: Node, playing: Playing) -> None:
         node.get_logger().warning("Trying to play() while in playback, dismissing request.")
         return {"success": False}
 
-    table: dict[str, tuple[Any, Callable[[Any], dict[str, Any]]]] = {
-        "pause": (Pause, empty_response(playing.pause)),
-        "resume": (Resume, empty_response(playing.resume)),
-        "toggle_paused": (TogglePaused, empty_response(playing.toggle_paused)),
-        "stop": (Stop, empty_response(playing.stop)),
-        "is_paused": (IsPaused, lambda request: {"paused": playing.clock.paused}),
-        "get_rate": (GetRate, lambda request: {"rate": playing.clock.rate}),
-        "set_rate": (SetRate, lambda request: {"success": playing.set_rate(request.rate)}),
-        "play_next": (PlayNext, lambda request: {"success": playing.play_next()}),
-        "burst": (Burst, lambda request: {"actually_burst": playing.burst(request.num_messages)}),
-        "seek": (Seek, seek),
-        "play": (Play, play),
+    table: dict[str, tuple[str, Callable[[Any], dict[str, Any]]]] = {
+        "pause": ("Pause", empty_response(playing.pause)),
+        "resume": ("Resume", empty_response(playing.resume)),
+        "toggle_paused": ("TogglePaused", empty_response(playing.toggle_paused)),
+        "stop": ("Stop", empty_response(playing.stop)),
+        "is_paused": ("IsPaused", lambda request: {"paused": playing.clock.paused}),
+        "get_rate": ("GetRate", lambda request: {"rate": playing.clock.rate}),
+        "set_rate": ("SetRate", lambda request: {"success": playing.set_rate(request.rate)}),
+        "play_next": ("PlayNext", lambda request: {"success": playing.play_next()}),
+        "burst": ("Burst", lambda request: {"actually_burst": playing.burst(request.num_messages)}),
+        "seek": ("Seek", seek),
+        "play": ("Play", play),
     }
     for name, (kind, serve) in table.items():
-        node.create_service(kind, f"~/{name}", _callback(serve))
+        if has_interface(f"rosbag2_interfaces/srv/{kind}"):
+            node.create_service(getattr(rosbag2_interfaces.srv, kind), f"~/{name}", _callback(serve))
 
 
 def _callback(serve: Callable[[Any], dict[str, Any]]) -> Callable[[Any, Any], Any]:

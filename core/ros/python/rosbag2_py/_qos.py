@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
@@ -169,19 +169,23 @@ def _compatibility(profile: Profile) -> tuple[Any, ...]:
 # -- text --------------------------------------------------------------------------------------------------------------
 
 
-def yaml_lines(profiles: Iterable[QoS], indent: str = "") -> list[str]:
-    """Return the lines of the YAML list of profiles as rosbag2 writes it (version 9), each after `indent`."""
+def yaml_lines(profiles: Iterable[QoS], indent: str = "", *, word: Callable[[Any], str] | None = None) -> list[str]:
+    """Return the lines of the YAML list of profiles as rosbag2 writes it (version 9), each after `indent`.
+
+    `word` writes a policy; older versions have its number.
+    """
+    word = word or _word
     lines: list[str] = []
     for qos in profiles:
         profile = qos.profile
         entry = [
-            f"history: {_word(profile.history)}",
+            f"history: {word(profile.history)}",
             f"depth: {profile.depth}",
-            f"reliability: {_word(profile.reliability)}",
-            f"durability: {_word(profile.durability)}",
+            f"reliability: {word(profile.reliability)}",
+            f"durability: {word(profile.durability)}",
             *_time("deadline", profile.deadline),
             *_time("lifespan", profile.lifespan),
-            f"liveliness: {_word(profile.liveliness)}",
+            f"liveliness: {word(profile.liveliness)}",
             *_time("liveliness_lease_duration", profile.liveliness_lease_duration),
             f"avoid_ros_namespace_conventions: {str(profile.avoid_ros_namespace_conventions).lower()}",
         ]

@@ -6,9 +6,10 @@ import time
 from typing import TYPE_CHECKING, Any, Protocol
 
 from rosbag2_interfaces.msg import WriteSplitEvent
-from rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
+from rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot
 
 from day6_tui.core.interfaces import type_name
+from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
 from rosbag2_py._options import RecordOptions
@@ -112,10 +113,13 @@ class Recording:
     def _offer_services(self, node: Node) -> None:
         if self._storage.snapshot_mode:
             node.create_service(Snapshot, "~/snapshot", self._snapshot)
-        node.create_service(SplitBagfile, "~/split_bagfile", self._split)
-        node.create_service(Pause, "~/pause", self._callback(self.pause))
-        node.create_service(Resume, "~/resume", self._callback(self.resume))
-        node.create_service(IsPaused, "~/is_paused", self._is_paused)
+        if value("bag.recorder_can_pause"):
+            from rosbag2_interfaces.srv import SplitBagfile
+
+            node.create_service(SplitBagfile, "~/split_bagfile", self._split)
+            node.create_service(Pause, "~/pause", self._callback(self.pause))
+            node.create_service(Resume, "~/resume", self._callback(self.resume))
+            node.create_service(IsPaused, "~/is_paused", self._is_paused)
         self._splits: Any = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
 
     def poll(self) -> None:
@@ -265,7 +269,10 @@ class Recording:
 
     def _on_split(self, closed: str, opened: str) -> None:
         name = self._node.get_fully_qualified_name()
-        self._splits.publish(WriteSplitEvent(closed_file=closed, opened_file=opened, node_name=name))
+        event = WriteSplitEvent(closed_file=closed, opened_file=opened)
+        if hasattr(event, "node_name"):  # not in Humble
+            event.node_name = name
+        self._splits.publish(event)
 
     def _callback(self, action: Any) -> Any:
         def serve(request: Any, response: Any) -> Any:

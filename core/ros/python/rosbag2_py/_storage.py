@@ -6,8 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import timedelta
 from enum import IntEnum
+from functools import partial
 from typing import Any, NamedTuple
 
+from day6_tui.core.ros.differences import value
 from rosbag2_py._qos import QoS
 
 NANOSECONDS = 1_000_000_000
@@ -118,7 +120,7 @@ class FileInformation:
 class BagMetadata:
     """The contents of metadata.yaml. `starting_time` is a BagTime, `duration` a Duration, `bag_size` bytes on the disk."""
 
-    version: int = 9
+    version: int = field(default_factory=partial(value, "bag.metadata_version"))
     bag_size: int = 0
     storage_identifier: str = ""
     relative_file_paths: list[str] = field(default_factory=list)
@@ -200,8 +202,9 @@ class ReadOrder:
 
 
 def get_default_storage_id() -> str:
-    """Return the default storage: 'mcap', since Iron."""
-    return "mcap"
+    """Return the default storage: 'mcap', in Humble 'sqlite3'."""
+    default: str = value("bag.storage")
+    return default
 
 
 class BadBag(RuntimeError):

@@ -170,9 +170,9 @@ class _Bag:
     # -- files ---------------------------------------------------------------------------------------------------------
 
     def _begin_file(self) -> None:
-        from day6_tui.core.ros.distribution import DISTRO
+        from day6_tui.core.ros.distribution import current
 
-        self._distro = os.environ.get("ROS_DISTRO", DISTRO)
+        self._distro = os.environ.get("ROS_DISTRO", current())
         name = f"{self.folder.name}_{len(self._files)}{SUFFIXES[self.storage]}"
         self._path = self.folder / name
         self._file: BagWriter = create_file(self._path, self.storage, self.options.storage_preset_profile, self._distro)

@@ -6,6 +6,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ament_index_python.packages import get_packages_with_prefixes
+from ament_index_python.search_paths import BUILT_IN_PREFIX
+
+from day6_tui.core.ros.differences import has_interface, own_texts, path_of
 
 _KINDS = ("msg", "srv", "action")
 
@@ -54,6 +57,11 @@ def get_interface_path(interface_name: str, environment: Environment = None) -> 
     prefix = get_packages_with_prefixes(environment).get(parts[0])
     if prefix is None:
         raise LookupError(f"Unknown package '{parts[0]}'")
+    if prefix == BUILT_IN_PREFIX and len(parts) == 3:
+        own = Path(path_of("/".join((*parts[:2], parts[2].removesuffix(f".{parts[1]}"))), str(Path(prefix, "share"))))
+        if own.is_file() and has_interface("/".join((*parts[:2], own.stem))):
+            return str(own)
+        raise LookupError(f"Could not find the interface '{own.with_suffix('.idl')}'")
     path = Path(prefix, "share", *parts)
     if "." in parts[-1]:
         candidates = [path]
@@ -84,4 +92,7 @@ def _definitions(prefix: Path, package: str, kinds: tuple[str, ...]) -> list[str
             # Names with an underscore are parts of services and actions, not interfaces of their own.
             if path.suffix in (f".{kind}", ".idl") and "_" not in path.stem:
                 names.add(f"{kind}/{path.stem}")
+    if str(prefix) == BUILT_IN_PREFIX:
+        names.update(name for name in own_texts(package) if name.partition("/")[0] in kinds)
+        names = {name for name in names if has_interface(f"{package}/{name}")}
     return sorted(names)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import re
+
 from tf2_py._cache import Cache, seconds, shown
 from tf2_py._tree import FrameTree
 
@@ -14,6 +17,24 @@ def _rate(cache: Cache) -> float:
     return len(cache) * 1e9 / span
 
 
+_LONGEST_KEY = 1000
+"""Characters of a key that YAML recognizes by the colon behind it: 1024 at most (YAML 1.2, 7.4.2)."""
+
+_PLAIN = re.compile(r"[A-Za-z_/][\w/.\-]*", re.ASCII)
+
+
+def _key(frame: str) -> str:
+    """A frame as a key: as it is, or so that YAML reads no other name in it, which the original does not mind."""
+    key = frame if _PLAIN.fullmatch(frame) or (frame.isalnum() and not frame.isascii()) else _quoted(frame)
+    return key if len(key) < _LONGEST_KEY else f"? {key}\n"
+
+
+def _quoted(name: str) -> str:
+    if name.isprintable():
+        return "'" + name.replace("'", "''") + "'"
+    return json.dumps(name)  # YAML's double quotes know the same escapes
+
+
 def frames_as_yaml(tree: FrameTree) -> str:
     """Return one YAML mapping from frames to their state; `[]` if there are no frames."""
     if not tree.frames:
@@ -23,9 +44,9 @@ def frames_as_yaml(tree: FrameTree) -> str:
         if cache is None or cache.latest_parent is None:
             continue
         parts.append(
-            f"{frame}: \n"
-            f"  parent: '{cache.latest_parent}'\n"
-            f"  broadcaster: '{tree.authorities.get(frame, 'no recorded authority')}'\n"
+            f"{_key(frame)}: \n"
+            f"  parent: {_quoted(cache.latest_parent)}\n"
+            f"  broadcaster: {_quoted(tree.authorities.get(frame, 'no recorded authority'))}\n"
             f"  rate: {_rate(cache):.3f}\n"
             f"  most_recent_transform: {shown(cache.latest_stamp)}\n"
             f"  oldest_transform: {shown(cache.oldest_stamp)}\n"

@@ -7,6 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.bag._options import (
     LOG_LEVELS,
     STORAGES,
@@ -37,7 +38,11 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="Destination of the bagfile to create, defaults to a timestamped folder in the current directory.",
     )
     parser.add_argument(
-        "-s", "--storage", default="mcap", choices=STORAGES, help="Storage identifier to be used, defaults to 'mcap'."
+        "-s",
+        "--storage",
+        default=value("bag.storage"),
+        choices=STORAGES,
+        help=f"Storage identifier to be used, defaults to '{value('bag.storage')}'.",
     )
     _add_topics(parser)
     _add_discovery(parser)
@@ -270,9 +275,10 @@ def _add_compression(parser: ArgumentParser) -> None:
 def _refusal(session: Session, args: Namespace, folder: Path) -> str | None:
     """Return ros2bag's error for options that contradict each other; warnings are printed."""
     if args.topics_positional:
-        session.print(
-            warning('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
-        )
+        if value("bag.topics_are_an_option"):
+            session.print(
+                warning('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
+            )
         args.topics = args.topics_positional
     if not any(
         (args.all, args.all_topics, args.all_services, args.services, args.topics, args.topic_types, args.regex)

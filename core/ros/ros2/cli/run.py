@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.ros import environment
 from day6_tui.core.ros.ros2.cli.tree import build_parser
 from day6_tui.core.session.argument_parser import ParserExit
+from day6_tui.core.session.session import Crash
 from day6_tui.core.session.streams import WriteError
 
 if TYPE_CHECKING:
@@ -55,7 +56,8 @@ async def _status_of(session: Session, args: Any) -> int:
         return int(signal.SIGINT)
     except (BrokenPipeError, WriteError):
         raise
-    except RuntimeError as error:
+    except (RuntimeError, Crash) as error:
+        # What C++ code throws within `ros2` itself comes to Python as a RuntimeError (pybind11).
         outcome = str(error)
     except Exception as error:
         from day6_tui.core.ros.ros2.cli.failure import failure_text

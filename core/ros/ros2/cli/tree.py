@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import pkgutil
+from collections.abc import Collection
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import has_verb, lacking_options
 from day6_tui.core.session.argument_parser import Parser
 
 if TYPE_CHECKING:
@@ -30,7 +32,8 @@ def verb_names(command: str) -> list[str]:
     """Return the verbs of a command, sorted; empty for a command without verbs."""
     folder = _FOLDER / command
     modules = pkgutil.iter_modules([str(folder)]) if folder.is_dir() else ()
-    return sorted(module.name for module in modules if not module.name.startswith("_"))
+    names = sorted(module.name for module in modules if not module.name.startswith("_"))
+    return [name for name in names if has_verb(f"{command} {name}")]
 
 
 def load(command: str, verb: str | None = None) -> ModuleType:
@@ -96,7 +99,20 @@ def _complete_command(parser: Parser, command: str, verb: str | None) -> None:
             verb_module: Any = load(command, name)
             verb_parser.description = verb_module.SUMMARY
             verb_module.add_arguments(verb_parser)
+            _remove(verb_parser, lacking_options(f"{command} {name}"))
             verb_parser.set_defaults(run=verb_module.main)
+
+
+def _remove(parser: Parser, options: Collection[str]) -> None:
+    """Take options of other distributions away; the verb finds their defaults."""
+    for action in [each for each in parser._actions if not {*options}.isdisjoint(each.option_strings)]:
+        parser.set_defaults(**{action.dest: action.default})
+        parser._remove_action(action)
+        for group in parser._action_groups:
+            if action in group._group_actions:
+                group._group_actions.remove(action)
+        for option in action.option_strings:
+            del parser._option_string_actions[option]
 
 
 def _listing(summaries: dict[str, str]) -> str:

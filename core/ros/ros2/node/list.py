@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.cli.node import graph_node, node_names
 from day6_tui.core.ros.ros2.cli.options import add_strategy_options
 
@@ -27,9 +28,6 @@ async def main(session: Session, args: Namespace) -> None:
         session.print(len(names))
         return
     if len(set(names)) < len(names):
-        session.print_error(
-            "WARNING: Be aware that there are nodes in the graph that share an exact name, "
-            "which can have unintended side effects."
-        )
+        session.print_error(value("ros2.same_names"))
     for name in names:
         session.print(name)

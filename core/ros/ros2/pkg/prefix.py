@@ -1,4 +1,9 @@
-"""`ros2 pkg prefix`."""
+"""`ros2 pkg prefix`.
+
+The true prefix, as in every path that a program may open (`get_package_share_directory`, errors of ament_index):
+`cat $(ros2 pkg prefix turtlesim)/share/turtlesim/package.xml` has to work. `/opt/ros/<distribution>` stands only where nothing is
+opened: in what is sourced, and in what `which` answers.
+"""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.environment import SHARE_PATH
+from day6_tui.core.ros.environment import shipped_packages
 from rclpy.exceptions import InvalidTopicNameException
 from rclpy.expand_topic_name import expand_topic_name
 from rclpy.validate_full_topic_name import validate_full_topic_name
@@ -51,8 +51,8 @@ def _class_of(type_name: str, environment: Mapping[str, str]) -> Any:
     package = type_name.partition("/")[0]
     paths = (variables.get("AMENT_PREFIX_PATH", "") for variables in (environment, os.environ))
     prefixes = [prefix for path in paths for prefix in path.split(os.pathsep) if prefix]
-    shares = [str(SHARE_PATH), *(os.path.join(prefix, "share") for prefix in prefixes)]
-    if not any(os.path.isdir(os.path.join(share, package)) for share in shares):
+    found = any(os.path.isdir(os.path.join(prefix, "share", package)) for prefix in prefixes)
+    if not found and package not in shipped_packages():
         raise ModuleNotFoundError(package)
     return get_message(type_name)
 

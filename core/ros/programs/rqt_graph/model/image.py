@@ -1,14 +1,15 @@
-"""A laid-out graph as a picture file: SVG, or PNG and the other formats Pillow writes. Black on white, as in rqt_graph."""
+"""A laid-out graph as a picture file: SVG, PDF, or PNG and the other formats Pillow writes. Black on white, as in rqt_graph."""
 
 from __future__ import annotations
 
 import html
 import io
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
+from day6_tui.core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, Line, Point, Stroke, Text
+from day6_tui.core.ros.programs.rqt_graph.model.pdf import as_pdf
 from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Cell, Picture, Rect
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.whole_file import replace_file
@@ -17,63 +18,44 @@ CELL = (9, 20)
 """Pixels of a terminal cell in the picture."""
 
 MARGIN = 12
-FONT_SIZE = 14
 DEPTH = 5
 """Pixels by which a group's box stands out."""
 
-INK, FRAME, WARNING = "#000000", "#808080", "#ff0000"
+FRAME, WARNING = "#808080", "#ff0000"
 PILLOW_FORMATS = (".png", ".bmp", ".jpg", ".tiff")
 
-Point = tuple[float, float]
+MOST_PIXELS = 60_000_000
+"""Of a picture: more take too much memory (three bytes each)."""
+
+NO_COLOURS: Mapping[str, str] = {}
 
 
-class Ellipse(NamedTuple):
-    """Corners of what it fills."""
+def write_image(picture: Picture, path: Path, colours: Mapping[str, str] = NO_COLOURS) -> None:
+    """Write a picture file; its suffix says which kind. `colours` (#rrggbb) by the keys of boxes that are not black.
 
-    corner: Point
-    opposite: Point
-    colour: str
-
-
-class Line(NamedTuple):
-    """Straight pieces through all points."""
-
-    points: tuple[Point, ...]
-    colour: str
-
-
-class Arrow(NamedTuple):
-    """A filled triangle."""
-
-    points: tuple[Point, Point, Point]
-
-
-class Text(NamedTuple):
-    """A text around its middle, or from its left end."""
-
-    at: Point
-    text: str
-    colour: str
-    centred: bool
-
-
-Shape = Ellipse | Line | Arrow | Text
-
-
-def write_image(picture: Picture, path: Path, warnings: Sequence[str] = ()) -> None:
-    """Write a picture file; its suffix says which kind. Raises OSError, and ValueError for an unknown suffix."""
+    Raises OSError, and ValueError for an unknown suffix or a picture too large for pixels.
+    """
+    check_suffix(path)
     suffix = path.suffix.lower()
-    shapes = list(_shapes(picture, set(warnings)))
+    strokes = list(_strokes(picture, colours))
     width, height = picture.width * CELL[0] + 2 * MARGIN, picture.height * CELL[1] + 2 * MARGIN
     if suffix == ".svg":
-        replace_file(path, _svg(shapes, width, height).encode("utf-8"))
-    elif suffix in PILLOW_FORMATS:
-        replace_file(path, _pixels(shapes, width, height, suffix))
+        replace_file(path, _svg(strokes, width, height).encode("utf-8"))
+    elif suffix == ".pdf":
+        replace_file(path, as_pdf(strokes, width, height))
+    elif width * height > MOST_PIXELS:
+        raise ValueError(f"'{path.name}': {width} x {height} pixels are too many; .svg and .pdf have no limit")
     else:
-        raise ValueError(f"'{path.name}': .dot, .svg, {', '.join(PILLOW_FORMATS)}")
+        replace_file(path, _pixels(strokes, width, height, suffix))
 
 
-def _shapes(picture: Picture, warnings: set[str]) -> Iterator[Shape]:
+def check_suffix(path: Path) -> None:
+    """Raise ValueError for a file that is neither a graph (`.dot`) nor a picture."""
+    if path.suffix.lower() not in (".dot", ".svg", ".pdf", *PILLOW_FORMATS):
+        raise ValueError(f"'{path.name}': .dot, .svg, .pdf, {', '.join(PILLOW_FORMATS)}")
+
+
+def _strokes(picture: Picture, colours: Mapping[str, str]) -> Iterator[Stroke]:
     for name, rect in picture.clusters:
         left, top, right, bottom = _corners(rect)
         yield Line(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), FRAME)
@@ -81,21 +63,21 @@ def _shapes(picture: Picture, warnings: set[str]) -> Iterator[Shape]:
     for route in picture.routes:
         if len(route.cells) > 1:
             yield Line(tuple(_bends(route.cells)), INK)
-        if route.cells:
+        if route.cells and picture.boxes[route.edge.end][0].shape != "text":
             yield _arrow(route.cells)
         if route.label_at is not None:
             x, y = _middle(route.label_at)
             yield Text((x - CELL[0] / 2, y - CELL[1] / 2), route.edge.label, INK, False)
     for box, rect in picture.boxes.values():
-        yield from _box(box, rect, WARNING if box.key in warnings else INK)
+        yield from _box(box, rect, colours.get(box.key, INK))
 
 
-def _box(box: Box, rect: Rect, colour: str) -> Iterator[Shape]:
+def _box(box: Box, rect: Rect, colour: str) -> Iterator[Stroke]:
     left, top, right, bottom = _corners(rect)
     top, bottom = top + 2, bottom - 2
     if box.shape == "node":
         yield Ellipse((left, top), (right, bottom), colour)
-    else:
+    elif box.shape != "text":
         yield Line(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), colour)
     if box.shape == "group":
         yield Line(
@@ -111,7 +93,8 @@ def _box(box: Box, rect: Rect, colour: str) -> Iterator[Shape]:
         yield Line(((right, top), (right + DEPTH, top - DEPTH)), colour)
     for index, line in enumerate(box.lines):
         row = (top + bottom) / 2 + (index - (len(box.lines) - 1) / 2) * CELL[1]
-        yield Text(((left + right) / 2, row), line, colour, True)
+        centred = box.shape != "text"
+        yield Text(((left + right) / 2 if centred else left + CELL[0], row), line, colour, centred)
 
 
 def _corners(rect: Rect) -> tuple[float, float, float, float]:
@@ -142,8 +125,8 @@ def _arrow(cells: Sequence[Cell]) -> Arrow:
 # -- SVG ---------------------------------------------------------------------------------------------------------------
 
 
-def _svg(shapes: Sequence[Shape], width: int, height: int) -> str:
-    body = "\n".join(_element(shape) for shape in shapes)
+def _svg(strokes: Sequence[Stroke], width: int, height: int) -> str:
+    body = "\n".join(_element(stroke) for stroke in strokes)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" '
         f'font-family="monospace" font-size="{FONT_SIZE}" fill="none" stroke-width="1.2">\n'
@@ -151,43 +134,45 @@ def _svg(shapes: Sequence[Shape], width: int, height: int) -> str:
     )
 
 
-def _element(shape: Shape) -> str:
-    if isinstance(shape, Ellipse):
-        (left, top), (right, bottom) = shape.corner, shape.opposite
+def _element(stroke: Stroke) -> str:
+    if isinstance(stroke, Ellipse):
+        (left, top), (right, bottom) = stroke.corner, stroke.opposite
         radii = f'rx="{(right - left) / 2:g}" ry="{(bottom - top) / 2:g}"'
-        return f'<ellipse cx="{(left + right) / 2:g}" cy="{(top + bottom) / 2:g}" {radii} stroke="{shape.colour}"/>'
-    if isinstance(shape, Text):
-        anchor = ' text-anchor="middle"' if shape.centred else ""
-        place = f'x="{shape.at[0]:g}" y="{shape.at[1] + FONT_SIZE * 0.35:g}"'
-        return f'<text {place}{anchor} fill="{shape.colour}">{html.escape(one_line(shape.text))}</text>'
-    points = " ".join(f"{x:g},{y:g}" for x, y in shape.points)
-    if isinstance(shape, Arrow):
+        return f'<ellipse cx="{(left + right) / 2:g}" cy="{(top + bottom) / 2:g}" {radii} stroke="{stroke.colour}"/>'
+    if isinstance(stroke, Text):
+        anchor = ' text-anchor="middle"' if stroke.centred else ""
+        place = f'x="{stroke.at[0]:g}" y="{stroke.at[1] + FONT_SIZE * 0.35:g}"'
+        return f'<text {place}{anchor} fill="{stroke.colour}">{html.escape(one_line(stroke.text))}</text>'
+    points = " ".join(f"{x:g},{y:g}" for x, y in stroke.points)
+    if isinstance(stroke, Arrow):
         return f'<polygon points="{points}" fill="{INK}"/>'
-    return f'<polyline points="{points}" stroke="{shape.colour}"/>'
+    return f'<polyline points="{points}" stroke="{stroke.colour}"/>'
 
 
 # -- pixels ------------------------------------------------------------------------------------------------------------
 
 
-def _pixels(shapes: Sequence[Shape], width: int, height: int, suffix: str) -> bytes:
+def _pixels(strokes: Sequence[Stroke], width: int, height: int, suffix: str) -> bytes:
     from PIL import Image, ImageDraw, ImageFont
 
-    scale = 2  # as the real tool saves it
+    scale = 2 if 4 * width * height <= MOST_PIXELS else 1  # twice as large, as the real tool saves it
     image = Image.new("RGB", (width * scale, height * scale), "white")
     draw = ImageDraw.Draw(image)
     font = ImageFont.load_default(FONT_SIZE * scale * 0.95)
-    for shape in shapes:
-        if isinstance(shape, Ellipse):
+    for stroke in strokes:
+        if isinstance(stroke, Ellipse):
             draw.ellipse(
-                [*_scaled(shape.corner, scale), *_scaled(shape.opposite, scale)], outline=shape.colour, width=2
+                [*_scaled(stroke.corner, scale), *_scaled(stroke.opposite, scale)], outline=stroke.colour, width=2
             )
-        elif isinstance(shape, Text):
-            place = (shape.at[0] * scale, shape.at[1] * scale)
-            draw.text(place, one_line(shape.text), fill=shape.colour, font=font, anchor="mm" if shape.centred else "lm")
-        elif isinstance(shape, Arrow):
-            draw.polygon([_scaled(point, scale) for point in shape.points], fill=INK)
+        elif isinstance(stroke, Text):
+            place = (stroke.at[0] * scale, stroke.at[1] * scale)
+            draw.text(
+                place, one_line(stroke.text), fill=stroke.colour, font=font, anchor="mm" if stroke.centred else "lm"
+            )
+        elif isinstance(stroke, Arrow):
+            draw.polygon([_scaled(point, scale) for point in stroke.points], fill=INK)
         else:
-            draw.line([_scaled(point, scale) for point in shape.points], fill=shape.colour, width=2)
+            draw.line([_scaled(point, scale) for point in stroke.points], fill=stroke.colour, width=2)
     buffer = io.BytesIO()
     image.save(buffer, format={".jpg": "JPEG"}.get(suffix, suffix[1:].upper()))
     return buffer.getvalue()

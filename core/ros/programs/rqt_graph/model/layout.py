@@ -25,11 +25,19 @@ from day6_tui.core.ros.programs.rqt_graph.model.places import assign_columns, as
 from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge, Item, Picture, Rect
 
 
-def layout(boxes: list[Box], edges: list[Edge], measure: Callable[[str], int], *, roomy: bool = True) -> Picture:
+def layout(
+    boxes: list[Box],
+    edges: list[Edge],
+    measure: Callable[[str], int],
+    *,
+    roomy: bool = True,
+    bundled: bool = False,
+) -> Picture:
     """Place boxes and edges.
 
     `measure` gives the width of a text in cells. With `roomy` boxes have a frame above and below (3 rows for one line),
-    else each takes a single row. Edges whose ends are missing are an error (KeyError); self-loops are not drawn.
+    else each takes a single row. Edges on one side of a box arrive on rows of their own, or `bundled` on one, so that
+    those of a tree branch off a common trunk. Edges whose ends are missing are an error (KeyError); self-loops are not drawn.
     """
     items = {box.key: _box_item(box, measure, roomy) for box in boxes}
     edges = [edge for edge in edges if edge.start != edge.end]
@@ -45,7 +53,7 @@ def layout(boxes: list[Box], edges: list[Edge], measure: Callable[[str], int], *
     order(layers)
     clusters = Clusters(layers)
     clusters.keep_together()
-    grow_for_ports(layers, roomy)
+    grow_for_ports(layers, roomy and not bundled)
     assign_rows(layers, gap=1 if roomy else 0)
     clusters.stand_apart()
     width = assign_columns(layers, chains, clusters.margin)
@@ -60,4 +68,6 @@ def layout(boxes: list[Box], edges: list[Edge], measure: Callable[[str], int], *
 
 def _box_item(box: Box, measure: Callable[[str], int], roomy: bool) -> Item:
     lines = box.lines if roomy else box.lines[:1]
+    if box.shape == "text":
+        return Item(max(measure(line) for line in lines) + 2, len(lines), box, box.cluster)
     return Item(max(measure(line) for line in lines) + 4, len(lines) + 2 if roomy else 1, box, box.cluster)

@@ -11,7 +11,7 @@ from day6_tui.core.graph.names import full_name
 from day6_tui.core.ros.programs.rqt_graph.model.content import Content, Facts, Options, select
 from day6_tui.core.ros.programs.rqt_graph.model.dot import read_dot, write_dot
 from day6_tui.core.ros.programs.rqt_graph.model.fit import unfitted
-from day6_tui.core.ros.programs.rqt_graph.model.image import write_image
+from day6_tui.core.ros.programs.rqt_graph.model.image import WARNING, write_image
 from day6_tui.core.whole_file import replace_file
 
 if TYPE_CHECKING:
@@ -74,13 +74,15 @@ class RqtGraph:
     def save(self, name: str) -> Path:
         """Write what is shown to a file, a relative name where the program was started; the suffix says what kind.
 
-        `.dot` is the graph for Graphviz, `.svg`, `.png` and others are the picture. Raises OSError and ValueError.
+        `.dot` is the graph for Graphviz, `.svg`, `.pdf`, `.png` and others are the picture. Raises OSError and ValueError.
         """
         path = self.path(name)
         if path.suffix.lower() == ".dot":
             replace_file(path, write_dot(self.content.boxes, self.content.edges).encode("utf-8"))
         else:
-            write_image(unfitted(self.content.boxes, self.content.edges), path, tuple(self.content.trouble))
+            write_image(
+                unfitted(self.content.boxes, self.content.edges), path, dict.fromkeys(self.content.trouble, WARNING)
+            )
         return path
 
     def load(self, name: str) -> None:

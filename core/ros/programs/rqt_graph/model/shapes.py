@@ -11,6 +11,7 @@ Cell = tuple[int, int]
 class Box:
     """Something to draw: `lines` of text in a frame of some `shape`; `cluster` names the namespace box it lies in.
 
+    The shape "text" has no frame, and arrows go on through it: what stands on an edge.
     A cluster lies in those whose names are a beginning of its own: /a/b in /a.
     """
 

@@ -7,12 +7,12 @@ from collections import deque
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.programs.rclcpp import CppException
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, INT, TOPIC, Property
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN
 from day6_tui.urdf.kinematics import Transform
 from rclpy.event_handler import SubscriptionEventCallbacks
-from rclpy.exceptions import InvalidTopicNameException
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
 if TYPE_CHECKING:
@@ -133,8 +133,8 @@ class TopicDisplay(Display):
                 self.qos(),
                 event_callbacks=SubscriptionEventCallbacks(message_lost=lost),
             )
-        except InvalidTopicNameException as error:
-            self.put_status(ERROR, line, f"Error subscribing: {error}")
+        except CppException as error:
+            self.put_status(ERROR, line, f"Error subscribing: {error}".rstrip())
             return None
         if line == "Topic":
             self.subscription = subscription

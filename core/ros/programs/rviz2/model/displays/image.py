@@ -6,6 +6,7 @@ import math
 from collections import deque
 from typing import Any
 
+from day6_tui.core.ros.programs import image_pixels
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, INT, Property, floats
 from day6_tui.core.ros.programs.rviz2.model.scene import Overlay, Scene
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR
@@ -13,23 +14,6 @@ from day6_tui.core.ros.programs.rviz2.model.topics import TopicDisplay
 
 MOST_PIXELS = 640
 """An image that is wider or higher is kept with every second, third … pixel only: no terminal shows more."""
-
-_COLOURED = {
-    "rgb8": (3, (0, 1, 2)),
-    "rgba8": (4, (0, 1, 2)),
-    "bgra8": (4, (2, 1, 0)),
-    "8UC4": (4, (2, 1, 0)),
-    "8SC4": (4, (2, 1, 0)),
-    "bgr8": (3, (2, 1, 0)),
-    "8UC3": (3, (2, 1, 0)),
-    "8SC3": (3, (2, 1, 0)),
-}
-"""Encoding -> bytes of a pixel, and which of them are red, green and blue."""
-_GREY = {"mono8": "u1", "8UC1": "u1", "8SC1": "u1"}
-_MEASURED = {"mono16": "u2", "16UC1": "u2", "16SC1": "u2", "32FC1": "f4"}
-"""Encodings of distances and the like, which have no natural black and white."""
-_VIDEO = {"uyvy": (1, 0, 2), "yuyv": (0, 1, 3)}
-"""Two pixels in four bytes: where the first brightness is, and the two colour differences."""
 
 
 class UnsupportedEncoding(ValueError):
@@ -75,7 +59,7 @@ class ImageDisplay(TopicDisplay):
         self._bounds.clear()
 
     def process(self, message: Any) -> None:
-        measured = message.encoding in _MEASURED
+        measured = message.encoding in image_pixels.MEASURED
         if measured != self._measured:
             self._measured = measured
             self._hide()
@@ -100,19 +84,16 @@ class ImageDisplay(TopicDisplay):
         """Rows x columns x 3 (0..255). UnsupportedEncoding, or ValueError for too few data."""
         import numpy as np
 
-        encoding = message.encoding
         thin = max(1, math.ceil(max(message.width, message.height) / MOST_PIXELS))
-        if encoding in _COLOURED:
-            size, order = _COLOURED[encoding]
-            return _rows(message, "u1", size)[::thin, ::thin, list(order)]
-        if encoding in _GREY or encoding.startswith("bayer"):
-            return np.repeat(_rows(message, "u1", 1)[::thin, ::thin], 3, axis=2)
-        if encoding in _MEASURED:
-            values = _rows(message, _MEASURED[encoding], 1)[::thin, ::thin].astype(np.float64)
-            return np.repeat(self._normalised(values), 3, axis=2)
-        if encoding in _VIDEO:
-            return _video(_rows(message, "u1", 2), *_VIDEO[encoding])[::thin, ::thin]
-        raise UnsupportedEncoding(encoding)
+        at = np.arange(0, message.height, thin), np.arange(0, message.width, thin)
+        found = image_pixels.colours(message, *at)
+        if found is not None:
+            return found
+        if message.encoding in image_pixels.MEASURED:
+            return np.repeat(self._normalised(image_pixels.measures(message, *at))[..., None], 3, axis=2)
+        if message.encoding.startswith("bayer"):
+            return image_pixels.greys(message, *at)
+        raise UnsupportedEncoding(message.encoding)
 
     def _normalised(self, values: Any) -> Any:
         """Numbers as greys: between the least and the most there are (medians of the last images), or between those set."""
@@ -141,32 +122,3 @@ class ImageDisplay(TopicDisplay):
             if self._overlay.name != self.name:
                 self._overlay = Overlay(self.name, self._overlay.pixels)
             scene.overlays.append(self._overlay)
-
-
-def _rows(message: Any, format_: str, channels: int) -> Any:
-    """The data as rows x columns x channels; `step` may be longer than a row. ValueError for too few."""
-    import numpy as np
-
-    kind = np.dtype((">" if message.is_bigendian else "<") + format_)
-    width = message.width * channels * kind.itemsize
-    step = message.step if message.step >= width else width
-    data = np.frombuffer(message.data, np.uint8)
-    if not width or len(data) < step * (message.height - 1) + width:
-        raise ValueError(f"{len(data)} bytes are too few for {message.width}x{message.height} pixels")
-    padded = np.zeros(step * message.height, np.uint8)
-    padded[: min(len(data), len(padded))] = data[: len(padded)]
-    rows = np.ascontiguousarray(padded.reshape(message.height, step)[:, :width])
-    return rows.view(kind).reshape(message.height, message.width, channels)
-
-
-def _video(pairs: Any, bright: int, blue_at: int, red_at: int) -> Any:
-    """YUV in which two pixels share their colour differences, with RViz's whole-number factors."""
-    import numpy as np
-
-    height, width = pairs.shape[0], pairs.shape[1] // 2 * 2
-    quads = pairs[:, :width].reshape(height, width // 2, 4).astype(np.int32)
-    blue, red = (np.repeat(quads[..., at] - 128, 2, axis=1) for at in (blue_at, red_at))
-    luma = quads[..., [bright, bright + 2]].reshape(height, width)
-    # Towards zero, as C divides.
-    parts = [np.trunc(part / 1000) for part in (1403 * red, 344 * blue - 714 * red, 1770 * blue)]
-    return (luma[..., None] + np.stack(parts, axis=2)).clip(0, 255).astype(np.uint8)

@@ -1,0 +1,316 @@
+"""What differs between the distributions of ROS 2, with the source of each row. Code asks the functions below.
+
+A source names repository and file, with the branch or the change. Whole Python packages that a distribution lacks are not in its
+`python_of/<name>`; interfaces whose text was another one are in `share_of/<name>`. Where no source could settle it, `UNSETTLED`
+says what is done.
+"""
+
+from __future__ import annotations
+
+import os
+
+from day6_tui.core.ros.distribution import DEFAULT, NAMES, current
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_SHARES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "share_of")
+
+
+def _in_humble(old: Any, usual: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
+    return (old, usual, usual, usual), source
+
+
+VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
+    "turtlesim.interfaces": (
+        ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
+        "ros/ros_tutorials#169 (turtlesim_msgs 1.9.2); ros2/ros2_documentation#5131: Jazzy and older use turtlesim",
+    ),
+    "turtlesim.holonomic": _in_humble(
+        False, True, "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling"
+    ),
+    "action_tutorials.interfaces": _in_humble(
+        "action_tutorials_interfaces", "example_interfaces", "ros2/demos#701 (after Jazzy, see KEPT)"
+    ),
+    "messages.check_fields": _in_humble(
+        "always",
+        "option",
+        "ros2/rosidl_python#194: resource/_msg.py.em, branches humble and jazzy (where day6-tui checks unless told not to)",
+    ),
+    "messages.have_hashes": _in_humble(
+        False, True, "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported"
+    ),
+    "services.have_events": _in_humble(
+        False, True, "REP 2012 (Iron): Release-Iron-Irwini.rst of ros2_documentation; no service_msgs in branch humble"
+    ),
+    "node.describes_types": _in_humble(
+        False, True, "ros2/rclpy: rclpy/type_description_service.py, in branch jazzy and not in humble"
+    ),
+    "rclpy.init_returns_manager": _in_humble(False, True, "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
+    "ros2.same_names": _in_humble(
+        "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
+        "WARNING: Be aware that there are nodes in the graph that share an exact name, which can have unintended side effects.",
+        "ros2/ros2cli: ros2node/verb/list.py, branches humble and jazzy",
+    ),
+    "bag.storage": _in_humble(
+        "sqlite3", "mcap", "ros2/rosbag2#1160 (Iron); Release-Iron-Irwini.rst of ros2_documentation"
+    ),
+    "bag.metadata_version": _in_humble(
+        5, 9, "ros2/rosbag2: rosbag2_storage/bag_metadata.hpp and yaml.hpp, branches humble and jazzy"
+    ),
+    "bag.recorder_can_pause": _in_humble(
+        False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
+    ),
+    "bag.topics_are_an_option": _in_humble(
+        False,
+        True,
+        "ros2/rosbag2: ros2bag/verb/record.py, branches humble and jazzy (positional topics are deprecated)",
+    ),
+}
+"""Key -> (the values in the order of `NAMES`, the source)."""
+
+
+def _since(name: str, source: str) -> tuple[tuple[str, ...], str]:
+    return NAMES[NAMES.index(name) :], source
+
+
+def _until(name: str, source: str) -> tuple[tuple[str, ...], str]:
+    return NAMES[: NAMES.index(name) + 1], source
+
+
+_SPLIT = VALUES["turtlesim.interfaces"][1]
+_IRON = "ros2/rcl_interfaces: no such folder or file in branch humble, in branch jazzy there is (Iron)"
+_COMMON = "ros2/common_interfaces: branches humble and jazzy"
+_BAG = "ros2/rosbag2: rosbag2_interfaces/srv, branches humble and jazzy"
+
+PACKAGES: dict[str, tuple[tuple[str, ...], str]] = {
+    "turtlesim_msgs": _since("kilted", _SPLIT),
+    "action_tutorials_interfaces": _until("jazzy", "ros2/demos#701"),
+    "actionlib_msgs": _until("kilted", "ros2/common_interfaces#280"),
+    "service_msgs": _since("jazzy", _IRON),
+    "type_description_interfaces": _since("jazzy", _IRON),
+}
+"""Package -> (the distributions that have it, the source); all others are in every one."""
+
+INTERFACES: dict[str, tuple[tuple[str, ...], str]] = {
+    "turtlesim": _until("jazzy", _SPLIT),
+    "rcl_interfaces/msg/LoggerLevel": _since("jazzy", _IRON),
+    "rcl_interfaces/msg/SetLoggerLevelsResult": _since("jazzy", _IRON),
+    "rcl_interfaces/srv/GetLoggerLevels": _since("jazzy", _IRON),
+    "rcl_interfaces/srv/SetLoggerLevels": _since("jazzy", _IRON),
+    "geometry_msgs/msg/PolygonInstance": _since("jazzy", _COMMON),
+    "geometry_msgs/msg/PolygonInstanceStamped": _since("jazzy", _COMMON),
+    "geometry_msgs/msg/Pose2D": _until("kilted", "ros2/common_interfaces#283"),
+    "nav_msgs/msg/Goals": _since("jazzy", "ros2/common_interfaces#269 (after Jazzy, see KEPT)"),
+    "rosbag2_interfaces/srv/Play": _since("jazzy", _BAG),
+    "rosbag2_interfaces/srv/SplitBagfile": _since("jazzy", _BAG),
+    "rosbag2_interfaces/srv/Stop": _since("jazzy", _BAG),
+}
+"""Interface, or package for all of its interfaces -> (the distributions that have it, the source); all others are everywhere."""
+
+_STORES = "the type stores of rosbags 0.11 (from the message definitions of each release)"
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "rcl_interfaces/msg/Log": ("humble", "ros2/rcl_interfaces: Log.msg, branches humble (byte) and jazzy (uint8)"),
+    "sensor_msgs/msg/BatteryState": ("humble", _COMMON),
+    "sensor_msgs/msg/NavSatStatus": ("humble", _COMMON),
+    "sensor_msgs/msg/Range": ("humble", _COMMON),
+    "visualization_msgs/msg/Marker": ("humble", _COMMON),
+    "rosbag2_interfaces/msg/ReadSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "rosbag2_interfaces/msg/WriteSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "lifecycle_msgs/msg/TransitionEvent": ("rolling", _STORES),
+    "sensor_msgs/msg/PointField": ("rolling", _STORES),
+    "nav_msgs/msg/Trajectory": ("rolling", _STORES),
+    "nav_msgs/msg/TrajectoryPoint": ("rolling", _STORES),
+    "rosbag2_interfaces/msg/MessagesLostEvent": ("rolling", "ros2/rosbag2#2150"),
+    "rosbag2_interfaces/msg/MessagesLostEventTopicStat": ("rolling", "ros2/rosbag2#2150"),
+    **dict.fromkeys(
+        (f"rosgraph_msgs/msg/{name}"
+         for name in ("Action", "Graph", "InterfaceType", "Node", "QoSProfile", "Service", "Topic", "TypeHash")),
+        ("rolling", _STORES),
+    ),
+}  # fmt: skip
+"""Interface -> (the only distribution that has the text in `share_of/<name>`, the source); the others have that of `share`,
+where there is one."""
+
+_RCLPY = "ros2/rclpy: branches humble and jazzy"
+
+RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
+    "rclpy:try_shutdown": _since("jazzy", "ros2/rclpy#1302 (after Jazzy, see KEPT)"),
+    "rclpy.client:Client.configure_introspection": _since("jazzy", _RCLPY),
+    "rclpy.client:Client.service_name": _since("jazzy", _RCLPY),
+    "rclpy.context:Context.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.executors:Executor.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.logging:get_logger_level": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.add_post_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.add_pre_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.count_clients": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.count_services": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.get_fully_qualified_node_names": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.remove_post_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.remove_pre_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.wait_for_node": _since("jazzy", "ros2/rclpy#930"),
+    "rclpy.parameter:parameter_dict_from_yaml_file": _since("jazzy", _RCLPY),
+    "rclpy.service:Service.configure_introspection": _since("jazzy", _RCLPY),
+    "rclpy.service:Service.service_name": _since("jazzy", _RCLPY),
+    "rclpy.subscription:Subscription.get_publisher_count": _since("jazzy", _RCLPY),
+}
+"""`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
+
+_DEMOS = "ros2/demos: setup.py of demo_nodes_py and CMakeLists.txt of demo_nodes_cpp, branches humble and jazzy"
+
+EXECUTABLES: dict[str, tuple[tuple[str, ...], str]] = {
+    f"{package} {name}": _since("jazzy", _DEMOS)
+    for package, names in (
+        ("demo_nodes_cpp", "introspection_client introspection_service"),
+        ("demo_nodes_py", "async_param_client introspection"),
+        ("demo_nodes_cpp", "matched_event_detect set_parameters_callback use_logger_service"),
+        ("demo_nodes_py", "matched_event_detect set_parameters_callback use_logger_service"),
+    )
+    for name in names.split()
+}  # fmt: skip
+"""Package and executable -> (the distributions that have it, the source)."""
+
+_CLI = "ros2/ros2cli: the verb's module, branches humble and jazzy"
+_BAGCLI = "ros2/rosbag2: ros2bag/verb, branches humble and jazzy"
+
+VERBS: dict[str, tuple[tuple[str, ...], str]] = {
+    "action echo": _since("jazzy", "ros2/ros2cli#978 (after Jazzy, see KEPT)"),
+    "action find": _since("jazzy", "ros2/ros2cli: ros2action/verb, branches jazzy and kilted (after Jazzy, see KEPT)"),
+    "action type": _since("jazzy", "ros2/ros2cli#894"),
+    "bag burst": _since("jazzy", _BAGCLI),
+    "service echo": _since("jazzy", _CLI),
+    "service info": _since("jazzy", _CLI),
+}
+"""Verb of `ros2` -> (the distributions that have it, the source)."""
+
+OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
+    "action send_goal": (("--stdin",), *_since("jazzy", _CLI)),
+    "bag info": (("--sort", "--topic-name", "--verbose"), *_since("jazzy", _BAGCLI)),
+    "bag play": (
+        ("--clock-topics", "--clock-topics-all", "--exclude-regex", "--exclude-services", "--exclude-topics", "--input",
+         "--message-order", "--playback-duration", "--playback-until-nsec", "--playback-until-sec",
+         "--progress-bar-update-rate", "--publish-service-requests", "--regex", "--service-requests-source", "--services"),
+        *_since("jazzy", _BAGCLI),
+    ),
+    "bag record": (
+        ("--all-services", "--all-topics", "--compression-threads-priority", "--custom-data", "--disable-keyboard-controls",
+         "--exclude-regex", "--exclude-services", "--exclude-topic-types", "--exclude-topics", "--node-name", "--services",
+         "--topic-types", "--topics"),
+        *_since("jazzy", _BAGCLI),
+    ),
+    "interface package": (("--only-actions", "--only-msgs", "--only-srvs"), *_since("jazzy", _CLI)),
+    "multicast receive": (("--group", "--port"), *_since("jazzy", _CLI)),
+    "multicast send": (("--group", "--port"), *_since("jazzy", _CLI)),
+    **{f"param {verb}": (("--timeout",), *_since("jazzy", "ros2/ros2cli#802"))
+       for verb in ("delete", "describe", "dump", "get", "load", "set")},
+    "service call": (("--stdin",), *_since("jazzy", _CLI)),
+    "topic echo": (
+        ("--clear", "--include-message-info", "--node-name", "--qos-liveliness", "--qos-liveliness-lease-duration-seconds",
+         "--timeout"),
+        *_since("jazzy", _CLI),
+    ),
+    "topic pub": (
+        ("--max-wait-time-secs", "--qos-liveliness", "--qos-liveliness-lease-duration-seconds", "--stdin"),
+        *_since("jazzy", _CLI),
+    ),
+}  # fmt: skip
+"""Verb of `ros2` -> (options, the distributions that have them, the source)."""
+
+KEPT: dict[str, str] = {
+    "rclpy and ros2 of Jazzy": (
+        "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
+        "`with node`, `ros2 action echo`; the action tutorials use example_interfaces; there is nav_msgs/msg/Goals"
+    ),
+    "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0: a learner's mistake is told at its line",
+}
+"""What deliberately is another one than there, and how."""
+
+UNSETTLED: dict[str, str] = {
+    "Rolling": "has Lyrical's packages and interfaces; rclpy and ros2 are Kilted's, without what Release-Lyrical-Luth.rst "
+    "adds (ros2 param and topic bw of several, service info --verbose, names of bag parts, AsyncNode)",
+    "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
+    "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
+    "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
+    "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
+    "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",
+    "words of help": "of options that all have are Kilted's",
+    "ros2 doctor --exclude-packages": "is there in Humble too",
+    "pictures of turtles": "one more in each distribution; windows here draw all turtles alike",
+    "depth of a Humble turtlesim's topics": "7 as later (ros_tutorials#161) in place of 1: no tool shows it",
+}
+"""What no source could settle, or is known and not told apart -> what is done."""
+
+
+def value(key: str) -> Any:
+    """Return the value of a row of `VALUES` in this process's distribution."""
+    return VALUES[key][0][NAMES.index(current())]
+
+
+def has_package(name: str) -> bool:
+    """Return whether one of our packages is in this distribution."""
+    return name not in PACKAGES or current() in PACKAGES[name][0]
+
+
+def has_interface(name: str) -> bool:
+    """Return whether an interface ('std_msgs/msg/String') of our packages is in this distribution."""
+    package = name.partition("/")[0]
+    rows = (INTERFACES.get(name), INTERFACES.get(package))
+    return has_package(package) and all(current() in row[0] for row in rows if row is not None)
+
+
+def path_of(interface: str, share: str) -> str:
+    """Return the file with the text of an interface of our packages, which are in `share`."""
+    package, kind, name = interface.split("/")
+    folder = os.path.join(_SHARES, current()) if _has_own_text(interface) else share
+    return os.path.join(folder, package, kind, f"{name}.{kind}")
+
+
+def lacking(module: str) -> list[str]:
+    """Return the names of a module of rclpy that this distribution lacks, like 'Node.wait_for_node'."""
+    mine = current()
+    return [
+        key.partition(":")[2] for key, (there, _) in RCLPY.items() if mine not in there and key.startswith(f"{module}:")
+    ]
+
+
+def has_verb(words: str) -> bool:
+    """Return whether `ros2` has a verb here, like 'service echo'."""
+    return words not in VERBS or current() in VERBS[words][0]
+
+
+def has_executable(package: str, name: str) -> bool:
+    """Return whether an executable of one of our packages is in this distribution."""
+    row = EXECUTABLES.get(f"{package} {name}")
+    return row is None or current() in row[0]
+
+
+def lacking_options(words: str) -> tuple[str, ...]:
+    """Return the long options that a verb of `ros2` lacks here."""
+    options, there, _ = OPTIONS.get(words, ((), NAMES, ""))
+    return () if current() in there else options
+
+
+def retold(text: str) -> str:
+    """Return a text written for the usual distribution (a lesson, a card) as it is for this one.
+
+    The names of the two change places, so that what is a wrong name in the text stays one; turtlesim's types get their package.
+    """
+    mine = current()
+    if mine == DEFAULT:
+        return text
+    import re
+
+    swapped = {DEFAULT: mine, mine: DEFAULT}
+    text = re.sub(rf"\b({DEFAULT}|{mine})\b", lambda found: swapped[found[1]], text)
+    return re.sub(r"\bturtlesim(?=[./](?:msg|srv|action)\b)", value("turtlesim.interfaces"), text)
+
+
+def own_texts(package: str) -> list[str]:
+    """Return 'msg/Log'-like names of the interfaces of a package that have another text in this distribution, or only here."""
+    return [name.partition("/")[2] for name in TEXTS if name.startswith(f"{package}/") and _has_own_text(name)]
+
+
+def _has_own_text(interface: str) -> bool:
+    return interface in TEXTS and TEXTS[interface][0] == current()

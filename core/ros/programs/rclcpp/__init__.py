@@ -1,0 +1,47 @@
+"""What a user sees of the difference between a node of rclcpp (C++) and one of rclpy, as in Jazzy (rclcpp 28.1).
+
+turtlesim, tf2_ros, robot_state_publisher, the demos, rviz2 and `ros2 bag` are C++ in real ROS. Their copies here are written on
+rclpy and made by `create_node`, so that their parameters, their answers and the way they fail are those of C++ nodes:
+
+- `exceptions`: an error that nothing catches ends the program by SIGABRT, in the words of C++;
+- `parameters`: how parameters are declared, set, described and listed, and what refusals say;
+- `qos`: the parameters `qos_overrides.…` of endpoints whose QoS may be changed from outside;
+- `node`: the rest: the parameters, topics and services that every node has.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros.programs.rclcpp.exceptions import CppException as CppException
+from day6_tui.core.ros.programs.rclcpp.exceptions import thrown_as_cpp
+from day6_tui.core.ros.programs.rclcpp.node import CppNode
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+def init(session: Session) -> None:
+    """Read the program's ROS arguments, as rclcpp::init does. Raises CppException for bad ones."""
+    with thrown_as_cpp():
+        _ = session.context
+
+
+def init_and_remove_ros_arguments(session: Session) -> list[str]:
+    """Do `init` and return the words of the command line that are not for ROS, beginning with the program's name."""
+    from rclpy.utilities import remove_ros_args
+
+    init(session)
+    return remove_ros_args(args=session.argv)
+
+
+def create_node(session: Session, name: str, kind: type[CppNode] = CppNode, **keywords: Any) -> CppNode:
+    """Return a node of this program: `kind(name, …)`, destroyed at its end. Raises CppException."""
+    init(session)
+    return session.keep(kind(name, context=session.context, **keywords))
+
+
+def log_interrupt(session: Session) -> None:
+    """Print what rclcpp's signal handler logs at Ctrl-C; that logger belongs to no node, so nothing goes to /rosout."""
+    seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
+    session.print_error(f"[INFO] [{seconds}.{nanoseconds:09d}] [rclcpp]: signal_handler(SIGINT/SIGTERM)")

@@ -1,0 +1,1 @@
+"""What rqt's plugins share, as in ROS: `expressions` are typed into fields, `message_form` is the tree of a message's fields."""

@@ -1,0 +1,175 @@
+"""What Parameter Reconfigure shows: the nodes that have parameters, and those of the nodes that are opened.
+
+The window runs on another thread: it reads and makes requests, the program's thread carries them out.
+"""
+
+from __future__ import annotations
+
+import stat
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.names import full_name
+from day6_tui.core.ros.programs.rqt_reconfigure.opened import OpenedNode, OpenNode
+from day6_tui.core.session.blocking_files import refuse
+from day6_tui.core.whole_file import replace_file
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+LARGEST_FILE = 100_000
+"""Bytes of a file that is loaded: YAML takes seconds for more."""
+
+
+class Reconfigure:
+    """The model of one plugin. The window may read `nodes`, `opened`, `filter`, `message`, `version`, and request."""
+
+    def __init__(self, node: Node, now: Callable[[], int], folder: Path) -> None:
+        self._node, self._now, self._folder = node, now, folder
+        self._opened: dict[str, OpenedNode] = {}
+        self._requests: list[Callable[[], object]] = []
+        self.nodes: tuple[str, ...] = ()
+        """The full names of the nodes that have parameters, sorted."""
+        self.opened: tuple[OpenNode, ...] = ()
+        """In the order in which they were opened."""
+        self.filter = ""
+        """Part of the names of the nodes that are listed."""
+        self.message = ""
+        """What became of the last file, in one line."""
+        self.version = 0
+        self.on_request: Callable[[], object] | None = None
+        """Called (any thread) when the window wants something."""
+        self.on_load: Callable[[str, Path], object] | None = None
+        """Called with a node and a file whose values it is to get."""
+
+    # -- the window's side ---------------------------------------------------------------------------------------------
+
+    def toggle(self, node: str) -> None:
+        """Show the parameters of a node, or no more."""
+        self._request(lambda: self.close_node(node) if node in self._opened else self.open_node(node))
+
+    def set(self, node: str, parameter: str, value: Any) -> None:
+        """Send a value of the parameter's type."""
+        self._request(lambda: self._opened[node].set(parameter, value), node)
+
+    def move(self, node: str, parameter: str, steps: int) -> None:
+        """Move a slider by so many steps."""
+        self._request(lambda: self._opened[node].move(parameter, steps), node)
+
+    def read(self, node: str) -> None:
+        """Read a node's parameters anew."""
+        self._request(lambda: self._opened[node].read(), node)
+
+    def cancel(self, node: str) -> None:
+        """Wait for no response of a node any more."""
+        self._request(lambda: self._opened[node].cancel(), node)
+
+    def load(self, node: str, name: str) -> None:
+        """Give a node the values of a file."""
+        self._request(partial(self._load, node, self.path(name)), node)
+
+    def save(self, node: str, name: str) -> Path:
+        """Write the values of an opened node to a file, as the real plugin does: a mapping of names. Raises OSError."""
+        import yaml
+
+        found = next((each for each in self.opened if each.name == node), None)
+        values = {each.name: each.value for each in found.parameters} if found is not None else {}
+        path = self.path(name)
+        replace_file(path, yaml.safe_dump(values, allow_unicode=True).encode("utf-8"))
+        return path
+
+    def path(self, name: str) -> Path:
+        """The file that a user of this program means."""
+        return self._folder / Path(name).expanduser()
+
+    def _request(self, work: Callable[[], object], node: str = "") -> None:
+        self._requests.append(lambda: work() if not node or node in self._opened else None)
+        if self.on_request is not None:
+            self.on_request()
+
+    # -- the program's side --------------------------------------------------------------------------------------------
+
+    def handle_requests(self) -> None:
+        """Carry out the window's requests."""
+        while self._requests:
+            self._requests.pop(0)()
+
+    def refresh(self) -> None:
+        """Look which nodes there are."""
+        node = self._node
+        full_names = {full_name(namespace, name) for name, namespace in node.get_node_names_and_namespaces()}
+        # Not by the list of services: it has those that are only called, too.
+        nodes = tuple(sorted(name for name in full_names if node.count_services(f"{name}/list_parameters")))
+        if nodes != self.nodes:
+            self.nodes = nodes
+            self.version += 1
+        for name, each in self._opened.items():
+            each.look(name in nodes)
+
+    def open_node(self, name: str) -> None:
+        """Show a node's parameters, once it is there."""
+        if name not in self._opened:
+            self._opened[name] = OpenedNode(self._node, name, self._now, self._show)
+            self._opened[name].look(name in self.nodes)
+            self._show()
+
+    def close_node(self, name: str) -> None:
+        """Show a node's parameters no more."""
+        self._opened.pop(name).close()
+        self._show()
+
+    def tick(self) -> None:
+        """Count the seconds for which a response is waited; called about once a second."""
+        if any(each.waiting for each in self._opened.values()):
+            self._show()
+
+    def take_values(self, node: str, values: dict[str, Any]) -> None:
+        """Send values that were read from a file. Raises TypeError for one that no parameter can have."""
+        from rclpy.parameter import Parameter
+
+        parameters: list[Parameter[Any]] = [Parameter(name, value=value) for name, value in values.items()]
+        if node in self._opened:
+            self._opened[node].send(parameters)
+
+    def tell(self, message: str) -> None:
+        """Show what became of a file."""
+        self.message = message
+        self.version += 1
+
+    def close(self) -> None:
+        """Give back what the opened nodes have on the program's node."""
+        while self._opened:
+            self._opened.popitem()[1].close()
+
+    def _load(self, node: str, path: Path) -> None:
+        if self.on_load is not None:
+            self.on_load(node, path)
+
+    def _show(self) -> None:
+        opened = tuple(each.snapshot for each in self._opened.values())
+        if opened != self.opened:
+            self.opened = opened
+            self.version += 1
+
+
+def read_values(path: Path) -> dict[str, Any]:
+    """The names and values of a file like those that `save` writes; long ones take seconds. Raises OSError and ValueError."""
+    import yaml
+
+    if not stat.S_ISREG(path.stat().st_mode):  # a pipe waits for its writer, a device has no end
+        refuse(str(path), path.stat().st_mode, writing=False)
+    with path.open("rb") as file:
+        text = file.read(LARGEST_FILE + 1)
+    if len(text) > LARGEST_FILE:
+        raise ValueError(f"more than {LARGEST_FILE} bytes")
+    found: dict[str, Any] = {}
+    try:
+        for document in yaml.safe_load_all(text):
+            if not isinstance(document, dict) or not all(isinstance(name, str) for name in document):
+                raise ValueError("not a mapping of parameter names to values")
+            found.update(document)
+    except (yaml.YAMLError, RecursionError) as error:
+        raise ValueError(" ".join(str(error).split())) from error
+    return found

@@ -1,0 +1,1 @@
+"""The ROS package turtlesim; its interface texts are in share/turtlesim."""

@@ -1,0 +1,175 @@
+"""Which distribution is chosen, by whom, and for what it holds."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from day6_tui.core.places import data_folder
+from day6_tui.core.ros.distribution import DEFAULT, NAMES
+
+from .command import day6
+
+
+def printed(*words: str, line: str = "echo $ROS_DISTRO", **variables: str) -> str:
+    done = day6(*words, "exec", "-c", line, **variables)
+    return done.stdout.strip() + done.stderr.strip()
+
+
+@pytest.fixture(autouse=True)
+def nothing_chosen() -> Iterator[Path]:
+    """The file of settings, which all tests of a process share, and which does not exist before and after."""
+    path = data_folder() / "settings.json"
+    path.unlink(missing_ok=True)
+    yield path
+    path.unlink(missing_ok=True)
+
+
+def remember(name: str) -> None:
+    path = data_folder() / "settings.json"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps({"distro": name, "theme": "light"}), encoding="utf-8")
+
+
+def test_without_a_choice_it_is_jazzy() -> None:
+    assert printed() == DEFAULT == "jazzy"
+
+
+def test_an_option_is_stronger_than_the_variable_and_that_than_what_was_chosen_last() -> None:
+    remember("kilted")
+    assert printed() == "kilted"
+    assert printed(ROS_DISTRO="humble") == "humble"
+    assert printed("--distro", "rolling", ROS_DISTRO="humble") == "rolling"
+    assert printed("--distro=jazzy", ROS_DISTRO="humble") == "jazzy"
+
+
+def test_an_option_before_a_command_is_for_that_command() -> None:
+    remember("kilted")
+    assert printed("--distro", "humble") == "humble"
+    assert printed() == "kilted"
+
+
+@pytest.mark.parametrize("name", ["foxy", "iron", "Humble", "", "../humble"])
+def test_a_distribution_that_is_none_of_ours_is_no_choice(name: str) -> None:
+    assert printed(ROS_DISTRO=name) == "jazzy"
+    remember(name)
+    assert printed() == "jazzy"
+
+
+@pytest.mark.parametrize(
+    "words", [("--distro", "foxy", "exec", "-c", "true"), ("--distro=foxy", "ros2"), ("--distro", "foxy")]
+)
+def test_a_wrong_name_after_the_option_is_told(words: tuple[str, ...]) -> None:
+    done = day6(*words)
+    assert done.returncode == 2 and "argument --distro: invalid choice: 'foxy' (choose from " in done.stderr
+
+
+def test_every_command_takes_the_same_one(tmp_path: Path) -> None:
+    program = tmp_path / "mine.py"
+    program.write_text("import os, turtlesim_msgs.msg\nprint(os.environ['ROS_DISTRO'])\n", encoding="utf-8")
+    assert day6("--distro", "kilted", "python", str(program)).stdout == "kilted\n"
+    assert "turtlesim_msgs/msg/Pose" in day6("--distro", "kilted", "ros2", "interface", "list").stdout
+    assert "export ROS_DISTRO=kilted\n" in day6("--distro", "kilted", "env").stdout
+    assert day6("python", str(program), ROS_DISTRO="kilted").stdout == "kilted\n"
+
+
+def test_an_editor_gets_the_folders_of_the_distribution(tmp_path: Path) -> None:
+    day6("--distro", "humble", "env", "--vscode", str(tmp_path))
+    day6("--distro", "kilted", "env", "--vscode", str(tmp_path))
+    paths = json.loads((tmp_path / ".vscode" / "settings.json").read_text(encoding="utf-8"))[
+        "python.analysis.extraPaths"
+    ]
+    assert [Path(each).name for each in paths] == ["stubs-kilted", "python", "kilted"]
+    assert (Path(paths[0]) / "turtlesim_msgs").is_dir() and not (Path(paths[0]) / "turtlesim").exists()
+    text = (tmp_path / ".env").read_text(encoding="utf-8")
+    assert "python_of/kilted" in Path(text).as_posix() and "python_of/humble" not in Path(text).as_posix()
+
+
+def test_what_a_program_starts_belongs_to_the_same_distribution(tmp_path: Path) -> None:
+    lines = "import subprocess\nsubprocess.run(['ros2', 'interface', 'package', 'turtlesim_msgs'])\n"
+    (tmp_path / "starter.py").write_text(lines, encoding="utf-8")
+    done = day6(
+        "--distro", "rolling", "exec", "--home", str(tmp_path), "-c", f"unset ROS_DISTRO; python3 {tmp_path}/starter.py"
+    )
+    assert "turtlesim_msgs/srv/Spawn" in done.stdout.split(), done.stderr
+
+
+def test_another_ros_distro_in_a_terminal_changes_the_name_only(tmp_path: Path) -> None:
+    """As in real ROS, where the variable says what was sourced and chooses nothing."""
+    line = "export ROS_DISTRO=kilted; python3 -c 'import turtlesim.msg; import turtlesim_msgs'"
+    said = printed("--distro", "humble", line=line)
+    assert said.endswith("ModuleNotFoundError: No module named 'turtlesim_msgs'")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_only_its_own_setup_file_can_be_sourced(name: str) -> None:
+    other = "humble" if name != "humble" else "jazzy"
+    line = f"unset ROS_DISTRO; source /opt/ros/{other}/setup.bash; source /opt/ros/{name}/setup.bash; which ros2"
+    done = day6("--distro", name, "exec", "-c", line)
+    assert done.stderr == f"bash: /opt/ros/{other}/setup.bash: No such file or directory\n"
+    assert done.stdout == f"/opt/ros/{name}/bin/ros2\n"
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "is humble, not foxy"), ("zh", "是 humble，不是 foxy")])
+def test_the_card_of_another_setup_file_names_the_option(language: str, said: str) -> None:
+    done = day6(
+        "why", "bash: /opt/ros/foxy/setup.bash: No such file or directory", ROS_DISTRO="humble", DAY6_LANG=language
+    )
+    assert said in done.stdout and "day6-tui --distro" in done.stdout
+    assert "source /opt/ros/humble/setup.bash" in done.stdout
+
+
+def test_apt_and_doctor_name_it() -> None:
+    line = "sudo apt install -y ros-$ROS_DISTRO-desktop; ros2 doctor --report | grep 'distribution name'"
+    said = printed("--distro", "humble", line=line)
+    assert "ros-humble-desktop is already the newest version (day6-tui stands in for ROS 2 humble)." in said
+    assert said.endswith(": humble")
+
+
+def test_lessons_speak_of_it() -> None:
+    from day6_tui.core.ros import differences, distribution
+
+    text = (
+        "source /opt/ros/jazzy/setup.bash, not /opt/ros/humble; ros-jazzy-desktop; turtlesim/srv/Spawn; turtlesim.msg"
+    )
+    before = distribution.current()
+    try:
+        distribution.choose("humble")
+        assert differences.retold(text) == (
+            "source /opt/ros/humble/setup.bash, not /opt/ros/jazzy; ros-humble-desktop; turtlesim/srv/Spawn; turtlesim.msg"
+        )
+        distribution.choose("kilted")
+        assert differences.retold(text).endswith(
+            "kilted/setup.bash, not /opt/ros/humble; ros-kilted-desktop; turtlesim_msgs/srv/Spawn; turtlesim_msgs.msg"
+        )
+    finally:
+        distribution.choose(before)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.lessons import reading
+    from day6_tui.core.ros import distribution
+
+    monkeypatch.setattr(distribution, "_current", name)
+    files = sorted(Path(reading.__file__).parent.glob("d*s/*.md"))
+    assert len(files) > 30
+    for path in files:
+        assert reading.read_lesson(path).steps
+
+
+def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.ros import distribution
+    from day6_tui.tui.web.starting import environment
+
+    monkeypatch.setattr(distribution, "_current", "humble")
+    remember("kilted")
+    assert printed(**environment(0)) == "humble"
+
+
+def test_tab_offers_the_distributions_and_then_commands() -> None:
+    assert day6("complete", "bash", "day6-tui --distro ki").stdout.split() == ["kilted"]
+    assert "exec" in day6("complete", "bash", "day6-tui --distro kilted e").stdout.split()

@@ -1,0 +1,148 @@
+"""The browsers of message and service types: trees of fields, and the texts that define them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
+
+from rich.cells import cell_len
+from screens import ToolWindow, screen_lines, use_window
+
+from day6_tui.core.graph import Graph
+from day6_tui.core.ros.programs.rqt_msg import rqt_msg
+from day6_tui.core.ros.programs.rqt_msg.model import MOST_TREES, TypeBrowser
+from day6_tui.core.ros.programs.rqt_srv import rqt_srv
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.display import Display
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.session import Session
+
+
+def browser(kind: str, *types: str) -> TypeBrowser:
+    """A browser with types, `package/Name`."""
+    found = TypeBrowser(kind)
+    for each in types:
+        package, _, name = each.partition("/")
+        found.choose_package(package)
+        found.add(name)
+    return found
+
+
+def test_a_message_is_one_tree_named_as_in_rqt() -> None:
+    (tree,) = browser("msg", "geometry_msgs/Twist").trees
+    assert (tree.name, tree.type) == ("Msg Root", "geometry_msgs/Twist")
+    assert [row.path for row in tree.rows][:2] == ["/linear", "/linear/x"]
+
+
+def test_a_service_is_two_trees_and_an_action_three() -> None:
+    trees = browser("srv", "turtlesim/Spawn").trees
+    assert [(tree.name, tree.type) for tree in trees] == [
+        ("Service Request", "turtlesim/Spawn/Request"),
+        ("Service Response", "turtlesim/Spawn/Response"),
+    ]
+    trees = browser("action", "turtlesim/RotateAbsolute").trees
+    assert [tree.name for tree in trees] == ["Action Goal", "Action Result", "Action Feedback"]
+
+
+def test_packages_without_such_types_are_not_offered() -> None:
+    assert "turtlesim" in TypeBrowser("srv").packages() and "geometry_msgs" not in TypeBrowser("srv").packages()
+    found = browser("srv", "turtlesim/Spawn")
+    assert found.types()[:2] == ["Kill", "SetPen"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "root", "type_name", "words"),
+    [
+        ("msg", "geometry_msgs/Twist", "geometry_msgs/Twist", "Vector3  linear"),
+        ("msg", "geometry_msgs/Twist", "geometry_msgs/Vector3", "float64 x"),
+        ("msg", "geometry_msgs/Polygon", "sequence<geometry_msgs/Point32>", "float32 x"),
+        ("msg", "geometry_msgs/Twist", "double", "double"),
+        ("srv", "turtlesim/Spawn", "turtlesim/Spawn/Response", "---"),
+        ("action", "turtlesim/RotateAbsolute", "turtlesim/RotateAbsolute/Goal", "---"),
+        ("action", "turtlesim/RotateAbsolute", "nowhere_msgs/Lost", "nowhere_msgs"),
+    ],
+)
+def test_the_text_of_the_type_of_a_line_can_be_read(kind: str, root: str, type_name: str, words: str) -> None:
+    assert words in browser(kind, root).text(type_name)
+
+
+@pytest.mark.parametrize("name", ["Nothing", "", "../String", "\x1b[2J"])
+def test_a_type_that_there_is_not_is_said(name: str) -> None:
+    found = browser("msg", f"std_msgs/{name}")
+    assert found.trees == [] and found.message.startswith("Failed to load class std_msgs/msg/")
+
+
+def test_a_tree_is_removed_and_the_oldest_go_by_themselves() -> None:
+    found = browser("msg", *["std_msgs/String"] * (MOST_TREES + 3))
+    assert len(found.trees) == MOST_TREES and found.trees[0].number == 4
+    found.remove(4)
+    assert found.trees[0].number == 5
+
+
+@pytest.mark.parametrize(("main", "title"), [(rqt_msg.main, "Message"), (rqt_srv.main, "Service")])
+def test_the_programs_open_their_windows(main: Any, title: str) -> None:
+    scheduler, display = Scheduler(WorldClock(wall=None)), Display()
+    program = Program(Session(scheduler, Graph(), ["rqt"], display=display), main)
+    scheduler.advance(0.2)
+    (window,) = display.windows
+    assert window.title == f"{title} Type Browser" and window.model.packages()
+    window.close_by_user()
+    scheduler.advance(0.2)
+    assert program.status is not None
+
+
+class _Window(ToolWindow):
+    def line(self, text: str) -> str:
+        """The first line of the window in which a text stands."""
+        return next((line.strip("┃│ ") for line in screen_lines(self.app)[1:-1] if text in line), "")
+
+
+def use(
+    model: TypeBrowser, act: Callable[[_Window], Awaitable[None]], size: tuple[int, int] = (80, 24), **options: Any
+) -> None:
+    """Open a type browser and do something with it."""
+    use_window(("type_browser", "Message Type Browser", model), act, size, _Window, **options)
+
+
+def test_a_package_and_a_type_are_chosen_and_its_fields_shown() -> None:
+    async def act(window: _Window) -> None:
+        assert "p chooses a package" in window.text
+        await window.press("p", *"geometry", "enter")
+        await window.press(*"twiststamped", "enter")
+        assert window.line("Msg Root").split() == ["▾", "Msg", "Root", "TwistStamped", "geometry_msgs/TwistStamped"]
+        assert window.line("frame_id").split() == ["frame_id", "string", "geometry_msgs/TwistStamped/heade…"]
+
+    use(TypeBrowser("msg"), act)
+
+
+def test_enter_shows_the_text_and_d_removes_the_tree() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("home", "down", "enter")
+        assert "float64 x" in window.text
+        await window.press("escape", "d")
+        assert window.line("Msg Root") == ""
+
+    use(browser("msg", "geometry_msgs/Twist"), act, (120, 40))
+
+
+def test_a_complaint_is_shown() -> None:
+    async def act(window: _Window) -> None:
+        assert window.line("Failed to load class")
+
+    use(browser("msg", "std_msgs/Nothing"), act)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (40, 12), (30, 10), (120, 40)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_no_line_is_wider_than_the_window(size: tuple[int, int], lang: str) -> None:
+    async def act(window: _Window) -> None:
+        assert all(cell_len(line) <= size[0] for line in screen_lines(window.app))
+
+    use(browser("srv", "rcl_interfaces/SetParameters"), act, size, lang=lang)

@@ -1,0 +1,141 @@
+"""The shell of rqt: lines run in a shell of their own, endless ones can be stopped, and without a desktop it is told."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from rqt_machine import RqtMachine
+
+from day6_tui.core.ros.programs.rqt_shell.model import MOST_CHARACTERS, MOST_LINES, Kind, Shell
+from day6_tui.core.session.streams import InputStream, OutputStream
+from day6_tui.core.shell.desk import Desk
+from day6_tui.core.shell.language.interpreter import subshell_main
+from day6_tui.core.shell.language.redirection import Streams
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
+
+from screens import ToolWindow, use_window
+
+LONGEST = 60.0
+
+
+class Machine:
+    """A desk on which rqt_shell runs."""
+
+    def __init__(self, home: Path) -> None:
+        self.desk = Desk(home, join_link=False)
+        shell = self.desk.shell(cwd=home)
+        streams = Streams(InputStream(), OutputStream(), OutputStream())
+        main = subshell_main(shell, lambda: shell.run("ros2 run rqt_shell rqt_shell\n", streams))
+        self.program = self.desk.start_program(["bash"], main, streams, env=shell.environment, cwd=home, shell=shell)
+        assert self.desk.display is not None
+        self.display = self.desk.display
+        self.wait(lambda: self.display.windows)
+        self.model: Any = self.display.windows[0].model
+
+    def wait(self, condition: Any) -> None:
+        self.desk.scheduler.run(condition, LONGEST)
+        assert condition()
+
+    def run(self, line: str) -> None:
+        assert self.model.run(line)
+        self.wait(lambda: not self.model.running)
+
+    @property
+    def printed(self) -> list[tuple[str, str]]:
+        return [(kind.value, text) for kind, text in self.model.lines]
+
+
+@pytest.fixture
+def machine(tmp_path: Path) -> Iterator[Machine]:
+    found = Machine(tmp_path)
+    yield found
+    found.desk.hurry()
+    found.desk.close()
+
+
+def test_a_line_runs_and_its_output_is_shown_with_errors_apart(machine: Machine) -> None:
+    machine.run("echo hello; ls nothere; printf 'no end'")
+    assert machine.printed == [
+        ("command", ">>> echo hello; ls nothere; printf 'no end'"),
+        ("output", "hello"),
+        ("error", "ls: cannot access 'nothere': No such file or directory"),
+        ("output", "no end"),
+    ]
+    machine.run("ros2 node list")
+    assert any(text.startswith("/rqt_gui_py_node_") for _, text in machine.printed)
+
+
+def test_every_line_has_a_shell_of_its_own_and_nothing_to_read(machine: Machine) -> None:
+    machine.run("mkdir below; cd below; x=1; cat; exit 3")
+    machine.run("pwd; echo [$x]")
+    assert [text for kind, text in machine.printed if kind == "output"] == [str(machine.desk.home), "[]"]
+
+
+def test_an_endless_command_can_be_stopped_and_another_one_follows(machine: Machine) -> None:
+    assert machine.model.run("while true; do echo again; sleep 0.1; done")
+    machine.wait(lambda: ("output", "again") in machine.printed)
+    assert not machine.model.run("echo too soon")
+    machine.model.interrupt()
+    machine.wait(lambda: not machine.model.running)
+    machine.run("echo next")
+    assert machine.printed[-1] == ("output", "next")
+
+
+def test_a_line_that_is_no_command_is_told(machine: Machine) -> None:
+    machine.run("nonsense")
+    machine.run("if [")
+    errors = [text for kind, text in machine.printed if kind == "error"]
+    assert "nonsense: command not found" in errors[0] and len(errors) >= 2
+
+
+def test_where_there_is_no_desktop_it_is_said(tmp_path: Path) -> None:
+    machine = RqtMachine("rqt_shell", tmp_path)
+    machine.open()
+    machine.do("run", "echo hello")
+    assert "Here is none" in machine.model.lines[-1][1] and not machine.model.running
+    machine.end()
+
+
+def test_what_is_kept_is_bounded() -> None:
+    model = Shell()
+    for _ in range(10):
+        model.take("x" * 5_000 + "\n" + "y\n" * 1_000, Kind.OUTPUT)
+    assert len(model.lines) == MOST_LINES and max(len(text) for _, text in model.lines) == MOST_CHARACTERS
+
+
+def test_keys_type_run_and_recall_and_the_newest_lines_are_seen() -> None:
+    model = Shell()
+    for number in range(100):
+        model.take(f"line {number}\x1b[2J\n", Kind.OUTPUT)
+
+    async def act(window: ToolWindow) -> None:
+        assert "line 99^[[2J" in window.text and "line 9 " not in window.text
+        await window.press("a", "b", "backspace", "c", "enter")
+        assert model.running == "ac" and "running" in window.text
+        model.ended()
+        await window.press("x", "up")
+        assert ">>> ac" in window.text.splitlines()[-3]
+        await window.press("down", "pageup", "pageup")
+        assert "line 99" not in window.text and "line 64" in window.text
+        await window.press("z")
+        assert ">>> z" in window.text
+
+    use_window(("rqt_shell", "SimpleShell", model), act, (80, 24), ToolWindow)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (10, 4), (120, 40)])
+@pytest.mark.parametrize("options", [{}, {"lang": "zh"}, {"glyphs": "ascii"}])
+def test_it_is_drawn_at_every_size(size, options) -> None:
+    model = Shell()
+    model.take("\x1b]0;T\x07\n" + "名" * 3_000 + "\n\n", Kind.ERROR)
+
+    async def act(window: ToolWindow) -> None:
+        await window.press(*"ros2", "space", *["a"] * 30)
+        assert all(char.isprintable() for line in window.text.splitlines() for char in line)
+
+    use_window(("rqt_shell", "SimpleShell", model), act, size, ToolWindow, **options)

@@ -1,0 +1,121 @@
+"""The Service Caller's window: which service, its request to fill in, its response."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rich.segment import Segment
+from textual import events
+
+from day6_tui.core.session.display import Window
+from day6_tui.tui.cells import cell_len, clip
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows.field_list import FieldLine
+from day6_tui.tui.windows.field_pane import Button, FieldPane
+from day6_tui.tui.windows.field_rows import columns_in, head_line, lines_of
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.rqt_service_caller.model import ServiceCaller
+
+REQUEST, RESPONSE = "?", "="
+"""Before the paths of fields, in the keys of lines."""
+
+
+class ServiceCallerPane(FieldPane["ServiceCaller"]):
+    """Shows request and response one below the other."""
+
+    def __init__(self, window: Window[ServiceCaller], look: Look) -> None:
+        super().__init__(window, look, columns_in)
+
+    def state(self) -> tuple[object, ...]:
+        return (self.model.version,)
+
+    def subject(self) -> object:
+        return self.model.service
+
+    def bar(self) -> Sequence[Segment | Button]:
+        texts, colours = self.look.texts, self.look.colours
+        call = (
+            Button("x", texts("service.cancel"), self.ask_action("cancel"))
+            if self.model.is_waiting
+            else Button("c", texts("service.call"), self.ask_action("call"))
+        )
+        buttons = [call, Button("r", texts("service.refresh"), self.ask_action("refresh"))]
+        taken = sum(cell_len(button.text) + 5 for button in buttons) + 6
+        name = clip(self.model.service or texts("service.none"), self.inner_width - taken, self.look.glyphs.ellipsis)
+        mark = " ▾" if self.look.glyphs.chinese else " v"
+        return [Button("s", name + mark, self.choose_service), *buttons, Segment("", colours.text)]
+
+    def lines(self) -> list[FieldLine]:
+        texts, model = self.look.texts, self.model
+        if not model.service:
+            return [self.remark(texts("service.waiting_for_any"))]
+        top = FieldLine(REQUEST, (model.service, model.type, ""), is_branch=bool(model.request))
+        lines = [head_line(texts, "request"), top, *lines_of(model.request, REQUEST, editable=True)]
+        lines.append(head_line(texts, "response"))
+        if model.response is not None:
+            top = FieldLine(RESPONSE, ("/", f"{model.type}.Response", ""), is_branch=bool(model.response))
+            lines += [top, *lines_of(model.response, RESPONSE)]
+        elif model.state == "failed":
+            lines += [self.remark(line, warns=True) for line in model.message.splitlines()]
+        elif model.state:
+            late = model.state == "waiting" and model.waited > 0
+            key = f"service.{model.state}{'.long' if late else ''}"
+            lines.append(self.remark(texts(key, seconds=model.waited), warns=model.state == "gone"))
+        return lines
+
+    def take(self, line: FieldLine, text: str) -> None:
+        self.model.set_expression(line.key.removeprefix(REQUEST), text)
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def usual_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        call = ("x", texts("service.cancel")) if self.model.is_waiting else ("c", texts("service.call"))
+        return [call, ("s", texts("service.choose")), ("Enter", texts("fields.edit"))]
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        arrows = "← →" if self.look.glyphs.unicode else "<- ->"
+        return [
+            ("Tab", texts("fields.next")),
+            ("Del", texts("fields.default")),
+            (arrows, texts("topics.open")),
+            ("r", texts("service.refresh")),
+        ]
+
+    def used(self, event: events.Key) -> bool:
+        if event.character == "c":
+            self.model.call()
+        elif event.character == "s":
+            self.choose_service()
+        elif event.character == "r":
+            self.model.refresh()
+        elif event.character == "x" or (event.key == "escape" and self.model.is_waiting):
+            self.model.cancel()
+        else:
+            return False
+        return True
+
+    def choose_service(self) -> None:
+        """Open the list of services."""
+        from day6_tui.tui.menu import Entry, Menu
+
+        services = self.model.services
+        entries = [
+            Entry(name, kind, lambda name=name: self._choose(name))  # type: ignore[misc]
+            for name, kind in services
+        ]
+        chosen = next((at for at, (name, _) in enumerate(services) if name == self.model.service), 0)
+        self.lay_over(Menu(self.look, "service.choose_title", entries, chosen=chosen))
+
+    def _choose(self, name: str) -> None:
+        self.model.choose(name)
+        self.look.wake()
+
+    def status(self) -> list[Piece]:
+        return super().status() or [
+            Piece(f" {self.look.texts('service.count', count=len(self.model.services))} ", self.look.colours.muted)
+        ]
