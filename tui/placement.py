@@ -33,6 +33,7 @@ WINDOWS = {
     "world": Needs(Extent(30, 10), Extent(46, 20), Extent(80, 36), 2.0),
     "rviz2": Needs(Extent(56, 14), Extent(72, 28), Extent(110, 40), 3.0),
     "rqt_graph": Needs(Extent(38, 8), Extent(60, 14), Extent(100, 24)),
+    "rqt_bag": Needs(Extent(40, 9), Extent(64, 14), Extent(110, 28)),
     "service_caller": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
     "publisher": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
     "type_browser": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),

@@ -12,6 +12,7 @@ from day6_tui.core.ros import differences, distribution
 
 COMMANDS = {
     "rqt": ("rqt_gui", "rqt_gui"),
+    "rqt_bag": ("rqt_bag", "rqt_bag"),
     "rqt_graph": ("rqt_graph", "rqt_graph"),
     "rqt_console": ("rqt_console", "rqt_console"),
     "rqt_plot": ("rqt_plot", "rqt_plot"),

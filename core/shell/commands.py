@@ -46,8 +46,8 @@ MODULES: dict[str, tuple[str, ...]] = {
         "why": "why explain",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
-        "programs": "python3 python pytest ros2 colcon rqt rqt_graph rqt_console rqt_plot rqt_topic rviz2 check_urdf "
-        "urdf_to_graphviz xacro bash sh",
+        "programs": "python3 python pytest ros2 colcon rqt rqt_bag rqt_graph rqt_console rqt_plot rqt_topic rviz2 "
+        "check_urdf urdf_to_graphviz xacro bash sh",
     }.items()
 }
 """The module of `builtins` in which each command is; each has a table `COMMANDS` with the same names."""

@@ -64,7 +64,7 @@ def test_every_command_of_ros_is_one_in_the_real_shell_too(place: Place) -> None
         screen.wait(f"{len(ros_commands()) + 1} 1")
 
 
-@pytest.mark.parametrize("name", ["rqt", "rqt_graph", "rqt_console", "rqt_plot", "rqt_topic", "rviz2"])
+@pytest.mark.parametrize("name", ["rqt", "rqt_bag", "rqt_graph", "rqt_console", "rqt_plot", "rqt_topic", "rviz2"])
 def test_a_program_with_a_window_takes_the_terminal_by_its_name_and_gives_it_back(place: Place, name: str) -> None:
     with place.terminal(name, DAY6_LANG="en") as screen:
         screen.wait("F1 Help", "End")

@@ -25,6 +25,7 @@ COMMANDS = {
     "rqt": "rqt",
     "rqt_console": "rqt_console",
     "rqt_plot": "rqt_plot",
+    "rqt_bag": "rqt_bag",
     "rqt_tf_tree": "ros2 run rqt_tf_tree rqt_tf_tree",
     "service_caller": "ros2 run rqt_service_caller rqt_service_caller",
     "publisher": "ros2 run rqt_publisher rqt_publisher",

@@ -657,6 +657,61 @@ TEXTS = {
     "console.done": "apply",
     "console.undone": "as it was",
     # rqt_plot
+    "bag.none": "No bag is open: o opens one.",
+    "bag.messages": "{count} messages",
+    "bag.open": "open",
+    "bag.open.title": "Open a bag",
+    "bag.open.note": "The bag's folder, or a file of it (.mcap, .db3).",
+    "bag.play": "play",
+    "bag.pause": "pause",
+    "bag.publish": "publish",
+    "bag.unpublish": "no longer publish",
+    "bag.publish_all": "publish all, none",
+    "bag.speed": "faster, slower",
+    "bag.step": "previous, next message",
+    "bag.choose": "choose a topic",
+    "bag.pan": "move what is seen",
+    "bag.scrub": "move the playhead",
+    "bag.zoom": "zoom in, out",
+    "bag.fit": "see everything",
+    "bag.ends": "to the beginning, the end",
+    "bag.region": "select from here, until here",
+    "bag.no_region": "select nothing",
+    "bag.open.other": "another one …",
+    "bag.view": "message",
+    "bag.no_message": "no message before the playhead",
+    "bag.panel": "to the fields of the message, and back",
+    "bag.timeline": "back to the timeline",
+    "bag.open_field": "open, close",
+    "bag.plot": "plot",
+    "bag.thumbnails": "thumbnails of images",
+    "bag.record": "record",
+    "bag.record.title": "Select name for new rosbag",
+    "bag.record.topics": "Select the topics you want to record",
+    "bag.recording": "recording: {count} messages, {size}",
+    "bag.recording_paused": "recording paused: {count} messages, {size}",
+    "bag.stop_recording": "stop recording",
+    "bag.hold_recording": "pause, go on",
+    "bag.save": "export the selected region",
+    "bag.save.title": "Save selected region...",
+    "bag.save.topics": "Which topics are exported?",
+    "bag.name.note": "A new folder: nothing is overwritten.",
+    "bag.name.none": "It needs a name.",
+    "bag.all": "All",
+    "bag.tick": "tick",
+    "bag.go_on": "go on",
+    "bag.cancel": "cancel",
+    "bag.menu": "menu",
+    "bag.menu.publish": "Publish",
+    "bag.menu.unpublish": "No longer publish",
+    "bag.menu.publish_all": "Publish All",
+    "bag.menu.publish_none": "Publish None",
+    "bag.menu.view": "View the message",
+    "bag.menu.thumbnails": "Thumbnails",
+    "bag.menu.reset": "Reset Timeline",
+    "bag.menu.save": "Save Bag",
+    "bag.menu.open": "Load Bag",
+    "bag.menu.record": "Record Bag",
     "plot.none": "Nothing is plotted yet: a chooses a field, e types one, like /turtle1/pose/x.",
     "plot.waiting": "waiting for the topic",
     "plot.quiet": "nothing received yet",
@@ -863,6 +918,17 @@ TEXTS = {
         "takes it back.\n\nThe letters, or a click on a box, leave out severities: d Debug, i Info, w Warn, e Error, f Fatal. "
         "What a node does not log at all is decided by its level: see --log-level, and the logger services."
     ),
+    "help.rqt_bag": (
+        "A bag on a timeline: a line for each topic, with higher bars where there are more messages. The red line is the "
+        "playhead.\n\nTick a topic (Enter) and its messages are published, with the recorded quality of service: its newest "
+        "message wherever the playhead is moved to, and every message while it plays. So Plot and RViz follow the playhead. "
+        "(The real rqt_bag publishes only while it plays.) Frames go back in time only in an RViz that goes by the bag's clock: "
+        "rqt_bag --clock, and use_sim_time for RViz.\n\nClick or drag in the timeline to move the playhead, drag in the "
+        "ruler to select a region, turn the wheel to zoom, drag with the middle button or Shift to move what is seen. Playing "
+        "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once.\n\n"
+        "v shows the message or image of the chosen topic at the playhead; Tab goes to its fields, where g types the command "
+        "that plots one. s exports the selected region to a new bag, r records a new one in place of what is open."
+    ),
     "help.rqt_plot": (
         "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "
         "The value axis adapts to what is visible.\n\nA field is written like a path: /turtle1/pose/x, for an "
@@ -914,6 +980,7 @@ TEXTS = {
     "manual.rqt": "rqt",
     "manual.rqt_graph": "rqt_graph",
     "manual.rqt_console": "rqt_console",
+    "manual.rqt_bag": "rqt_bag",
     "manual.rqt_plot": "rqt_plot",
     "manual.service_caller": "Service Caller",
     "manual.publisher": "Message Publisher",

@@ -26,6 +26,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt": ("rqt", "RqtPane"),
     "rqt_console": ("rqt_console", "RqtConsolePane"),
     "rqt_plot": ("rqt_plot", "RqtPlotPane"),
+    "rqt_bag": ("rqt_bag", "RqtBagPane"),
     "rqt_tf_tree": ("rqt_tf_tree", "RqtTfTreePane"),
     "service_caller": ("service_caller", "ServiceCallerPane"),
     "publisher": ("publisher", "PublisherPane"),

@@ -1,8 +1,8 @@
 """How programs with a window behave without a screen (`day6-tui exec`, a real process without a terminal).
 
-One rule for all of them. A program that shows a snapshot (rqt_graph, rqt_topic, rviz2, car_view) prints it once and ends if
-something waits for it, that is in the foreground of `exec`; launched, with `&` or without a terminal it keeps running as a
-node and logs until it is interrupted. Continuous programs always keep running: rqt_console and rqt_plot print what arrives;
+One rule for all of them. A program that shows a snapshot (rqt_graph, rqt_topic, rqt_bag, rviz2, car_view) prints it once and
+ends if something waits for it, that is in the foreground of `exec`; launched, with `&` or without a terminal it keeps running as
+a node and logs until it is interrupted. Continuous programs always keep running: rqt_console and rqt_plot print what arrives;
 turtlesim, the world and joint_state_publisher_gui run without their window.
 """
 

@@ -1,7 +1,8 @@
 """Bags: reading, writing, recording and playing, with the names of the real rosbag2_py.
 
-`_mcap_*` and `_sqlite` are the storages; `ros2 bag` and `Recorder`/`Player` run `_recording` and `_playing`. Everything is
-imported on first use. It builds on rclpy and `core.interfaces`; `ros2 bag` imports its private modules too.
+`_mcap_*` and `_sqlite*` are the storages; `ros2 bag` and `Recorder`/`Player` run `_recording` and `_playing`; `_blocks` is an
+index of what is in a file. Everything is imported on first use. It builds on rclpy and `core.interfaces`; `ros2 bag` and rqt_bag
+import its private modules too.
 """
 
 from __future__ import annotations

@@ -35,13 +35,13 @@ from rosbag2_py._storage import (
     Wanted,
 )
 
-_COMPRESSIONS = {"", "zstd", "lz4"}
+COMPRESSIONS = {"", "zstd", "lz4"}
 """The formats of compressed chunks; the library treats any other as not compressed."""
-_DAMAGE = (McapError, ZstdError, RuntimeError, struct.error, ValueError, LookupError, OverflowError, MemoryError)
+DAMAGE = (McapError, ZstdError, RuntimeError, struct.error, ValueError, LookupError, OverflowError, MemoryError)
 """The errors that the library raises for damaged bytes; lz4 raises RuntimeError."""
 _HEAD = 9
 """Bytes before a record's content: its opcode and its length."""
-_MESSAGE_HEAD = struct.Struct("<HIQQ")
+MESSAGE_HEAD = struct.Struct("<HIQQ")
 """The fields before a message's data: channel, sequence number, time received, time sent."""
 
 
@@ -96,7 +96,7 @@ class McapReader:
             self._size = path.stat().st_size
             self._contents = self._by_index() or self._by_scanning()
             for index in self._contents.summary.chunk_indexes:
-                if index.compression not in _COMPRESSIONS:
+                if index.compression not in COMPRESSIONS:
                     raise BadBag(f"unsupported compression: {index.compression}")
         except BaseException:
             self._file.close()
@@ -121,7 +121,7 @@ class McapReader:
                 return None
             for metadata in reader.iter_metadata():
                 self._add_metadata(metadata)
-        except (*_DAMAGE, OSError):  # its offsets may be impossible
+        except (*DAMAGE, OSError):  # its offsets may be impossible
             return None  # the messages themselves may be intact
         found = summary.statistics
         if found.message_count and not summary.chunk_indexes:
@@ -143,7 +143,7 @@ class McapReader:
                 continue
             try:
                 inside = breakup_chunk(record, validate_crc=True)
-            except _DAMAGE:
+            except DAMAGE:
                 break  # it was written only in part
             found.summary.chunk_indexes.append(self._index_of(record))
             for each in inside:
@@ -156,7 +156,7 @@ class McapReader:
         stream = StreamReader(self._file, skip_magic=True, emit_chunks=True, record_size_limit=self._size)
         try:
             yield from stream.records
-        except _DAMAGE:
+        except DAMAGE:
             self.is_complete = False
 
     def _index_of(self, chunk: Chunk) -> ChunkIndex:
@@ -214,35 +214,17 @@ class McapReader:
             starting_time=BagTime(start),
             message_count=count,
             topics_with_message_count=[
-                TopicInformation(self._topic(channel), counts[name]) for name, channel in topics.items()
+                TopicInformation(topic_of(channel, found.summary.schemas.get(channel.schema_id)), counts[name])
+                for name, channel in topics.items()
             ],
             compression_mode="",
             custom_data=about.custom_data,
             ros_distro=about.ros_distro,
         )
 
-    def _topic(self, channel: Channel) -> TopicMetadata:
-        schema = self._contents.summary.schemas.get(channel.schema_id)
-        profiles: list[QoS] = []
-        try:
-            profiles = from_yaml(channel.metadata.get("offered_qos_profiles", ""))
-        except ValueError:
-            profiles = []  # written by a tool that stores something else there: treated as unknown
-        return TopicMetadata(
-            id=channel.id,
-            name=channel.topic,
-            type=schema.name if schema is not None else "",
-            serialization_format=channel.message_encoding,
-            offered_qos_profiles=profiles,
-            type_description_hash=channel.metadata.get("topic_type_hash", ""),
-        )
-
     def definitions(self) -> list[MessageDefinition]:
         """Return the texts of the message types."""
-        return [
-            MessageDefinition(each.name, each.encoding, each.data.decode("utf-8", "replace"), "")
-            for each in self._contents.summary.schemas.values()
-        ]
+        return [definition_of(each) for each in self._contents.summary.schemas.values()]
 
     # -- messages ------------------------------------------------------------------------------------------------------
 
@@ -269,7 +251,7 @@ class McapReader:
         """Turn the library's errors for damaged bytes into a BadBag that names the file."""
         try:
             yield
-        except _DAMAGE as error:
+        except DAMAGE as error:
             raise BadBag(f"{self._path.name} is damaged: {error or type(error).__name__}") from error
 
     def _packed_messages(self, start_ns: int, topics: set[str], *, reverse: bool, by_file: bool) -> Iterator[Message]:
@@ -286,8 +268,30 @@ class McapReader:
         for time_ns, offset, length in found.loose if by_file else sorted(found.loose, reverse=reverse):
             if (time_ns > start_ns) if reverse else (time_ns < start_ns):
                 continue
-            self._file.seek(offset - _MESSAGE_HEAD.size)
-            channel_id, _, _, sent_ns = _MESSAGE_HEAD.unpack(self._file.read(_MESSAGE_HEAD.size))
+            self._file.seek(offset - MESSAGE_HEAD.size)
+            channel_id, _, _, sent_ns = MESSAGE_HEAD.unpack(self._file.read(MESSAGE_HEAD.size))
             channel = found.summary.channels.get(channel_id)
             if channel is not None and channel.topic in topics:
                 yield Message(time_ns, sent_ns, channel.topic, self._file.read(length))
+
+
+def topic_of(channel: Channel, schema: Schema | None) -> TopicMetadata:
+    """Return what a channel tells of its topic."""
+    profiles: list[QoS] = []
+    try:
+        profiles = from_yaml(channel.metadata.get("offered_qos_profiles", ""))
+    except ValueError:
+        profiles = []  # written by a tool that stores something else there: treated as unknown
+    return TopicMetadata(
+        id=channel.id,
+        name=channel.topic,
+        type=schema.name if schema is not None else "",
+        serialization_format=channel.message_encoding,
+        offered_qos_profiles=profiles,
+        type_description_hash=channel.metadata.get("topic_type_hash", ""),
+    )
+
+
+def definition_of(schema: Schema) -> MessageDefinition:
+    """Return the text of a message type."""
+    return MessageDefinition(schema.name, schema.encoding, schema.data.decode("utf-8", "replace"), "")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from rosbag2_interfaces.msg import WriteSplitEvent
 from rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot
@@ -27,14 +27,35 @@ DEPTH = 1000
 """Messages of one topic that may wait to be written; the real one has 10 and a thread for receiving."""
 
 
+class RecordingHost(Protocol):
+    """A program with a node of its own that records beside other things: then nobody controls the recording by services."""
+
+    def received(self, topic: str, received_ns: int) -> None:
+        """A message was written."""
+
+    def failed(self, error: OSError) -> None:
+        """A message could not be written: the disk is full, or the folder is gone."""
+
+
 class Recording:
     """Records topics on `node`: call `start`, then `poll` at every polling interval, finally `stop`.
 
     `start` raises RuntimeError if the bag can't be created. `keyboard`: whether keys can control it.
     """
 
-    def __init__(self, node: Node, storage: StorageOptions, options: RecordOptions, *, keyboard: bool) -> None:
+    def __init__(
+        self,
+        node: Node,
+        storage: StorageOptions,
+        options: RecordOptions,
+        *,
+        keyboard: bool,
+        host: RecordingHost | None = None,
+    ) -> None:
         self._node = node
+        self._host = host
+        self.types: dict[str, str] = {}
+        """The types of the recorded topics, by name."""
         self._storage = storage
         self._options = options
         self._log: Any = node.get_logger()
@@ -74,19 +95,11 @@ class Recording:
         """Create the bag and the services, and subscribe to the present topics."""
         self._writer.open(self._storage, ConverterOptions("cdr", "cdr"))
         bag = self._writer._opened()
-        bag.on_split = self._on_split
+        if self._host is None:
+            bag.on_split = self._on_split
         self.recording = True
-        node = self._node
-        if self._storage.snapshot_mode:
-            node.create_service(Snapshot, "~/snapshot", self._snapshot)
-        if value("bag.recorder_can_pause"):
-            from rosbag2_interfaces.srv import SplitBagfile
-
-            node.create_service(SplitBagfile, "~/split_bagfile", self._split)
-            node.create_service(Pause, "~/pause", self._callback(self.pause))
-            node.create_service(Resume, "~/resume", self._callback(self.resume))
-            node.create_service(IsPaused, "~/is_paused", self._is_paused)
-        self._splits = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
+        if self._host is None:
+            self._offer_services(self._node)
         self._log.info("Listening for topics...")
         if self._options.use_sim_time:
             self._log.info("use_sim_time set, waiting for /clock before starting recording...")
@@ -96,6 +109,18 @@ class Recording:
             self._discovering = False
         self._log.info("Wait for recording: Press SPACE to start." if self.paused else "Recording...")
         self._flushed = time.monotonic()
+
+    def _offer_services(self, node: Node) -> None:
+        if self._storage.snapshot_mode:
+            node.create_service(Snapshot, "~/snapshot", self._snapshot)
+        if value("bag.recorder_can_pause"):
+            from rosbag2_interfaces.srv import SplitBagfile
+
+            node.create_service(SplitBagfile, "~/split_bagfile", self._split)
+            node.create_service(Pause, "~/pause", self._callback(self.pause))
+            node.create_service(Resume, "~/resume", self._callback(self.resume))
+            node.create_service(IsPaused, "~/is_paused", self._is_paused)
+        self._splits: Any = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
 
     def poll(self) -> None:
         """Look for new topics, and flush received messages to the disk."""
@@ -150,12 +175,23 @@ class Recording:
         )
         self._writer.create_topic(metadata)
         write, clock = self._writer.write, self._node.get_clock()
-        simulated = self._options.use_sim_time
+        simulated, host = self._options.use_sim_time, self._host
 
         def receive(data: bytes, info: Any) -> None:
-            if not self.paused:
-                received = clock.now().nanoseconds if simulated else info["received_timestamp"]
+            if self.paused:
+                return
+            received = clock.now().nanoseconds if simulated else info["received_timestamp"]
+            try:
                 write(topic, data, received, info["source_timestamp"])
+            except OSError as error:
+                if host is None:
+                    raise
+                host.failed(error)
+            else:
+                if host is not None:
+                    host.received(topic, received)
+
+        self.types[topic] = metadata.type
 
         self._subscriptions[topic] = self._node.create_subscription(
             kind, topic, receive, self._profile(topic, offers), raw=True

@@ -184,10 +184,10 @@ class SqliteReader:
     def close(self) -> None:
         self._database.close()
 
-    def _topics(self) -> dict[int, TopicMetadata]:
+    def topics(self) -> dict[int, TopicMetadata]:
         columns = self._columns["topics"]
         found: dict[int, TopicMetadata] = {}
-        for row in self._rows(f"SELECT {', '.join(columns)} FROM topics ORDER BY id"):
+        for row in self.rows(f"SELECT {', '.join(columns)} FROM topics ORDER BY id"):
             values = dict(zip(columns, row, strict=True))
             found[values["id"]] = TopicMetadata(
                 id=values["id"],
@@ -199,7 +199,7 @@ class SqliteReader:
             )
         return found
 
-    def _rows(self, query: str, *values: Any) -> Iterator[Any]:
+    def rows(self, query: str, *values: Any) -> Iterator[Any]:
         try:
             yield from self._database.execute(query, values)
         except sqlite3.DatabaseError as error:
@@ -207,7 +207,7 @@ class SqliteReader:
 
     def metadata(self) -> BagMetadata:
         """Return the metadata of the file alone, as if it were the whole bag."""
-        counts = {id_: (count, first, last) for id_, count, first, last in self._rows(
+        counts = {id_: (count, first, last) for id_, count, first, last in self.rows(
             "SELECT topic_id, COUNT(*), MIN(timestamp), MAX(timestamp) FROM messages GROUP BY topic_id"
         )}  # fmt: skip
         start = min((first for _, first, _ in counts.values()), default=0)
@@ -215,11 +215,11 @@ class SqliteReader:
         total = sum(count for count, _, _ in counts.values())
         about = BagMetadata()
         if self._columns["metadata"]:
-            for (text,) in self._rows("SELECT metadata FROM metadata ORDER BY id DESC LIMIT 1"):
+            for (text,) in self.rows("SELECT metadata FROM metadata ORDER BY id DESC LIMIT 1"):
                 about = MetadataIo().deserialize_metadata(text)
         distro = about.ros_distro
         if "ros_distro" in self._columns["schema"]:
-            distro = next((row[0] for row in self._rows("SELECT ros_distro FROM schema")), distro)
+            distro = next((row[0] for row in self.rows("SELECT ros_distro FROM schema")), distro)
         return BagMetadata(
             bag_size=self._path.stat().st_size,
             storage_identifier=self.storage_id,
@@ -229,7 +229,7 @@ class SqliteReader:
             starting_time=BagTime(start),
             message_count=total,
             topics_with_message_count=[
-                TopicInformation(topic, counts.get(id_, (0, 0, 0))[0]) for id_, topic in self._topics().items()
+                TopicInformation(topic, counts.get(id_, (0, 0, 0))[0]) for id_, topic in self.topics().items()
             ],
             custom_data=about.custom_data,
             ros_distro=distro,
@@ -243,17 +243,17 @@ class SqliteReader:
             "SELECT topic_type, encoding, encoded_message_definition, type_description_hash FROM message_definitions "
             "ORDER BY id"
         )
-        return [MessageDefinition(*row) for row in self._rows(query)]
+        return [MessageDefinition(*row) for row in self.rows(query)]
 
     def messages(
         self, start_ns: int, wanted: Wanted, *, reverse: bool = False, by_file: bool = False
     ) -> Iterator[Message]:
         """Yield the messages from a time on (reverse: up to it), by time or as they were written."""
-        ids = {id_: topic.name for id_, topic in self._topics().items() if wanted(topic.name)}
+        ids = {id_: topic.name for id_, topic in self.topics().items() if wanted(topic.name)}
         direction = " DESC" if reverse else ""
         order = f"id{direction}" if by_file else f"timestamp{direction}, id{direction}"
         listed = ", ".join(map(str, ids))
-        rows = self._rows(
+        rows = self.rows(
             f"SELECT topic_id, timestamp, data FROM messages WHERE timestamp {'<=' if reverse else '>='} ? "
             f"AND topic_id IN ({listed}) ORDER BY {order}",
             start_ns,
