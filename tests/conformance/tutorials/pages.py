@@ -1,0 +1,157 @@
+"""Which pages are played, which share a home, and what a reader knows that no rule finds in their words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from documentation import Block
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page; those of one `chain` are played one after the other in one home: each takes up what the one before has left."""
+
+    path: str
+    chain: str
+
+    @property
+    def name(self) -> str:
+        return self.path.removeprefix("source/Tutorials/").removesuffix(".rst").rpartition("/")[2]
+
+    @property
+    def section(self) -> str:
+        return self.path.removeprefix("source/Tutorials/").partition("/")[0]
+
+
+@dataclass(frozen=True)
+class Hand:
+    """What to do at a block: `block` is looked for in its text.
+
+    `file`: the block belongs there, `how` says in which way (see `Workspace.write`). `at`: the folder in which to type it. `instead`: pairs of a
+    pattern and what to type for it. `interrupt`: a pattern of running commands that get Ctrl-C before. `skip`: why it is not played.
+    """
+
+    block: str
+    tab: str = ""
+    heading: str = ""
+    file: str = ""
+    how: str = "whole"
+    at: str = ""
+    instead: Sequence[tuple[str, str]] = ()
+    interrupt: str = ""
+    skip: str = ""
+
+    def fits(self, block: Block) -> bool:
+        return (
+            (not self.tab or self.tab.lower() == block.tab.lower())
+            and (not self.heading or re.search(self.heading, block.heading) is not None)
+            and re.search(self.block, block.text, re.M) is not None
+        )
+
+
+_CHAINED = ("Beginner-Client-Libraries", "Intermediate/Launch", "Intermediate/Tf2", "Intermediate/URDF")
+"""Folders whose pages build on each other."""
+
+ORDER = (
+    "Beginner-CLI-Tools/Configuring-ROS2-Environment",
+    "Beginner-CLI-Tools/Introducing-Turtlesim/Introducing-Turtlesim",
+    "Beginner-CLI-Tools/Understanding-ROS2-Nodes/Understanding-ROS2-Nodes",
+    "Beginner-CLI-Tools/Understanding-ROS2-Topics/Understanding-ROS2-Topics",
+    "Beginner-CLI-Tools/Understanding-ROS2-Services/Understanding-ROS2-Services",
+    "Beginner-CLI-Tools/Understanding-ROS2-Parameters/Understanding-ROS2-Parameters",
+    "Beginner-CLI-Tools/Understanding-ROS2-Actions/Understanding-ROS2-Actions",
+    "Beginner-CLI-Tools/Using-Rqt-Console/Using-Rqt-Console",
+    "Beginner-CLI-Tools/Launching-Multiple-Nodes/Launching-Multiple-Nodes",
+    "Beginner-CLI-Tools/Recording-And-Playing-Back-Data/Recording-And-Playing-Back-Data",
+    "Beginner-Client-Libraries/Colcon-Tutorial",
+    "Beginner-Client-Libraries/Creating-A-Workspace/Creating-A-Workspace",
+    "Beginner-Client-Libraries/Creating-Your-First-ROS2-Package",
+    "Beginner-Client-Libraries/Writing-A-Simple-Cpp-Publisher-And-Subscriber",
+    "Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber",
+    "Beginner-Client-Libraries/Writing-A-Simple-Cpp-Service-And-Client",
+    "Beginner-Client-Libraries/Writing-A-Simple-Py-Service-And-Client",
+    "Beginner-Client-Libraries/Custom-ROS2-Interfaces",
+    "Beginner-Client-Libraries/Single-Package-Define-And-Use-Interface",
+    "Beginner-Client-Libraries/Using-Parameters-In-A-Class-CPP",
+    "Beginner-Client-Libraries/Using-Parameters-In-A-Class-Python",
+    "Beginner-Client-Libraries/Getting-Started-With-Ros2doctor",
+    "Beginner-Client-Libraries/Pluginlib",
+    "Intermediate/Rosdep",
+    "Intermediate/Creating-an-Action",
+    "Intermediate/Writing-an-Action-Server-Client/Cpp",
+    "Intermediate/Writing-an-Action-Server-Client/Py",
+    "Intermediate/Writing-a-Composable-Node",
+    "Intermediate/Composition",
+    "Intermediate/Monitoring-For-Parameter-Changes-CPP",
+    "Intermediate/Monitoring-For-Parameter-Changes-Python",
+    "Intermediate/Launch/Creating-Launch-Files",
+    "Intermediate/Launch/Launch-system",
+    "Intermediate/Launch/Using-Substitutions",
+    "Intermediate/Launch/Using-Event-Handlers",
+    "Intermediate/Launch/Using-ROS2-Launch-For-Large-Projects",
+    "Intermediate/Tf2/Introduction-To-Tf2",
+    "Intermediate/Tf2/Writing-A-Tf2-Static-Broadcaster-Py",
+    "Intermediate/Tf2/Writing-A-Tf2-Broadcaster-Py",
+    "Intermediate/Tf2/Writing-A-Tf2-Listener-Py",
+    "Intermediate/Tf2/Adding-A-Frame-Py",
+    "Intermediate/Tf2/Learning-About-Tf2-And-Time-Py",
+    "Intermediate/Tf2/Time-Travel-With-Tf2-Py",
+    "Intermediate/Tf2/Debugging-Tf2-Problems",
+    "Intermediate/Tf2/Quaternion-Fundamentals",
+    "Intermediate/Tf2/Using-Stamped-Datatypes-With-Tf2-Ros-MessageFilter",
+    "Intermediate/Tf2/Writing-A-Tf2-Static-Broadcaster-Cpp",
+    "Intermediate/Tf2/Writing-A-Tf2-Broadcaster-Cpp",
+    "Intermediate/Tf2/Writing-A-Tf2-Listener-Cpp",
+    "Intermediate/Tf2/Adding-A-Frame-Cpp",
+    "Intermediate/Tf2/Learning-About-Tf2-And-Time-Cpp",
+    "Intermediate/Tf2/Time-Travel-With-Tf2-Cpp",
+    "Intermediate/Testing/CLI",
+    "Intermediate/Testing/Python",
+    "Intermediate/Testing/Cpp",
+    "Intermediate/URDF/Building-a-Visual-Robot-Model-with-URDF-from-Scratch",
+    "Intermediate/URDF/Building-a-Movable-Robot-Model-with-URDF",
+    "Intermediate/URDF/Adding-Physical-and-Collision-Properties-to-a-URDF-Model",
+    "Intermediate/URDF/Using-Xacro-to-Clean-Up-a-URDF-File",
+    "Intermediate/URDF/Using-URDF-with-Robot-State-Publisher",
+    "Intermediate/URDF/Exporting-an-URDF-File",
+    "Intermediate/RViz/RViz-User-Guide/RViz-User-Guide",
+    "Intermediate/RViz/RViz-Custom-Display/RViz-Custom-Display",
+    "Advanced/Recording-A-Bag-From-Your-Own-Node-CPP",
+    "Advanced/Recording-A-Bag-From-Your-Own-Node-Py",
+    "Advanced/Reading-From-A-Bag-File-CPP",
+    "Demos/Quality-of-Service",
+    "Demos/Managed-Nodes",
+    "Demos/Logging-and-logger-configuration",
+    "Demos/Intra-Process-Communication",
+    "Demos/Content-Filtering-Subscription",
+    "Demos/Service-Introspection",
+    "Demos/dummy-robot-demo",
+)
+"""Below source/Tutorials, in the order in which they are to be read. Pages that a branch lacks are left out."""
+
+
+def pages(paths: Sequence[str]) -> list[Page]:
+    """Return those of ORDER that a branch has."""
+    have = set(paths)
+    found = []
+    for name in ORDER:
+        path = f"source/Tutorials/{name}.rst"
+        if path in have:
+            chain = next((folder for folder in _CHAINED if name.startswith(folder)), name)
+            if name.startswith("Intermediate/") and ("Action" in name):
+                chain = "Intermediate/Actions"
+            found.append(Page(path, chain))
+    return found
+
+
+HANDS: dict[str, tuple[Hand, ...]] = {
+    "Configuring-ROS2-Environment": (
+        Hand(r"export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
+        Hand(r"echo .export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
+    ),
+    "Recording-And-Playing-Back-Data": (
+        Hand(r"ros2 bag (info|play) .*<bag_file_name>", instead=[("<bag_file_name>", "<BAG>")], interrupt="ros2 bag record"),
+    ),
+}
