@@ -22,8 +22,8 @@ class Workspace:
     def __init__(self, home: Path) -> None:
         self.home = home
         self.root = home / "ros2_ws"
-        self.used = False
         self.package: str = ""
+        self.written: list[Path] = []
         self._words = ""
 
     # -- where we are --------------------------------------------------------------------------------------------------
@@ -43,10 +43,21 @@ class Workspace:
             if (self.root / "src" / path).is_dir():
                 self.package = path
 
+        for word in re.findall(r"``(\w+)/?``", words):
+            if (self.root / "src" / word / "package.xml").is_file():
+                self.package = word
+
+    def has_package(self, command: str) -> bool:
+        """Say whether a command would make a package that is there."""
+        created = _CREATED.match(command)
+        return created is not None and any((self.root / "src" / word / "package.xml").is_file() for word in created["rest"].split())
+
+    def where(self, name: str) -> Path | None:
+        """Return the folder of a file that was written for a page."""
+        return next((path.parent for path in reversed(self.written) if path.name == name), None)
+
     def ran(self, command: str, cwd: Path) -> None:
         """Take note of a command that was run."""
-        if re.match(r"(colcon|ros2 pkg create|source install|\. install|cd )", command):
-            self.used = True
         if created := _CREATED.match(command):
             words = [word for word in created["rest"].split() if (cwd / word / "package.xml").is_file()]
             if words:
@@ -57,7 +68,9 @@ class Workspace:
     def heed(self, block: Block) -> list[str]:
         """Do what a listing shows; return the files written, none where it only explains."""
         named = [one or two for one, two in _CODE.findall(block.before)]
-        files = [name for name in named if _FILE.search(name)]
+        files = [name for name in named if _FILE.search(name) and "/" + name not in ("/__init__.py",)]
+        told = re.findall(r"(?:called|named|create|new file|file|code in|into|call it)\W+(?:[\w']+ ){0,4}``([^`]+)``", block.before, re.I)
+        files = [name for name in told if name in files] or files
         comment = re.match(r"# ?(\S+\.py)\s*$", block.text.partition("\n")[0])
         if comment and not files:
             files = [comment[1]]
@@ -65,26 +78,26 @@ class Workspace:
         package = self.root / "src" / self.package
         if entries := _ENTRY.findall(text):
             target = self.root / "src" / entries[0][2].partition(".")[0] / "setup.py"
-            if target.is_file() and "from setuptools" not in text:
+            if target.is_file():
                 changed = [self._entry(target, name, module, main) for _, name, module, main in entries]
                 if data := _DATA.findall(text):
                     self._data(target, data)
                 return [self._shown(target)] if any(changed) or _DATA.search(text) else []
-        if language == "python" and _DATA.search(text) and self.package and "import LaunchDescription" not in text and "from setuptools" not in text:
+        if language == "python" and _DATA.search(text) and self.package and "LaunchDescription" not in text:
             return [self._shown(package / "setup.py")] if self._data(package / "setup.py", _DATA.findall(text)) else []
         if self.package and language in ("xml", "", "python", "console") and (_DEPEND.search(text) or _ABOUT.search(text)) and "<package" not in text:
             return self._manifest(package / "package.xml", text)
         if language == "cmake" and self.package and (package / "CMakeLists.txt").is_file():
             return self._cmake(package / "CMakeLists.txt", text)
-        if not files or not self._is_whole(text, language, files[-1]):
+        if not files or not self._is_whole(text, language, files[0]):
             return []
-        return self.write(str(self._place(files[-1], text).relative_to(self.home)), text, "whole")
+        return self.write(str(self._place(files[0], text).relative_to(self.home)), text, "whole")
 
     def _is_whole(self, text: str, language: str, name: str) -> bool:
         if name.endswith((".msg", ".srv", ".action")):
             return language in ("console", "bash", "", "text") and not re.search(r"[(){}]", text)
         if language == "python":
-            return name.endswith(".py") and "import " in text and bool(re.search(r"def main|def generate_launch_description|^setup\(|__main__|^def test_|class Test", text, re.M))
+            return name.endswith(".py") and "import " in text and bool(re.search(r"def main|def generate_launch_description|__main__|^def test_|class Test", text, re.M))
         if language == "xml":
             return text.lstrip().startswith(("<?xml", "<launch", "<robot", "<package")) and name.endswith((".xml", ".urdf", ".xacro"))
         if language == "yaml":
@@ -96,10 +109,16 @@ class Workspace:
         name = name.removeprefix("~/")
         if "/" in name:
             first = name.partition("/")[0]
-            for base in (self.home, self.root, self.root / "src", package):
+            bases = [self.root, self.root / "src", self.home]
+            for base in [package, *bases] if self.package else bases[::-1]:
                 if (base / first).is_dir():
                     return base / name
             return package / name
+        if re.search(r"home directory", self._words):
+            return self.home / name
+        launches = "generate_launch_description" in text or re.match(r"\s*(<launch|<\?xml[^>]*>\s*<launch)", text) or re.search(r"^launch:", text, re.M)
+        if launches and self.package:
+            return package / "launch" / name
         found = [path for path in package.rglob(name) if "build" not in path.parts] if self.package else []
         if found:
             return found[0]
@@ -108,7 +127,7 @@ class Workspace:
                 return known / name
         suffix = name.rpartition(".")[2]
         inside = {"msg": "msg", "srv": "srv", "action": "action", "yaml": "config", "rviz": "rviz", "urdf": "urdf"}.get(suffix, "")
-        if "generate_launch_description" in text or re.match(r"\s*(<launch|<\?xml[^>]*>\s*<launch|launch:)", text) or re.search(r"^launch:", text, re.M):
+        if launches:
             inside = "launch"
         elif suffix == "py" and name not in ("setup.py", "conf.py"):
             inside = "test" if name.startswith("test_") else self.package
@@ -122,6 +141,7 @@ class Workspace:
         """
         path = self.home / name
         path.parent.mkdir(parents=True, exist_ok=True)
+        self.written.append(path)
         kind, _, pattern = how.partition(" ")
         if kind == "whole":
             path.write_text(text + "\n", encoding="utf-8")

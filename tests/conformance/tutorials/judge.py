@@ -32,6 +32,8 @@ _MASKS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"-?\b\d+(?:\.\d+)?(?:e[+-]?\d+)?(?=\b|s\b|ms\b|KB|MB|Ki|Mi)", "N"),
         (r"-?\bN\b", "N"),
         (r"(?:N[,;] ?)+N\b", "N…"),
+        (r"<n>", "N"),
+        (r"^maintainer: .*", "maintainer: …"),
         (r"\s+", " "),
     )
 )

@@ -140,13 +140,38 @@ def pages(paths: Sequence[str]) -> list[Page]:
         path = f"source/Tutorials/{name}.rst"
         if path in have:
             chain = next((folder for folder in _CHAINED if name.startswith(folder)), name)
+            if name.endswith("Colcon-Tutorial"):
+                chain = name  # its clone has C++ packages, which no later page wants
             if name.startswith("Intermediate/") and ("Action" in name):
                 chain = "Intermediate/Actions"
             found.append(Page(path, chain))
     return found
 
 
+_PUBSUB = "ros2_ws/src/py_pubsub"
+_SRVCLI = "ros2_ws/src/py_srvcli"
+
 HANDS: dict[str, tuple[Hand, ...]] = {
+    "Creating-Your-First-ROS2-Package": (
+        Hand(r"ros2 pkg create", tab="CMake", skip="the tab for C++; a reader of Python takes the other"),
+        Hand(r".", tab="CMake", skip="the tab for C++; a reader of Python takes the other"),
+    ),
+    "Custom-ROS2-Interfaces": (
+        Hand(r"class MinimalPublisher\(Node", file=f"{_PUBSUB}/py_pubsub/publisher_member_function.py"),
+        Hand(r"class MinimalSubscriber\(Node", file=f"{_PUBSUB}/py_pubsub/subscriber_member_function.py"),
+        Hand(r"class MinimalService\(Node", file=f"{_SRVCLI}/py_srvcli/service_member_function.py"),
+        Hand(r"class MinimalClientAsync\(Node", file=f"{_SRVCLI}/py_srvcli/client_member_function.py"),
+        Hand(r"<exec_depend>tutorial_interfaces", heading="pub/sub", file=f"{_PUBSUB}/package.xml", how="manifest"),
+        Hand(r"<exec_depend>tutorial_interfaces", heading="service/client", file=f"{_SRVCLI}/package.xml", how="manifest"),
+        Hand(r"<depend>tutorial_interfaces", heading="pub/sub", file="ros2_ws/src/cpp_pubsub/package.xml", how="manifest"),
+        Hand(r"<depend>tutorial_interfaces", heading="service/client", file="ros2_ws/src/cpp_srvcli/package.xml", how="manifest"),
+        Hand(r"add_executable\(talker", skip="C++"),
+        Hand(r"add_executable\(server", skip="C++"),
+    ),
+    "Py": (
+        Hand(r"class FibonacciActionServer[\s\S]*def main", file="fibonacci_action_server.py"),
+        Hand(r"class FibonacciActionClient[\s\S]*def main", file="fibonacci_action_client.py"),
+    ),
     "Configuring-ROS2-Environment": (
         Hand(r"export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
         Hand(r"echo .export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),

@@ -35,10 +35,16 @@ _CTRL_C = re.compile(r"[^.\n]*(?:Ctrl ?[-+] ?C|CTRL ?[-+] ?C|\^C)\b[^.\n]*", re.
 _ARROWS = re.compile(r"arrow|move (the|your) turtle|drive (the|your)", re.IGNORECASE)
 _CODE = re.compile(r"``([^`]+)``")
 _MOVES = re.compile(
-    r"(?:navigate|go|move|return|cd|change|back|inside|into|in the|in your|root of your workspace|directory)[^.`]*``([~\w./<>-]+)``", re.IGNORECASE
+    r"(?:navigate|go|move|return|cd|change|back|inside|into|in the|in your|root of your workspace)\b[^.`]*``((?:~/)?\w*(?:_ws|/|src)[~\w./-]*)``",
+    re.IGNORECASE,
 )
 _FAILED = re.compile(r"Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found", re.M)
 _WORKSPACE = re.compile(r"mkdir -p (~/|\./)?(?P<name>[\w/]+)/src\b")
+_IS_FILE = re.compile(r"\.(py|cfg|txt|xml|ya?ml|h|hpp|cpp)$")
+_NO_COMPILER = re.compile(r"no C\+\+ compiler|is a C\+\+ program")
+_OTHER_SYSTEM = re.compile(r"\bon (windows|macos)\W*$", re.IGNORECASE)
+_TREE = re.compile(r"[├└]──|^\w+/\n +\w+/", re.M)
+"""A picture of folders."""
 _CPP_NAME = re.compile(r"Cpp|CPP|Pluginlib|Composable|Custom-Display")
 
 
@@ -48,6 +54,7 @@ class Row:
 
     command: str
     line: int
+    heading: str = ""
     verdict: str = "run"
     """run, failed, form; elsewhere in the table: window."""
     reason: str = ""
@@ -72,8 +79,11 @@ class Player:
         self._hands = HANDS.get(page.name, ())
         self._terminal: Terminal | None = None
         self._workspace = Workspace(machine.home)
+        if mirror is not None:
+            serve_clones(mirror, machine.home)
         self._wants_new = True
         self._into = ""
+        self._sourced: dict[int, float] = {}
         self.rows: list[Row] = []
         self.files: list[str] = []
 
@@ -92,9 +102,11 @@ class Player:
 
     def _play_block(self, block: Block, hand: Hand | None) -> None:
         self._heed(block)
+        if _OTHER_SYSTEM.search(block.before):
+            return
         if hand is not None and hand.skip:
             if parts := split(block.text):
-                self.rows += [Row(command, block.line, "left out", hand.skip) for command, _ in parts]
+                self.rows += [Row(command, block.line, block.heading, "left out", hand.skip) for command, _ in parts]
             return
         if hand is not None and hand.file:
             self.files += self._workspace.write(hand.file, block.text, hand.how)
@@ -108,6 +120,8 @@ class Player:
             return
         if block.tab.lower() == CPLUSPLUS or block.language in ("c++", "cpp", "c"):
             return
+        if _TREE.search(block.text):
+            return
         written = self._workspace.heed(block)
         self.files += written
         if not written and block.language in SHELLS:
@@ -118,7 +132,7 @@ class Player:
     def _said(self, block: Block) -> str:
         """Return the command that only the sentence before a listing names, '' for none."""
         sentence = re.split(r"\n\s*\n", block.before)[-1]
-        inline = [code for code in _CODE.findall(sentence) if re.match(r"ros2 \w+ \w+|printenv", code)]
+        inline = [code for code in _CODE.findall(sentence) if re.match(r"ros2 \w+ \w+|ros2 doctor|printenv", code)]
         return inline[-1] if inline and not is_form(inline[-1]) else ""
 
     def _heed(self, block: Block) -> None:
@@ -165,7 +179,7 @@ class Player:
     # -- a command -----------------------------------------------------------------------------------------------------
 
     def _command(self, command: str, block: Block, hand: Hand | None) -> None:
-        row = Row(command, block.line)
+        row = Row(command, block.line, block.heading)
         self.rows.append(row)
         if hand is not None:
             for pattern, text in hand.instead:
@@ -173,18 +187,22 @@ class Player:
         if is_form(command):
             row.verdict = "form"
             return
-        if block.tab.lower() == CPLUSPLUS:
+        if "c++" in block.tab.lower():
             row.reason = "C++"
+        if self._workspace.has_package(command):
+            row.verdict, row.reason = "left out", "another tab has made a package of this name"
+            return
         terminal = self._choose(command, block, hand)
         self._go(terminal, command, hand)
         if workspace := _WORKSPACE.search(command):
             self._workspace.root = self._machine.home / workspace["name"]
+        self._source(terminal, command)
         if given := self._given(command, terminal):
             row.verdict, row.reason = given
             self.files += [command.rpartition("/")[2]] if row.verdict == "run" else []
             return
         windows = len(self._machine.windows())
-        row.run = self._machine.type(terminal, self._locally(command))
+        row.run = self._machine.type(terminal, command)
         self._until_settled(row, terminal, windows)
         self._workspace.ran(command, terminal.shell.cwd)
 
@@ -199,11 +217,19 @@ class Player:
                     self._interrupt(other)
         if self._terminal is None or self._wants_new or self._terminal.busy or self._terminal.closed:
             self._terminal = self._machine.open()
-            if (self._workspace.root / "install/setup.bash").exists() and self._workspace.used:
+            if (self._workspace.root / "install/setup.bash").exists():
                 self._machine.settle(self._terminal, f"cd {self._workspace.root}")
-                self._machine.settle(self._terminal, "source install/setup.bash")
         self._wants_new = False
         return self._terminal
+
+    def _source(self, terminal: Terminal, command: str) -> None:
+        """Source the workspace, as pages remind their reader to do in every terminal after a build."""
+        setup = self._workspace.root / "install/setup.bash"
+        if re.match(r"(ros2 |rviz2|python3)", command) and setup.is_file():
+            built = max(path.stat().st_mtime for path in (self._workspace.root / "install").iterdir())
+            if self._sourced.get(id(terminal)) != built:
+                self._machine.settle(terminal, f"source {setup}")
+                self._sourced[id(terminal)] = built
 
     def _go(self, terminal: Terminal, command: str, hand: Hand | None) -> None:
         """Go to the folder in which a command belongs."""
@@ -214,6 +240,8 @@ class Player:
             into = self._workspace.root / "src"
         elif re.match(r"(colcon|rosdep install|source install|\. install|source \./install)", command):
             into = self._workspace.root
+        elif (script := re.match(r"python3 ([\w.]+\.py)", command)) and (place := self._workspace.where(script[1])):
+            into = place
         elif self._into:
             into = self._workspace.folder(self._into)
         if into is not None and into.is_dir() and into != terminal.shell.cwd:
@@ -235,14 +263,6 @@ class Player:
             seen.append(run.written)
             if not self._machine.wait(lambda: ended() or run.written > seen[-1], QUIET_S) or len(seen) > 3:
                 break
-
-    def _locally(self, command: str) -> str:
-        if command.startswith("git clone") and self._mirror is not None:
-            match = re.search(r"https://github\.com/([\w.-]+)/([\w.-]+?)(?:\.git)?(?=\s|$)", command)
-            if match is not None and (local := self._mirror / f"{match[1]}+{match[2]}" / "repo").exists():
-                rest = command.replace(match[0], str(local))
-                return rest if re.search(r"\s(?!-)\S+$", rest.replace(str(local), "").replace("-b ", "-b")) else f"{rest} {match[2]}"
-        return command
 
     def _given(self, command: str, terminal: Terminal) -> tuple[str, str] | None:
         """Serve a wget from the mirror; return a verdict, None if it is none."""
@@ -273,7 +293,8 @@ class Player:
         if not rows:
             return
         last = rows[-1]
-        if last.listing is None:
+        near = last.heading == block.heading and not any(_IS_FILE.search(code) for code in _CODE.findall(block.before))
+        if last.listing is None and near:
             self._judge(last, block.text)
             if last.kind != Verdict.DIFFERS:
                 return
@@ -281,6 +302,8 @@ class Player:
             assert row.run is not None
             verdict, difference = compare(block.text, row.run.output, goes_on=True, home=str(self._machine.home))
             if verdict is not Verdict.DIFFERS:
+                if row.kind not in ("", Verdict.DIFFERS.value) and row is not last:
+                    return
                 if row is not last and last.listing == block.text:
                     last.listing, last.kind, last.difference = None, "", []
                 row.listing, row.kind, row.difference = block.text, row.kind or verdict.value, difference
@@ -308,7 +331,20 @@ class Player:
         shown = row.kind not in ("", Verdict.DIFFERS.value)
         if opens_window(row.command):
             row.verdict = "window"
-        if ((status not in (0, None) and not row.interrupted) or _FAILED.search(row.output)) and not shown:
+        said = row.output.partition("^C")[0] if row.interrupted else row.output
+        if ((status not in (0, None) and not row.interrupted) or _FAILED.search(said)) and not shown:
             row.verdict = "failed"
         if row.verdict == "failed" and not row.reason and _CPP_NAME.search(self._page.name):
             row.reason = "C++"
+        if row.verdict == "failed" and not row.reason and _NO_COMPILER.search(row.output):
+            row.reason = "C++"
+
+
+def serve_clones(mirror: Path, home: Path) -> None:
+    """Let git take the public repositories of the mirror from there, by the settings of a home."""
+    settings = []
+    for place in sorted(mirror.glob("*+*/repo")):
+        owner, _, name = place.parent.name.partition("+")
+        for end in ("", ".git"):
+            settings.append(f'[url "{place}"]\n\tinsteadOf = https://github.com/{owner}/{name}{end}\n')
+    (home / ".gitconfig").write_text("".join(settings) + "[advice]\n\tdetachedHead = false\n[safe]\n\tdirectory = *\n", encoding="utf-8")

@@ -83,6 +83,7 @@ class Recording:
         node.create_service(Resume, "~/resume", self._callback(self.resume))
         node.create_service(IsPaused, "~/is_paused", self._is_paused)
         self._splits = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
+        self._log.info("Event publisher thread: Starting")
         self._log.info("Listening for topics...")
         if self._options.use_sim_time:
             self._log.info("use_sim_time set, waiting for /clock before starting recording...")
@@ -116,6 +117,7 @@ class Recording:
             self._node.destroy_subscription(subscription)
         self._subscriptions.clear()
         self._writer.close()
+        self._log.info("Event publisher thread: Exiting")
         self._log.info("Recording stopped")
 
     # -- topics --------------------------------------------------------------------------------------------------------
