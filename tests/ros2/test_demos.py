@@ -11,7 +11,7 @@ from day6_tui.core.ros.program_index import executables, packages
 DEMOS = [
     each
     for each in packages()
-    if each.startswith(("demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2"))
+    if each.startswith(("demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo"))
 ]
 ALL = [(package, name) for package in DEMOS for name in executables(package)]
 
@@ -208,3 +208,35 @@ def test_talker_qos_ends_after_its_cycles(machine):
     machine.step(5.0)
     texts = [text for _, text in said(session)]
     assert texts == ["Reliable talker", 'Publishing: "Hello World: 0"', 'Publishing: "Hello World: 1"']
+
+
+def test_the_logging_demo_logs_once_always_and_after_a_while_at_debug(machine):
+    demo = machine.run("logging_demo", "logging_demo_main")
+    machine.step(5.4)
+    texts = [text for _, text in said(demo)]
+    assert texts.count("Timer callback called (this will only log once)") == 1
+    assert texts[-1] == "Publishing: 'Current count: 9'" and "[DEBUG]" not in demo.stderr.text
+    machine.step(4.0)
+    texts = [text for _, text in said(demo)][len(texts) :]
+    assert texts[texts.index("Publishing: 'Current count: 12'") + 1 :][:2] == [
+        "Count divides into 12 (function evaluated to true)",
+        "Count is even (expression evaluated to true)",
+    ]
+    end = texts.index("Reseting count to 0")
+    assert texts[end - 1] == "Publishing: 'Current count: 15'"
+    assert texts[end + 1 : end + 3] == ["Publishing: 'Current count: 0'", "Modulo divisor cannot be 0"]
+
+
+def test_the_logger_component_sets_levels_of_its_container_only(machine):
+    container = machine.run("rclcpp_components", "component_container")
+    other = machine.run("demo_nodes_cpp", "listener")
+    for plugin in ("composition composition::Talker", "logging_demo logging_demo::LoggerConfig"):
+        assert machine.ros2("component", "load", "/ComponentManager", *plugin.split()).status == 0
+    call = ("service", "call", "/config_logger", "logging_demo/srv/ConfigLogger")
+    assert "success=True" in machine.ros2(*call, "{logger_name: talker, level: ERROR}").stdout
+    before = len(said(container))
+    machine.step(3.0)
+    assert said(container)[before:] == []
+    assert [text for _, text in said(other)][-1].startswith("I heard: [Hello World")
+    assert "success=False" in machine.ros2(*call, "{logger_name: '', level: NOISY}").stdout
+    assert said(container)[-1] == ("logger_config", "Unknown severity 'NOISY'")

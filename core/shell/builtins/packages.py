@@ -153,13 +153,16 @@ def _unresolved(folders: list[Path], prefixes: str) -> dict[str, list[str]]:
     return missing
 
 
+_LIBRARIES = frozenset(
+    """class_loader pluginlib rclcpp rclcpp_action rclcpp_lifecycle rosbag2_cpp rosbag2_storage rosbag2_transport setuptools tf2
+    tf2_eigen""".split()
+)
+"""What packages of C++ depend on: every installation of ROS 2 has it. Here colcon says what has no compiler."""
+
+
 def _is_system(key: str) -> bool:
-    """Whether a dependency is a build tool or a Python tool, which this machine has or does not need."""
-    return key.startswith(("ament_", "python3", "rosidl_", "launch_testing")) or key in (
-        "rclcpp",
-        "rclcpp_action",
-        "setuptools",
-    )
+    """Whether a dependency is a build tool, a library for C++ or a Python tool, which this machine has or does not need."""
+    return key.startswith(("ament_", "python3", "rosidl_", "launch_testing")) or key in _LIBRARIES
 
 
 async def pip(session: Session) -> int:
