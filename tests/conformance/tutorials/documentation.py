@@ -68,6 +68,10 @@ class Documentation:
         )
         return sorted(path for path in done.stdout.decode().split("\n") if path.endswith(".rst"))
 
+    def read_beside(self, page: str, path: str) -> str:
+        """Return a file by its path as a page writes it."""
+        return self.read(beside(page, path))
+
     def blocks(self, page: str) -> list[Block]:
         """Return the blocks of a page in their order, those of other systems left out."""
         return _Reader(self, page).blocks()
@@ -117,10 +121,10 @@ class _Reader:
             yield self._block(argument.lower(), _dedent([line for _, line in body]), number, tab, shown)
         elif name == "literalinclude":
             language = options.get("language", "").lower() or PurePosixPath(argument).suffix.lstrip(".")
-            text = self._documentation.read(self._beside(argument))
+            text = self._documentation.read_beside(str(self._page), argument)
             yield self._block(language, _chosen(text, options), number, tab, shown or argument)
         elif name == "include":
-            lines = self._documentation.read(self._beside(argument)).splitlines()
+            lines = self._documentation.read_beside(str(self._page), argument).splitlines()
             yield from self._body([(number, line) for line in lines], tab)
         elif name in ("group-tab", "tab"):
             if not any(word in argument.lower() for word in ELSEWHERE):
@@ -128,17 +132,6 @@ class _Reader:
                 yield from self._body(body, argument)
         elif name in _BODIES:
             yield from self._body([(number, argument), *body] if argument else body, tab)
-
-    def _beside(self, path: str) -> str:
-        if path.startswith("/"):
-            return "source" + path
-        parts: list[str] = []
-        for part in (self._page.parent / path).parts:
-            if part == "..":
-                parts.pop()
-            elif part != ".":
-                parts.append(part)
-        return "/".join(parts)
 
     def _block(self, language: str, text: str, number: int, tab: str, option: str = "") -> Block:
         before = "\n".join(self._words).strip()
@@ -169,3 +162,16 @@ def _chosen(text: str, options: dict[str, str]) -> str:
             chosen += lines[begin - 1 : (int(last) if last else len(lines)) if dash else begin]
         return _dedent(chosen)
     return text.rstrip("\n")
+
+
+def beside(page: str, path: str) -> str:
+    """Return the path below the clone's root that a page means by a path of its own."""
+    if path.startswith("/"):
+        return "source" + path
+    parts: list[str] = []
+    for part in (PurePosixPath(page).parent / path).parts:
+        if part == "..":
+            parts.pop()
+        elif part != ".":
+            parts.append(part)
+    return "/".join(parts)

@@ -43,7 +43,7 @@ class Workspace:
             if (self.root / "src" / path).is_dir():
                 self.package = path
 
-        for word in re.findall(r"``(\w+)/?``", words):
+        for word in re.findall(r"``(?:src/)?(\w+)/?``", words):
             if (self.root / "src" / word / "package.xml").is_file():
                 self.package = word
 
@@ -75,6 +75,8 @@ class Workspace:
         if comment and not files:
             files = [comment[1]]
         text, language = block.text, block.language
+        if (said := re.search(r"^\s*package_name = '(\w+)'", text, re.M)) and (self.root / "src" / said[1]).is_dir():
+            self.package = said[1]
         package = self.root / "src" / self.package
         if entries := _ENTRY.findall(text):
             target = self.root / "src" / entries[0][2].partition(".")[0] / "setup.py"
@@ -134,11 +136,13 @@ class Workspace:
         return package / inside / name
 
     def write(self, name: str, text: str, how: str) -> list[str]:
-        """Write a listing to a file below the home; return that file's name.
+        """Write a listing to a file below the home, or to several; return their names.
 
         `how`: whole (the file is this), entry, data, manifest, cmake (see `heed`), or `after PATTERN`, `before PATTERN` and `for PATTERN`: its place in
         the file.
         """
+        if " " in name:
+            return [each for one in name.split() for each in self.write(one, text, how)]
         path = self.home / name
         path.parent.mkdir(parents=True, exist_ok=True)
         self.written.append(path)

@@ -30,7 +30,8 @@ class Hand:
     """What to do at a block: `block` is looked for in its text.
 
     `file`: the block belongs there, `how` says in which way (see `Workspace.write`). `at`: the folder in which to type it. `instead`: pairs of a
-    pattern and what to type for it. `interrupt`: a pattern of running commands that get Ctrl-C before. `skip`: why it is not played.
+    pattern and what to type for it. `interrupt`: a pattern of running commands that get Ctrl-C before, `before`: commands that are typed
+    in a terminal of their own before. `skip`: why it is not played.
     """
 
     block: str
@@ -41,6 +42,7 @@ class Hand:
     at: str = ""
     instead: Sequence[tuple[str, str]] = ()
     interrupt: str = ""
+    before: Sequence[str] = ()
     skip: str = ""
 
     def fits(self, block: Block) -> bool:
@@ -142,6 +144,8 @@ def pages(paths: Sequence[str]) -> list[Page]:
             chain = next((folder for folder in _CHAINED if name.startswith(folder)), name)
             if name.endswith("Colcon-Tutorial"):
                 chain = name  # its clone has C++ packages, which no later page wants
+            if name.startswith("Intermediate/Testing"):
+                chain = _CHAINED[0]
             if name.startswith("Intermediate/") and ("Action" in name):
                 chain = "Intermediate/Actions"
             found.append(Page(path, chain))
@@ -175,6 +179,31 @@ HANDS: dict[str, tuple[Hand, ...]] = {
     "Configuring-ROS2-Environment": (
         Hand(r"export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
         Hand(r"echo .export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
+    ),
+    "Launch-system": tuple(
+        Hand(pattern, heading="Writing", file=" ".join(f"launch_ws/src/{package}/launch/{name}" for package in ("py_launch_example", "cpp_launch_example")))
+        for pattern, name in ((r"^import launch", "my_script_launch.py"), (r"<launch>", "my_script_launch.xml"), (r"^launch:", "my_script_launch.yaml"))
+    ),
+    "Monitoring-For-Parameter-Changes-Python": (
+        Hand(
+            r"self\.callback_handle = self",
+            heading="3.1",
+            file="ros2_ws/src/python_parameter_event_handler/python_parameter_event_handler/parameter_event_handler.py",
+            how=r"after ^            callback=self.callback,\n        \)",
+        ),
+    ),
+    "Composition": (
+        Hand(r"ros2 run rclcpp_components component_container", interrupt="composition"),
+        Hand(r"ros2 component (list|load)", interrupt="composition_demo_launch"),
+    ),
+    "Service-Introspection": (
+        Hand(
+            r"ros2 service echo",
+            before=(
+                "ros2 param set /introspection_service service_configure_introspection contents",
+                "ros2 param set /introspection_client client_configure_introspection metadata",
+            ),
+        ),
     ),
     "Recording-And-Playing-Back-Data": (
         Hand(r"ros2 bag (info|play) .*<bag_file_name>", instead=[("<bag_file_name>", "<BAG>")], interrupt="ros2 bag record"),

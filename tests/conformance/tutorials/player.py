@@ -40,6 +40,7 @@ _MOVES = re.compile(
 )
 _FAILED = re.compile(r"Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found", re.M)
 _WORKSPACE = re.compile(r"mkdir -p (~/|\./)?(?P<name>[\w/]+)/src\b")
+_DOWNLOAD = re.compile(r":download:`[^`<]*<([^>]+)>`[^`]*``([^`]+)``")
 _IS_FILE = re.compile(r"\.(py|cfg|txt|xml|ya?ml|h|hpp|cpp)$")
 _NO_COMPILER = re.compile(r"no C\+\+ compiler|is a C\+\+ program")
 _OTHER_SYSTEM = re.compile(r"\bon (windows|macos)\W*$", re.IGNORECASE)
@@ -84,6 +85,7 @@ class Player:
         self._wants_new = True
         self._into = ""
         self._sourced: dict[int, float] = {}
+        self._unbuilt = False
         self.rows: list[Row] = []
         self.files: list[str] = []
 
@@ -109,7 +111,8 @@ class Player:
                 self.rows += [Row(command, block.line, block.heading, "left out", hand.skip) for command, _ in parts]
             return
         if hand is not None and hand.file:
-            self.files += self._workspace.write(hand.file, block.text, hand.how)
+            self.files += self._workspace.write(hand.file, _body(block.text) if " " in hand.how else block.text, hand.how)
+            self._unbuilt = True
             return
         parts = split(block.text) if block.language in SHELLS else None
         if parts is not None:
@@ -124,6 +127,7 @@ class Player:
             return
         written = self._workspace.heed(block)
         self.files += written
+        self._unbuilt = self._unbuilt or bool(written)
         if not written and block.language in SHELLS:
             if (said := self._said(block)) and (not self.rows or said != self.rows[-1].command):
                 self._command(said, block, hand)
@@ -152,6 +156,9 @@ class Player:
         if _NEW_TERMINAL.search(words):
             self._wants_new = True
         self._workspace.hear(words)
+        for source, name in _DOWNLOAD.findall(words):
+            self.files += self._workspace.write(name, self._documentation.read_beside(self._page.path, source), "whole")
+            self._unbuilt = True
         for path in _MOVES.findall(words):
             if self._workspace.folder(path) is not None:
                 self._into = path
@@ -196,6 +203,9 @@ class Player:
         self._go(terminal, command, hand)
         if workspace := _WORKSPACE.search(command):
             self._workspace.root = self._machine.home / workspace["name"]
+        self._build(terminal, command, block)
+        for line in hand.before if hand is not None else ():
+            self._machine.settle(terminal, line)
         self._source(terminal, command)
         if given := self._given(command, terminal):
             row.verdict, row.reason = given
@@ -205,6 +215,8 @@ class Player:
         row.run = self._machine.type(terminal, command)
         self._until_settled(row, terminal, windows)
         self._workspace.ran(command, terminal.shell.cwd)
+        if command.startswith("colcon build"):
+            self._unbuilt = False
 
     def _choose(self, command: str, block: Block, hand: Hand | None) -> Terminal:
         for other in self._machine.terminals:
@@ -221,6 +233,15 @@ class Player:
                 self._machine.settle(self._terminal, f"cd {self._workspace.root}")
         self._wants_new = False
         return self._terminal
+
+    def _build(self, terminal: Terminal, command: str, block: Block) -> None:
+        """Build a package whose files were changed since, where the sentence before says so without a listing."""
+        package = re.match(r"ros2 (?:run|launch) (\w+)", command)
+        if package is not None and self._unbuilt and re.search(r"\bbuild\b", block.before):
+            if (self._workspace.root / "src" / package[1]).is_dir():
+                self._machine.settle(terminal, f"cd {self._workspace.root}")
+                self._machine.settle(terminal, f"colcon build --packages-select {package[1]}")
+                self._unbuilt = False
 
     def _source(self, terminal: Terminal, command: str) -> None:
         """Source the workspace, as pages remind their reader to do in every terminal after a build."""
@@ -240,6 +261,8 @@ class Player:
             into = self._workspace.root / "src"
         elif re.match(r"(colcon|rosdep install|source install|\. install|source \./install)", command):
             into = self._workspace.root
+        elif (place := re.match(r"cd ([\w/]+)$", command)) and not (terminal.shell.cwd / place[1]).is_dir():
+            into = self._machine.home
         elif (script := re.match(r"python3 ([\w.]+\.py)", command)) and (place := self._workspace.where(script[1])):
             into = place
         elif self._into:
@@ -338,6 +361,13 @@ class Player:
             row.reason = "C++"
         if row.verdict == "failed" and not row.reason and _NO_COMPILER.search(row.output):
             row.reason = "C++"
+
+
+def _body(text: str) -> str:
+    """Return the lines that a listing adds: those after its first `...`, which stands for what is there already."""
+    _, dots, rest = text.partition("...\n")
+    lines = (rest if dots else text).strip("\n").split("\n")
+    return "\n".join(lines)
 
 
 def serve_clones(mirror: Path, home: Path) -> None:
