@@ -32,6 +32,8 @@ class Block:
     heading: str
     line: int
     tab: str
+    since: str
+    """The same, with what stood before the heading."""
     option: str = ""
     """A caption or a name that the block has."""
 
@@ -82,6 +84,7 @@ class _Reader:
         self._documentation = documentation
         self._page = PurePosixPath(page)
         self._words: list[str] = []
+        self._since: list[str] = []
         self._heading = ""
 
     def blocks(self) -> list[Block]:
@@ -105,6 +108,7 @@ class _Reader:
                 at += 1
                 continue
             self._words.append(line.strip())
+            self._since.append(line.strip())
             if line.rstrip().endswith("::") and not line.lstrip().startswith(".. "):
                 end = _end_of_body(lines, at - 1, len(line) - len(line.lstrip()))
                 if end > at and any(each.strip() for _, each in lines[at:end]):
@@ -129,14 +133,15 @@ class _Reader:
         elif name in ("group-tab", "tab"):
             if not any(word in argument.lower() for word in ELSEWHERE):
                 self._words.append(argument)
+                self._since.append(argument)
                 yield from self._body(body, argument)
         elif name in _BODIES:
             yield from self._body([(number, argument), *body] if argument else body, tab)
 
     def _block(self, language: str, text: str, number: int, tab: str, option: str = "") -> Block:
-        before = "\n".join(self._words).strip()
-        self._words = []
-        return Block(language, text, before, self._heading, number, tab, option)
+        before, since = ("\n".join(words).strip() for words in (self._words, self._since))
+        self._words, self._since = [], []
+        return Block(language, text, before, self._heading, number, tab, since, option)
 
 
 def _end_of_body(lines: list[tuple[int, str]], at: int, indent: int) -> int:

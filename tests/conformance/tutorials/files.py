@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from pathlib import Path
 
 from documentation import Block
@@ -163,6 +164,9 @@ class Workspace:
             match = re.search(pattern, before, re.M)
             if match is None:
                 return []
+            indent = re.match(r" *", match[0].lstrip("\n"))
+            if indent is not None and kind in ("after", "before"):
+                text = "\n".join(indent[0] + line for line in textwrap.dedent(text).split("\n"))
             start, end = {"after": (match.end(), match.end()), "before": (match.start(), match.start())}.get(kind, match.span())
             path.write_text(before[:start] + ("\n" if kind == "after" else "") + text + ("\n" if kind == "before" else "") + before[end:], encoding="utf-8")
         return [self._shown(path)]

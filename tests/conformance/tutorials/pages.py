@@ -180,19 +180,23 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         Hand(r"export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
         Hand(r"echo .export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
     ),
-    "Launch-system": tuple(
+    "Launch-system": (
+        Hand(r"install\(DIRECTORY", file="launch_ws/src/cpp_launch_example/CMakeLists.txt", how="cmake"),
+        *(
         Hand(pattern, heading="Writing", file=" ".join(f"launch_ws/src/{package}/launch/{name}" for package in ("py_launch_example", "cpp_launch_example")))
         for pattern, name in ((r"^import launch", "my_script_launch.py"), (r"<launch>", "my_script_launch.xml"), (r"^launch:", "my_script_launch.yaml"))
+        ),
     ),
     "Monitoring-For-Parameter-Changes-Python": (
         Hand(
             r"self\.callback_handle = self",
             heading="3.1",
             file="ros2_ws/src/python_parameter_event_handler/python_parameter_event_handler/parameter_event_handler.py",
-            how=r"after ^            callback=self.callback,\n        \)",
+            how=r"after ^        \)(?=\n\n    def callback)",
         ),
     ),
     "Composition": (
+        Hand(r"ros2 component load.*Cam2Image", interrupt="MyContainer"),
         Hand(r"ros2 run rclcpp_components component_container", interrupt="composition"),
         Hand(r"ros2 component (list|load)", interrupt="composition_demo_launch"),
     ),

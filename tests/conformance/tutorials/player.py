@@ -141,7 +141,7 @@ class Player:
 
     def _heed(self, block: Block) -> None:
         """Do what the words before a block tell."""
-        words = block.before
+        words = block.since
         if words:
             self._wants_new = False
             self._into = ""
@@ -155,7 +155,7 @@ class Player:
                         self._machine.wait(lambda: False, 0.3)
         if _NEW_TERMINAL.search(words):
             self._wants_new = True
-        self._workspace.hear(words)
+        self._workspace.hear(block.before)
         for source, name in _DOWNLOAD.findall(words):
             self.files += self._workspace.write(name, self._documentation.read_beside(self._page.path, source), "whole")
             self._unbuilt = True
@@ -321,16 +321,22 @@ class Player:
             self._judge(last, block.text)
             if last.kind != Verdict.DIFFERS:
                 return
+        self._machine.wait(lambda: self._shown_by_one_of(rows, block.text), GOES_ON_S / 2)
+
+    def _shown_by_one_of(self, rows: list[Row], listing: str) -> bool:
+        """Look whether a command that was run before has shown a listing, and note it there."""
         for row in reversed(rows):
             assert row.run is not None
-            verdict, difference = compare(block.text, row.run.output, goes_on=True, home=str(self._machine.home))
-            if verdict is not Verdict.DIFFERS:
-                if row.kind not in ("", Verdict.DIFFERS.value) and row is not last:
-                    return
-                if row is not last and last.listing == block.text:
-                    last.listing, last.kind, last.difference = None, "", []
-                row.listing, row.kind, row.difference = block.text, row.kind or verdict.value, difference
-                return
+            verdict, difference = compare(listing, row.run.output, goes_on=True, home=str(self._machine.home))
+            if verdict is Verdict.DIFFERS:
+                continue
+            last = rows[-1]
+            if row is not last and last.listing == listing:
+                last.listing, last.kind, last.difference = None, "", []
+            if row.kind in ("", Verdict.DIFFERS.value):
+                row.listing, row.kind, row.difference = listing, verdict.value, difference
+            return True
+        return False
 
     def _judge(self, row: Row, listing: str) -> None:
         run = row.run
