@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import math
 import re
+from pathlib import Path
 
 import pytest
+from nav_msgs.msg import OccupancyGrid
+from sensor_msgs.msg import JointState, LaserScan
 
 from day6_tui.core.ros.program_index import executables, packages
+from day6_tui.urdf.check import check_text
+from rclpy.qos import DurabilityPolicy, QoSProfile
+
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 DEMOS = [
     each
     for each in packages()
-    if each.startswith(("demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo"))
+    if each.startswith(("demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo", "dummy_"))
 ]
 ALL = [(package, name) for package in DEMOS for name in executables(package)]
 
@@ -240,3 +248,69 @@ def test_the_logger_component_sets_levels_of_its_container_only(machine):
     assert [text for _, text in said(other)][-1].startswith("I heard: [Hello World")
     assert "success=False" in machine.ros2(*call, "{logger_name: '', level: NOISY}").stdout
     assert said(container)[-1] == ("logger_config", "Unknown severity 'NOISY'")
+
+
+def test_the_dummy_robot_swings_its_joints_before_a_scan_and_a_map(machine):
+    joints, scans, maps = [], [], []
+
+    def watch(node):
+        node.create_subscription(JointState, "joint_states", joints.append, 10)
+        node.create_subscription(LaserScan, "scan", scans.append, 10)
+        node.create_subscription(OccupancyGrid, "map", maps.append, LATCHED)
+
+    machine.node("watcher", watch)
+    laser = machine.run("dummy_sensors", "dummy_laser")
+    for package, executable in (("dummy_sensors", "dummy_joint_states"), ("dummy_map_server", "dummy_map_server")):
+        machine.run(package, executable)
+    machine.step(2.05)
+    assert len(joints) in (101, 102) and len(scans) in (60, 61, 62) and len(maps) == 3
+    assert list(joints[0].name) == ["single_rrbot_joint1", "single_rrbot_joint2"]
+    assert list(joints[4].position) == [math.sin(0.5)] * 2
+    assert ("dummy_laser", "scan size:\t1081") in said(laser)
+    assert list(scans[2].ranges) == pytest.approx([math.sin(0.3)] * 1081, abs=1e-6)
+    assert [list(grid.data).index(100) for grid in maps] == [2, 3, 4]
+    assert maps[0].header.frame_id == "world" and maps[0].info.width == maps[0].info.height == 100
+
+
+def test_the_arm_of_the_dummy_robot_stands_on_the_world(machine):
+    share = machine.ros2("pkg", "prefix", "--share", "dummy_robot_bringup").stdout.strip()
+    robot = check_text(Path(share, "launch", "single_rrbot.urdf").read_text(encoding="utf-8")).robot
+    moving = [joint.name for joint in robot.joints if joint.type == "continuous"]
+    assert moving == ["single_rrbot_joint1", "single_rrbot_joint2"]
+    assert "single_rrbot_hokuyo_link" in [link.name for link in robot.links]
+
+
+@pytest.mark.parametrize(
+    ("file", "links", "moving"),
+    [
+        ("01-myfirst", 1, 0), ("02-multipleshapes", 2, 0), ("03-origins", 2, 0), ("04-materials", 3, 0),
+        ("05-visual", 16, 0), ("06-flexible", 16, 8), ("07-physics", 16, 8),
+    ],
+)  # fmt: skip
+def test_a_robot_of_the_urdf_tutorials_is_right(machine, file, links, moving):
+    share = machine.ros2("pkg", "prefix", "--share", "urdf_tutorial").stdout.strip()
+    found = check_text(Path(share, "urdf", f"{file}.urdf").read_text(encoding="utf-8"))
+    assert not found.diagnostics
+    assert len(found.robot.links) == links
+    assert len([joint for joint in found.robot.joints if joint.type != "fixed"]) == moving
+
+
+def test_the_robot_with_macros_is_the_one_with_physics(machine):
+    share = Path(machine.ros2("pkg", "prefix", "--share", "urdf_tutorial").stdout.strip())
+    session = machine.run("xacro", "xacro", str(share / "urdf/08-macroed.urdf.xacro"))
+    for _ in range(100):
+        if session.stdout.text:
+            break
+        machine.step(0.05)
+    made, written = (
+        check_text(text).robot for text in (session.stdout.text, (share / "urdf/07-physics.urdf").read_text())
+    )
+    assert {link.name for link in made.links} == {link.name for link in written.links}
+    ends = [{joint.name: (joint.type, joint.parent, joint.child) for joint in robot.joints} for robot in (made, written)]
+    assert ends[0] == ends[1]
+
+
+def test_the_display_of_the_urdf_tutorials_takes_a_model_of_its_package(machine):
+    shown = machine.ros2("launch", "urdf_tutorial", "display.launch.py", "--show-args").stdout
+    assert "'model':" in shown and "urdf_tutorial" in shown
+    assert "'rvizconfig':" in shown and "'gui':" in shown
