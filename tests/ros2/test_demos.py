@@ -278,39 +278,3 @@ def test_the_arm_of_the_dummy_robot_stands_on_the_world(machine):
     moving = [joint.name for joint in robot.joints if joint.type == "continuous"]
     assert moving == ["single_rrbot_joint1", "single_rrbot_joint2"]
     assert "single_rrbot_hokuyo_link" in [link.name for link in robot.links]
-
-
-@pytest.mark.parametrize(
-    ("file", "links", "moving"),
-    [
-        ("01-myfirst", 1, 0), ("02-multipleshapes", 2, 0), ("03-origins", 2, 0), ("04-materials", 3, 0),
-        ("05-visual", 16, 0), ("06-flexible", 16, 8), ("07-physics", 16, 8),
-    ],
-)  # fmt: skip
-def test_a_robot_of_the_urdf_tutorials_is_right(machine, file, links, moving):
-    share = machine.ros2("pkg", "prefix", "--share", "urdf_tutorial").stdout.strip()
-    found = check_text(Path(share, "urdf", f"{file}.urdf").read_text(encoding="utf-8"))
-    assert not found.diagnostics
-    assert len(found.robot.links) == links
-    assert len([joint for joint in found.robot.joints if joint.type != "fixed"]) == moving
-
-
-def test_the_robot_with_macros_is_the_one_with_physics(machine):
-    share = Path(machine.ros2("pkg", "prefix", "--share", "urdf_tutorial").stdout.strip())
-    session = machine.run("xacro", "xacro", str(share / "urdf/08-macroed.urdf.xacro"))
-    for _ in range(100):
-        if session.stdout.text:
-            break
-        machine.step(0.05)
-    made, written = (
-        check_text(text).robot for text in (session.stdout.text, (share / "urdf/07-physics.urdf").read_text())
-    )
-    assert {link.name for link in made.links} == {link.name for link in written.links}
-    ends = [{joint.name: (joint.type, joint.parent, joint.child) for joint in robot.joints} for robot in (made, written)]
-    assert ends[0] == ends[1]
-
-
-def test_the_display_of_the_urdf_tutorials_takes_a_model_of_its_package(machine):
-    shown = machine.ros2("launch", "urdf_tutorial", "display.launch.py", "--show-args").stdout
-    assert "'model':" in shown and "urdf_tutorial" in shown
-    assert "'rvizconfig':" in shown and "'gui':" in shown
