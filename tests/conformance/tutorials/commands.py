@@ -12,7 +12,7 @@ FIRST_WORDS = frozenset(
 )
 SHELLS = frozenset(("console", "bash", "shell", "sh", "text", "none", "default", ""))
 _ASSIGNMENT = re.compile(r"[A-Z_]+=\S* +(ros2|colcon|python3)\b")
-_PLACEHOLDER = re.compile(r"(?<![<>&\d])<[A-Za-z_][\w\-. |/]*>|\[[a-z_]+ ?\.\.\.\]|\[-[a-z]|\bYOUR_\w+|/path/to\b|--x x\b|\[package_selection_args\]|^ros2 (topic echo|node info|pkg create|topic pub)$")
+_PLACEHOLDER = re.compile(r"(?<![<>&\d])<[A-Za-z_][\w\-. |/]*>|\[[a-z_]+ ?\.\.\.\]|\[-[a-z]|\bYOUR_\w+|/path/to\b|--x x\b|\[package_selection_args\]|\[\w+\] \[\w+\]|\bmodel\.xacro\b|^ros2 (topic echo|node info|pkg create|topic pub)$")
 _RUNS_ON = re.compile(
     r"\bros2 (run|launch|bag (record|play)|service echo|action echo|topic (echo|hz|bw|delay)(?!.*--once))\b"
     r"|\bros2 topic pub(?!.*(--once|-1\b|--times|-t \d))"

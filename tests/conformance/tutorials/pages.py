@@ -31,7 +31,7 @@ class Hand:
 
     `file`: the block belongs there, `how` says in which way (see `Workspace.write`). `at`: the folder in which to type it. `instead`: pairs of a
     pattern and what to type for it. `interrupt`: a pattern of running commands that get Ctrl-C before, `before`: commands that are typed
-    in a terminal of their own before. `skip`: why it is not played.
+    before. `of`: the command whose output the block is. `skip`: why it is not played.
     """
 
     block: str
@@ -43,6 +43,7 @@ class Hand:
     instead: Sequence[tuple[str, str]] = ()
     interrupt: str = ""
     before: Sequence[str] = ()
+    of: str = ""
     skip: str = ""
 
     def fits(self, block: Block) -> bool:
@@ -179,6 +180,13 @@ HANDS: dict[str, tuple[Hand, ...]] = {
     "Configuring-ROS2-Environment": (
         Hand(r"export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
         Hand(r"echo .export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
+    ),
+    "Understanding-ROS2-Topics": (Hand(r"^geometry_msgs/msg/Twist$", skip="only names a type"),),
+    "Using-Rqt-Console": (Hand(r"^Fatal$", skip="names of levels"),),
+    "Getting-Started-With-Ros2doctor": (
+        Hand(r"^UserWarning: Publisher without", of="ros2 doctor"),
+        Hand(r"^UserWarning: Subscriber without", of="ros2 doctor"),
+        Hand(r"^distribution name", of="ros2 doctor --report"),
     ),
     "Launch-system": (
         Hand(r"install\(DIRECTORY", file="launch_ws/src/cpp_launch_example/CMakeLists.txt", how="cmake"),

@@ -129,7 +129,8 @@ class Player:
         self.files += written
         self._unbuilt = self._unbuilt or bool(written)
         if not written and block.language in SHELLS:
-            if (said := self._said(block)) and (not self.rows or said != self.rows[-1].command):
+            said = hand.of if hand is not None and hand.of else self._said(block)
+            if said and (not self.rows or said != self.rows[-1].command):
                 self._command(said, block, hand)
             self._listing(block)
 
