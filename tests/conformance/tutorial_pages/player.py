@@ -8,12 +8,12 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from documentation import CPLUSPLUS, Block, Documentation
-from commands import SHELLS, is_form, opens_window, runs_on, split
-from files import Workspace
-from judge import Verdict, compare
-from machine import LEFT, UP, Machine
-from pages import HANDS, Hand, Page
+from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation
+from tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
+from tutorial_pages.files import Workspace
+from tutorial_pages.judge import Verdict, compare
+from tutorial_pages.reader_machine import LEFT, UP, Machine
+from tutorial_pages.pages import HANDS, Hand, Page
 
 from day6_tui.core.shell.runs import Run
 from day6_tui.core.shell.terminal import Terminal

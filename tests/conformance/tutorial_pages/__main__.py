@@ -1,6 +1,6 @@
 """Plays the official tutorials on machines of ours and writes the table page by page.
 
-    python tests/conformance/tutorials --documentation CLONE --branch jazzy [--mirror DIR] [--report DIR] [--write] [WORD…]
+    python tests/conformance/tutorial_pages --documentation CLONE --branch jazzy [--mirror DIR] [--report DIR] [--write] [WORD…]
 
 CLONE is a clone of the documentation; nothing of it is kept but the commands that do not run, or print something else. DIR of
 `--mirror` has clones of the repositories that pages fetch from (`owner+name/repo`); without it such commands count as "network".
@@ -23,18 +23,18 @@ from typing import Any
 
 HERE = Path(__file__).resolve().parent
 TESTS = HERE.parents[1]
-sys.path[:0] = [str(HERE), str(TESTS), str(TESTS / "stepped")]
+sys.path[:0] = [str(HERE.parent), str(TESTS), str(TESTS / "stepped")]
 
-from documentation import Documentation  # noqa: E402
-from pages import Page, pages  # noqa: E402
-from table import TABLE, printed, summary  # noqa: E402
+from tutorial_pages.documentation import Documentation  # noqa: E402
+from tutorial_pages.pages import Page, pages  # noqa: E402
+from tutorial_pages.table import TABLE, printed, summary  # noqa: E402
 
 
 def play(documentation: Documentation, chain: list[Page], mirror: Path | None, report: Path | None) -> dict[str, Any]:
     """Play the pages of a chain in one home; return the rows of the table by page."""
     import conftest as surroundings
-    from machine import Machine
-    from player import Player
+    from tutorial_pages.reader_machine import Machine
+    from tutorial_pages.player import Player
 
     done: dict[str, Any] = {}
     with tempfile.TemporaryDirectory(prefix="d6-", ignore_cleanup_errors=True) as folder:

@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judge import Verdict, masked
-from reasons import reason
+from tutorial_pages.judge import Verdict, masked
+from tutorial_pages.reasons import reason
 
 if TYPE_CHECKING:
-    from pages import Page
-    from player import Player, Row
+    from tutorial_pages.pages import Page
+    from tutorial_pages.player import Player, Row
 
 FILE = Path(__file__).resolve().parents[1] / "tutorials.json"
 
