@@ -11,7 +11,8 @@ from rclpy.service_introspection import ServiceIntrospectionState
 
 
 def adding(machine, state=ServiceIntrospectionState.CONTENTS):
-    """Start a server and a client that calls it twice a second, both introspected; return the sums asked for and the client's node."""
+    """Record a client that calls a server twice a second; return what the server is asked from then on, the number of calls
+    and the server's node."""
     asked = []
 
     def serve(node):

@@ -16,11 +16,10 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
-DEMOS = [
-    each
-    for each in packages()
-    if each.startswith(("demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo", "dummy_"))
-]
+BEGINNINGS = (
+    "demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo", "dummy_",
+)  # fmt: skip
+DEMOS = [each for each in packages() if each.startswith(BEGINNINGS)]
 ALL = [(package, name) for package in DEMOS for name in executables(package)]
 
 

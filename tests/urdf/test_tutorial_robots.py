@@ -23,7 +23,18 @@ kill %1
 
 def typed(tmp_path: Path, lines: str) -> str:
     done = subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", str(tmp_path / "home"), "--timeout", "60", "-c", lines],
+        [
+            sys.executable,
+            "-m",
+            "day6_tui.tui.main",
+            "exec",
+            "--home",
+            str(tmp_path / "home"),
+            "--timeout",
+            "60",
+            "-c",
+            lines,
+        ],
         cwd=tmp_path,
         env={**os.environ, "DAY6_RUNTIME_DIR": str(tmp_path), "DAY6_LINK": "off"},
         capture_output=True,
@@ -53,7 +64,9 @@ def test_the_robot_with_macros_is_the_one_with_physics(tmp_path: Path) -> None:
     written = check_text((ROBOTS / "07-physics.urdf").read_text(encoding="utf-8")).robot
     assert made is not None and written is not None
     assert {link.name for link in made.links} == {link.name for link in written.links}
-    ends = [{joint.name: (joint.type, joint.parent, joint.child) for joint in robot.joints} for robot in (made, written)]
+    ends = [
+        {joint.name: (joint.type, joint.parent, joint.child) for joint in robot.joints} for robot in (made, written)
+    ]
     assert ends[0] == ends[1]
 
 

@@ -154,8 +154,9 @@ def _unresolved(folders: list[Path], prefixes: str) -> dict[str, list[str]]:
 
 
 _LIBRARIES = frozenset(
-    """class_loader pluginlib rclcpp rclcpp_action rclcpp_lifecycle rosbag2_cpp rosbag2_storage rosbag2_transport setuptools tf2
-    tf2_eigen""".split()
+    {"class_loader", "pluginlib", "setuptools", "tf2", "tf2_eigen"}
+    | {f"rclcpp{part}" for part in ("", "_action", "_lifecycle")}
+    | {f"rosbag2_{part}" for part in ("cpp", "storage", "transport")}
 )
 """What packages of C++ depend on: every installation of ROS 2 has it. Here colcon says what has no compiler."""
 

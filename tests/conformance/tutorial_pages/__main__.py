@@ -23,7 +23,7 @@ from typing import Any
 
 HERE = Path(__file__).resolve().parent
 TESTS = HERE.parents[1]
-sys.path[:0] = [str(HERE.parent), str(TESTS), str(TESTS / "stepped")]
+sys.path[:0] = [str(TESTS), str(TESTS / "stepped"), str(HERE.parent)]
 
 from tutorial_pages.documentation import Documentation  # noqa: E402
 from tutorial_pages.pages import Page, pages  # noqa: E402

@@ -86,4 +86,6 @@ class LoggerConfig:
         return response
 
 
-COMPONENTS: dict[str, type[Component]] = {f"logging_demo::{kind.__name__}": kind for kind in (LoggerConfig, LoggerUsage)}
+COMPONENTS: dict[str, type[Component]] = {
+    f"logging_demo::{kind.__name__}": kind for kind in (LoggerConfig, LoggerUsage)
+}

@@ -14,7 +14,9 @@ def generate_launch_description():
     return LaunchDescription(
         [
             DeclareLaunchArgument("urdf_package", description="The package that has the robot"),
-            DeclareLaunchArgument("urdf_package_path", description="The robot's file, from the share folder of its package"),
+            DeclareLaunchArgument(
+                "urdf_package_path", description="The robot's file, from the share folder of its package"
+            ),
             Node(
                 package="robot_state_publisher",
                 executable="robot_state_publisher",

@@ -16,7 +16,10 @@ def generate_launch_description():
     return LaunchDescription(
         [
             DeclareLaunchArgument(
-                "jsp_gui", default_value="true", choices=["true", "false"], description="Whether the joints have sliders"
+                "jsp_gui",
+                default_value="true",
+                choices=["true", "false"],
+                description="Whether the joints have sliders",
             ),
             DeclareLaunchArgument(
                 "rviz_config",
@@ -31,6 +34,11 @@ def generate_launch_description():
             ),
             Node(package=PUBLISHER, executable=PUBLISHER, condition=UnlessCondition(with_sliders)),
             Node(package=f"{PUBLISHER}_gui", executable=f"{PUBLISHER}_gui", condition=IfCondition(with_sliders)),
-            Node(package="rviz2", executable="rviz2", output="screen", arguments=["-d", LaunchConfiguration("rviz_config")]),
+            Node(
+                package="rviz2",
+                executable="rviz2",
+                output="screen",
+                arguments=["-d", LaunchConfiguration("rviz_config")],
+            ),
         ]
     )
