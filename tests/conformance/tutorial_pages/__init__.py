@@ -1,1 +1,1 @@
-"""Plays the pages of the official tutorials; `__main__.py` is the command. Names of its own: several folders of tests share a process."""
+"""Plays the pages of the official tutorials: `python tests/conformance/tutorial_pages --help`."""

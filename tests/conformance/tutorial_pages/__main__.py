@@ -33,8 +33,9 @@ from tutorial_pages.table import TABLE, printed, summary  # noqa: E402
 def play(documentation: Documentation, chain: list[Page], mirror: Path | None, report: Path | None) -> dict[str, Any]:
     """Play the pages of a chain in one home; return the rows of the table by page."""
     import conftest as surroundings
-    from tutorial_pages.reader_machine import Machine
+
     from tutorial_pages.player import Player
+    from tutorial_pages.reader_machine import Machine
 
     done: dict[str, Any] = {}
     with tempfile.TemporaryDirectory(prefix="d6-", ignore_cleanup_errors=True) as folder:

@@ -4,21 +4,30 @@ from __future__ import annotations
 
 import re
 
-FIRST_WORDS = frozenset(
-    """ros2 colcon rosdep source . export echo cd mkdir git wget curl sudo apt apt-get python3 python pip pip3 rviz2 rqt rqt_graph
-    rqt_console rqt_plot rqt_topic rqt_bag check_urdf urdf_to_graphviz xacro printenv touch ls cat vcs killall env unset tree chmod cp mv rm evince pytest
-    gnome-terminal docker gz ign webots RCUTILS_CONSOLE_OUTPUT_FORMAT tc nano gedit vim ./build . install dnf brew code
-    """.split()
-)
+_WORDS = """
+ros2 colcon rosdep source . export echo cd mkdir git wget curl sudo apt apt-get python3 python pip pip3 rviz2 rqt
+rqt_graph rqt_console rqt_plot rqt_topic rqt_bag check_urdf urdf_to_graphviz xacro printenv touch ls cat vcs killall
+env unset tree chmod cp mv rm pytest docker gz tc nano gedit vim install brew code
+"""
+FIRST_WORDS = frozenset(_WORDS.split())
+"""What a line at a prompt begins with."""
 SHELLS = frozenset(("console", "bash", "shell", "sh", "text", "none", "default", ""))
 _ASSIGNMENT = re.compile(r"[A-Z_]+=\S* +(ros2|colcon|python3)\b")
-_PLACEHOLDER = re.compile(r"(?<![<>&\d])<[A-Za-z_][\w\-. |/]*>|\[[a-z_]+ ?\.\.\.\]|\[-[a-z]|\bYOUR_\w+|/path/to\b|--x x\b|\[package_selection_args\]|\[\w+\] \[\w+\]|\bmodel\.xacro\b|^ros2 (topic echo|node info|pkg create|topic pub)$")
+_PLACEHOLDER = re.compile(
+    r"(?<![<>&\d])<[A-Za-z_][\w\-. |/]*>"
+    r"|\[[a-z_]+ ?\.\.\.\]|\[-[a-z]|\[\w+\] \[\w+\]|\[package_selection_args\]"
+    r"|\bYOUR_\w+|/path/to\b|--x x\b|\bmodel\.xacro\b"
+    r"|^ros2 (topic echo|node info|pkg create|topic pub)$"
+)
+"""What stands for something that a reader chooses; or a command that is only mentioned."""
 _RUNS_ON = re.compile(
     r"\bros2 (run|launch|bag (record|play)|service echo|action echo|topic (echo|hz|bw|delay)(?!.*--once))\b"
     r"|\bros2 topic pub(?!.*(--once|-1\b|--times|-t \d))"
     r"|^(\S+=\S+ )*(rqt\w*|rviz2|gz)\b|^python3 (?!-c)|--spin-time"
 )
-_WINDOW = re.compile(r"(^|ros2 run )(rqt\w*|rviz2)\b|joint_state_publisher_gui|cam2image|showimage|urdf_tutorial display|rviz")
+_WINDOW = re.compile(
+    r"(^|ros2 run )(rqt\w*|rviz2)\b|joint_state_publisher_gui|cam2image|showimage|urdf_tutorial display|rviz"
+)
 
 
 def split(text: str) -> list[tuple[str, str]] | None:
@@ -58,7 +67,7 @@ def is_command(line: str) -> bool:
 
 
 def _unfinished(line: str) -> bool:
-    return line.endswith("\\") or line.count("'") % 2 == 1 and line.count('"') == 0 or line.count('"') % 2 == 1
+    return line.endswith("\\") or (line.count("'") % 2 == 1 and line.count('"') == 0) or line.count('"') % 2 == 1
 
 
 def is_form(command: str) -> bool:

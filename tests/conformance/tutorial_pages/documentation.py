@@ -1,7 +1,7 @@
 """The blocks of a page of the documentation: what is typed, what is shown, what belongs into files, and the words before each.
 
-A page is read from a branch of a local clone. Of reStructuredText this knows what decides that: directives and their bodies, tabs,
-included files, literal blocks, headings. Its macros (`{DISTRO}`) are those of the documentation's own conf.py.
+A page is read from a branch of a local clone. Of reStructuredText this knows what decides that: directives and their bodies,
+tabs, included files, literal blocks, headings. Its macros (`{DISTRO}`) are those of the documentation's own conf.py.
 """
 
 from __future__ import annotations
@@ -19,7 +19,19 @@ CPLUSPLUS = "c++"
 _DIRECTIVE = re.compile(r"(?P<indent> *)\.\. (?P<name>[a-z-]+):: *(?P<argument>.*)$")
 _OPTION = re.compile(r" *:([a-z-]+): *(.*)$")
 _RULE = re.compile(r"([=\-^~\"'#*+`])\1{2,}\s*$")
-_BODIES = {"note", "warning", "tip", "tabs", "hint", "important", "caution", "attention", "seealso", "container", "dropdown"}
+_BODIES = {
+    "note",
+    "warning",
+    "tip",
+    "tabs",
+    "hint",
+    "important",
+    "caution",
+    "attention",
+    "seealso",
+    "container",
+    "dropdown",
+}
 
 
 @dataclass(frozen=True)
@@ -98,7 +110,9 @@ class _Reader:
             directive = _DIRECTIVE.match(line)
             if directive is not None:
                 end = _end_of_body(lines, at, len(directive["indent"]))
-                yield from self._directive(directive["name"], directive["argument"].strip(), lines[at + 1 : end], number, tab)
+                yield from self._directive(
+                    directive["name"], directive["argument"].strip(), lines[at + 1 : end], number, tab
+                )
                 at = end
                 continue
             at += 1
@@ -115,7 +129,9 @@ class _Reader:
                     yield self._block("", _dedent([each for _, each in lines[at:end]]), number, tab)
                     at = end
 
-    def _directive(self, name: str, argument: str, body: list[tuple[int, str]], number: int, tab: str) -> Iterator[Block]:
+    def _directive(
+        self, name: str, argument: str, body: list[tuple[int, str]], number: int, tab: str
+    ) -> Iterator[Block]:
         options: dict[str, str] = {}
         while body and (option := _OPTION.match(body[0][1])):
             options[option[1]] = option[2].strip()

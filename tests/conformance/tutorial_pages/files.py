@@ -32,7 +32,13 @@ class Workspace:
     def folder(self, path: str) -> Path | None:
         """Return the folder that a page means by a path."""
         path = path.removeprefix("~/").strip("/")
-        for base in (self.home, self.root, self.root / "src", self.root / "src" / self.package, self.root / "src" / self.package / self.package):
+        for base in (
+            self.home,
+            self.root,
+            self.root / "src",
+            self.root / "src" / self.package,
+            self.root / "src" / self.package / self.package,
+        ):
             if (base / path).is_dir() and path:
                 return base / path
         return None
@@ -51,7 +57,9 @@ class Workspace:
     def has_package(self, command: str) -> bool:
         """Say whether a command would make a package that is there."""
         created = _CREATED.match(command)
-        return created is not None and any((self.root / "src" / word / "package.xml").is_file() for word in created["rest"].split())
+        return created is not None and any(
+            (self.root / "src" / word / "package.xml").is_file() for word in created["rest"].split()
+        )
 
     def where(self, name: str) -> Path | None:
         """Return the folder of a file that was written for a page."""
@@ -70,7 +78,11 @@ class Workspace:
         """Do what a listing shows; return the files written, none where it only explains."""
         named = [one or two for one, two in _CODE.findall(block.before)]
         files = [name for name in named if _FILE.search(name) and "/" + name not in ("/__init__.py",)]
-        told = re.findall(r"(?:called|named|create|new file|file|code in|into|call it)\W+(?:[\w']+ ){0,4}``([^`]+)``", block.before, re.I)
+        told = re.findall(
+            r"(?:called|named|create|new file|file|code in|into|call it)\W+(?:[\w']+ ){0,4}``([^`]+)``",
+            block.before,
+            re.I,
+        )
         files = [name for name in told if name in files] or files
         comment = re.match(r"# ?(\S+\.py)\s*$", block.text.partition("\n")[0])
         if comment and not files:
@@ -88,7 +100,12 @@ class Workspace:
                 return [self._shown(target)] if any(changed) or _DATA.search(text) else []
         if language == "python" and _DATA.search(text) and self.package and "LaunchDescription" not in text:
             return [self._shown(package / "setup.py")] if self._data(package / "setup.py", _DATA.findall(text)) else []
-        if self.package and language in ("xml", "", "python", "console") and (_DEPEND.search(text) or _ABOUT.search(text)) and "<package" not in text:
+        if (
+            self.package
+            and language in ("xml", "", "python", "console")
+            and (_DEPEND.search(text) or _ABOUT.search(text))
+            and "<package" not in text
+        ):
             return self._manifest(package / "package.xml", text)
         if language == "cmake" and self.package and (package / "CMakeLists.txt").is_file():
             return self._cmake(package / "CMakeLists.txt", text)
@@ -100,9 +117,17 @@ class Workspace:
         if name.endswith((".msg", ".srv", ".action")):
             return language in ("console", "bash", "", "text") and not re.search(r"[(){}]", text)
         if language == "python":
-            return name.endswith(".py") and "import " in text and bool(re.search(r"def main|def generate_launch_description|__main__|^def test_|class Test", text, re.M))
+            return (
+                name.endswith(".py")
+                and "import " in text
+                and bool(
+                    re.search(r"def main|def generate_launch_description|__main__|^def test_|class Test", text, re.M)
+                )
+            )
         if language == "xml":
-            return text.lstrip().startswith(("<?xml", "<launch", "<robot", "<package")) and name.endswith((".xml", ".urdf", ".xacro"))
+            return text.lstrip().startswith(("<?xml", "<launch", "<robot", "<package")) and name.endswith(
+                (".xml", ".urdf", ".xacro")
+            )
         if language == "yaml":
             return name.endswith((".yaml", ".yml", ".repos"))
         return False
@@ -119,7 +144,11 @@ class Workspace:
             return package / name
         if re.search(r"home directory", self._words):
             return self.home / name
-        launches = "generate_launch_description" in text or re.match(r"\s*(<launch|<\?xml[^>]*>\s*<launch)", text) or re.search(r"^launch:", text, re.M)
+        launches = (
+            "generate_launch_description" in text
+            or re.match(r"\s*(<launch|<\?xml[^>]*>\s*<launch)", text)
+            or re.search(r"^launch:", text, re.M)
+        )
         if launches and self.package:
             return package / "launch" / name
         found = [path for path in package.rglob(name) if "build" not in path.parts] if self.package else []
@@ -129,7 +158,9 @@ class Workspace:
             if "." not in folder.strip("./") and (known := self.folder(folder)) is not None:
                 return known / name
         suffix = name.rpartition(".")[2]
-        inside = {"msg": "msg", "srv": "srv", "action": "action", "yaml": "config", "rviz": "rviz", "urdf": "urdf"}.get(suffix, "")
+        inside = {"msg": "msg", "srv": "srv", "action": "action", "yaml": "config", "rviz": "rviz", "urdf": "urdf"}.get(
+            suffix, ""
+        )
         if launches:
             inside = "launch"
         elif suffix == "py" and name not in ("setup.py", "conf.py"):
@@ -139,8 +170,8 @@ class Workspace:
     def write(self, name: str, text: str, how: str) -> list[str]:
         """Write a listing to a file below the home, or to several; return their names.
 
-        `how`: whole (the file is this), entry, data, manifest, cmake (see `heed`), or `after PATTERN`, `before PATTERN` and `for PATTERN`: its place in
-        the file.
+        `how`: whole (the file is this), entry, data, manifest, cmake (see `heed`), or its place in the file: `after PATTERN`,
+        `before PATTERN`, `for PATTERN`.
         """
         if " " in name:
             return [each for one in name.split() for each in self.write(one, text, how)]
@@ -167,8 +198,17 @@ class Workspace:
             indent = re.match(r" *", match[0].lstrip("\n"))
             if indent is not None and kind in ("after", "before"):
                 text = "\n".join(indent[0] + line for line in textwrap.dedent(text).split("\n"))
-            start, end = {"after": (match.end(), match.end()), "before": (match.start(), match.start())}.get(kind, match.span())
-            path.write_text(before[:start] + ("\n" if kind == "after" else "") + text + ("\n" if kind == "before" else "") + before[end:], encoding="utf-8")
+            start, end = {"after": (match.end(), match.end()), "before": (match.start(), match.start())}.get(
+                kind, match.span()
+            )
+            path.write_text(
+                before[:start]
+                + ("\n" if kind == "after" else "")
+                + text
+                + ("\n" if kind == "before" else "")
+                + before[end:],
+                encoding="utf-8",
+            )
         return [self._shown(path)]
 
     def _shown(self, path: Path) -> str:
@@ -189,8 +229,17 @@ class Workspace:
         text = before = setup.read_text(encoding="utf-8")
         for line in lines:
             line = line.strip().rstrip(",")
-            if line.count("(") == line.count(")") and line not in text and "resource_index" not in line and "['package.xml']" not in line:
-                text = re.sub(r"(\('share/' \+ package_name, \['package\.xml'\]\),\n)", lambda match, line=line: f"{match[1]}        {line},\n", text)
+            if (
+                line.count("(") == line.count(")")
+                and line not in text
+                and "resource_index" not in line
+                and "['package.xml']" not in line
+            ):
+                text = re.sub(
+                    r"(\('share/' \+ package_name, \['package\.xml'\]\),\n)",
+                    lambda match, line=line: f"{match[1]}        {line},\n",
+                    text,
+                )
         for needed in ("from glob import glob", "import os"):
             if text != before and needed not in text:
                 text = f"{needed}\n{text}"
@@ -213,7 +262,14 @@ class Workspace:
         if re.search(r"^\s*project\(", text, re.M):
             return self.write(self._shown(lists), text, "whole")
         now = lists.read_text(encoding="utf-8")
-        new = "\n".join(line for line in text.splitlines() if not re.match(r"\s*(ament_package\(\)|#? ?\.\.\.)", line) and not (line.startswith("find_package") and line.split("#")[0].strip() in now))
+        new = "\n".join(
+            line
+            for line in text.splitlines()
+            if not re.match(r"\s*(ament_package\(\)|#? ?\.\.\.)", line)
+            and not (line.startswith("find_package") and line.split("#")[0].strip() in now)
+        )
         if new.strip() and new.strip() not in now:
-            lists.write_text(re.sub(r"^ament_package\(\)", lambda _: f"{new}\n\nament_package()", now, flags=re.M), encoding="utf-8")
+            lists.write_text(
+                re.sub(r"^ament_package\(\)", lambda _: f"{new}\n\nament_package()", now, flags=re.M), encoding="utf-8"
+            )
         return [self._shown(lists)]

@@ -29,9 +29,10 @@ class Page:
 class Hand:
     """What to do at a block: `block` is looked for in its text.
 
-    `file`: the block belongs there, `how` says in which way (see `Workspace.write`). `at`: the folder in which to type it. `instead`: pairs of a
-    pattern and what to type for it. `interrupt`: a pattern of running commands that get Ctrl-C before, `before`: commands that are typed
-    before. `of`: the command whose output the block is. `skip`: why it is not played.
+    `file`: the block belongs there (or to several, between spaces), `how` says in which way (see `Workspace.write`). `at`: the
+    folder in which to type it. `instead`: pairs of a pattern and what to type for it. `interrupt`: a pattern of running commands
+    that get Ctrl-C before, `before`: commands that are typed before. `of`: the command whose output the block is.
+    `skip`: why it is not played.
     """
 
     block: str
@@ -167,9 +168,18 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         Hand(r"class MinimalService\(Node", file=f"{_SRVCLI}/py_srvcli/service_member_function.py"),
         Hand(r"class MinimalClientAsync\(Node", file=f"{_SRVCLI}/py_srvcli/client_member_function.py"),
         Hand(r"<exec_depend>tutorial_interfaces", heading="pub/sub", file=f"{_PUBSUB}/package.xml", how="manifest"),
-        Hand(r"<exec_depend>tutorial_interfaces", heading="service/client", file=f"{_SRVCLI}/package.xml", how="manifest"),
-        Hand(r"<depend>tutorial_interfaces", heading="pub/sub", file="ros2_ws/src/cpp_pubsub/package.xml", how="manifest"),
-        Hand(r"<depend>tutorial_interfaces", heading="service/client", file="ros2_ws/src/cpp_srvcli/package.xml", how="manifest"),
+        Hand(
+            r"<exec_depend>tutorial_interfaces", heading="service/client", file=f"{_SRVCLI}/package.xml", how="manifest"
+        ),
+        Hand(
+            r"<depend>tutorial_interfaces", heading="pub/sub", file="ros2_ws/src/cpp_pubsub/package.xml", how="manifest"
+        ),
+        Hand(
+            r"<depend>tutorial_interfaces",
+            heading="service/client",
+            file="ros2_ws/src/cpp_srvcli/package.xml",
+            how="manifest",
+        ),
         Hand(r"add_executable\(talker", skip="C++"),
         Hand(r"add_executable\(server", skip="C++"),
     ),
@@ -191,8 +201,18 @@ HANDS: dict[str, tuple[Hand, ...]] = {
     "Launch-system": (
         Hand(r"install\(DIRECTORY", file="launch_ws/src/cpp_launch_example/CMakeLists.txt", how="cmake"),
         *(
-        Hand(pattern, heading="Writing", file=" ".join(f"launch_ws/src/{package}/launch/{name}" for package in ("py_launch_example", "cpp_launch_example")))
-        for pattern, name in ((r"^import launch", "my_script_launch.py"), (r"<launch>", "my_script_launch.xml"), (r"^launch:", "my_script_launch.yaml"))
+            Hand(
+                pattern,
+                heading="Writing",
+                file=" ".join(
+                    f"launch_ws/src/{package}/launch/{name}" for package in ("py_launch_example", "cpp_launch_example")
+                ),
+            )
+            for pattern, name in (
+                (r"^import launch", "my_script_launch.py"),
+                (r"<launch>", "my_script_launch.xml"),
+                (r"^launch:", "my_script_launch.yaml"),
+            )
         ),
     ),
     "Monitoring-For-Parameter-Changes-Python": (
@@ -204,7 +224,7 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         ),
     ),
     "Composition": (
-        Hand(r"ros2 component load.*Cam2Image", interrupt="MyContainer"),
+        Hand(r"ros2 component load /ComponentManager .*(Cam2Image|--node-name talker2)", interrupt="MyContainer"),
         Hand(r"ros2 run rclcpp_components component_container", interrupt="composition"),
         Hand(r"ros2 component (list|load)", interrupt="composition_demo_launch"),
     ),
@@ -217,7 +237,14 @@ HANDS: dict[str, tuple[Hand, ...]] = {
             ),
         ),
     ),
+    "dummy-robot-demo": (
+        Hand(r"process started with pid", of="ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.py"),
+    ),
     "Recording-And-Playing-Back-Data": (
-        Hand(r"ros2 bag (info|play) .*<bag_file_name>", instead=[("<bag_file_name>", "<BAG>")], interrupt="ros2 bag record"),
+        Hand(
+            r"ros2 bag (info|play) .*<bag_file_name>",
+            instead=[("<bag_file_name>", "<BAG>")],
+            interrupt="ros2 bag record",
+        ),
     ),
 }

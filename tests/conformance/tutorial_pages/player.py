@@ -1,4 +1,4 @@
-"""Plays a page as its reader does: types its commands, opens terminals where it says so, presses the keys it names, writes its files."""
+"""Plays a page as its reader does: types its commands, opens terminals where it says so, presses keys, writes its files."""
 
 from __future__ import annotations
 
@@ -8,15 +8,14 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation
-from tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
-from tutorial_pages.files import Workspace
-from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.reader_machine import LEFT, UP, Machine
-from tutorial_pages.pages import HANDS, Hand, Page
-
 from day6_tui.core.shell.runs import Run
 from day6_tui.core.shell.terminal import Terminal
+from tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
+from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation
+from tutorial_pages.files import Workspace
+from tutorial_pages.judge import Verdict, compare
+from tutorial_pages.pages import HANDS, Hand, Page
+from tutorial_pages.reader_machine import LEFT, UP, Machine
 
 ENDS_S = 180.0
 """Seconds that a command which ends by itself may take."""
@@ -35,10 +34,14 @@ _CTRL_C = re.compile(r"[^.\n]*(?:Ctrl ?[-+] ?C|CTRL ?[-+] ?C|\^C)\b[^.\n]*", re.
 _ARROWS = re.compile(r"arrow|move (the|your) turtle|drive (the|your)", re.IGNORECASE)
 _CODE = re.compile(r"``([^`]+)``")
 _MOVES = re.compile(
-    r"(?:navigate|go|move|return|cd|change|back|inside|into|in the|in your|root of your workspace)\b[^.`]*``((?:~/)?\w*(?:_ws|/|src)[~\w./-]*)``",
+    r"(?:navigate|go|move|return|cd|change|back|inside|into|in the|in your|root of your workspace)\b"
+    r"[^.`]*``((?:~/)?\w*(?:_ws|/|src)[~\w./-]*)``",
     re.IGNORECASE,
 )
-_FAILED = re.compile(r"Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found", re.M)
+_FAILED = re.compile(
+    r"Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found",
+    re.M,
+)
 _WORKSPACE = re.compile(r"mkdir -p (~/|\./)?(?P<name>[\w/]+)/src\b")
 _DOWNLOAD = re.compile(r":download:`[^`<]*<([^>]+)>`[^`]*``([^`]+)``")
 _IS_FILE = re.compile(r"\.(py|cfg|txt|xml|ya?ml|h|hpp|cpp)$")
@@ -111,7 +114,9 @@ class Player:
                 self.rows += [Row(command, block.line, block.heading, "left out", hand.skip) for command, _ in parts]
             return
         if hand is not None and hand.file:
-            self.files += self._workspace.write(hand.file, _body(block.text) if " " in hand.how else block.text, hand.how)
+            self.files += self._workspace.write(
+                hand.file, _body(block.text) if " " in hand.how else block.text, hand.how
+            )
             self._unbuilt = True
             return
         parts = split(block.text) if block.language in SHELLS else None
@@ -238,11 +243,12 @@ class Player:
     def _build(self, terminal: Terminal, command: str, block: Block) -> None:
         """Build a package whose files were changed since, where the sentence before says so without a listing."""
         package = re.match(r"ros2 (?:run|launch) (\w+)", command)
-        if package is not None and self._unbuilt and re.search(r"\bbuild\b", block.before):
-            if (self._workspace.root / "src" / package[1]).is_dir():
-                self._machine.settle(terminal, f"cd {self._workspace.root}")
-                self._machine.settle(terminal, f"colcon build --packages-select {package[1]}")
-                self._unbuilt = False
+        if package is None or not self._unbuilt or not re.search(r"\bbuild\b", block.before):
+            return
+        if (self._workspace.root / "src" / package[1]).is_dir():
+            self._machine.settle(terminal, f"cd {self._workspace.root}")
+            self._machine.settle(terminal, f"colcon build --packages-select {package[1]}")
+            self._unbuilt = False
 
     def _source(self, terminal: Terminal, command: str) -> None:
         """Source the workspace, as pages remind their reader to do in every terminal after a build."""
@@ -290,7 +296,10 @@ class Player:
 
     def _given(self, command: str, terminal: Terminal) -> tuple[str, str] | None:
         """Serve a wget from the mirror; return a verdict, None if it is none."""
-        match = re.match(r"wget (?:-O (?P<name>\S+) )?https://raw\.githubusercontent\.com/([\w.-]+)/([\w.-]+)/([\w.-]+)/(\S+)", command)
+        match = re.match(
+            r"wget (?:-O (?P<name>\S+) )?https://raw\.githubusercontent\.com/([\w.-]+)/([\w.-]+)/([\w.-]+)/(\S+)",
+            command,
+        )
         if match is None:
             return None
         name, owner, repository, branch, path = match.groups()
@@ -384,4 +393,6 @@ def serve_clones(mirror: Path, home: Path) -> None:
         owner, _, name = place.parent.name.partition("+")
         for end in ("", ".git"):
             settings.append(f'[url "{place}"]\n\tinsteadOf = https://github.com/{owner}/{name}{end}\n')
-    (home / ".gitconfig").write_text("".join(settings) + "[advice]\n\tdetachedHead = false\n[safe]\n\tdirectory = *\n", encoding="utf-8")
+    (home / ".gitconfig").write_text(
+        "".join(settings) + "[advice]\n\tdetachedHead = false\n[safe]\n\tdirectory = *\n", encoding="utf-8"
+    )

@@ -1,4 +1,4 @@
-"""A whole machine of ours at which a page is played: a desk with its processes, and terminals that are opened as a reader opens them."""
+"""A whole machine of ours at which a page is played: a desk with its processes, and terminals as a reader opens them."""
 
 from __future__ import annotations
 

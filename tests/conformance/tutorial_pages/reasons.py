@@ -1,8 +1,8 @@
 """Why a command does not run here, or prints something else than its page shows.
 
 Each reason was looked up: in the sources of the real tool of that distribution, in what the real tools were recorded to print
-(`tests/conformance/golden`), or in the page itself. Its first word is its kind: C++, hardware, network, system, page (the page is older
-than its distribution, or shows what it does not run), distribution (another one prints what is printed here), words (ours).
+(`tests/conformance/golden`), or in the page itself. Its first word is its kind: C++, hardware, network, system, page (the page is
+older than its distribution, or shows what it does not run), distribution (another one prints what is printed here), words (ours).
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"^git clone|^wget", "network"),
         (r"ros2 (node info|service list)", _OLDER),
         (r"turtle_teleop_key", "distribution: the keys' names are in capitals before Kilted"),
-        (r"ros2 action info", "distribution: the two slashes were recorded of Kilted's ros2cli; Jazzy's joins them otherwise"),
+        (
+            r"ros2 action info",
+            "distribution: the two slashes were recorded of Kilted's ros2cli; Jazzy's joins them otherwise",
+        ),
         (r"sysctl|\btc qdisc", "system: the kernel's network cannot be changed here"),
         (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
         (r"image_tools|Cam2Image", "hardware: a camera, and OpenCV's windows"),
@@ -34,13 +37,19 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"ros2 param load", "page: recorded before start_type_description_service (Iron) and turtlesim's holonomic"),
     ),
     "Recording-And-Playing-Back-Data": (
-        (r"ros2 bag record", "page: recorded with Dashing; the recorder of today logs by its own name, and no database is opened"),
+        (
+            r"ros2 bag record",
+            "page: recorded with Dashing; the recorder of today logs by its own name, and no database is opened",
+        ),
         (r"ros2 bag info <", "page: recorded with Rolling, whose name it shows"),
-        (r"ros2 bag info", "page: names no distribution and no services, as before Jazzy, and not the number of the file"),
+        (
+            r"ros2 bag info",
+            "page: names no distribution and no services, as before Jazzy, and not the number of the file",
+        ),
         (r"ros2 bag play", "page: recorded with Dashing; the player of today names its rate and keys"),
     ),
     "Colcon-Tutorial": (
-        (r"colcon test$", "C++: 17 of the packages; launch_testing is not part of day6-tui"),
+        (r"colcon test$", "C++; and launch_testing is not part of day6-tui"),
         (r"^cd ", "page: a picture of folders"),
     ),
     "Creating-A-Workspace": ((r"colcon build", "network: what was to be cloned is not in the mirror"),),
@@ -58,6 +67,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"dlopen", "C++: loads shared libraries, and says so"),
         (r"component unload", "page: older; ros2component adds 'node' in Humble, Jazzy and Rolling"),
     ),
+    "dummy-robot-demo": ((r"^source", "page: of a build from source; here the packages are ready-made"),),
     "Introduction-To-Tf2": (
         (r"view_frames", "page: recorded when view_frames printed instead of logging (before Humble)"),
     ),
@@ -81,7 +91,7 @@ def reason(page: str, row: Row) -> str:
     for pattern, text in (*KNOWN.get(page, ()), *KNOWN[""]):
         if re.search(pattern, row.command):
             return text
-    return ""
+    return "C++" if re.search(r"Cpp|CPP", page) else ""
 
 
 def _only_comments_differ(row: Row) -> bool:

@@ -1,4 +1,4 @@
-"""The table of the tutorials: a row for each page, and below it each command that did not run or printed something else, with its reason."""
+"""The table of the tutorials: a row for each page, and with it each command that did not do as shown, with the reason."""
 
 from __future__ import annotations
 
@@ -71,7 +71,10 @@ class Table:
         total = dict.fromkeys(names, 0)
         without = 0
         for path, row in found.items():
-            print(f"{path.removeprefix('source/Tutorials/').removesuffix('.rst')[-71:]:72}" + "".join(f"{row[name]:9}" for name in names))
+            print(
+                f"{path.removeprefix('source/Tutorials/').removesuffix('.rst')[-71:]:72}"
+                + "".join(f"{row[name]:9}" for name in names)
+            )
             for name in names:
                 total[name] += row[name]
             for each in row["rest"]:
@@ -82,7 +85,9 @@ class Table:
         if write:
             kept = self.read()
             kept[branch] = {**kept.get(branch, {}), **found}
-            self._file.write_text(json.dumps(kept, indent=1, ensure_ascii=False, sort_keys=False) + "\n", encoding="utf-8")
+            self._file.write_text(
+                json.dumps(kept, indent=1, ensure_ascii=False, sort_keys=False) + "\n", encoding="utf-8"
+            )
         return int(without > 0)
 
 
