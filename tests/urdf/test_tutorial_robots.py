@@ -74,3 +74,12 @@ def test_display_takes_a_model_of_its_package(tmp_path: Path) -> None:
     pytest.importorskip("xacro")
     shown = typed(tmp_path, LAUNCHED)
     assert "gripper_extension" in shown and "/robot_state_publisher" in shown and "/rviz" in shown
+
+
+@pytest.mark.parametrize("kind", ["py", "xml", "yaml"])
+def test_the_dummy_robot_comes_up_by_each_of_its_launch_files(tmp_path: Path, kind: str) -> None:
+    lines = f"ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.{kind} > /dev/null 2>&1 &\n"
+    shown = typed(tmp_path, lines + "ros2 topic echo --once /tf\nros2 node list\nkill %1")
+    assert "single_rrbot_link" in shown
+    for node in ("dummy_joint_states", "dummy_laser", "dummy_map_server", "robot_state_publisher"):
+        assert f"/{node}\n" in shown
