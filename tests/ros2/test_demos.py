@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 from nav_msgs.msg import OccupancyGrid
-from sensor_msgs.msg import JointState, LaserScan
+from sensor_msgs.msg import Image, JointState, LaserScan
+from std_msgs.msg import Bool
 
 from day6_tui.core.ros.program_index import executables, packages
 from day6_tui.urdf.check import check_text
@@ -17,7 +18,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 BEGINNINGS = (
-    "demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo", "dummy_",
+    "demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo", "dummy_", "image_tools",
 )  # fmt: skip
 DEMOS = [each for each in packages() if each.startswith(BEGINNINGS)]
 ALL = [(package, name) for package in DEMOS for name in executables(package)]
@@ -30,7 +31,8 @@ def said(session) -> list[str]:
 
 @pytest.mark.parametrize(("package", "executable"), ALL, ids=lambda each: str(each))
 def test_every_demo_starts_and_ends_quietly_on_ctrl_c(machine, package, executable):
-    session = machine.run(package, executable, *(["f", *"000000"] if "static" in executable else []))
+    words = {"static": ["f", *"000000"], "cam2image": ["--ros-args", "-p", "burger_mode:=True"]}
+    session = machine.run(package, executable, *next((words[part] for part in words if part in executable), []))
     machine.step(1.2)
     session.interrupt()
     machine.step(0.1)
@@ -277,3 +279,67 @@ def test_the_arm_of_the_dummy_robot_stands_on_the_world(machine):
     moving = [joint.name for joint in robot.joints if joint.type == "continuous"]
     assert moving == ["single_rrbot_joint1", "single_rrbot_joint2"]
     assert "single_rrbot_hokuyo_link" in [link.name for link in robot.links]
+
+
+def test_pictures_of_burgers_are_published_and_told_of(machine):
+    pictures = []
+    machine.node("watcher", lambda node: node.create_subscription(Image, "image", pictures.append, 10))
+    shown = machine.run("image_tools", "showimage")
+    camera = machine.run("image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=True", "-p", "width:=200")
+    machine.step(0.17)
+    assert said(camera)[:2] == [("cam2image", "Publishing image #1"), ("cam2image", "Publishing image #2")]
+    assert said(shown)[:2] == [
+        ("showimage", "Subscribing to topic 'image'"),
+        ("showimage", "Received image #camera_frame"),
+    ]
+    assert "\nReceived image #camera_frame\n" in shown.stderr.text
+    first, second = pictures[:2]
+    assert (first.width, first.height, first.step, first.encoding) == (200, 240, 600, "bgr8")
+    assert len(first.data) == 200 * 240 * 3 and any(first.data) and first.data != second.data
+
+
+def test_a_flipped_picture_is_its_mirror_image(machine):
+    pictures = []
+    machine.node("watcher", lambda node: node.create_subscription(Image, "image", pictures.append, 10))
+    flip = machine.node("flipper").create_publisher(Bool, "flip_image", 10)
+    camera = machine.run(
+        "image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=True", "-p", "width:=64", "-p", "height:=64"
+    )
+    machine.step(0.1)
+    flip.publish(Bool(data=True))
+    machine.step(0.1)
+    assert ("cam2image", "Set flip mode to: on") in said(camera)
+    plain, mirrored = bytes(pictures[0].data), bytes(pictures[-1].data)
+    rows = [plain[at : at + 192] for at in range(0, len(plain), 192)]
+    turned = b"".join(b"".join(row[at : at + 3] for at in range(189, -3, -3)) for row in rows)
+    assert plain != b"" and mirrored == turned  # a burger as large as the picture stays where it is
+
+
+@pytest.mark.parametrize(
+    ("program", "words", "error"),
+    [
+        ("cam2image", [], "Could not open video stream"),
+        (
+            "cam2image",
+            ["burger_mode:=True", "width:=20"],
+            "Target resolution must be at least the burger size (64 x 64)",
+        ),
+        ("showimage", ["reliability:=maybe"], "Invalid QoS reliability setting 'maybe'"),
+        ("showimage", ["history:=none"], "Invalid QoS history setting 'none'"),
+    ],
+)
+def test_what_a_picture_program_cannot_do_ends_it_as_in_cpp(machine, program, words, error):
+    options = [word for each in words for word in ("-p", each)]
+    session = machine.run("image_tools", program, *(["--ros-args", *options] if options else []))
+    machine.step(0.1)
+    assert (
+        f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {error}\n"
+        in session.stderr.text
+    )
+
+
+@pytest.mark.parametrize("program", ["cam2image", "showimage"])
+def test_the_usage_of_a_picture_program(machine, program):
+    session = machine.run("image_tools", program, "-h")
+    machine.step(0.1)
+    assert session.stdout.text.startswith(f"Usage: {program} [-h] [--ros-args [-p param:=value] ...]\n")

@@ -29,7 +29,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         ),
         (r"sysctl|\btc qdisc", "system: the kernel's network cannot be changed here"),
         (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
-        (r"image_tools|Cam2Image", "hardware: a camera, and OpenCV's windows"),
+        (r"image_tools cam2image$", "hardware: a camera"),
         (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),
     ),
     "Understanding-ROS2-Parameters": (
