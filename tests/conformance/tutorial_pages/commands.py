@@ -25,9 +25,7 @@ _RUNS_ON = re.compile(
     r"|\bros2 topic pub(?!.*(--once|-1\b|--times|-t \d))"
     r"|^(\S+=\S+ )*(rqt\w*|rviz2|gz)\b|^python3 (?!-c)|--spin-time"
 )
-_WINDOW = re.compile(
-    r"(^|ros2 run )(rqt\w*|rviz2)\b|joint_state_publisher_gui|cam2image|showimage|urdf_tutorial display|rviz"
-)
+_WINDOW = re.compile(r"(^|ros2 run )(rqt\w*|rviz2)\b|joint_state_publisher_gui|urdf_tutorial display|rviz")
 
 
 def split(text: str) -> list[tuple[str, str]] | None:

@@ -24,6 +24,8 @@ GOES_ON_S = 12.0
 QUIET_S = 1.2
 """A program that goes on, and has been quiet for so long, has said what it says at its start."""
 STARTS_S = 6.0
+OPENS_S = 20.0
+"""Seconds that a window may take."""
 
 _NEW_TERMINAL = re.compile(
     r"(new|another|second|third|fourth|different|separate|other|two|one) (new )?(terminal|console|shell|command window|tab)"
@@ -60,7 +62,7 @@ class Row:
     line: int
     heading: str = ""
     verdict: str = "run"
-    """run, failed, form; elsewhere in the table: window."""
+    """run; window (it runs, and opened one); failed; form (it shows only how such commands look); left out."""
     reason: str = ""
     output: str = ""
     listing: str | None = None
@@ -70,6 +72,8 @@ class Row:
     run: Run | None = None
     interrupted: bool = False
     """Whether the reader ended it by Ctrl-C."""
+    opened: bool = False
+    """Whether a window came while it started."""
 
 
 class Player:
@@ -286,7 +290,8 @@ class Player:
             return
         seen = [run.written]
         if opens_window(row.command):
-            self._machine.wait(lambda: ended() or len(self._machine.windows()) > windows, STARTS_S)
+            self._machine.wait(lambda: ended() or len(self._machine.windows()) > windows, OPENS_S)
+            row.opened = len(self._machine.windows()) > windows
             return
         self._machine.wait(lambda: ended() or run.written > 0, STARTS_S)
         while not ended():
@@ -368,10 +373,11 @@ class Player:
         row.output = row.run.output
         status = row.run.status
         shown = row.kind not in ("", Verdict.DIFFERS.value)
+        hangs = row.interrupted and not runs_on(row.command)
         if opens_window(row.command):
-            row.verdict = "window"
+            row.verdict, hangs = "window", not row.opened
         said = row.output.partition("^C")[0] if row.interrupted else row.output
-        if ((status not in (0, None) and not row.interrupted) or _FAILED.search(said)) and not shown:
+        if ((status not in (0, None) and not row.interrupted) or hangs or _FAILED.search(said)) and not shown:
             row.verdict = "failed"
         if row.verdict == "failed" and not row.reason and _CPP_NAME.search(self._page.name):
             row.reason = "C++"
