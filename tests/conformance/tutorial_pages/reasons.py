@@ -21,6 +21,8 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     "": (
         (r"rclcpp|_cpp\b|cpp_", "C++"),
         (r"^git clone|^wget", "network"),
+        (r"/opt/ros/(?!jazzy)|printenv", "distribution: the machine has Jazzy"),
+        (r"(composition_demo|dummy_robot_bringup)\.launch\.py", "distribution: the launch file's name in Humble"),
         (r"ros2 (node info|service list)", _OLDER),
         (r"turtle_teleop_key", "distribution: the keys' names are in capitals before Kilted"),
         (
@@ -53,6 +55,15 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"^cd ", "page: a picture of folders"),
     ),
     "Creating-A-Workspace": ((r"colcon build", "network: what was to be cloned is not in the mirror"),),
+    "Creating-Your-First-ROS2-Package": (
+        (r"ros2 pkg create", "page: the listing was made without the licence that its command names"),
+    ),
+    "Recording-A-Bag-From-Your-Own-Node-Py": (
+        (
+            r"bag_recorder_nodes_py|/synthetic",
+            "distribution: TopicMetadata has an id since Jazzy, which Humble's page does not give",
+        ),
+    ),
     "Single-Package-Define-And-Use-Interface": ((r"/address_book", "C++: its publisher"),),
     "Using-Parameters-In-A-Class-Python": (
         (r"ros2 run", "page: the listing names a node that its program does not have"),
