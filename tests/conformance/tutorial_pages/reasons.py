@@ -79,6 +79,10 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"component unload", "page: older; ros2component adds 'node' in Humble, Jazzy and Rolling"),
     ),
     "dummy-robot-demo": ((r"^source", "page: of a build from source; here the packages are ready-made"),),
+    "Quality-of-Service": (
+        (r"image_tools cam2image$", "hardware: a camera"),
+        (r"image_tools", "page: recorded when the programs printed instead of logging"),
+    ),
     "Introduction-To-Tf2": (
         (r"view_frames", "page: recorded when view_frames printed instead of logging (before Humble)"),
     ),
