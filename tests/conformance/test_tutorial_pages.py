@@ -6,7 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from tutorial_pages.commands import is_form, runs_on, split
+from tutorial_pages.commands import is_form, opens_window, runs_on, split
 from tutorial_pages.documentation import Documentation
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
@@ -96,7 +96,8 @@ def test_commands_and_what_they_print_are_told_apart() -> None:
     assert split("/chatter\n/rosout") is None
     assert is_form("ros2 topic echo <topic_name>") and not is_form("cat < a > b") and not is_form("ros2 topic list")
     assert runs_on("ros2 topic echo /a") and not runs_on("ros2 topic echo /a --once")
-    assert runs_on("ros2 topic pub /a b/msg/C") and not runs_on("ros2 topic pub --once /a b/msg/C")
+    assert runs_on("ros2 topic pub /a b/msg/C '{z: -1.8}'") and not runs_on("ros2 topic pub --once /a b/msg/C")
+    assert opens_window("rviz2 -d a.rviz") and not opens_window("sudo apt install ros-jazzy-rviz2")
 
 
 @pytest.mark.parametrize(

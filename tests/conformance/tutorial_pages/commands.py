@@ -22,10 +22,12 @@ _PLACEHOLDER = re.compile(
 """What stands for something that a reader chooses; or a command that is only mentioned."""
 _RUNS_ON = re.compile(
     r"\bros2 (run|launch|bag (record|play)|service echo|action echo|topic (echo|hz|bw|delay)(?!.*--once))\b"
-    r"|\bros2 topic pub(?!.*(--once|-1\b|--times|-t \d))"
+    r"|\bros2 topic pub(?!.* (--once|-1|--times|-t) )"
     r"|^(\S+=\S+ )*(rqt\w*|rviz2|gz)\b|^python3 (?!-c)|--spin-time"
 )
-_WINDOW = re.compile(r"(^|ros2 run )(rqt\w*|rviz2)\b|joint_state_publisher_gui|urdf_tutorial display|rviz")
+_WINDOW = re.compile(
+    r"^(\S+=\S+ )*(rqt\w*|rviz2)\b|^ros2 run (rqt\w*|rviz2|joint_state_publisher_gui)\b|^ros2 launch .*(rviz|\bdisplay\.launch)"
+)
 
 
 def split(text: str) -> list[tuple[str, str]] | None:

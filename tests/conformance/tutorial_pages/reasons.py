@@ -106,6 +106,8 @@ def reason(page: str, row: Row) -> str:
     for pattern, text in (*KNOWN.get(page, ()), *KNOWN[""]):
         if re.search(pattern, row.command):
             return text
+    if "turtlesim_msgs" in f"{row.command} {row.listing}":
+        return "distribution: turtlesim's interfaces are turtlesim_msgs since Kilted"
     return "C++" if re.search(r"Cpp|CPP", page) else ""
 
 
