@@ -103,11 +103,11 @@ def reason(page: str, row: Row) -> str:
         return row.reason
     if row.command.startswith("ros2 interface show") and _only_comments_differ(row):
         return "words: the comments of interfaces are our own"
+    if "turtlesim_msgs" in f"{row.command} {row.listing}":
+        return "distribution: turtlesim's interfaces are turtlesim_msgs since Kilted"
     for pattern, text in (*KNOWN.get(page, ()), *KNOWN[""]):
         if re.search(pattern, row.command):
             return text
-    if "turtlesim_msgs" in f"{row.command} {row.listing}":
-        return "distribution: turtlesim's interfaces are turtlesim_msgs since Kilted"
     return "C++" if re.search(r"Cpp|CPP", page) else ""
 
 
