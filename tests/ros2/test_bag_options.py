@@ -143,10 +143,6 @@ def test_wrong_ways_to_write_are_refused_and_leave_nothing(machine, words, error
     [
         ([], "Must specify exactly one of a bag path and --input"),
         (["bag", "-i", "bag"], "Must specify exactly one of a bag path and --input"),
-        (
-            ["bag", "--publish-service-requests"],
-            "--publish-service-requests is not part of day6-tui: recorded calls are not sent again",
-        ),
         (["-i", "bag", "mcap", "x"], "--input expects 1 or 2 arguments, 3 provided"),
         (["-i", "gone"], "Bag path 'gone' does not exist!"),
     ],

@@ -20,11 +20,13 @@ def test_recording_says_what_the_real_recorder_says(machine):
     assert command.stdout == "stdin is not a terminal device. Keyboard handling disabled.\n"
     assert lines(command.stderr) == [
         "[INFO] [rosbag2_recorder]: Press SPACE for pausing/resuming",
+        "[INFO] [rosbag2_recorder]: Event publisher thread: Starting",
         "[INFO] [rosbag2_recorder]: Listening for topics...",
         "[INFO] [rosbag2_recorder]: Subscribed to topic '/count'",
         "[INFO] [rosbag2_recorder]: Recording...",
         "[INFO] [rosbag2_recorder]: All requested topics are subscribed. Stopping discovery...",
         "[INFO] [rosbag2_recorder]: Pausing recording.",
+        "[INFO] [rosbag2_recorder]: Event publisher thread: Exiting",
         "[INFO] [rosbag2_recorder]: Recording stopped",
     ]
     assert command.status == 0

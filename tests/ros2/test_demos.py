@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import math
 import re
+from pathlib import Path
 
 import pytest
+from nav_msgs.msg import OccupancyGrid
+from sensor_msgs.msg import Image, JointState, LaserScan
+from std_msgs.msg import Bool
 
 from day6_tui.core.ros.program_index import executables, packages
+from day6_tui.urdf.check import check_text
+from rclpy.qos import DurabilityPolicy, QoSProfile
 
-DEMOS = [
-    each
-    for each in packages()
-    if each.startswith(("demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2"))
-]
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+BEGINNINGS = (
+    "demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2", "logging_demo", "dummy_", "image_tools",
+)  # fmt: skip
+DEMOS = [each for each in packages() if each.startswith(BEGINNINGS)]
 ALL = [(package, name) for package in DEMOS for name in executables(package)]
 
 
@@ -23,7 +31,8 @@ def said(session) -> list[str]:
 
 @pytest.mark.parametrize(("package", "executable"), ALL, ids=lambda each: str(each))
 def test_every_demo_starts_and_ends_quietly_on_ctrl_c(machine, package, executable):
-    session = machine.run(package, executable, *(["f", *"000000"] if "static" in executable else []))
+    words = {"static": ["f", *"000000"], "cam2image": ["--ros-args", "-p", "burger_mode:=True"]}
+    session = machine.run(package, executable, *next((words[part] for part in words if part in executable), []))
     machine.step(1.2)
     session.interrupt()
     machine.step(0.1)
@@ -208,3 +217,129 @@ def test_talker_qos_ends_after_its_cycles(machine):
     machine.step(5.0)
     texts = [text for _, text in said(session)]
     assert texts == ["Reliable talker", 'Publishing: "Hello World: 0"', 'Publishing: "Hello World: 1"']
+
+
+def test_the_logging_demo_logs_once_always_and_after_a_while_at_debug(machine):
+    demo = machine.run("logging_demo", "logging_demo_main")
+    machine.step(5.4)
+    texts = [text for _, text in said(demo)]
+    assert texts.count("Timer callback called (this will only log once)") == 1
+    assert texts[-1] == "Publishing: 'Current count: 9'" and "[DEBUG]" not in demo.stderr.text
+    machine.step(4.0)
+    texts = [text for _, text in said(demo)][len(texts) :]
+    assert texts[texts.index("Publishing: 'Current count: 12'") + 1 :][:2] == [
+        "Count divides into 12 (function evaluated to true)",
+        "Count is even (expression evaluated to true)",
+    ]
+    end = texts.index("Reseting count to 0")
+    assert texts[end - 1] == "Publishing: 'Current count: 15'"
+    assert texts[end + 1 : end + 3] == ["Publishing: 'Current count: 0'", "Modulo divisor cannot be 0"]
+
+
+def test_the_logger_component_sets_levels_of_its_container_only(machine):
+    container = machine.run("rclcpp_components", "component_container")
+    other = machine.run("demo_nodes_cpp", "listener")
+    for plugin in ("composition composition::Talker", "logging_demo logging_demo::LoggerConfig"):
+        assert machine.ros2("component", "load", "/ComponentManager", *plugin.split()).status == 0
+    call = ("service", "call", "/config_logger", "logging_demo/srv/ConfigLogger")
+    assert "success=True" in machine.ros2(*call, "{logger_name: talker, level: ERROR}").stdout
+    before = len(said(container))
+    machine.step(3.0)
+    assert said(container)[before:] == []
+    assert [text for _, text in said(other)][-1].startswith("I heard: [Hello World")
+    assert "success=False" in machine.ros2(*call, "{logger_name: '', level: NOISY}").stdout
+    assert said(container)[-1] == ("logger_config", "Unknown severity 'NOISY'")
+
+
+def test_the_dummy_robot_swings_its_joints_before_a_scan_and_a_map(machine):
+    joints, scans, maps = [], [], []
+
+    def watch(node):
+        node.create_subscription(JointState, "joint_states", joints.append, 10)
+        node.create_subscription(LaserScan, "scan", scans.append, 10)
+        node.create_subscription(OccupancyGrid, "map", maps.append, LATCHED)
+
+    machine.node("watcher", watch)
+    laser = machine.run("dummy_sensors", "dummy_laser")
+    for package, executable in (("dummy_sensors", "dummy_joint_states"), ("dummy_map_server", "dummy_map_server")):
+        machine.run(package, executable)
+    machine.step(2.05)
+    assert len(joints) in (101, 102) and len(scans) in (60, 61, 62) and len(maps) == 3
+    assert list(joints[0].name) == ["single_rrbot_joint1", "single_rrbot_joint2"]
+    assert list(joints[4].position) == [math.sin(0.5)] * 2
+    assert ("dummy_laser", "scan size:\t1081") in said(laser)
+    assert list(scans[2].ranges) == pytest.approx([math.sin(0.3)] * 1081, abs=1e-6)
+    assert [list(grid.data).index(100) for grid in maps] == [2, 3, 4]
+    assert maps[0].header.frame_id == "world" and maps[0].info.width == maps[0].info.height == 100
+
+
+def test_the_arm_of_the_dummy_robot_stands_on_the_world(machine):
+    share = machine.ros2("pkg", "prefix", "--share", "dummy_robot_bringup").stdout.strip()
+    robot = check_text(Path(share, "launch", "single_rrbot.urdf").read_text(encoding="utf-8")).robot
+    moving = [joint.name for joint in robot.joints if joint.type == "continuous"]
+    assert moving == ["single_rrbot_joint1", "single_rrbot_joint2"]
+    assert "single_rrbot_hokuyo_link" in [link.name for link in robot.links]
+
+
+def test_pictures_of_burgers_are_published_and_told_of(machine):
+    pictures = []
+    machine.node("watcher", lambda node: node.create_subscription(Image, "image", pictures.append, 10))
+    shown = machine.run("image_tools", "showimage")
+    camera = machine.run("image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=True", "-p", "width:=200")
+    machine.step(0.17)
+    assert said(camera)[:2] == [("cam2image", "Publishing image #1"), ("cam2image", "Publishing image #2")]
+    assert said(shown)[:2] == [
+        ("showimage", "Subscribing to topic 'image'"),
+        ("showimage", "Received image #camera_frame"),
+    ]
+    assert "\nReceived image #camera_frame\n" in shown.stderr.text
+    first, second = pictures[:2]
+    assert (first.width, first.height, first.step, first.encoding) == (200, 240, 600, "bgr8")
+    assert len(first.data) == 200 * 240 * 3 and any(first.data) and first.data != second.data
+
+
+def test_a_flipped_picture_is_its_mirror_image(machine):
+    pictures = []
+    machine.node("watcher", lambda node: node.create_subscription(Image, "image", pictures.append, 10))
+    flip = machine.node("flipper").create_publisher(Bool, "flip_image", 10)
+    camera = machine.run(
+        "image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=True", "-p", "width:=64", "-p", "height:=64"
+    )
+    machine.step(0.1)
+    flip.publish(Bool(data=True))
+    machine.step(0.1)
+    assert ("cam2image", "Set flip mode to: on") in said(camera)
+    plain, mirrored = bytes(pictures[0].data), bytes(pictures[-1].data)
+    rows = [plain[at : at + 192] for at in range(0, len(plain), 192)]
+    turned = b"".join(b"".join(row[at : at + 3] for at in range(189, -3, -3)) for row in rows)
+    assert plain != b"" and mirrored == turned  # a burger as large as the picture stays where it is
+
+
+@pytest.mark.parametrize(
+    ("program", "words", "error"),
+    [
+        ("cam2image", [], "Could not open video stream"),
+        (
+            "cam2image",
+            ["burger_mode:=True", "width:=20"],
+            "Target resolution must be at least the burger size (64 x 64)",
+        ),
+        ("showimage", ["reliability:=maybe"], "Invalid QoS reliability setting 'maybe'"),
+        ("showimage", ["history:=none"], "Invalid QoS history setting 'none'"),
+    ],
+)
+def test_what_a_picture_program_cannot_do_ends_it_as_in_cpp(machine, program, words, error):
+    options = [word for each in words for word in ("-p", each)]
+    session = machine.run("image_tools", program, *(["--ros-args", *options] if options else []))
+    machine.step(0.1)
+    assert (
+        f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {error}\n"
+        in session.stderr.text
+    )
+
+
+@pytest.mark.parametrize("program", ["cam2image", "showimage"])
+def test_the_usage_of_a_picture_program(machine, program):
+    session = machine.run("image_tools", program, "-h")
+    machine.step(0.1)
+    assert session.stdout.text.startswith(f"Usage: {program} [-h] [--ros-args [-p param:=value] ...]\n")

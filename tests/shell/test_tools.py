@@ -116,9 +116,21 @@ def test_rosdep_looks_at_the_packages_and_names_what_nobody_has(machine: Any) ->
     file.write_text(manifest.format("turtlesim"))
     done = machine.run("cd ~/ros2_ws; rosdep install --from-paths src --ignore-src -y")
     assert done == (0, "#All required rosdeps installed successfully\n", "")
+    for known in (
+        "tf2_ros_py",
+        "tf2",
+        "pluginlib",
+        "rosbag2_cpp",
+        "libqt5-core",
+        "qtbase5-dev",
+    ):  # of the tutorials' packages
+        file.write_text(manifest.format(known))
+        assert machine.run("cd ~/ros2_ws; rosdep install -i --from-path src -y") == done
     file.write_text(manifest.format("no_such_package"))
     done = machine.run("cd ~/ros2_ws; rosdep install --from-paths src -y")
     assert done.status == 1 and "car: Cannot locate rosdep definition for [no_such_package]" in done.err
+    (file.parent / "COLCON_IGNORE").touch()
+    assert machine.run("cd ~/ros2_ws; rosdep install --from-paths src -y").status == 0
 
 
 @pytest.mark.parametrize(

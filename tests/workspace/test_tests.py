@@ -99,6 +99,20 @@ def test_docstrings_and_notices_are_looked_at(tmp_path: Path, monkeypatch: pytes
     assert (docstrings([str(tmp_path)]), notices([str(tmp_path)])) == (1, 0)
 
 
+def test_a_packages_own_setup_needs_no_notice_and_other_files_do(tmp_path: Path) -> None:
+    """ros2/examples has none there, and its tests pass."""
+    from ament_copyright.main import main as notices
+
+    setup, inner = tmp_path / "setup.py", tmp_path / "tools" / "setup.py"
+    inner.parent.mkdir()
+    setup.write_text("from setuptools import setup\n", encoding="utf-8")
+    assert notices([str(tmp_path)]) == 1
+    (tmp_path / "package.xml").write_text("<package/>\n", encoding="utf-8")
+    assert notices([str(tmp_path)]) == 0
+    inner.write_text("x = 1\n", encoding="utf-8")
+    assert notices([str(tmp_path)]) == 1
+
+
 LISTS = """\
 cmake_minimum_required(VERSION 3.8)
 project(mixed)

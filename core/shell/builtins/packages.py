@@ -131,6 +131,8 @@ def _unresolved(folders: list[Path], prefixes: str) -> dict[str, list[str]]:
 
     manifests = []
     for path in [path for folder in folders for path in sorted(folder.rglob("package.xml"))]:
+        if any((above / name).exists() for above in _below(path, folders) for name in _IGNORED):
+            continue
         try:
             found = read_manifest(path.parent, str(path.parent), {})
         except (ManifestError, OSError):
@@ -153,13 +155,26 @@ def _unresolved(folders: list[Path], prefixes: str) -> dict[str, list[str]]:
     return missing
 
 
+_IGNORED = ("AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE")
+"""Files in a folder that is no place for packages (catkin_pkg/packages.py)."""
+_SYSTEM = ("ament_", "python3", "rosidl_", "launch_testing", "lib", "qt5-", "qt6-", "qtbase5-")
+"""How names of build tools, Python's and the system's packages begin (turtlesim's own sources need Qt)."""
+_LIBRARIES = frozenset(
+    {"class_loader", "pluginlib", "setuptools", "tf2", "tf2_eigen"}
+    | {f"rclcpp{part}" for part in ("", "_action", "_lifecycle")}
+    | {f"rosbag2_{part}" for part in ("cpp", "storage", "transport")}
+)
+"""What packages of C++ depend on: every installation of ROS 2 has it. Here colcon says what has no compiler."""
+
+
+def _below(path: Path, folders: list[Path]) -> list[Path]:
+    """Return the folders around a file, up to the one of these that it was found in."""
+    return [above for above in path.parents if any(above.is_relative_to(folder) for folder in folders)]
+
+
 def _is_system(key: str) -> bool:
-    """Whether a dependency is a build tool or a Python tool, which this machine has or does not need."""
-    return key.startswith(("ament_", "python3", "rosidl_", "launch_testing")) or key in (
-        "rclcpp",
-        "rclcpp_action",
-        "setuptools",
-    )
+    """Whether a dependency is a build tool, a library for C++ or a Python tool, which this machine has or does not need."""
+    return key.startswith(_SYSTEM) or key in _LIBRARIES
 
 
 async def pip(session: Session) -> int:

@@ -12,7 +12,8 @@ _SEARCHED_LINES = 40
 
 def main(argv: list[str] | None = None) -> int:
     """Check the given files and folders (by default the current one); returns 1 if one has no notice."""
-    missing = [path for path in sorted(python_files(sys.argv[1:] if argv is None else argv)) if not _has_notice(path)]
+    files = sorted(python_files(sys.argv[1:] if argv is None else argv))
+    missing = [path for path in files if not _is_setup(path) and not _has_notice(path)]
     for path in missing:
         print(f"{path}: could not find copyright notice", file=sys.stderr)
     if not missing:
@@ -26,11 +27,17 @@ def python_files(paths: list[str]) -> Iterator[str]:
         if os.path.isfile(path):
             yield path
         for folder, folders, files in os.walk(path):
-            if "AMENT_IGNORE" in files or "COLCON_IGNORE" in files:
+            if "AMENT_IGNORE" in files or "AMENT_IGNORE" in folders:
                 folders[:] = []
                 continue
-            folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
+            folders[:] = [name for name in folders if not name.startswith((".", "_"))]
             yield from (os.path.join(folder, name) for name in files if name.endswith(".py"))
+
+
+def _is_setup(path: str) -> bool:
+    """Say whether this is a package's own setup.py, which needs no notice (ament_copyright/crawler.py)."""
+    folder, name = os.path.split(path)
+    return name == "setup.py" and os.path.exists(os.path.join(folder, "package.xml"))
 
 
 def _has_notice(path: str) -> bool:

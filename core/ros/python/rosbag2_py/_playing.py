@@ -15,7 +15,9 @@ from rosbag2_py._bag_clock import BagClock
 from rosbag2_py._options import PlayOptions
 from rosbag2_py._qos import convert_rclcpp_qos_to_rclpy_qos, offer_for
 from rosbag2_py._reader import SequentialReader, last_moment
+from rosbag2_py._service_requests import ServiceRequests
 from rosbag2_py._storage import Message, StorageFilter, TopicMetadata, nanoseconds_of
+from rosbag2_py._topic_filter import is_service_event
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -59,6 +61,9 @@ class Playing:
         self._stream: Iterator[Message] | None = None
         self._next: Message | None = None
         self._publishers: dict[str, Any] = {}
+        self._requests: ServiceRequests | None = None
+        if options.publish_service_requests:
+            self._requests = ServiceRequests(node, options.service_requests_source)
         self._clock_due: int | None = None
         self._delay_until: int | None = None
         metadata = [reader.get_metadata() for reader in readers]
@@ -95,7 +100,11 @@ class Playing:
         for reader in self._readers:
             reader.set_filter(chosen)
             for topic in reader.get_all_topics_and_types():
-                if chosen.allows(topic.name) and topic.name not in self._publishers:
+                if not chosen.allows(topic.name):
+                    continue
+                if self._requests is not None and is_service_event(topic.name, topic.type):
+                    self._requests.add(topic)
+                elif topic.name not in self._publishers:
                     self._make_publisher(topic)
         self._warn_of_acknowledgements()
 
@@ -239,6 +248,8 @@ class Playing:
     # -- messages ------------------------------------------------------------------------------------------------------
 
     def _publish(self, message: Message) -> bool:
+        if self._requests is not None and self._requests.takes(message.topic):
+            return self._requests.send(message)
         publisher = self._publishers.get(message.topic)
         if publisher is None:
             return False

@@ -100,6 +100,7 @@ class Recording:
         self.recording = True
         if self._host is None:
             self._offer_services(self._node)
+            self._log.info("Event publisher thread: Starting")
         self._log.info("Listening for topics...")
         if self._options.use_sim_time:
             self._log.info("use_sim_time set, waiting for /clock before starting recording...")
@@ -145,6 +146,7 @@ class Recording:
             self._node.destroy_subscription(subscription)
         self._subscriptions.clear()
         self._writer.close()
+        self._log.info("Event publisher thread: Exiting")
         self._log.info("Recording stopped")
 
     # -- topics --------------------------------------------------------------------------------------------------------

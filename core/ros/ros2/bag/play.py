@@ -88,7 +88,9 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--service-requests-source",
         default="service_introspection",
         choices=("service_introspection", "client_introspection"),
-        help="Determine the source of the service requests to be replayed.",
+        help="Determine the source of the service requests to be replayed. This option only makes sense if the "
+        '"--publish-service-requests" option is set. By default, the service requests replaying from recorded service '
+        "introspection message.",
     )
     parser.add_argument("--log-level", default="info", choices=LOG_LEVELS, help="Logging level.")
     parser.add_argument(
@@ -239,14 +241,12 @@ async def main(session: Session, args: Namespace) -> str | None:
 
     if (args.bag_path is None) == (not args.input):
         return error("Must specify exactly one of a bag path and --input")
-    if args.publish_service_requests:
-        return error("--publish-service-requests is not part of day6-tui: recorded calls are not sent again")
     inputs = args.input or [[args.bag_path, *([args.storage] if args.storage else [])]]
     return await play(session, inputs, _options(args), args)
 
 
 def _options(args: Namespace) -> Any:
-    from rosbag2_py._options import PlayOptions
+    from rosbag2_py._options import PlayOptions, ServiceRequestsSource
 
     until = round(args.playback_until_sec * 1_000_000_000) if args.playback_until_sec >= 0 else args.playback_until_nsec
     return PlayOptions(
@@ -268,6 +268,8 @@ def _options(args: Namespace) -> Any:
         start_offset=args.start_offset,
         disable_keyboard_controls=args.disable_keyboard_controls,
         wait_acked_timeout=args.wait_for_all_acked,
+        publish_service_requests=args.publish_service_requests,
+        service_requests_source=ServiceRequestsSource[args.service_requests_source.upper()],
         progress_bar_update_rate=args.progress_bar_update_rate,
         message_order=args.message_order,
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator
-from inspect import currentframe
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.ros.ros2.cli.node import graph_node
@@ -66,10 +65,9 @@ async def main(session: Session, args: Namespace) -> None:
 
 
 def _warn(session: Session, finding: Finding) -> None:
-    frame = currentframe()
-    line = frame.f_lineno if frame is not None else 0
+    """Print a warning; the real one puts a file and a line of ros2doctor before it, for which there is nothing here."""
     error = "ERROR: " if finding.is_error else ""
-    session.print_error(f"{__file__}: {line}: UserWarning: {error}{finding.text}")
+    session.print_error(f"UserWarning: {error}{finding.text}")
 
 
 def _print_report(session: Session, node: Node, title: str) -> None:

@@ -1,0 +1,1 @@
+"""The executable of dummy_map_server."""

@@ -1,0 +1,1 @@
+"""The executables and components of image_tools, without OpenCV: no camera and no window."""

@@ -1,0 +1,162 @@
+"""The player of the official tutorials: what it reads from a page, what it types, how it judges, and the table that it wrote."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+from tutorial_pages.commands import is_form, opens_window, runs_on, split
+from tutorial_pages.documentation import Documentation
+from tutorial_pages.files import Workspace
+from tutorial_pages.judge import Verdict, compare
+from tutorial_pages.table import TABLE
+
+PAGE = """\
+A page
+======
+
+Open a new terminal in ``ros2_ws/src`` and type:
+
+.. code-block:: console
+
+  ros2 run {DISTRO}_package talker
+
+.. tabs::
+
+  .. group-tab:: Linux
+
+    .. code-block:: console
+
+      mkdir a
+      cd a
+
+  .. group-tab:: Windows
+
+    .. code-block:: console
+
+      md a
+
+Shown
+-----
+
+This is shown::
+
+   hello
+     you
+
+.. include:: ../more.txt
+.. literalinclude:: scripts/program.py
+   :language: python
+   :lines: 2-3
+"""
+MORE = """\
+.. note::
+
+   .. code-block:: bash
+
+      ls
+"""
+
+
+@pytest.fixture
+def documentation(tmp_path: Path) -> Documentation:
+    """A documentation of our own with one page, in a clone."""
+    for name, text in {
+        "source/Tutorials/Own/Page.rst": PAGE,
+        "source/Tutorials/more.txt": MORE,
+        "source/Tutorials/Own/scripts/program.py": "import a\nimport b\nprint(1)\nprint(2)\n",
+    }.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    person = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for words in (["init", "-q", "-b", "own"], ["add", "."], [*person, "commit", "-q", "-m", "first"]):
+        subprocess.run(["git", "-C", str(tmp_path), *words], check=True)
+    return Documentation(tmp_path, "own")
+
+
+def test_a_page_is_read_with_its_tabs_included_files_and_macros(documentation: Documentation) -> None:
+    assert documentation.pages("source/Tutorials") == ["source/Tutorials/Own/Page.rst"]
+    blocks = documentation.blocks("source/Tutorials/Own/Page.rst")
+    assert [(block.language, block.text) for block in blocks] == [
+        ("console", "ros2 run own_package talker"),
+        ("console", "mkdir a\ncd a"),
+        ("", "hello\n  you"),
+        ("bash", "ls"),
+        ("python", "import b\nprint(1)"),
+    ]
+    assert blocks[0].before.startswith("Open a new terminal in ``ros2_ws/src``") and blocks[0].heading == "A page"
+    assert blocks[1].tab == "Linux" and blocks[2].heading == "Shown"
+
+
+def test_commands_and_what_they_print_are_told_apart() -> None:
+    assert split("$ ros2 topic list\n/chatter\n/rosout") == [("ros2 topic list", "/chatter\n/rosout")]
+    assert split("cd a\nls b") == [("cd a", ""), ("ls b", "")]
+    assert split("ros2 topic pub /a b/msg/C \\\n  '{x: 1}'") == [("ros2 topic pub /a b/msg/C '{x: 1}'", "")]
+    assert split("/chatter\n/rosout") is None
+    assert is_form("ros2 topic echo <topic_name>") and not is_form("cat < a > b") and not is_form("ros2 topic list")
+    assert runs_on("ros2 topic echo /a") and not runs_on("ros2 topic echo /a --once")
+    assert runs_on("ros2 topic pub /a b/msg/C '{z: -1.8}'") and not runs_on("ros2 topic pub --once /a b/msg/C")
+    assert opens_window("rviz2 -d a.rviz") and not opens_window("sudo apt install ros-jazzy-rviz2")
+
+
+@pytest.mark.parametrize(
+    ("listing", "output", "verdict"),
+    [
+        ("Sum: 3", "Sum: 5\n", Verdict.EQUAL),
+        ("[INFO] [talker]: Hello 1", "[INFO] [1700000000.123456789] [talker]: Hello 7\n", Verdict.EQUAL),
+        ("/a\n...\n/z", "/a\n/b\n/z\n", Verdict.EQUAL),
+        ("/a\n/b", "/b\n/a\n", Verdict.ORDER),
+        ("/a", "/a\n/b\n", Verdict.MORE),
+        ("one line that\nis broken", "one line that is broken\n", Verdict.EQUAL),
+        ("Result: 3", "Answer: 3\n", Verdict.DIFFERS),
+        ("/a\n/b", "/a\n", Verdict.DIFFERS),
+        ("id 0123456789abcdef0123456789abcdef", "id 00000000000000000000000000000000\n", Verdict.EQUAL),
+    ],
+)
+def test_an_output_is_equal_in_kind_or_not(listing: str, output: str, verdict: Verdict) -> None:
+    assert compare(listing, output, goes_on=False)[0] is verdict
+
+
+def test_what_goes_on_may_say_more_than_its_page_shows() -> None:
+    assert compare("Hello 1\nHello 2", "start\nHello 1\nHello 2\nHello 3\n", goes_on=True)[0] is Verdict.EQUAL
+    assert compare("Hello 1\nBye", "Hello 1\nHello 2\n", goes_on=True)[0] is Verdict.DIFFERS
+
+
+def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
+    folder = tmp_path / "ros2_ws/src/car"
+    (folder / "car").mkdir(parents=True)
+    (folder / "setup.py").write_text(
+        "from setuptools import setup\n\nsetup(data_files=[\n        ('share/' + package_name, ['package.xml']),\n    ],\n"
+        "    entry_points={\n        'console_scripts': [\n        ],\n    })\n"
+    )
+    (folder / "package.xml").write_text("<package>\n  <license>TODO</license>\n\n  <export>\n  </export>\n</package>\n")
+    workspace = Workspace(tmp_path)
+    workspace.write("ros2_ws/src/car/setup.py", "'drive = car.drive:main',", "entry")
+    workspace.write(
+        "ros2_ws/src/car/setup.py", "(os.path.join('share', package_name, 'launch'), glob('launch/*')),", "data"
+    )
+    workspace.write(
+        "ros2_ws/src/car/package.xml", "<license>MIT</license>\n<exec_depend>rclpy</exec_depend>", "manifest"
+    )
+    workspace.write("ros2_ws/src/car/car/drive.py", "def main():\n    pass", "whole")
+    workspace.write("ros2_ws/src/car/car/drive.py", "return 1", "before ^    pass")
+    setup = (folder / "setup.py").read_text()
+    assert "            'drive = car.drive:main',\n" in setup and setup.startswith("import os\nfrom glob import glob\n")
+    assert "(os.path.join('share', package_name, 'launch'), glob('launch/*'))," in setup
+    manifest = (folder / "package.xml").read_text()
+    assert "<license>MIT</license>" in manifest and manifest.index("rclpy") < manifest.index("<export>")
+    assert (folder / "car/drive.py").read_text() == "def main():\n    return 1\n    pass\n"
+
+
+def test_the_table_counts_and_gives_each_row_a_reason() -> None:
+    table = TABLE.read()
+    assert "jazzy" in table
+    for branch, pages in table.items():
+        for path, row in pages.items():
+            assert row["equal"] <= row["shown"] <= row["commands"] >= row["run"], (branch, path)
+            assert row["run"] + sum("output" not in each["is"] for each in row["rest"]) == row["commands"], (
+                branch,
+                path,
+            )
+            assert all(each["reason"] for each in row["rest"]), (branch, path)

@@ -1,0 +1,250 @@
+"""Which pages are played, which share a home, and what a reader knows that no rule finds in their words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from tutorial_pages.documentation import Block
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page; those of one `chain` are played one after the other in one home: each takes up what the one before has left."""
+
+    path: str
+    chain: str
+
+    @property
+    def name(self) -> str:
+        return self.path.removeprefix("source/Tutorials/").removesuffix(".rst").rpartition("/")[2]
+
+    @property
+    def section(self) -> str:
+        return self.path.removeprefix("source/Tutorials/").partition("/")[0]
+
+
+@dataclass(frozen=True)
+class Hand:
+    """What to do at a block: `block` is looked for in its text.
+
+    `file`: the block belongs there (or to several, between spaces), `how` says in which way (see `Workspace.write`). `at`: the
+    folder in which to type it. `instead`: pairs of a pattern and what to type for it. `interrupt`: a pattern of running commands
+    that get Ctrl-C before, `before`: commands that are typed before. `of`: the command whose output the block is.
+    `skip`: why it is not played.
+    """
+
+    block: str
+    tab: str = ""
+    heading: str = ""
+    file: str = ""
+    how: str = "whole"
+    at: str = ""
+    instead: Sequence[tuple[str, str]] = ()
+    interrupt: str = ""
+    before: Sequence[str] = ()
+    of: str = ""
+    skip: str = ""
+
+    def fits(self, block: Block) -> bool:
+        return (
+            (not self.tab or self.tab.lower() == block.tab.lower())
+            and (not self.heading or re.search(self.heading, block.heading) is not None)
+            and re.search(self.block, block.text, re.M) is not None
+        )
+
+
+_CHAINED = ("Beginner-Client-Libraries", "Intermediate/Launch", "Intermediate/Tf2", "Intermediate/URDF")
+"""Folders whose pages build on each other."""
+
+ORDER = (
+    "Beginner-CLI-Tools/Configuring-ROS2-Environment",
+    "Beginner-CLI-Tools/Introducing-Turtlesim/Introducing-Turtlesim",
+    "Beginner-CLI-Tools/Understanding-ROS2-Nodes/Understanding-ROS2-Nodes",
+    "Beginner-CLI-Tools/Understanding-ROS2-Topics/Understanding-ROS2-Topics",
+    "Beginner-CLI-Tools/Understanding-ROS2-Services/Understanding-ROS2-Services",
+    "Beginner-CLI-Tools/Understanding-ROS2-Parameters/Understanding-ROS2-Parameters",
+    "Beginner-CLI-Tools/Understanding-ROS2-Actions/Understanding-ROS2-Actions",
+    "Beginner-CLI-Tools/Using-Rqt-Console/Using-Rqt-Console",
+    "Beginner-CLI-Tools/Launching-Multiple-Nodes/Launching-Multiple-Nodes",
+    "Beginner-CLI-Tools/Recording-And-Playing-Back-Data/Recording-And-Playing-Back-Data",
+    "Beginner-Client-Libraries/Colcon-Tutorial",
+    "Beginner-Client-Libraries/Creating-A-Workspace/Creating-A-Workspace",
+    "Beginner-Client-Libraries/Creating-Your-First-ROS2-Package",
+    "Beginner-Client-Libraries/Writing-A-Simple-Cpp-Publisher-And-Subscriber",
+    "Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber",
+    "Beginner-Client-Libraries/Writing-A-Simple-Cpp-Service-And-Client",
+    "Beginner-Client-Libraries/Writing-A-Simple-Py-Service-And-Client",
+    "Beginner-Client-Libraries/Custom-ROS2-Interfaces",
+    "Beginner-Client-Libraries/Single-Package-Define-And-Use-Interface",
+    "Beginner-Client-Libraries/Using-Parameters-In-A-Class-CPP",
+    "Beginner-Client-Libraries/Using-Parameters-In-A-Class-Python",
+    "Beginner-Client-Libraries/Getting-Started-With-Ros2doctor",
+    "Beginner-Client-Libraries/Pluginlib",
+    "Intermediate/Rosdep",
+    "Intermediate/Creating-an-Action",
+    "Intermediate/Writing-an-Action-Server-Client/Cpp",
+    "Intermediate/Writing-an-Action-Server-Client/Py",
+    "Intermediate/Writing-a-Composable-Node",
+    "Intermediate/Composition",
+    "Intermediate/Monitoring-For-Parameter-Changes-CPP",
+    "Intermediate/Monitoring-For-Parameter-Changes-Python",
+    "Intermediate/Launch/Creating-Launch-Files",
+    "Intermediate/Launch/Launch-system",
+    "Intermediate/Launch/Using-Substitutions",
+    "Intermediate/Launch/Using-Event-Handlers",
+    "Intermediate/Launch/Using-ROS2-Launch-For-Large-Projects",
+    "Intermediate/Tf2/Introduction-To-Tf2",
+    "Intermediate/Tf2/Writing-A-Tf2-Static-Broadcaster-Py",
+    "Intermediate/Tf2/Writing-A-Tf2-Broadcaster-Py",
+    "Intermediate/Tf2/Writing-A-Tf2-Listener-Py",
+    "Intermediate/Tf2/Adding-A-Frame-Py",
+    "Intermediate/Tf2/Learning-About-Tf2-And-Time-Py",
+    "Intermediate/Tf2/Time-Travel-With-Tf2-Py",
+    "Intermediate/Tf2/Debugging-Tf2-Problems",
+    "Intermediate/Tf2/Quaternion-Fundamentals",
+    "Intermediate/Tf2/Using-Stamped-Datatypes-With-Tf2-Ros-MessageFilter",
+    "Intermediate/Tf2/Writing-A-Tf2-Static-Broadcaster-Cpp",
+    "Intermediate/Tf2/Writing-A-Tf2-Broadcaster-Cpp",
+    "Intermediate/Tf2/Writing-A-Tf2-Listener-Cpp",
+    "Intermediate/Tf2/Adding-A-Frame-Cpp",
+    "Intermediate/Tf2/Learning-About-Tf2-And-Time-Cpp",
+    "Intermediate/Tf2/Time-Travel-With-Tf2-Cpp",
+    "Intermediate/Testing/CLI",
+    "Intermediate/Testing/Python",
+    "Intermediate/Testing/Cpp",
+    "Intermediate/URDF/Building-a-Visual-Robot-Model-with-URDF-from-Scratch",
+    "Intermediate/URDF/Building-a-Movable-Robot-Model-with-URDF",
+    "Intermediate/URDF/Adding-Physical-and-Collision-Properties-to-a-URDF-Model",
+    "Intermediate/URDF/Using-Xacro-to-Clean-Up-a-URDF-File",
+    "Intermediate/URDF/Using-URDF-with-Robot-State-Publisher",
+    "Intermediate/URDF/Exporting-an-URDF-File",
+    "Intermediate/RViz/RViz-User-Guide/RViz-User-Guide",
+    "Intermediate/RViz/RViz-Custom-Display/RViz-Custom-Display",
+    "Advanced/Recording-A-Bag-From-Your-Own-Node-CPP",
+    "Advanced/Recording-A-Bag-From-Your-Own-Node-Py",
+    "Advanced/Reading-From-A-Bag-File-CPP",
+    "Demos/Quality-of-Service",
+    "Demos/Managed-Nodes",
+    "Demos/Logging-and-logger-configuration",
+    "Demos/Intra-Process-Communication",
+    "Demos/Content-Filtering-Subscription",
+    "Demos/Service-Introspection",
+    "Demos/dummy-robot-demo",
+)
+"""Below source/Tutorials, in the order in which they are to be read. Pages that a branch lacks are left out."""
+
+
+def pages(paths: Sequence[str]) -> list[Page]:
+    """Return those of ORDER that a branch has."""
+    have = set(paths)
+    found = []
+    for name in ORDER:
+        path = f"source/Tutorials/{name}.rst"
+        if path in have:
+            chain = next((folder for folder in _CHAINED if name.startswith(folder)), name)
+            if name.endswith("Colcon-Tutorial"):
+                chain = name  # its clone has C++ packages, which no later page wants
+            if name.startswith("Intermediate/Testing"):
+                chain = _CHAINED[0]
+            if name.startswith("Intermediate/") and ("Action" in name):
+                chain = "Intermediate/Actions"
+            found.append(Page(path, chain))
+    return found
+
+
+_PUBSUB = "ros2_ws/src/py_pubsub"
+_SRVCLI = "ros2_ws/src/py_srvcli"
+
+HANDS: dict[str, tuple[Hand, ...]] = {
+    "Creating-Your-First-ROS2-Package": (
+        Hand(r"ros2 pkg create", tab="CMake", skip="the tab for C++; a reader of Python takes the other"),
+        Hand(r".", tab="CMake", skip="the tab for C++; a reader of Python takes the other"),
+    ),
+    "Custom-ROS2-Interfaces": (
+        Hand(r"class MinimalPublisher\(Node", file=f"{_PUBSUB}/py_pubsub/publisher_member_function.py"),
+        Hand(r"class MinimalSubscriber\(Node", file=f"{_PUBSUB}/py_pubsub/subscriber_member_function.py"),
+        Hand(r"class MinimalService\(Node", file=f"{_SRVCLI}/py_srvcli/service_member_function.py"),
+        Hand(r"class MinimalClientAsync\(Node", file=f"{_SRVCLI}/py_srvcli/client_member_function.py"),
+        Hand(r"<exec_depend>tutorial_interfaces", heading="pub/sub", file=f"{_PUBSUB}/package.xml", how="manifest"),
+        Hand(
+            r"<exec_depend>tutorial_interfaces", heading="service/client", file=f"{_SRVCLI}/package.xml", how="manifest"
+        ),
+        Hand(
+            r"<depend>tutorial_interfaces", heading="pub/sub", file="ros2_ws/src/cpp_pubsub/package.xml", how="manifest"
+        ),
+        Hand(
+            r"<depend>tutorial_interfaces",
+            heading="service/client",
+            file="ros2_ws/src/cpp_srvcli/package.xml",
+            how="manifest",
+        ),
+        Hand(r"add_executable\(talker", skip="C++"),
+        Hand(r"add_executable\(server", skip="C++"),
+    ),
+    "Py": (
+        Hand(r"class FibonacciActionServer[\s\S]*def main", file="fibonacci_action_server.py"),
+        Hand(r"class FibonacciActionClient[\s\S]*def main", file="fibonacci_action_client.py"),
+    ),
+    "Configuring-ROS2-Environment": (
+        Hand(r"export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
+        Hand(r"echo .export ROS_DOMAIN_ID=<", instead=[("<your_domain_id>", "7")]),
+    ),
+    "Understanding-ROS2-Topics": (Hand(r"^geometry_msgs/msg/Twist$", skip="only names a type"),),
+    "Using-Rqt-Console": (Hand(r"^Fatal$", skip="names of levels"),),
+    "Getting-Started-With-Ros2doctor": (
+        Hand(r"^UserWarning: Publisher without", of="ros2 doctor"),
+        Hand(r"^UserWarning: Subscriber without", of="ros2 doctor"),
+        Hand(r"^distribution name", of="ros2 doctor --report"),
+    ),
+    "Launch-system": (
+        Hand(r"install\(DIRECTORY", file="launch_ws/src/cpp_launch_example/CMakeLists.txt", how="cmake"),
+        *(
+            Hand(
+                pattern,
+                heading="Writing",
+                file=" ".join(
+                    f"launch_ws/src/{package}/launch/{name}" for package in ("py_launch_example", "cpp_launch_example")
+                ),
+            )
+            for pattern, name in (
+                (r"^import launch", "my_script_launch.py"),
+                (r"<launch>", "my_script_launch.xml"),
+                (r"^launch:", "my_script_launch.yaml"),
+            )
+        ),
+    ),
+    "Monitoring-For-Parameter-Changes-Python": (
+        Hand(
+            r"self\.callback_handle = self",
+            heading="3.1",
+            file="ros2_ws/src/python_parameter_event_handler/python_parameter_event_handler/parameter_event_handler.py",
+            how=r"after ^        \)(?=\n\n    def callback)",
+        ),
+    ),
+    "Composition": (
+        Hand(r"ros2 component load /ComponentManager .*(Cam2Image|--node-name talker2)", interrupt="MyContainer"),
+        Hand(r"ros2 run rclcpp_components component_container", interrupt="composition"),
+        Hand(r"ros2 component (list|load)", interrupt="composition_demo_launch"),
+    ),
+    "Service-Introspection": (
+        Hand(
+            r"ros2 service echo",
+            before=(
+                "ros2 param set /introspection_service service_configure_introspection contents",
+                "ros2 param set /introspection_client client_configure_introspection metadata",
+            ),
+        ),
+    ),
+    "dummy-robot-demo": (
+        Hand(r"process started with pid", of="ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.py"),
+    ),
+    "Recording-And-Playing-Back-Data": (
+        Hand(
+            r"ros2 bag (info|play) .*<bag_file_name>",
+            instead=[("<bag_file_name>", "<BAG>")],
+            interrupt="ros2 bag record",
+        ),
+    ),
+}

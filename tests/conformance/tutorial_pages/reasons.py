@@ -1,0 +1,119 @@
+"""Why a command does not run here, or prints something else than its page shows.
+
+Each reason was looked up: in the sources of the real tool of that distribution, in what the real tools were recorded to print
+(`tests/conformance/golden`), or in the page itself. Its first word is its kind: C++, hardware, network, system, page (the page is
+older than its distribution, or shows what it does not run), distribution (another one prints what is printed here), words (ours).
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from tutorial_pages.judge import masked
+
+if TYPE_CHECKING:
+    from tutorial_pages.player import Row
+
+_OLDER = "page: recorded before get_type_description and its parameter came (Iron)"
+
+KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
+    "": (
+        (r"rclcpp|_cpp\b|cpp_", "C++"),
+        (r"^git clone|^wget", "network"),
+        (r"/opt/ros/(?!jazzy)|printenv", "distribution: the machine has Jazzy"),
+        (r"(composition_demo|dummy_robot_bringup)\.launch\.py", "distribution: the launch file's name in Humble"),
+        (r"ros2 (node info|service list)", _OLDER),
+        (r"turtle_teleop_key", "distribution: the keys' names are in capitals before Kilted"),
+        (
+            r"ros2 action info",
+            "distribution: the two slashes were recorded of Kilted's ros2cli; Jazzy's joins them otherwise",
+        ),
+        (r"sysctl|\btc qdisc", "system: the kernel's network cannot be changed here"),
+        (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
+        (r"image_tools cam2image$", "hardware: a camera"),
+        (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),
+    ),
+    "Understanding-ROS2-Parameters": (
+        (r"ros2 param list", "page: recorded before start_type_description_service (Iron) and turtlesim's holonomic"),
+        (r"ros2 param load", "page: recorded before start_type_description_service (Iron) and turtlesim's holonomic"),
+    ),
+    "Recording-And-Playing-Back-Data": (
+        (
+            r"ros2 bag record",
+            "page: recorded with Dashing; the recorder of today logs by its own name, and no database is opened",
+        ),
+        (r"ros2 bag info <", "page: recorded with Rolling, whose name it shows"),
+        (
+            r"ros2 bag info",
+            "page: names no distribution and no services, as before Jazzy, and not the number of the file",
+        ),
+        (r"ros2 bag play", "page: recorded with Dashing; the player of today names its rate and keys"),
+    ),
+    "Colcon-Tutorial": (
+        (r"colcon test$", "C++; and launch_testing is not part of day6-tui"),
+        (r"^cd ", "page: a picture of folders"),
+    ),
+    "Creating-A-Workspace": ((r"colcon build", "network: what was to be cloned is not in the mirror"),),
+    "Creating-Your-First-ROS2-Package": (
+        (r"ros2 pkg create", "page: the listing was made without the licence that its command names"),
+    ),
+    "Recording-A-Bag-From-Your-Own-Node-Py": (
+        (
+            r"bag_recorder_nodes_py|/synthetic",
+            "distribution: TopicMetadata has an id since Jazzy, which Humble's page does not give",
+        ),
+    ),
+    "Single-Package-Define-And-Use-Interface": ((r"/address_book", "C++: its publisher"),),
+    "Using-Parameters-In-A-Class-Python": (
+        (r"ros2 run", "page: the listing names a node that its program does not have"),
+        (r"ros2 launch", "page: the listing leaves out launch's prefix"),
+    ),
+    "Getting-Started-With-Ros2doctor": (
+        (r"ros2 doctor --report", "page: asks the internet for the distribution's state; here nothing is asked"),
+        (r"ros2 doctor", "page: doctor also finds the topics of the action, which the listing leaves out"),
+    ),
+    "Composition": (
+        (r"component types", "page: an extract, with words in brackets for the rest"),
+        (r"dlopen", "C++: loads shared libraries, and says so"),
+        (r"component unload", "page: older; ros2component adds 'node' in Humble, Jazzy and Rolling"),
+    ),
+    "dummy-robot-demo": ((r"^source", "page: of a build from source; here the packages are ready-made"),),
+    "Quality-of-Service": (
+        (r"image_tools cam2image$", "hardware: a camera"),
+        (r"image_tools", "page: recorded when the programs printed instead of logging"),
+    ),
+    "Introduction-To-Tf2": (
+        (r"view_frames", "page: recorded when view_frames printed instead of logging (before Humble)"),
+    ),
+    "Debugging-Tf2-Problems": (
+        (r"turtle_tf2 ", "page: a package of ROS 1, and the frames are C++'s"),
+        (r"tf2_echo|tf2_monitor", "C++: the node that is debugged is learning_tf2_cpp's"),
+    ),
+    "Logging-and-logger-configuration": (
+        (r"NodeWithLoggerService|service list", "page: the node is a line of code without a program"),
+    ),
+}
+"""By page, or '' for all (looked at last): a pattern of commands and the reason."""
+
+
+def reason(page: str, row: Row) -> str:
+    """Return the reason of a row, '' where there is none to be told."""
+    if row.reason and row.verdict not in ("run", "window"):
+        return row.reason
+    if row.command.startswith("ros2 interface show") and _only_comments_differ(row):
+        return "words: the comments of interfaces are our own"
+    if "turtlesim_msgs" in f"{row.command} {row.listing}":
+        return "distribution: turtlesim's interfaces are turtlesim_msgs since Kilted"
+    for pattern, text in (*KNOWN.get(page, ()), *KNOWN[""]):
+        if re.search(pattern, row.command):
+            return text
+    return "C++" if re.search(r"Cpp|CPP", page) else ""
+
+
+def _only_comments_differ(row: Row) -> bool:
+    bare = [
+        [line.partition("#")[0].strip() for line in masked(text) if line.partition("#")[0].strip()]
+        for text in (row.listing or "", row.output)
+    ]
+    return bool(bare[0]) and bare[0] == bare[1]
