@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._component import spin_cpp
 from day6_tui.core.ros.programs.image_tools._components import ShowImage
-from day6_tui.core.ros.programs.rclcpp import abort, create_node
+from day6_tui.core.ros.programs.rclcpp import CppException, create_node
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -36,7 +36,7 @@ async def main(session: Session) -> int:
     try:
         component = ShowImage(node, session.print_error)
     except RuntimeError as error:
-        abort(session, "std::runtime_error", str(error))
+        raise CppException(str(error)) from None
     status = await spin_cpp(session, node)
     del component  # it lives as long as its node spins
     return status

@@ -146,7 +146,8 @@ class Recording:
             self._node.destroy_subscription(subscription)
         self._subscriptions.clear()
         self._writer.close()
-        self._log.info("Event publisher thread: Exiting")
+        if self._host is None:
+            self._log.info("Event publisher thread: Exiting")
         self._log.info("Recording stopped")
 
     # -- topics --------------------------------------------------------------------------------------------------------
