@@ -30,6 +30,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 from day6_tui.core.session.task import Signal
 
 if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
     from day6_tui.core.session.session import Session
     from day6_tui.core.session.task import Task
     from rclpy.node import Node
@@ -85,6 +86,19 @@ class Place:
             self._woken.clear()
             work()
             await self.session.sleep(pause)
+
+    def serve(self, requests: Requests) -> None:
+        """Carry out the requests of the plugin's window as they come, while the plugin runs."""
+        wanted = Signal()
+        requests.on_request = wanted.set
+
+        async def run() -> None:
+            while True:
+                await self.session.wait(wanted)
+                wanted.clear()
+                requests.handle()
+
+        self.spawn(run())
 
     def end(self) -> None:
         """End what the plugin has started."""

@@ -6,7 +6,7 @@ that there is room for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from geometry_msgs.msg import Point
 
 from day6_tui.core.interfaces import DeserializationError, deserialize, get_message
 from day6_tui.core.ros.programs.rqt_image_view.decoding import Picture, Undecodable, View, picture_of
+from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
 from rclpy.qos import qos_profile_sensor_data
 
 if TYPE_CHECKING:
@@ -27,14 +28,14 @@ MOST_BYTES = 200_000_000
 """A larger message is told, but not decoded."""
 
 
-class ImageView:
+class ImageView(Requests):
     """The model of one plugin. The window may read its attributes, call `picture`, `save`, and the requests."""
 
     def __init__(self, node: Node, folder: Path) -> None:
+        super().__init__()
         self._node, self._folder = node, folder
         self._subscription: Subscription[Any] | None = None
         self._mouse: Publisher[Point] | None = None
-        self._requests: list[Callable[[], object]] = []
         self._newest: Any = None
         """A message or its bytes, as it came."""
         self._decoded: tuple[int, Any] = (0, None)
@@ -48,22 +49,20 @@ class ImageView:
         self.publishes_clicks = False
         self.version = 0
         """Grows when anything but the image changes."""
-        self.on_request: Callable[[], object] | None = None
-        """Called (any thread) when the window wants something."""
 
     # -- the window's side ---------------------------------------------------------------------------------------------
 
     def choose(self, topic: str) -> None:
         """Show another topic; '' shows none."""
-        self._request(lambda: self.show_topic(topic))
+        self.post(lambda: self.show_topic(topic))
 
     def publish_clicks(self, on: bool) -> None:
         """Publish clicks on the image, or no longer."""
-        self._request(lambda: self.set_publishing(on))
+        self.post(lambda: self.set_publishing(on))
 
     def click(self, x: int, y: int) -> None:
         """Somebody clicked on a pixel of the image."""
-        self._request(lambda: self._publish(x, y))
+        self.post(lambda: self._publish(x, y))
 
     @property
     def mouse_topic(self) -> str:
@@ -113,17 +112,7 @@ class ImageView:
             self._decoded = number, message
         return self._decoded[1]
 
-    def _request(self, work: Callable[[], object]) -> None:
-        self._requests.append(work)
-        if self.on_request is not None:
-            self.on_request()
-
     # -- the program's side --------------------------------------------------------------------------------------------
-
-    def handle_requests(self) -> None:
-        """Carry out the window's requests."""
-        while self._requests:
-            self._requests.pop(0)()
 
     def refresh(self) -> None:
         """Look which topics have images; one that was chosen before it was there is listened to now."""

@@ -10,7 +10,6 @@ from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, r
 from day6_tui.core.ros.programs.rqt_image_view.decoding import View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
 from day6_tui.core.session.session import Session
-from day6_tui.core.session.task import Signal
 
 REFRESH_SECONDS = 0.1
 """At most this often is the graph looked at again while it changes."""
@@ -23,8 +22,6 @@ class ImageViewPlugin(Plugin[ImageView]):
 
     def __init__(self, place: Place) -> None:
         super().__init__(place, ImageView(place.node, place.session.cwd))
-        self._requested = Signal()
-        self.model.on_request = self._requested.set
         words = [word for word in place.words if not word.startswith("-")]
         kept = place.settings.get("topic")
         topic = words[0] if words else kept if isinstance(kept, str) else ""
@@ -47,15 +44,8 @@ class ImageViewPlugin(Plugin[ImageView]):
         )
 
     async def run(self) -> None:
-        self.place.spawn(self._handle_requests())
-        self.place.wake()
+        self.place.serve(self.model)
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
-
-    async def _handle_requests(self) -> None:
-        while True:
-            await self.place.session.wait(self._requested)
-            self._requested.clear()
-            self.model.handle_requests()
 
     def close(self) -> None:
         self.model.close()

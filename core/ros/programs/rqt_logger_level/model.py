@@ -12,6 +12,7 @@ from rcl_interfaces.msg import LoggerLevel
 from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 
 from day6_tui.core.graph.names import full_name
+from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
 from day6_tui.core.ros.programs.rqt_py_common.service_calls import ServiceCalls
 
 if TYPE_CHECKING:
@@ -34,15 +35,15 @@ class Logger(NamedTuple):
     level: int | None
 
 
-class LoggerLevels:
+class LoggerLevels(Requests):
     """The model of one plugin. The window may read the attributes and call `choose`, `add`, `set`, `read` and `cancel`."""
 
     def __init__(self, node: Node, now: Callable[[], int], chosen: str = "") -> None:
+        super().__init__()
         self._node = node
         self._awaited = chosen
         """The node to choose as soon as it is there."""
         self._calls = ServiceCalls(now, self._show, self._on_failure)
-        self._wanted: list[Callable[[], object]] = []
         self._clients: list[Client[Any, Any]] = []
         self._levels: dict[str, int | None] = {}
         self.nodes: dict[str, bool] = {}
@@ -55,42 +56,30 @@ class LoggerLevels:
         self.message = ""
         """Why the last change failed, in the words of the node."""
         self.version = 0
-        self.on_request: Callable[[], object] | None = None
-        """Called (any thread) when the window wants something."""
 
     # -- the window's side ---------------------------------------------------------------------------------------------
 
     def choose(self, node: str) -> None:
         """Show the loggers of a node."""
-        self._request(lambda: self._choose(node))
+        self.post(lambda: self._choose(node))
 
     def add(self, logger: str) -> None:
         """Show a logger of the chosen node that is not listed."""
-        self._request(lambda: self._add(logger))
+        self.post(lambda: self._add(logger))
 
     def set(self, logger: str, level: int) -> None:
         """Set the level of a logger of the chosen node."""
-        self._request(lambda: self._set(logger, level))
+        self.post(lambda: self._set(logger, level))
 
     def read(self) -> None:
         """Ask the chosen node again."""
-        self._request(self._read)
+        self.post(self._read)
 
     def cancel(self) -> None:
         """Wait for no response any more."""
-        self._request(self._cancel)
-
-    def _request(self, work: Callable[[], object]) -> None:
-        self._wanted.append(work)
-        if self.on_request is not None:
-            self.on_request()
+        self.post(self._cancel)
 
     # -- the program's side --------------------------------------------------------------------------------------------
-
-    def handle_requests(self) -> None:
-        """Carry out the window's requests."""
-        while self._wanted:
-            self._wanted.pop(0)()
 
     def refresh(self) -> None:
         """Look which nodes there are, and ask the chosen one when it has come."""

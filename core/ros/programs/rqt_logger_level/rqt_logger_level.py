@@ -8,7 +8,6 @@ from __future__ import annotations
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.ros.programs.rqt_logger_level.model import LoggerLevels
 from day6_tui.core.session.session import Session
-from day6_tui.core.session.task import Signal
 
 REFRESH_SECONDS = 0.1
 """At most this often is the graph looked at again while it changes."""
@@ -23,20 +22,11 @@ class LoggerLevelPlugin(Plugin[LoggerLevels]):
         node = place.settings.get("node")
         chosen = node if isinstance(node, str) else ""
         super().__init__(place, LoggerLevels(place.node, place.session.clock.steady_ns, chosen))
-        self._requested = Signal()
-        self.model.on_request = self._requested.set
 
     async def run(self) -> None:
-        self.place.spawn(self._handle_requests())
+        self.place.serve(self.model)
         self.place.spawn(self._tick())
-        self.place.wake()
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
-
-    async def _handle_requests(self) -> None:
-        while True:
-            await self.place.session.wait(self._requested)
-            self._requested.clear()
-            self.model.handle_requests()
 
     async def _tick(self) -> None:
         async for _ in self.place.session.every(1.0):

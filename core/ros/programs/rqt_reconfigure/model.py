@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.names import full_name
+from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
 from day6_tui.core.ros.programs.rqt_reconfigure.opened import OpenedNode, OpenNode
 from day6_tui.core.session.blocking_files import refuse
 from day6_tui.core.whole_file import replace_file
@@ -23,13 +24,13 @@ LARGEST_FILE = 100_000
 """Bytes of a file that is loaded: YAML takes seconds for more."""
 
 
-class Reconfigure:
+class Reconfigure(Requests):
     """The model of one plugin. The window may read `nodes`, `opened`, `filter`, `message`, `version`, and request."""
 
     def __init__(self, node: Node, now: Callable[[], int], folder: Path) -> None:
+        super().__init__()
         self._node, self._now, self._folder = node, now, folder
         self._opened: dict[str, OpenedNode] = {}
-        self._requests: list[Callable[[], object]] = []
         self.nodes: tuple[str, ...] = ()
         """The full names of the nodes that have parameters, sorted."""
         self.opened: tuple[OpenNode, ...] = ()
@@ -39,8 +40,6 @@ class Reconfigure:
         self.message = ""
         """What became of the last file, in one line."""
         self.version = 0
-        self.on_request: Callable[[], object] | None = None
-        """Called (any thread) when the window wants something."""
         self.on_load: Callable[[str, Path], object] | None = None
         """Called with a node and a file whose values it is to get."""
 
@@ -48,27 +47,27 @@ class Reconfigure:
 
     def toggle(self, node: str) -> None:
         """Show the parameters of a node, or no more."""
-        self._request(lambda: self.close_node(node) if node in self._opened else self.open_node(node))
+        self.post(lambda: self.close_node(node) if node in self._opened else self.open_node(node))
 
     def set(self, node: str, parameter: str, value: Any) -> None:
         """Send a value of the parameter's type."""
-        self._request(lambda: self._opened[node].set(parameter, value), node)
+        self._of(node, lambda: self._opened[node].set(parameter, value))
 
     def move(self, node: str, parameter: str, steps: int) -> None:
         """Move a slider by so many steps."""
-        self._request(lambda: self._opened[node].move(parameter, steps), node)
+        self._of(node, lambda: self._opened[node].move(parameter, steps))
 
     def read(self, node: str) -> None:
         """Read a node's parameters anew."""
-        self._request(lambda: self._opened[node].read(), node)
+        self._of(node, lambda: self._opened[node].read())
 
     def cancel(self, node: str) -> None:
         """Wait for no response of a node any more."""
-        self._request(lambda: self._opened[node].cancel(), node)
+        self._of(node, lambda: self._opened[node].cancel())
 
     def load(self, node: str, name: str) -> None:
         """Give a node the values of a file."""
-        self._request(partial(self._load, node, self.path(name)), node)
+        self._of(node, partial(self._load, node, self.path(name)))
 
     def save(self, node: str, name: str) -> Path:
         """Write the values of an opened node to a file, as the real plugin does: a mapping of names. Raises OSError."""
@@ -84,17 +83,11 @@ class Reconfigure:
         """The file that a user of this program means."""
         return self._folder / Path(name).expanduser()
 
-    def _request(self, work: Callable[[], object], node: str = "") -> None:
-        self._requests.append(lambda: work() if not node or node in self._opened else None)
-        if self.on_request is not None:
-            self.on_request()
+    def _of(self, node: str, work: Callable[[], object]) -> None:
+        """Post what is wanted of a node, unless it is closed by then."""
+        self.post(lambda: work() if node in self._opened else None)
 
     # -- the program's side --------------------------------------------------------------------------------------------
-
-    def handle_requests(self) -> None:
-        """Carry out the window's requests."""
-        while self._requests:
-            self._requests.pop(0)()
 
     def refresh(self) -> None:
         """Look which nodes there are."""

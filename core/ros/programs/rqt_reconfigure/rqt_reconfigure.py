@@ -11,7 +11,6 @@ from pathlib import Path
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.ros.programs.rqt_reconfigure.model import Reconfigure, read_values
 from day6_tui.core.session.session import Session
-from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 
 REFRESH_SECONDS = 0.1
@@ -28,8 +27,6 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
 
     def __init__(self, place: Place) -> None:
         super().__init__(place, Reconfigure(place.node, place.session.clock.steady_ns, place.session.cwd))
-        self._requested = Signal()
-        self.model.on_request = self._requested.set
         self.model.on_load = lambda node, path: place.spawn(self._load(node, path))
         self._named = [word for word in place.words if not word.startswith("-")]
         kept = place.settings.get("selected_nodes")
@@ -39,16 +36,10 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
         self.model.filter = text if isinstance(text, str) else ""
 
     async def run(self) -> None:
-        for handle in (self._handle_requests, self._tick, self._select):
-            self.place.spawn(handle())
-        self.place.wake()
+        self.place.serve(self.model)
+        self.place.spawn(self._tick())
+        self.place.spawn(self._select())
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
-
-    async def _handle_requests(self) -> None:
-        while True:
-            await self.place.session.wait(self._requested)
-            self._requested.clear()
-            self.model.handle_requests()
 
     async def _tick(self) -> None:
         async for _ in self.place.session.every(1.0):
