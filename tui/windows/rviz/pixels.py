@@ -39,6 +39,8 @@ class PixelView:
         self._rviz, self._look = rviz, look
         self.sheet = Sheet(columns, rows, look.colours.text)
         self.cell = (1, 1)
+        self.cursor: tuple[int, int] | None = None
+        """The cell in which the keys point at things."""
         self.pixels: Array = np.zeros((rows, columns, 3), np.uint8)
         self._draft: Array | None = None
         """The quick picture painted last."""
@@ -98,11 +100,16 @@ class PixelView:
         red, green, blue = picture.background
         ground = red << 16 | green << 8 | blue
         texts: list[Text] = []
+        if self.cursor is not None:
+            texts.append((*self.cursor, "╋", pixel_style(CURSOR, ground)))
         for x, y, text, colour in picture.labels:
             column = int(x) // self.cell[0] - cell_len(text) // 2
             style = pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)
             texts.append((column, int(y) // self.cell[1], text, style))
         return self.sheet.put(texts)
+
+
+CURSOR = 0xFFFF00
 
 
 def _bytes(colour: Array) -> Array:
