@@ -551,8 +551,12 @@ TEXTS = {
         "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
         "d\thide or show the panel, like the arrow at its edge\n"
         "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
-        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\np\tquality: less detail is faster\nr\treset\n"
-        "^S w ^O\tsave, save as, open\ng\tsave a picture\n\n"
+        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\nl\tquality: less detail is faster\nr\treset\n"
+        "^S w ^O\tsave, save as, open\ne\tsave a picture\n"
+        "m i s c n p g u\tthe tools, in RViz's own letters (a second press or Esc leaves one): Move Camera, Interact, Select, "
+        "Focus Camera, Measure, 2D Pose Estimate, 2D Goal Pose, Publish Point\n\n"
+        "A pose: press where it shall be, drag to where it shall look, let go. With keys: arrows and Enter for the place, arrows "
+        "and Enter for the direction; Shift makes finer steps. The other tools: click, or arrows and Enter.\n\n"
         "Mouse: drag turns, Shift or Ctrl and drag pans, the wheel zooms."
     ),
     "help.rqt_graph": (

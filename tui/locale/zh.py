@@ -729,8 +729,12 @@ TEXTS = {
         "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓，或者按 Shift Tab，也能走到按钮）\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
         "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
-        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\np\t画质：细节少一些就快一些\nr\t重置\n"
-        "^S w ^O\t保存、另存为、打开\ng\t保存图片\n\n"
+        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\nl\t画质：细节少一些就快一些\nr\t重置\n"
+        "^S w ^O\t保存、另存为、打开\ne\t保存图片\n"
+        "m i s c n p g u\t工具，字母和真正的 RViz 一样（再按一次或按 Esc 退出）：Move Camera、Interact、Select、"
+        "Focus Camera、Measure、2D Pose Estimate、2D Goal Pose、Publish Point\n\n"
+        "定位姿：在位置上按下鼠标，拖向要面对的方向，松开。用键盘：方向键和回车定位置，再用方向键和回车定方向；"
+        "加 Shift 步子更小。其他工具：点一下，或者用方向键和回车。\n\n"
         "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
     ),
     "help.rqt_graph": (

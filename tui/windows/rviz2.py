@@ -520,7 +520,7 @@ class RVizPane(WindowPane[RViz]):
             "4": self.from_above,
             "z": self.zero,
             "v": self.next_view,
-            "q": self.next_quality,
+            "l": self.next_quality,
             "r": lambda: self.request(self.rviz.reset),
             "slash": self._find,
             "ctrl+n": lambda: dialogs.add(self),
@@ -682,10 +682,9 @@ class RVizPane(WindowPane[RViz]):
     def _leave_tool(self) -> None:
         """Back to the default tool; from there to the panel."""
         tools = self.rviz.tools
-        if tools.current is not tools.default:
-            self.request(tools.to_default)
-        else:
+        if tools.current is tools.default:
             self._to_panel()
+        self.request(tools.to_default)  # a letter pressed just before may not have been worked off yet
 
     def _zoom(self, steps: float) -> None:
         self.rviz.view.zoom(steps)

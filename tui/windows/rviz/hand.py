@@ -54,9 +54,9 @@ class Hand:
     def move(self, event: events.MouseMove, x: float, y: float) -> None:
         """The mouse moved over the view, or with the button held."""
         if self._held is not None:
-            tool, button, _ = self._held
+            held, button, _ = self._held
             if button == LEFT:
-                self._tell(tool, tool.drag, self._pointer(tool, event, x, y))
+                self._tell(held, held.drag, self._pointer(held, event, x, y))
         elif (tool := self.tool) is not None and tool.needs_hit and (int(x), int(y)) != self._over:
             self._over = int(x), int(y)
             self._tell(tool, tool.hover, self._pointer(tool, event, x, y))

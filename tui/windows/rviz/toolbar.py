@@ -30,7 +30,7 @@ def names_in(tools: Sequence[Tool], current: Tool | None, width: int) -> list[Na
     forms = ([tool.title for tool in tools], [tool.short for tool in tools])
     for words in (*forms, [tool.short if tool is current else "" for tool in tools]):
         names = list(_placed(tools, words))
-        if not names or names[-1].end < width:
+        if not names or names[-1].end <= width:
             return names
     return [name for name in names if name.end < width]
 
