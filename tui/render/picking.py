@@ -46,7 +46,10 @@ class Screen(NamedTuple):
     def ray(self, x: float, y: float) -> tuple[Array, Array]:
         """Start and direction of the ray through a place, in cells from the upper left corner."""
         picture = self.part(int(x), int(y), 1, 1)
-        picture.offset = (picture.offset[0] + (int(x) + 0.5 - x) * ACROSS, picture.offset[1] + (int(y) + 0.5 - y) * DOWN)
+        picture.offset = (
+            picture.offset[0] + (int(x) + 0.5 - x) * ACROSS,
+            picture.offset[1] + (int(y) + 0.5 - y) * DOWN,
+        )
         # Between the middle pixels.
         starts, along = picture.rays(0, 0, ACROSS, DOWN)
         start: Array = starts.mean(axis=(0, 1))
@@ -82,7 +85,9 @@ def _nearest(scene: Scene, screen: Screen, column: int, row: int) -> Hit | None:
     return Hit(_vector(point), mark.owner, mark.key)
 
 
-def things_in(scene: Scene, screen: Screen, left: int, top: int, right: int, bottom: int) -> tuple[tuple[object, object], ...]:
+def things_in(
+    scene: Scene, screen: Screen, left: int, top: int, right: int, bottom: int
+) -> tuple[tuple[object, object], ...]:
     """Owners and keys of the things seen in a rectangle of cells, the largest first."""
     picture = screen.part(left, top, max(1, right - left), max(1, bottom - top))
     owners: Array = np.full(picture.depth.shape, -1)

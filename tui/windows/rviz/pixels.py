@@ -8,11 +8,11 @@ import numpy as np
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.tui.canvas import Span
-from day6_tui.tui.cells import cell_len
 from day6_tui.tui.colours import pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pixels.pictures import Pictures
 from day6_tui.tui.pixels.sheet import Sheet, Text
+from day6_tui.tui.render.label_places import label_places
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.tui.render.picture import Array, Picture
 
@@ -102,10 +102,10 @@ class PixelView:
         texts: list[Text] = []
         if self.cursor is not None:
             texts.append((*self.cursor, "╋", pixel_style(CURSOR, ground)))
-        for x, y, text, colour in picture.labels:
-            column = int(x) // self.cell[0] - cell_len(text) // 2
-            style = pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)
-            texts.append((column, int(y) // self.cell[1], text, style))
+        wanted = [(x / self.cell[0], y / self.cell[1], text) for x, y, text, _ in picture.labels]
+        for place, (_, _, text, colour) in zip(label_places(wanted, *self._size), picture.labels, strict=True):
+            if place is not None:
+                texts.append((*place, text, pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)))
         return self.sheet.put(texts)
 
 
