@@ -17,7 +17,7 @@ def _cells(texts: list[tuple[float, float, str]], columns: int = 60, rows: int =
     found = []
     for place, (_, _, text) in zip(label_places(texts, columns, rows), texts, strict=True):
         assert place is not None, text
-        assert 0 <= place.column and place.column + cell_len(text) <= columns and 0 <= place.row < rows
+        assert place.column >= 0 and place.column + cell_len(text) <= columns and 0 <= place.row < rows
         found += [(place.row, place.column + cell) for cell in range(cell_len(text))]
     return found
 

@@ -84,6 +84,8 @@ class PointsDisplay(FilteredDisplay):
         self.colour = self.add(Property("Color", COLOUR, (255, 255, 255), on_change=changed))
         self._possible: tuple[str, ...] = COLOURS
         self.points_shown = 0
+        self.of_all = 0
+        """How many points the newest message had, if some were left out; else 0."""
         self._clouds: deque[Cloud] = deque(maxlen=MOST_CLOUDS)
         self._drawn: tuple[Any, ...] = ()
         self._points: list[Points] = []
@@ -126,7 +128,10 @@ class PointsDisplay(FilteredDisplay):
             self._clouds.popleft()
         shown = list(self._clouds) if self.decay.value else [self._clouds[-1]]
         self.points_shown = sum(len(each.own) for each in shown)
-        self.put_status(OK, "Points", f"Showing [{self.points_shown}] points from [{len(shown)}] messages")
+        text = f"Showing [{self.points_shown}] points from [{len(shown)}] messages"
+        if self.of_all and len(shown) == 1:
+            text = f"Showing [{self.points_shown}] of [{self.of_all}] points from [1] messages"
+        self.put_status(OK, "Points", text)
 
     def _choose(self, names: tuple[str, ...]) -> None:
         """Offer the transformers that the newest cloud allows; colours of its own come first, then a channel."""
