@@ -20,10 +20,10 @@ CIRCLE = range(4, 33)
 
 
 class _TwoVectors(FilteredDisplay):
-    """`along` and `around` are the words of the properties, `path` leads to the vectors in a message."""
+    """`along` and `around` are the words of the properties, `route` leads to the vectors in a message."""
 
     along, around = "Linear", "Angular"
-    path: tuple[str, str, str] = ("", "linear", "angular")
+    route: tuple[str, str, str] = ("", "linear", "angular")
 
     def build(self) -> None:
         super().build()
@@ -59,7 +59,7 @@ class _TwoVectors(FilteredDisplay):
         return True
 
     def show(self, message: Any) -> None:
-        part, along, around = (getattr(message, self.path[0]), *self.path[1:])
+        part, along, around = (getattr(message, self.route[0]), *self.route[1:])
         vectors = (getattr(part, along), getattr(part, around))
         numbers = self.accepted([number for vector in vectors for number in (vector.x, vector.y, vector.z)])
         if not all_finite(numbers):
@@ -109,7 +109,7 @@ class WrenchDisplay(_TwoVectors):
     type = "Wrench"
     message_type = "geometry_msgs/msg/WrenchStamped"
     along, around = "Force", "Torque"
-    path = ("wrench", "force", "torque")
+    route = ("wrench", "force", "torque")
 
     def first_lines(self) -> None:
         self.accepts_nan = self.add(Property("Accept NaN Values", BOOL, False, on_change=self.changed))
@@ -132,7 +132,7 @@ class AccelStampedDisplay(_ScrewDisplay):
 
     type = "AccelStamped"
     message_type = "geometry_msgs/msg/AccelStamped"
-    path = ("accel", "linear", "angular")
+    route = ("accel", "linear", "angular")
 
 
 class TwistStampedDisplay(_ScrewDisplay):
@@ -140,4 +140,4 @@ class TwistStampedDisplay(_ScrewDisplay):
 
     type = "TwistStamped"
     message_type = "geometry_msgs/msg/TwistStamped"
-    path = ("twist", "linear", "angular")
+    route = ("twist", "linear", "angular")
