@@ -6,7 +6,15 @@ import math
 from typing import Any
 
 import pytest
-from geometry_msgs.msg import AccelStamped, Point, Point32, PolygonStamped, TwistStamped, WrenchStamped
+from geometry_msgs.msg import (
+    AccelStamped,
+    Point,
+    Point32,
+    PolygonStamped,
+    PoseWithCovarianceStamped,
+    TwistStamped,
+    WrenchStamped,
+)
 from nav_msgs.msg import GridCells
 from rviz_machine import RVizMachine
 from sensor_msgs.msg import FluidPressure, Illuminance, RelativeHumidity, Temperature
@@ -121,3 +129,15 @@ def test_a_class_that_is_not_here_says_so_and_keeps_its_words(world: RVizMachine
     (display,) = world.rviz.displays
     assert display.status("Class") is not None and "could not be loaded" in display.status("Class")[1]
     assert display.save()["Auto Size"] == {"Value": True}
+
+
+def test_a_pose_estimate_is_shown_with_its_covariance(world: RVizMachine) -> None:
+    display = world.add("PoseWithCovariance", "/initialpose")
+    message = stamped(PoseWithCovarianceStamped)
+    message.pose.pose.orientation.w = 1.0
+    message.pose.covariance[0] = message.pose.covariance[7] = 0.25
+    world.publish("/initialpose", message)
+    assert world.rviz.scene.shapes[-1].size == (1.0, 1.0, 1e-4)
+    message.pose.covariance[35] = math.nan
+    world.publish("/initialpose", message)
+    assert display.status("Topic") == ("Error", INVALID_FLOATS)

@@ -407,6 +407,7 @@ TEXTS = {
     "rviz.type.PointStamped": "single points",
     "rviz.type.Pose": "a position and orientation",
     "rviz.type.PoseArray": "many poses",
+    "rviz.type.PoseWithCovariance": "a pose and how sure it is",
     "rviz.type.Range": "the cone of a distance sensor",
     "rviz.type.RobotModel": "a robot from its URDF",
     "rviz.type.TF": "all frames",

@@ -591,6 +591,7 @@ TEXTS = {
     "rviz.type.PointStamped": "单个的点",
     "rviz.type.Pose": "一个位置和朝向",
     "rviz.type.PoseArray": "一组位置和朝向",
+    "rviz.type.PoseWithCovariance": "位姿和它的不确定度",
     "rviz.type.Range": "测距传感器的锥形",
     "rviz.type.RobotModel": "按 URDF 画出的机器人",
     "rviz.type.TF": "所有坐标系",

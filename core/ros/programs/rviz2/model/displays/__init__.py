@@ -29,6 +29,11 @@ TYPES: dict[str, tuple[str, str, str]] = {
     "Polygon": ("flat", "PolygonDisplay", "geometry_msgs/msg/PolygonStamped"),
     "Pose": ("poses", "PoseDisplay", "geometry_msgs/msg/PoseStamped"),
     "PoseArray": ("poses", "PoseArrayDisplay", "geometry_msgs/msg/PoseArray"),
+    "PoseWithCovariance": (
+        "poses",
+        "PoseWithCovarianceDisplay",
+        "geometry_msgs/msg/PoseWithCovarianceStamped",
+    ),
     "Range": ("range", "RangeDisplay", "sensor_msgs/msg/Range"),
     "RelativeHumidity": ("scalar", "RelativeHumidityDisplay", "sensor_msgs/msg/RelativeHumidity"),
     "RobotModel": ("robot_model", "RobotModelDisplay", ""),

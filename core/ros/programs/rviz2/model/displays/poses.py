@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.arrows import PoseShape, rgba
+from day6_tui.core.ros.programs.rviz2.model.displays.covariance import Covariance
 from day6_tui.core.ros.programs.rviz2.model.properties import (
     COLOUR,
     ENUM,
     INT,
     TEXT,
+    VECTOR,
     Property,
     floats,
     pose_lines,
@@ -66,6 +68,51 @@ class PoseDisplay(FilteredDisplay):
     def draw(self, scene: Scene) -> None:
         if self._pose is not None:
             self.shape.draw(scene, self._pose)
+
+
+class PoseWithCovarianceDisplay(FilteredDisplay):
+    """The newest pose with its covariance."""
+
+    type = "PoseWithCovariance"
+    message_type = "geometry_msgs/msg/PoseWithCovarianceStamped"
+    selectable = True
+
+    def build(self) -> None:
+        super().build()
+        self.shape = PoseShape(self.add, self.changed, below=False)
+        self.covariance = Covariance(self.add, self.changed)
+        self._pose: Transform | None = None
+        self._message: Any = None
+
+    def reset(self) -> None:
+        super().reset()
+        self._pose = self._message = None
+        self.covariance.forget()
+
+    def show(self, message: Any) -> None:
+        if not all_finite([*pose_numbers(message.pose.pose), *message.pose.covariance]):
+            self.put_status(ERROR, "Topic", INVALID_FLOATS)
+            return
+        frame = self.place(message.header)
+        if frame is not None:
+            self._pose, self._message = compose(frame, pose_of(message.pose.pose)), message
+            self.covariance.take(message.pose.covariance)
+
+    def describe(self, key: str) -> tuple[str, list[Property]] | None:
+        if self._message is None:
+            return None
+        frame = Property("Frame", TEXT, self._message.header.frame_id, read_only=True)
+        numbers, spread = pose_numbers(self._message.pose.pose), self._message.pose.covariance
+        variances = [
+            Property(f"Covariance {name}", VECTOR, tuple(float(spread[7 * index]) for index in indices), read_only=True)
+            for name, indices in (("Position", range(3)), ("Orientation", range(3, 6)))
+        ]
+        return f"Pose {self.name}", [frame, *pose_lines(numbers[:3], numbers[3:]), *variances]
+
+    def draw(self, scene: Scene) -> None:
+        if self._pose is not None:
+            self.shape.draw(scene, self._pose)
+            self.covariance.draw(scene, self._pose)
 
 
 class PoseArrayDisplay(FilteredDisplay):
