@@ -268,3 +268,11 @@ def test_as_a_node_without_a_screen_it_logs_a_warning_and_then_an_error(machine:
     machine.transform("odom", "base_link")
     machine.until(lambda: "[ERROR]" in running.errors or running.program.status is not None)
     assert running.errors.endswith("[rviz]: Global Status: Fixed Frame: Frame [map] does not exist\n")
+
+
+def test_the_tutorials_line_opens_the_configuration_of_turtle_tf2_py(machine: RVizMachine) -> None:
+    from ament_index_python.packages import get_package_share_directory
+
+    rviz = machine.open("-d", f"{get_package_share_directory('turtle_tf2_py')}/rviz/turtle_rviz.rviz")
+    assert rviz.fixed_frame == "world" and rviz.view.type == "TopDownOrtho" and rviz.message is None
+    assert [display.type for display in rviz.displays] == ["Grid", "TF"]

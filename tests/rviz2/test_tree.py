@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -20,8 +19,21 @@ from day6_tui.tui.windows.rviz.tree import PropertyTree
 ENVIRONMENT = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 
 
+class Tree:
+    """What the widget knows of an RViz: the lines of its panels."""
+
+    tree_version = 1
+
+    def __init__(self, root: Property, nothing: Property) -> None:
+        self.root, self._nothing = root, nothing
+
+    @property
+    def panels(self) -> list[Property]:
+        return [*self.root.children, self._nothing]
+
+
 @pytest.fixture
-def rviz() -> SimpleNamespace:
+def rviz() -> Tree:
     """Five branches of three leaves each; views and time are none of the lines."""
     root = Property("root")
     for number in range(5):
@@ -29,7 +41,7 @@ def rviz() -> SimpleNamespace:
         for leaf in "abc":
             branch.add(Property(f"{leaf}{number}", BOOL, True))
     nothing = Property("nothing", hidden=True)
-    return SimpleNamespace(root=root, views=nothing, time=nothing, tree_version=1)
+    return Tree(root, nothing)
 
 
 @asynccontextmanager

@@ -122,7 +122,7 @@ def test_keys_of_the_view(machine: RVizMachine) -> None:
             for name in ("XYOrbit", "TopDownOrtho", "FPS", "Orbit"):
                 await at.press("v")
                 assert rviz.view.type == name and f" {name} " in at.screen()
-            await at.press("p")
+            await at.press("l")
             assert rviz.quality.value == "Medium" and "Medium" in at.screen()
 
     run(walk())
@@ -168,10 +168,10 @@ def test_a_click_opens_branches_and_sets_boxes(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
             row = at.pane.panel.properties.node_of(machine.rviz.displays[0]).line
-            await at.pilot.click(at.pane, offset=(1, row + 1))
+            await at.pilot.click(at.pane, offset=(1, row + 1 + at.pane.top))
             await at.settle()
             assert "Cell Size" in at.screen()
-            await at.pilot.click(at.pane, offset=(4, row + 1))
+            await at.pilot.click(at.pane, offset=(4, row + 1 + at.pane.top))
             await at.settle()
             assert not machine.rviz.displays[0].enabled
 
@@ -205,7 +205,7 @@ def test_saving_loading_and_pictures(machine: RVizMachine, tmp_path: Path) -> No
             await at.settle()
             assert rviz.fixed_frame == "other"
             for name, start in (("a.png", b"\x89PNG"), ("a.svg", b"<svg")):
-                await at.press("g", "ctrl+u")
+                await at.press("e", "ctrl+u")
                 await at.type(name)
                 await at.press("enter")
                 assert (tmp_path / name).read_bytes().startswith(start)

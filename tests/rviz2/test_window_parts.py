@@ -105,14 +105,14 @@ def test_the_four_buttons_are_at_the_lower_left(machine: RVizMachine, width: int
             row = at.line("Duplicate")[1:].split("│")[0].split("|")[0].split("<")[0].split("◂")[0]
             assert [word for word in row.split() if "^" not in word] == ["Add", "Duplicate", "Remove", "Rename"]
             assert ("^X" in row) is (width == 120)
-            assert at.screen().splitlines().index(at.line("Duplicate")) == at.pane.body_height + 1
+            assert at.screen().splitlines().index(at.line("Duplicate")) == at.pane.top + at.pane.body_height + 1
 
     run(walk())
 
 
 async def _click_button(at: Walk, name: str) -> None:
     row = at.line("Duplicate")
-    await at.pilot.click(at.pane, offset=(row.index(name) + 1, at.pane.body_height))
+    await at.pilot.click(at.pane, offset=(row.index(name) + 1, at.pane.top + at.pane.body_height))
     await at.settle()
 
 
@@ -304,14 +304,14 @@ def test_the_wheel_scrolls_the_tree_and_leaves_the_view_alone(machine: RVizMachi
             at.pane.panel.properties.refill()
             await at.settle()
             tree, distance = at.pane.panel.properties, machine.rviz.view.child("Distance").value
-            assert tree.show_vertical_scrollbar and "Fixed Frame" in at.screen().splitlines()[3]
+            assert tree.show_vertical_scrollbar and "Fixed Frame" in at.screen().splitlines()[4]
             for _ in range(30):  # also where there is nothing more to scroll
                 tree.post_message(mouse(tree, events.MouseScrollDown, 5, 5, 0, False, False))
             await at.until(lambda: tree.scroll_offset.y == tree.max_scroll_y)
-            assert "▸ Time" in at.screen().splitlines()[at.pane.body_height]
+            assert "▸ Time" in at.screen().splitlines()[at.pane.top + at.pane.body_height]
             assert tree.cursor_line == 0 and machine.rviz.view.child("Distance").value == distance
             await at.press("down")
-            assert tree.cursor_line == 1 and "Fixed Frame" in at.screen().splitlines()[2]
+            assert tree.cursor_line == 1 and "Fixed Frame" in at.screen().splitlines()[3]
 
     run(walk())
 
@@ -322,7 +322,7 @@ def test_a_click_on_a_value_lets_it_be_changed_and_one_on_a_name_chooses_it(mach
             pane, tree = at.pane, at.pane.panel.properties
             await at.press("tab")
             rate = machine.rviz.options.child("Frame Rate")
-            row = tree.node_of(rate).line + 1
+            row = tree.node_of(rate).line + 1 + pane.top
             await at.pilot.click(pane, offset=(6, row))
             await at.settle()
             assert tree.prop is rate and pane.panel.value_line is None and pane.on_panel
@@ -386,11 +386,11 @@ def test_the_keyboard_follows_the_panel_when_the_window_becomes_narrow_and_wide(
 def test_the_frame_shows_who_has_the_keyboard_also_while_something_is_open_over_it(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
-            assert {line[0] for line in at.screen().splitlines()[2:-2]} == {"┃"}
+            assert {line[0] for line in at.screen().splitlines()[3:-2]} == {"┃"}
             await at.press("ctrl+n")
-            assert {line[0] for line in at.screen().splitlines()[2:-2]} == {"│"}
+            assert {line[0] for line in at.screen().splitlines()[3:-2]} == {"│"}
             await at.press("escape")
-            assert {line[0] for line in at.screen().splitlines()[2:-2]} == {"┃"}
+            assert {line[0] for line in at.screen().splitlines()[3:-2]} == {"┃"}
 
     run(walk())
 

@@ -424,6 +424,13 @@ TEXTS = {
     "rviz.key.turn": "turn",
     "rviz.key.zoom": "zoom",
     "rviz.key.above": "45° from above",
+    "rviz.key.cursor": "move the cursor",
+    "rviz.key.direction": "turn",
+    "rviz.key.fine": "finer",
+    "rviz.key.send": "send",
+    "rviz.key.place": "place",
+    "rviz.key.click": "click",
+    "rviz.key.leave_tool": "leave the tool",
     "rviz.loading": "reading {what}",
     "rviz.hint.topic": "No topic yet. Enter on {name} lets you choose: {options}",
     "rviz.hint.no_topic": "No topic yet, and nobody publishes one for {name}: is the node running?",
@@ -462,6 +469,7 @@ TEXTS = {
     "rviz.unsaved": "the view of RViz (^S in its window saves it)",
     "rviz.quality": "quality: {name}",
     "rviz.nothing_to_focus": "there is nothing to look at yet",
+    "rviz.tool.bad_topic": "{topic} is no name for a topic; the tool sends nothing",
     "rviz.type.Axes": "the axes of a frame",
     "rviz.type.Grid": "lines on the ground",
     "rviz.type.LaserScan": "points of a laser scanner",
@@ -475,9 +483,19 @@ TEXTS = {
     "rviz.type.PointStamped": "single points",
     "rviz.type.Pose": "a position and orientation",
     "rviz.type.PoseArray": "many poses",
+    "rviz.type.PoseWithCovariance": "a pose and how sure it is",
     "rviz.type.Range": "the cone of a distance sensor",
     "rviz.type.RobotModel": "a robot from its URDF",
     "rviz.type.TF": "all frames",
+    "rviz.type.AccelStamped": "an acceleration",
+    "rviz.type.FluidPressure": "a pressure sensor",
+    "rviz.type.GridCells": "filled cells of a grid",
+    "rviz.type.Illuminance": "a light sensor",
+    "rviz.type.Polygon": "a closed outline",
+    "rviz.type.RelativeHumidity": "a humidity sensor",
+    "rviz.type.Temperature": "a thermometer",
+    "rviz.type.TwistStamped": "a velocity",
+    "rviz.type.Wrench": "force and torque",
     "rviz.colour.black": "black",
     "rviz.colour.dark": "dark",
     "rviz.colour.grey": "grey",
@@ -783,8 +801,12 @@ TEXTS = {
         "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
         "d\thide or show the panel, like the arrow at its edge\n"
         "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
-        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\np\tquality: less detail is faster\nr\treset\n"
-        "^S w ^O\tsave, save as, open\ng\tsave a picture\n\n"
+        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\nl\tquality: less detail is faster\nr\treset\n"
+        "^S w ^O\tsave, save as, open\ne\tsave a picture\n"
+        "m i s c n p g u\tthe tools, in RViz's own letters (a second press or Esc leaves one): Move Camera, Interact, Select, "
+        "Focus Camera, Measure, 2D Pose Estimate, 2D Goal Pose, Publish Point\n\n"
+        "A pose: press where it shall be, drag to where it shall look, let go. With keys: arrows and Enter for the place, arrows "
+        "and Enter for the direction; Shift makes finer steps. The other tools: click, or arrows and Enter.\n\n"
         "Mouse: drag turns, Shift or Ctrl and drag pans, the wheel zooms."
     ),
     "help.rqt_graph": (

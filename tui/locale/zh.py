@@ -608,6 +608,13 @@ TEXTS = {
     "rviz.key.turn": "旋转",
     "rviz.key.zoom": "缩放",
     "rviz.key.above": "斜上方45°",
+    "rviz.key.cursor": "移动光标",
+    "rviz.key.direction": "转方向",
+    "rviz.key.fine": "微调",
+    "rviz.key.send": "发送",
+    "rviz.key.place": "定位置",
+    "rviz.key.click": "点击",
+    "rviz.key.leave_tool": "退出工具",
     "rviz.loading": "正在读取 {what}",
     "rviz.hint.topic": "还没有话题。在 {name} 上按 Enter 来选：{options}",
     "rviz.hint.no_topic": "还没有话题，也没有合适的可选：先启动节点，再设置 {name}",
@@ -646,6 +653,7 @@ TEXTS = {
     "rviz.unsaved": "RViz 的画面设置（在它的窗口里按 ^S 保存）",
     "rviz.quality": "画质：{name}",
     "rviz.nothing_to_focus": "现在还没有可以对准的东西",
+    "rviz.tool.bad_topic": "{topic} 不能作话题名，这个工具发不出消息",
     "rviz.type.Axes": "一个坐标系的坐标轴",
     "rviz.type.Grid": "地面网格",
     "rviz.type.LaserScan": "激光雷达的点",
@@ -659,9 +667,19 @@ TEXTS = {
     "rviz.type.PointStamped": "单个的点",
     "rviz.type.Pose": "一个位置和朝向",
     "rviz.type.PoseArray": "一组位置和朝向",
+    "rviz.type.PoseWithCovariance": "位姿和它的不确定度",
     "rviz.type.Range": "测距传感器的锥形",
     "rviz.type.RobotModel": "按 URDF 画出的机器人",
     "rviz.type.TF": "所有坐标系",
+    "rviz.type.AccelStamped": "加速度",
+    "rviz.type.FluidPressure": "压力传感器",
+    "rviz.type.GridCells": "填满的网格单元",
+    "rviz.type.Illuminance": "光照传感器",
+    "rviz.type.Polygon": "闭合的多边形",
+    "rviz.type.RelativeHumidity": "湿度传感器",
+    "rviz.type.Temperature": "温度计",
+    "rviz.type.TwistStamped": "速度",
+    "rviz.type.Wrench": "力和力矩",
     "rviz.colour.black": "黑色",
     "rviz.colour.dark": "深色",
     "rviz.colour.grey": "灰色",
@@ -961,8 +979,12 @@ TEXTS = {
         "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓，或者按 Shift Tab，也能走到按钮）\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
         "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
-        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\np\t画质：细节少一些就快一些\nr\t重置\n"
-        "^S w ^O\t保存、另存为、打开\ng\t保存图片\n\n"
+        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\nl\t画质：细节少一些就快一些\nr\t重置\n"
+        "^S w ^O\t保存、另存为、打开\ne\t保存图片\n"
+        "m i s c n p g u\t工具，字母和真正的 RViz 一样（再按一次或按 Esc 退出）：Move Camera、Interact、Select、"
+        "Focus Camera、Measure、2D Pose Estimate、2D Goal Pose、Publish Point\n\n"
+        "定位姿：在位置上按下鼠标，拖向要面对的方向，松开。用键盘：方向键和回车定位置，再用方向键和回车定方向；"
+        "加 Shift 步子更小。其他工具：点一下，或者用方向键和回车。\n\n"
         "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
     ),
     "help.rqt_graph": (

@@ -12,6 +12,7 @@ from rich.style import Style
 
 from day6_tui.tui.canvas import JOIN_GAP, PIXELS_PER_CELL, Span
 from day6_tui.tui.colours import pixel_style
+from day6_tui.tui.render.label_places import label_places
 from day6_tui.tui.render.picture import EMPTY, LINE, SURFACE, Array, Picture
 
 RAMP = ".:-=+*#%@"
@@ -22,6 +23,9 @@ _STROKES = {LINE: "-", LINE + 1: "|", LINE + 2: "/", LINE + 3: "\\"}
 _DOTS = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])
 
 PLAIN = -1
+
+DOTS_LIFT = 1.7
+"""How much brighter dots are made than what they show: they cover about so much less of a cell."""
 
 
 def pixel_aspect(mode: str) -> float:
@@ -121,24 +125,12 @@ def cells_of(picture: Picture, mode: str, step: int = 4, *, colourless: bool = F
     else:
         chars, front, back = _MODES[mode](picture, picture.rgb(step).astype(np.int64), columns, rows)
     labels: dict[int, list[tuple[int, str, int]]] = {}
-    for x, y, text, (red, green, blue) in picture.labels:
-        colour = PLAIN if colourless else red << 16 | green << 8 | blue
-        column = int(x) // across - cell_len(text) // 2
-        row = _free_row(labels, int(y) // down, column, cell_len(text), rows)
-        if row is not None:
-            labels.setdefault(row, []).append((column, text, colour))
+    texts = [(x / across, y / down, text) for x, y, text, _ in picture.labels]
+    for place, (_, _, text, (red, green, blue)) in zip(label_places(texts, columns, rows), picture.labels, strict=True):
+        if place is not None:
+            colour = PLAIN if colourless else red << 16 | green << 8 | blue
+            labels.setdefault(place.row, []).append((place.column, text, colour))
     return Cells(chars, front, back, labels)
-
-
-def _free_row(
-    labels: dict[int, list[tuple[int, str, int]]], wanted: int, column: int, width: int, rows: int
-) -> int | None:
-    """The row nearest to the wanted one in which a label touches no other; None if there is none close by."""
-    for row in (wanted, wanted + 1, wanted - 1, wanted + 2, wanted - 2):
-        others = labels.get(row, ())
-        if 0 <= row < rows and all(column > left + cell_len(text) or left > column + width for left, text, _ in others):
-            return row
-    return None
 
 
 Parts = tuple[Array, Array, Array]
@@ -154,19 +146,41 @@ def _cell(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
     return np.full(rgb.shape, ord(" ")), np.full(rgb.shape, PLAIN), rgb
 
 
-def _braille(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
-    def blocks(array: Array) -> Array:
-        block: Array = array[: 4 * rows, : 2 * columns].reshape(rows, 4, columns, 2).transpose(0, 2, 1, 3)
-        return block
+def _dots_of(array: Array, columns: int, rows: int) -> Array:
+    """What an array of pixels holds for the eight dots of each cell: rows x columns x 8."""
+    block: Array = array[: 4 * rows, : 2 * columns].reshape(rows, 4, columns, 2).transpose(0, 2, 1, 3)
+    return block.reshape(rows, columns, 8)
 
-    lit = blocks(picture.kind) != EMPTY
-    bits = (lit * _DOTS).sum(axis=(2, 3))
-    depth = np.where(lit, blocks(picture.depth), np.inf).reshape(rows, columns, 8)
-    nearest = depth.argmin(axis=2)
-    colours = np.take_along_axis(blocks(rgb).reshape(rows, columns, 8), nearest[..., None], axis=2)[..., 0]
+
+def _braille_chars(dots: Array) -> Array:
+    bits = (dots * _DOTS.reshape(8)).sum(axis=2)
+    chars: Array = np.where(bits > 0, 0x2800 + bits, ord(" "))
+    return chars
+
+
+def _braille(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+    lit = _dots_of(picture.kind, columns, rows) != EMPTY
+    colours = _dots_of(rgb, columns, rows)
     red, green, blue = picture.background
-    back = np.full((rows, columns), red << 16 | green << 8 | blue)
-    return np.where(bits > 0, 0x2800 + bits, ord(" ")), np.where(bits > 0, colours, PLAIN), back
+    ground = red << 16 | green << 8 | blue
+    depth = np.where(lit, _dots_of(picture.depth, columns, rows), np.inf)
+    nearest = np.take_along_axis(colours, depth.argmin(axis=2)[..., None], axis=2)[..., 0]
+    full = lit.all(axis=2)
+    # Dots cover a small part of a cell. Where a surface fills it, its colour fills the ground, too, and the dots are what
+    # differs; elsewhere they are made brighter, so that lines are as bright as those of half blocks.
+    back = np.where(full, np.take_along_axis(colours, depth.argmax(axis=2)[..., None], axis=2)[..., 0], ground)
+    dots = np.where(full[..., None], colours != back[..., None], lit)
+    front = np.where(full, nearest, _brighter(nearest))
+    return _braille_chars(dots), np.where(dots.any(axis=2), front, PLAIN), back
+
+
+def _brighter(colours: Array) -> Array:
+    """Colours (0xRRGGBB) made brighter by `DOTS_LIFT`, or by as much as keeps their hue."""
+    parts = np.stack([colours >> 16, colours >> 8 & 0xFF, colours & 0xFF])
+    lift = np.minimum(DOTS_LIFT, 255 / np.maximum(1, parts.max(axis=0)))
+    red, green, blue = (parts * lift).astype(np.int64)
+    result: Array = red << 16 | green << 8 | blue
+    return result
 
 
 def _ascii(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
@@ -195,8 +209,7 @@ def _characters(picture: Picture) -> tuple[Array, Array]:
 def _plain(picture: Picture, mode: str, columns: int, rows: int) -> Parts:
     none = np.full((rows, columns), PLAIN)
     if mode == "braille":
-        chars, _, _ = _braille(picture, np.zeros(picture.kind.shape, np.int64), columns, rows)
-        return chars, none, none
+        return _braille_chars(_dots_of(picture.kind, columns, rows) != EMPTY), none, none
     if mode == "half":
         lit = picture.kind != EMPTY
         top, bottom = lit[0 : 2 * rows : 2], lit[1 : 2 * rows : 2]

@@ -23,6 +23,8 @@ from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import QUALITIES, RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, STATUS, BadValue, Property
 from day6_tui.core.ros.programs.rviz2.model.status import OK, Status, StatusList
+from day6_tui.core.ros.programs.rviz2.model.tools.pose import PoseTool
+from day6_tui.core.ros.programs.rviz2.model.tools.tool import GROUND, Tool
 from day6_tui.core.ros.programs.rviz2.model.views import VIEWS
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, fit
@@ -34,9 +36,11 @@ from day6_tui.tui.windows.rviz.buttons import LABELS, PanelButton
 from day6_tui.tui.windows.rviz.displays import DisplaysPanel
 from day6_tui.tui.windows.rviz.dragging import Dragging
 from day6_tui.tui.windows.rviz.extent import extent
+from day6_tui.tui.windows.rviz.hand import Hand
 from day6_tui.tui.windows.rviz.offer import Offer
 from day6_tui.tui.windows.rviz.sizes import NARROW, Division, divide
 from day6_tui.tui.windows.rviz.status_bar import StatusBar, in_ascii
+from day6_tui.tui.windows.rviz.toolbar import LOWEST_WINDOW, names_in
 from day6_tui.tui.windows.rviz.tree import PropertyTree
 from day6_tui.tui.windows.rviz.view import View3D
 
@@ -76,6 +80,8 @@ class RVizPane(WindowPane[RViz]):
         self.status_bar = StatusBar(self.rviz, self.panel.properties, self.view, look)
         self.offer = Offer(self.rviz)
         self._dragging = Dragging(self.view)
+        self._hand = Hand(self.rviz, self.view)
+        self._seen_tool: object = None
         only_grid = all(display.type == "Grid" for display in self.rviz.displays)
         self._panel_open = {"wide": True, "narrow": only_grid}
         """Whether the panel is open, in windows of either kind: in a narrow one a robot that is there comes first."""
@@ -98,7 +104,8 @@ class RVizPane(WindowPane[RViz]):
         """Where the panel is in a window of this size; empty while it is folded away."""
         width, height = max(0, size.width - 2), max(0, size.height - 2)
         is_open = self._panel_open["narrow" if width < NARROW else "wide"]
-        return Region(1, 1, divide(width, panel_open=is_open).panel, max(0, height - _word_lines(height)))
+        top = _bar_lines(height)
+        return Region(1, 1 + top, divide(width, panel_open=is_open).panel, max(0, height - top - _word_lines(height)))
 
     @property
     def word_lines(self) -> int:
@@ -107,7 +114,12 @@ class RVizPane(WindowPane[RViz]):
 
     @property
     def body_height(self) -> int:
-        return max(0, self.inner_height - self.word_lines)
+        return max(0, self.inner_height - self.top - self.word_lines)
+
+    @property
+    def top(self) -> int:
+        """Lines above panel and view: the toolbar's."""
+        return _bar_lines(self.inner_height)
 
     @property
     def _kind(self) -> str:
@@ -176,13 +188,15 @@ class RVizPane(WindowPane[RViz]):
             self._pass_keyboard()
         left = self.division.view_left
         spans, due = self.view.pull(now)
-        self.view.show(self, left + self.inner_offset, self.inner_offset)
+        top = self.top
+        self.view.show(self, left + self.inner_offset, top + self.inner_offset)
         if self.panel_open and self.panel.properties.is_attached:
             self.panel.pull(active=self._panel_active)
         if self.offer.pull(self.view.aspect):
-            self.touch_lines([self.body_height - 1])
+            self.touch_lines([top + self.body_height - 1])
         if spans:
-            self.touch_spans([(row, first + left, end + left) for row, first, end in spans])
+            self.touch_spans([(row + top, first + left, end + left) for row, first, end in spans])
+        self._follow_tool()
         due = self._pull_words(now) or due
         title = tuple(piece.text for piece in (*self.title(), *self.status(), *self.status_right()))
         if title != self._shown_frame:
@@ -199,8 +213,16 @@ class RVizPane(WindowPane[RViz]):
         on_panel = self._panel_active
         changed, due = self.status_bar.pull(now, self.inner_width - 2, self.word_lines, on_panel=on_panel)
         if changed:
-            self.touch_lines(range(self.body_height, self.inner_height))
+            self.touch_lines(range(self.top + self.body_height, self.inner_height))
         return due
+
+    def _follow_tool(self) -> None:
+        """Show which tool is in use; the keys' cursor belongs to the one before."""
+        tools = self.rviz.tools
+        if (seen := (tools.current, tuple(tools.tools))) != self._seen_tool:
+            self._seen_tool, self.view.cursor = seen, None
+            if self.top:
+                self.touch_lines([0])
 
     def show_message(self, text: str, seconds: float = 4.0) -> None:
         """Show a message in the status bar for a while."""
@@ -259,7 +281,10 @@ class RVizPane(WindowPane[RViz]):
         self.edit()
 
     def status(self) -> list[Piece]:
-        text = self.rviz.view.help if self._used else "RViz is ready."
+        tool = self.rviz.tools.current
+        text = "RViz is ready."
+        if self._hand.tool is not None or self._used:
+            text = tool.status if tool is not None else self.rviz.view.help
         return [Piece(f" {text} ", self.look.colours.muted)]
 
     def status_right(self) -> list[Piece]:
@@ -271,6 +296,9 @@ class RVizPane(WindowPane[RViz]):
         return pieces
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if y < self.top:
+            return self._toolbar_line(y, width)
+        y -= self.top
         if y >= self.body_height:
             return self._words_line(y - self.body_height, width)
         self._lay_out()
@@ -280,12 +308,25 @@ class RVizPane(WindowPane[RViz]):
             segments += self._offer_line(y) or self.view.line(y)
         return segments
 
+    def _toolbar_line(self, y: int, width: int) -> list[Segment]:
+        """The tools: a click chooses one, as its letter does."""
+        colours, tools = self.look.colours, self.rviz.tools
+        segments, end = [], 0
+        for name in names_in(tools.tools, tools.current, width):
+            segments.append(Segment(" " * (name.column - end), colours.muted))
+            chosen = name.tool is tools.current
+            key, words = (colours.choice, colours.choice) if chosen else (colours.key, colours.text)
+            segments += [Segment(name.letter, key), Segment(f" {name.words}" if name.words else "", words)]
+            end = name.end
+            left = self.inner_offset + name.column
+            self.add_hit(y + self.inner_offset, left, left + name.end - name.column, partial(self.use_tool, name.tool))
+        return segments
+
     def _edge_cell(self, y: int, column: int) -> Segment:
         """The edge between panel and view, with an arrow in its middle that folds and unfolds the panel."""
         colours, glyphs = self.look.colours, self.look.glyphs
-        self.add_hit(
-            y + self.inner_offset, self.inner_offset + column, self.inner_offset + column + 1, self.toggle_panel
-        )
+        left = self.inner_offset + column
+        self.add_hit(y + self.top + self.inner_offset, left, left + 1, self.toggle_panel)
         if abs(y - self.body_height // 2) <= 1:
             arrow = _FOLDS.get(glyphs.chevron, "<") if self.panel_open else glyphs.chevron
             return Segment(arrow if y == self.body_height // 2 else " ", colours.key)
@@ -298,7 +339,7 @@ class RVizPane(WindowPane[RViz]):
             return []
         text = fit(f" f  {self.look.texts('rviz.offer')} ", self.view.columns, self.look.glyphs.ellipsis)
         first = self.inner_offset + self.division.view_left
-        self.add_hit(y + self.inner_offset, first, first + cell_len(text), self.focus_robot)
+        self.add_hit(y + self.top + self.inner_offset, first, first + cell_len(text), self.focus_robot)
         return [Segment(text, self.look.colours.choice)]
 
     def _words_line(self, line: int, width: int) -> list[Segment]:
@@ -363,6 +404,12 @@ class RVizPane(WindowPane[RViz]):
         name = QUALITIES[(QUALITIES.index(self.rviz.quality.value) + 1) % len(QUALITIES)]
         self.set(self.rviz.quality, name)
         self.show_message(self.look.texts("rviz.quality", name=name))
+
+    def use_tool(self, tool: Tool) -> None:
+        """Use a tool, or the default one if it is in use already; the view gets the keys."""
+        self._used = True
+        self._to_view()
+        self.request(partial(self.rviz.tools.toggle, tool))
 
     # -- what keys do --------------------------------------------------------------------------------------------------
 
@@ -433,11 +480,25 @@ class RVizPane(WindowPane[RViz]):
         hints = [("Tab", texts("rviz.key.view" if self.on_panel else "rviz.key.panel"))]
         if self.on_panel:
             hints += [("Enter", texts("rviz.key.edit")), ("^N", texts("rviz.key.add")), ("f", texts("rviz.key.focus"))]
+        elif self._hand.tool is not None:
+            hints = self._tool_hints(self._hand.tool)
         else:
             arrows = "←↑↓→" if self.look.glyphs.unicode else "arrows"
             hints += [(arrows, texts("rviz.key.turn")), ("+ -", texts("rviz.key.zoom"))]
             hints += [("f", texts("rviz.key.focus")), ("4", texts("rviz.key.above"))]
         return hints if self.look.glyphs.unicode else [(key, in_ascii(text)) for key, text in hints]
+
+    def _tool_hints(self, tool: Tool) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        arrows = "←↑↓→" if self.look.glyphs.unicode else "arrows"
+        turning = isinstance(tool, PoseTool) and tool.placed
+        enter = "rviz.key.send" if turning else "rviz.key.place" if tool.arrows == GROUND else "rviz.key.click"
+        return [
+            (arrows, texts("rviz.key.direction" if turning else "rviz.key.cursor")),
+            ("Shift", texts("rviz.key.fine")),
+            ("Enter", texts(enter)),
+            ("Esc", texts("rviz.key.leave_tool")),
+        ]
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
@@ -448,6 +509,9 @@ class RVizPane(WindowPane[RViz]):
         self.look.wake()
 
     def _everywhere_key(self, key: str) -> bool:
+        if (tool := self.rviz.tools.with_key(key)) is not None:
+            self.use_tool(tool)
+            return True
         actions: dict[str, Callable[[], object]] = {
             "tab": self._other_part,
             "shift+tab": self._to_buttons,
@@ -456,7 +520,7 @@ class RVizPane(WindowPane[RViz]):
             "4": self.from_above,
             "z": self.zero,
             "v": self.next_view,
-            "p": self.next_quality,
+            "l": self.next_quality,
             "r": lambda: self.request(self.rviz.reset),
             "slash": self._find,
             "ctrl+n": lambda: dialogs.add(self),
@@ -464,7 +528,7 @@ class RVizPane(WindowPane[RViz]):
             "ctrl+s": lambda: dialogs.save(self),
             "ctrl+o": lambda: dialogs.load(self),
             "w": lambda: dialogs.save_as(self),
-            "g": lambda: dialogs.screenshot(self),
+            "e": lambda: dialogs.screenshot(self),
             "plus": lambda: self._zoom(1),
             "equals_sign": lambda: self._zoom(1),
             "minus": lambda: self._zoom(-1),
@@ -599,7 +663,9 @@ class RVizPane(WindowPane[RViz]):
         shifted, _, arrow = key.rpartition("+")
         if arrow in _ARROWS and shifted in ("", "shift"):
             right, down = _ARROWS[arrow]
-            if shifted:
+            if self._hand.arrow(right, down, fine=bool(shifted)):
+                pass
+            elif shifted:
                 view.pan(right * SHIFT, down * SHIFT)
             else:
                 view.rotate(right * TURN, down * TURN)
@@ -608,10 +674,17 @@ class RVizPane(WindowPane[RViz]):
         elif key == "home":
             view.zero()
         elif key == "escape":
-            self._to_panel()
+            self._leave_tool()
         else:
-            return False
+            return key == "enter" and self._hand.enter()
         return True
+
+    def _leave_tool(self) -> None:
+        """Back to the default tool; from there to the panel."""
+        tools = self.rviz.tools
+        if tools.current is tools.default:
+            self._to_panel()
+        self.request(tools.to_default)  # a letter pressed just before may not have been worked off yet
 
     def _zoom(self, steps: float) -> None:
         self.rviz.view.zoom(steps)
@@ -619,14 +692,21 @@ class RVizPane(WindowPane[RViz]):
     # -- the mouse -----------------------------------------------------------------------------------------------------
 
     def _cell(self, event: events.MouseEvent) -> tuple[int, int]:
-        return event.x - self.inner_offset, event.y - self.inner_offset
+        return event.x - self.inner_offset, event.y - self.inner_offset - self.top
+
+    def _place(self, event: events.MouseEvent) -> tuple[float, float]:
+        """The place in the view, in cells: of a terminal that reports whole cells only, the middle of one."""
+        x, y = (each + 0.5 if each == int(each) else each for each in (event.pointer_x, event.pointer_y))
+        return x - self.inner_offset - self.division.view_left, y - self.inner_offset - self.top
 
     def _in_view(self, event: events.MouseEvent) -> bool:
         x, y = self._cell(event)
         return self.division.view_left <= x < self.inner_width and 0 <= y < self.body_height
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
-        if not self._in_view(event) or not self._dragging.begin(event):
+        if not self._in_view(event):
+            return
+        if not self._hand.begin(event, *self._place(event)) and not self._dragging.begin(event):
             return
         event.stop()
         self._panel_keys = False
@@ -639,13 +719,21 @@ class RVizPane(WindowPane[RViz]):
             event.stop()
             self._dragging.move(event, self.rviz.view)
             self.look.wake()
+        elif self._hand.held or (self._in_view(event) and self._hand.tool is not None):
+            event.stop()
+            self._hand.move(event, *self._place(event))
+            self.look.wake()
 
     def on_mouse_up(self, event: events.MouseUp) -> None:
-        if self._dragging.held:
-            event.stop()
+        if not self._dragging.held and not self._hand.held:
+            return
+        event.stop()
+        if self._hand.held:
+            self._hand.end(event, *self._place(event))
+        else:
             self._dragging.end()
-            self.release_mouse()
-            self.look.wake()
+        self.release_mouse()
+        self.look.wake()
 
     def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
         self._scroll(event, 1)
@@ -658,6 +746,11 @@ class RVizPane(WindowPane[RViz]):
         if self._in_view(event):
             self.rviz.view.wheel(notches, bool(event.shift))
         self.look.wake()
+
+
+def _bar_lines(height: int) -> int:
+    """Lines of the toolbar in a window that is `height` lines high inside."""
+    return 1 if height >= LOWEST_WINDOW else 0
 
 
 def _word_lines(height: int) -> int:

@@ -66,7 +66,7 @@ def find(pane: RVizPane) -> None:
                 entries.append(Entry(prop.name, above, partial(pane.choose, prop), words=prop.text))
                 collect(prop.children, f"{above} / {prop.name}" if above else prop.name)
 
-    collect([*rviz.root.children, rviz.views, rviz.time], "")
+    collect(rviz.panels, "")
     pane.lay_over(Menu(pane.look, "rviz.find", entries))
 
 

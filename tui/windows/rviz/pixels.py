@@ -8,11 +8,11 @@ import numpy as np
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.tui.canvas import Span
-from day6_tui.tui.cells import cell_len
 from day6_tui.tui.colours import pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pixels.pictures import Pictures
 from day6_tui.tui.pixels.sheet import Sheet, Text
+from day6_tui.tui.render.label_places import label_places
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.tui.render.picture import Array, Picture
 
@@ -39,6 +39,8 @@ class PixelView:
         self._rviz, self._look = rviz, look
         self.sheet = Sheet(columns, rows, look.colours.text)
         self.cell = (1, 1)
+        self.cursor: tuple[int, int] | None = None
+        """The cell in which the keys point at things."""
         self.pixels: Array = np.zeros((rows, columns, 3), np.uint8)
         self._draft: Array | None = None
         """The quick picture painted last."""
@@ -98,11 +100,16 @@ class PixelView:
         red, green, blue = picture.background
         ground = red << 16 | green << 8 | blue
         texts: list[Text] = []
-        for x, y, text, colour in picture.labels:
-            column = int(x) // self.cell[0] - cell_len(text) // 2
-            style = pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)
-            texts.append((column, int(y) // self.cell[1], text, style))
+        if self.cursor is not None:
+            texts.append((*self.cursor, "╋", pixel_style(CURSOR, ground)))
+        wanted = [(x / self.cell[0], y / self.cell[1], text) for x, y, text, _ in picture.labels]
+        for place, (_, _, text, colour) in zip(label_places(wanted, *self._size), picture.labels, strict=True):
+            if place is not None:
+                texts.append((*place, text, pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)))
         return self.sheet.put(texts)
+
+
+CURSOR = 0xFFFF00
 
 
 def _bytes(colour: Array) -> Array:

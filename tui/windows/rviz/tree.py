@@ -151,7 +151,7 @@ class PropertyTree(Tree[panel.Line]):
         self._filling, self._stale, self._room = True, False, MOST_LINES
         self._node_by_property.clear()
         try:
-            self._fill(self.root, [*self._rviz.root.children, self._rviz.views, self._rviz.time], 0)
+            self._fill(self.root, self._rviz.panels, 0)
         finally:
             self._filling = False
         if self._stale:

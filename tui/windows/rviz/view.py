@@ -10,10 +10,12 @@ from textual.geometry import Region
 from textual.widget import Widget
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
+from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.tui.canvas import PIXELS_PER_CELL, Span
 from day6_tui.tui.look import Look
 from day6_tui.tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.tui.render.painter import QUALITIES, paint
+from day6_tui.tui.render.picking import Screen, point_at
 from day6_tui.tui.render.picture import Array
 
 if TYPE_CHECKING:
@@ -30,6 +32,9 @@ SHARE = 0.2
 """The share of time that painting may take: a slow machine paints less often."""
 
 SLOWEST_SECONDS = 1.0
+
+CURSOR = (255, 255, 0)
+"""Its colour."""
 
 
 class View3D:
@@ -48,13 +53,24 @@ class View3D:
         """Seconds to paint a picture, averaged over the last ones."""
         self._times: list[float] = []
         self.dragging = False
+        self.cursor: tuple[int, int] | None = None
+        """The cell in which the keys point at things, while a tool is used with them."""
+
+    @property
+    def screen(self) -> Screen:
+        """The camera and the size, for picking."""
+        return Screen(self._rviz.view.camera(), self.columns, self.rows)
+
+    def pointer(self, x: float, y: float, *, search: bool) -> Pointer:
+        """What a place (in cells, with fractions) points to; `search` for things, too."""
+        return point_at(self._rviz.scene, self.screen, x, y, search=search)
 
     def resize(self, columns: int, rows: int) -> bool:
         """Take another size; True if it is one."""
         if (columns, rows) == (self.columns, self.rows):
             return False
         self.columns, self.rows = columns, rows
-        self.cells = self._fine = None
+        self.cells = self._fine = self.cursor = None
         return True
 
     def forget(self) -> None:
@@ -85,7 +101,8 @@ class View3D:
         if not self.columns or not self.rows:
             return [], False
         rviz = self._rviz
-        state = (rviz.version, rviz.view_version, rviz.quality.value, self._look.glyphs.name, self._look.colours.name)
+        looks = (rviz.quality.value, self._look.glyphs.name, self._look.colours.name)
+        state = (rviz.version, rviz.view_version, self.cursor, *looks)
         if (pictures := self._look.pixels) is not None:
             return self._pull_pixels(pictures, state, now)
         if self.cells is not None and state == self._painted:
@@ -114,8 +131,10 @@ class View3D:
         self._painted, self._painted_at = state, now
         self._times.append(now)
         if fine is not None:
+            fine.cursor = self.cursor
             return fine.draft(pictures, now), True
         fine = self._fine = PixelView(self._rviz, self._look, self.columns, self.rows)
+        fine.cursor = self.cursor
         fine.draft(pictures, now)
         return [(row, 0, self.columns) for row in range(self.rows)], True
 
@@ -136,9 +155,16 @@ class View3D:
         camera = self._rviz.view.camera()
         width, height = self.columns * across, self.rows * down
         picture = paint(self._rviz.scene, camera, width, height, pixel_aspect(mode), quality)
+        if self.cursor is not None:
+            x, y = (self.cursor[0] + 0.5) * across, (self.cursor[1] + 0.5) * down
+            picture.labels.insert(0, (x, y, self._cross, CURSOR))
         cells = cells_of(picture, mode, quality.step, colourless=self._look.colours.colourless)
         self._cost = 0.7 * self._cost + 0.3 * (time.thread_time() - began)
         return cells
+
+    @property
+    def _cross(self) -> str:
+        return "╋" if self._look.glyphs.unicode else "+"
 
     def line(self, row: int) -> list[Segment]:
         """The segments of one row."""

@@ -13,6 +13,7 @@ from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, Status, Sta
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rviz2.model.manager import RViz
     from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+    from day6_tui.urdf.model import Vector
 
 
 class Display(Property):
@@ -21,6 +22,8 @@ class Display(Property):
     type = ""
     message_type = ""
     """The type of the messages it shows, for Add by topic."""
+    selectable = False
+    """Whether what it shows can be picked: those that have a selection handler in RViz."""
 
     def __init__(self, rviz: RViz, name: str) -> None:
         super().__init__(name, BOOL, True)
@@ -64,6 +67,14 @@ class Display(Property):
 
     def draw(self, scene: Scene) -> None:
         """Add to the scene; called after `refresh` while enabled."""
+
+    def thing_at(self, key: Any, point: Vector) -> Any:
+        """Which thing is at a point of what was drawn as `key`, for those that draw many as one."""
+        return key
+
+    def describe(self, key: Any) -> tuple[str, list[Property]] | None:
+        """What the panel Selection says of the thing `key`: its name and its properties; None if it is gone."""
+        return None
 
     # -- called by RViz ------------------------------------------------------------------------------------------------
 

@@ -27,7 +27,9 @@ from day6_tui.core.ros.programs.rviz2.model.properties import (
     Property,
 )
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+from day6_tui.core.ros.programs.rviz2.model.selection import Selection
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN, StatusList
+from day6_tui.core.ros.programs.rviz2.model.tools.toolbox import Toolbox
 from day6_tui.core.ros.programs.rviz2.model.views import VIEWS, Orbit, View, copied, type_property
 from day6_tui.core.session.task import Signal
 from rclpy.clock import ClockChange, JumpThreshold, TimeJump
@@ -121,6 +123,8 @@ class RViz:
         self.views.add(self.view_type)
         self.views.add(self.view)
         self.view_version = 0
+        self.tools = Toolbox(self)
+        self.selection = Selection(self)
         self.frames.fixed = self.fixed_frame
 
     # -- what displays ask for -----------------------------------------------------------------------------------------
@@ -133,6 +137,12 @@ class RViz:
     def displays(self) -> list[Display]:
         """In the order of the panel."""
         return [child for child in self.root.children if isinstance(child, Display)]
+
+    @property
+    def panels(self) -> list[Property]:
+        """The lines of all panels: Displays, Views, Selection, Tool Properties, Time."""
+        shown = [panel for panel in (self.selection.properties, self.tools.properties) if panel.children]
+        return [*self.root.children, self.views, *shown, self.time]
 
     def now_ns(self) -> int:
         """ROS time, for what is measured."""
@@ -285,6 +295,7 @@ class RViz:
         self.touch()
 
     def close(self) -> None:
+        self.tools.close()
         for display in self.displays:
             display.close()
 
@@ -325,7 +336,12 @@ class RViz:
         scene = Scene(self.background.value)
         for display in self.displays:
             if display.enabled:
+                scene.begin(display if display.selectable else None)
                 display.draw(scene)
+        scene.begin(None)
+        self.selection.update()
+        self.selection.draw(scene)
+        self.tools.draw(scene)
         self.scene = scene
         self.version += 1
         self._redraw = False
@@ -385,6 +401,8 @@ class RViz:
                 display = self._make(str(entry.get("Class", "")), str(entry.get("Name", "")))
                 display.load(entry)
                 self.root.add(display, len(self.root.children) - 1)
+        self.selection.replace(())
+        self.tools.load(manager.get("Tools"))
         views = manager.get("Views")
         current = views.get("Current") if isinstance(views, dict) else None
         if isinstance(current, dict):
@@ -410,6 +428,7 @@ class RViz:
             manager.pop("Performance", None)
         views = manager.get("Views")
         saved = views.get("Saved") if isinstance(views, dict) else None
+        manager["Tools"] = self.tools.save()
         manager["Views"] = {"Current": self.view.save(), "Saved": saved}
         manager.setdefault("Class", "")
         manager.setdefault("Enabled", True)

@@ -241,6 +241,14 @@ class Property:
             return
 
 
+def pose_lines(position: Any, orientation: Any) -> list[Property]:
+    """A pose as two lines of the panel that only tell."""
+    return [
+        Property("Position", VECTOR, tuple(position), read_only=True),
+        Property("Orientation", QUATERNION, tuple(orientation), read_only=True),
+    ]
+
+
 def number_text(value: float) -> str:
     """A number as Qt shows a float: six significant digits, no zeros at the end."""
     return f"{value:.6g}"

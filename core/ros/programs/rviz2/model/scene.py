@@ -6,7 +6,7 @@ are handed on unchanged as long as they look the same, so that a painter may rem
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -100,6 +100,17 @@ class Label:
     colour: Colour
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Mark:
+    """Says that what follows in a scene's lists, up to the next mark, shows the thing `key` of `owner`."""
+
+    owner: Any
+    """The display that shows it; None if it cannot be picked, as a grid."""
+    key: Any
+    starts: tuple[int, ...]
+    """The lengths of the lists when it was made."""
+
+
 @dataclass(slots=True, eq=False)
 class Scene:
     """Everything at one moment. Filled by displays, then left alone."""
@@ -112,6 +123,25 @@ class Scene:
     images: list[Image] = field(default_factory=list)
     labels: list[Label] = field(default_factory=list)
     overlays: list[Overlay] = field(default_factory=list)
+    marks: list[Mark] = field(default_factory=list)
+
+    @property
+    def _solid(self) -> tuple[list[Any], ...]:
+        """The lists of what can be picked."""
+        return self.shapes, self.lines, self.points, self.triangles
+
+    def begin(self, owner: Any, key: Any = "") -> None:
+        """Say whose the objects are that are added from now on."""
+        self.marks.append(Mark(owner, key, tuple(map(len, self._solid))))
+
+    def parts(self) -> Iterator[tuple[Mark, Scene]]:
+        """What can be picked, each thing as a scene of its own."""
+        ends = [mark.starts for mark in self.marks[1:]] + [tuple(map(len, self._solid))]
+        for mark, end in zip(self.marks, ends, strict=True):
+            if mark.owner is not None and mark.starts != end:
+                lists = (each[a:b] for each, a, b in zip(self._solid, mark.starts, end, strict=True))
+                shapes, lines, points, triangles = lists
+                yield mark, Scene(self.background, shapes, lines, points, triangles)
 
     def axes(self, pose: Transform, length: float, radius: float, alpha: float = 1.0, grey: float = 0.0) -> None:
         """The three axes of a frame: x red, y green, z blue; `grey` 1 takes all their colour."""

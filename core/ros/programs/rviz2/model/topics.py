@@ -9,26 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rclcpp import CppException
 from day6_tui.core.ros.programs.rviz2.model.display import Display
-from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, INT, TOPIC, Property
+from day6_tui.core.ros.programs.rviz2.model.properties import INT, TOPIC, Property
+from day6_tui.core.ros.programs.rviz2.model.qos import QosProperties
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN
 from day6_tui.urdf.kinematics import Transform
 from rclpy.event_handler import SubscriptionEventCallbacks
-from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
 if TYPE_CHECKING:
     from rclpy.subscription import Subscription
 
 INVALID_FLOATS = "Message contained invalid floating point values (nans or infs)"
-
-HISTORY = {"System Default": HistoryPolicy.SYSTEM_DEFAULT, "Keep Last": HistoryPolicy.KEEP_LAST}
-HISTORY["Keep All"] = HistoryPolicy.KEEP_ALL
-RELIABILITY = {"System Default": ReliabilityPolicy.SYSTEM_DEFAULT, "Reliable": ReliabilityPolicy.RELIABLE}
-RELIABILITY["Best Effort"] = ReliabilityPolicy.BEST_EFFORT
-DURABILITY = {
-    "System Default": DurabilityPolicy.SYSTEM_DEFAULT,
-    "Transient Local": DurabilityPolicy.TRANSIENT_LOCAL,
-    "Volatile": DurabilityPolicy.VOLATILE,
-}
 
 
 class TopicDisplay(Display):
@@ -51,13 +41,7 @@ class TopicDisplay(Display):
             on_change=self.changed,
         )
         durability = "Transient Local" if self.transient_local else "Volatile"
-        self.topic.add(Property("Depth", INT, self.depth, low=1, on_change=self.changed))
-        for name, value, table in (
-            ("History Policy", "Keep Last", HISTORY),
-            ("Reliability Policy", "Reliable", RELIABILITY),
-            ("Durability Policy", durability, DURABILITY),
-        ):
-            self.topic.add(Property(name, ENUM, value, options=tuple(table), on_change=self.changed))
+        self.qos = QosProperties(self.topic, self.changed, depth=self.depth, durability=durability)
         self.add(self.topic)
         self.subscription: Subscription[Any] | None = None
         self.received = 0
@@ -76,7 +60,7 @@ class TopicDisplay(Display):
     # -- subscribing ---------------------------------------------------------------------------------------------------
 
     def _wanted(self) -> tuple[Any, ...]:
-        return (self.topic.value, *(child.value for child in self.topic.children[:4]))
+        return (self.topic.value, *self.qos.values)
 
     def on_enable(self) -> None:
         self._subscribe()
@@ -94,16 +78,6 @@ class TopicDisplay(Display):
             self._unsubscribe()
             self.reset()
             self._subscribe()
-
-    def qos(self) -> QoSProfile:
-        """The profile that the properties below the topic make."""
-        depth, history, reliability, durability = (child.value for child in self.topic.children[:4])
-        return QoSProfile(
-            depth=depth,
-            history=HISTORY[history],
-            reliability=RELIABILITY[reliability],
-            durability=DURABILITY[durability],
-        )
 
     def _subscribe(self) -> None:
         self._subscribed = self._wanted()
@@ -130,7 +104,7 @@ class TopicDisplay(Display):
                 get_message(type_name),
                 topic,
                 with_sender if self.asks_who_sent else callback,
-                self.qos(),
+                self.qos.profile(),
                 event_callbacks=SubscriptionEventCallbacks(message_lost=lost),
             )
         except CppException as error:

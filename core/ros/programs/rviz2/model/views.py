@@ -114,6 +114,9 @@ class View(Property):
     def look_at(self, centre: Vector, radius: float) -> None:
         """Show a ball whole."""
 
+    def turn_to(self, point: Vector) -> None:
+        """Look at a point from where the camera is (the originals' `lookAt`)."""
+
     def from_above(self) -> None:
         """The usual view of a robot: 45 degrees from above, over one shoulder."""
 
@@ -194,6 +197,19 @@ class Orbit(View):
         self.focus.set(_plus(centre, _times(self.origin, -1.0)))
         self.distance.set(max(0.05, radius / math.sin(FIELD_OF_VIEW / 2) * 1.05))
 
+    def turn_to(self, point: Vector) -> None:
+        camera = _plus(self.camera().position, _times(self.origin, -1.0))
+        focus = self._focal(_plus(point, _times(self.origin, -1.0)))
+        back = _plus(camera, _times(focus, -1.0))
+        distance = math.dist(camera, focus)
+        self.focus.set(focus)
+        self.distance.set(distance)
+        self.pitch.set(math.asin(max(-1.0, min(1.0, back[2] / max(distance, 1e-9)))))
+        self.yaw.set(math.atan2(back[1], back[0]) % (2 * math.pi))
+
+    def _focal(self, point: Vector) -> Vector:
+        return point
+
     def from_above(self) -> None:
         self.yaw.set(START)
         self.pitch.set(START)
@@ -233,6 +249,9 @@ class XYOrbit(Orbit):
 
     def look_at(self, centre: Vector, radius: float) -> None:
         super().look_at((centre[0], centre[1], 0.0), radius)
+
+    def _focal(self, point: Vector) -> Vector:
+        return point[0], point[1], 0.0
 
 
 class TopDownOrtho(View):
@@ -276,6 +295,10 @@ class TopDownOrtho(View):
         self.x.set(centre[0] - self.origin[0])
         self.y.set(centre[1] - self.origin[1])
         self.scale.set(NOMINAL_HEIGHT / max(1e-3, radius * 2.2))
+
+    def turn_to(self, point: Vector) -> None:
+        self.x.set(point[0] - self.origin[0])
+        self.y.set(point[1] - self.origin[1])
 
 
 class FPS(View):
@@ -331,6 +354,9 @@ class FPS(View):
         distance = radius / math.sin(FIELD_OF_VIEW / 2) * 1.05
         back = _times(self.camera().forward, -distance)
         self.place.set(_plus(_plus(centre, back), _times(self.origin, -1.0)))
+
+    def turn_to(self, point: Vector) -> None:
+        self._turn_to(_plus(point, _times(self.origin, -1.0)))
 
     def from_above(self) -> None:
         x, y, _ = self.place.value

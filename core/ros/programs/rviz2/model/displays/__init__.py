@@ -11,8 +11,12 @@ if TYPE_CHECKING:
 PACKAGE = "rviz_default_plugins"
 
 TYPES: dict[str, tuple[str, str, str]] = {
+    "AccelStamped": ("screw", "AccelStampedDisplay", "geometry_msgs/msg/AccelStamped"),
     "Axes": ("axes", "AxesDisplay", ""),
+    "FluidPressure": ("scalar", "FluidPressureDisplay", "sensor_msgs/msg/FluidPressure"),
     "Grid": ("grid", "GridDisplay", ""),
+    "GridCells": ("flat", "GridCellsDisplay", "nav_msgs/msg/GridCells"),
+    "Illuminance": ("scalar", "IlluminanceDisplay", "sensor_msgs/msg/Illuminance"),
     "Image": ("image", "ImageDisplay", "sensor_msgs/msg/Image"),
     "LaserScan": ("laser_scan", "LaserScanDisplay", "sensor_msgs/msg/LaserScan"),
     "Map": ("map", "MapDisplay", "nav_msgs/msg/OccupancyGrid"),
@@ -22,11 +26,21 @@ TYPES: dict[str, tuple[str, str, str]] = {
     "Path": ("path", "PathDisplay", "nav_msgs/msg/Path"),
     "PointCloud2": ("point_cloud2", "PointCloud2Display", "sensor_msgs/msg/PointCloud2"),
     "PointStamped": ("poses", "PointStampedDisplay", "geometry_msgs/msg/PointStamped"),
+    "Polygon": ("flat", "PolygonDisplay", "geometry_msgs/msg/PolygonStamped"),
     "Pose": ("poses", "PoseDisplay", "geometry_msgs/msg/PoseStamped"),
     "PoseArray": ("poses", "PoseArrayDisplay", "geometry_msgs/msg/PoseArray"),
+    "PoseWithCovariance": (
+        "poses",
+        "PoseWithCovarianceDisplay",
+        "geometry_msgs/msg/PoseWithCovarianceStamped",
+    ),
     "Range": ("range", "RangeDisplay", "sensor_msgs/msg/Range"),
+    "RelativeHumidity": ("scalar", "RelativeHumidityDisplay", "sensor_msgs/msg/RelativeHumidity"),
     "RobotModel": ("robot_model", "RobotModelDisplay", ""),
+    "Temperature": ("scalar", "TemperatureDisplay", "sensor_msgs/msg/Temperature"),
     "TF": ("tf", "TFDisplay", ""),
+    "TwistStamped": ("screw", "TwistStampedDisplay", "geometry_msgs/msg/TwistStamped"),
+    "Wrench": ("screw", "WrenchDisplay", "geometry_msgs/msg/WrenchStamped"),
 }
 """Type -> module, class, and the message type by which Add by topic finds it (RobotModel and TF are not found so)."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.marker_shapes import MESH, draw_marker, problem_of
-from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, Property
+from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, Property, pose_lines
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN
 from day6_tui.core.ros.programs.rviz2.model.topics import (
@@ -13,9 +13,10 @@ from day6_tui.core.ros.programs.rviz2.model.topics import (
     TopicDisplay,
     all_finite,
     pose_numbers,
+    pose_of,
     stamp_ns,
 )
-from day6_tui.urdf.kinematics import Transform
+from day6_tui.urdf.kinematics import Transform, compose
 
 ADD, DELETE, DELETE_ALL = 0, 2, 3
 MOST_MARKERS = 20_000
@@ -162,9 +163,18 @@ class Markers:
         return any(entry.ends_ns is not None for entry in self._markers.values())
 
     def draw(self, scene: Scene) -> None:
-        for entry in self._markers.values():
+        for key, entry in self._markers.items():
             if entry.frame is not None:
+                scene.begin(self.display, key)
                 draw_marker(scene, entry.message, entry.frame, entry.mesh)
+
+    def describe(self, key: Key) -> tuple[str, list[Property]] | None:
+        """What the panel Selection says of a marker."""
+        entry = self._markers.get(key)
+        if entry is None or entry.frame is None:
+            return None
+        pose = compose(entry.frame, pose_of(entry.message.pose))
+        return f"Marker {_line(key)}", pose_lines(pose.xyz, pose.rotation)
 
     def clear(self) -> None:
         self._markers.clear()
@@ -180,6 +190,7 @@ class _MarkerDisplay(TopicDisplay):
     """A display of markers, however they come."""
 
     asks_who_sent = True
+    selectable = True
 
     def build(self) -> None:
         super().build()
@@ -199,6 +210,9 @@ class _MarkerDisplay(TopicDisplay):
 
     def draw(self, scene: Scene) -> None:
         self.markers.draw(scene)
+
+    def describe(self, key: Key) -> tuple[str, list[Property]] | None:
+        return self.markers.describe(key)
 
     def save_extras(self) -> dict[str, Any]:
         return {"Namespaces": {each.name: each.value for each in self.markers.namespaces.children}}

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from day6_tui.core.ros.programs.rviz2.model.displays.arrows import PoseShape, rgba
-from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, COLOUR, ENUM, INT, Property, floats
-from day6_tui.core.ros.programs.rviz2.model.scene import SPHERE, Scene, Shape
+from day6_tui.core.ros.programs.rviz2.model.displays.arrows import PoseShape
+from day6_tui.core.ros.programs.rviz2.model.displays.covariance import Covariance
+from day6_tui.core.ros.programs.rviz2.model.properties import INT, Property, floats
+from day6_tui.core.ros.programs.rviz2.model.scene import Scene
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR
 from day6_tui.core.ros.programs.rviz2.model.topics import (
     INVALID_FLOATS,
@@ -38,26 +39,14 @@ class OdometryDisplay(FilteredDisplay):
         self.angle = self.add(floats("Angle Tolerance", 0.1, 0))
         self.keep = self.add(Property("Keep", INT, 100, low=0, on_change=changed))
         self.shape = PoseShape(self.add, changed, below=True)
-        self.covariance = self.add(Property("Covariance", BOOL, True, on_change=changed))
-        place = self.covariance.add(Property("Position", BOOL, True, on_change=changed))
-        self.ball_colour = place.add(Property("Color", COLOUR, (204, 51, 204), on_change=changed))
-        self.ball_alpha = place.add(floats("Alpha", 0.3, 0, 1, on_change=changed))
-        self.ball_scale = place.add(floats("Scale", 1, 0, on_change=changed))
-        turn = self.covariance.add(Property("Orientation", BOOL, True, on_change=changed))
-        turn.add(Property("Frame", ENUM, "Local", options=("Local", "Fixed"), on_change=changed))
-        turn.add(Property("Color Style", ENUM, "Unique", options=("Unique", "RGB"), on_change=changed))
-        turn.add(Property("Color", COLOUR, (255, 255, 127), on_change=changed))
-        turn.add(floats("Alpha", 0.5, 0, 1, on_change=changed))
-        turn.add(floats("Offset", 1, 0, on_change=changed))
-        turn.add(floats("Scale", 1, 0, on_change=changed))
-        self._ball = place
+        self.covariance = Covariance(self.add, changed)
         self._arrows: list[Transform] = []
         self._last: Any = None
-        self._spread: tuple[float, float, float] | None = None
 
     def reset(self) -> None:
         super().reset()
-        self._arrows, self._last, self._spread = [], None, None
+        self._arrows, self._last = [], None
+        self.covariance.forget()
 
     def show(self, message: Any) -> None:
         pose = message.pose.pose
@@ -75,9 +64,7 @@ class OdometryDisplay(FilteredDisplay):
             return
         self._last = pose
         self._arrows.append(compose(frame, pose_of(pose)))
-        spread = [message.pose.covariance[index] for index in (0, 7, 14)]
-        good = all_finite(spread) and max(spread) > 0 and min(spread) >= 0
-        self._spread = tuple(map(math.sqrt, spread)) if good else None  # type: ignore[assignment]
+        self.covariance.take(message.pose.covariance)
 
     def _far_enough(self, new: Any, old: Any) -> bool:
         a, b = new.position, old.position
@@ -93,7 +80,5 @@ class OdometryDisplay(FilteredDisplay):
         del self._arrows[:-keep]
         for pose in self._arrows:
             self.shape.draw(scene, pose)
-        if self._arrows and self._spread is not None and self.covariance.value and self._ball.value:
-            # Two standard deviations, at least a tenth of a millimetre thick.
-            size = tuple(max(1e-4, 2 * self.ball_scale.value * part) for part in self._spread)
-            scene.shapes.append(Shape(SPHERE, self._arrows[-1], size, rgba(self.ball_colour, self.ball_alpha.value)))
+        if self._arrows:
+            self.covariance.draw(scene, self._arrows[-1])

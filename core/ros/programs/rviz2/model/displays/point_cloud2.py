@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from day6_tui.core.ros.programs.rviz2.model.displays.point_cloud_common import RGB8, RGBF32, PointsDisplay
+from day6_tui.core.ros.programs.rviz2.model.displays.point_cloud_common import (
+    MOST_DRAWN,
+    RGB8,
+    RGBF32,
+    PointsDisplay,
+)
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR
 
 _FLOAT32 = 7
@@ -46,6 +51,10 @@ class PointCloud2Display(PointsDisplay):
         except (TypeError, ValueError):
             self.put_status(ERROR, "Message", "PointCloud contained not enough or too much data")
             return
+        # Two million points must not hold up the other programs of this thread: no more are looked at than are drawn.
+        step = max(1, -(-len(points) // MOST_DRAWN))
+        self.of_all = len(points) if step > 1 else 0
+        points = points[::step]
         xyz = np.stack([points[name].astype(np.float64) for name in "xyz"], axis=1)
         good = np.isfinite(xyz).all(axis=1)
         kept = points[good]

@@ -11,11 +11,22 @@ from collections import deque
 from typing import Any, NamedTuple
 
 from day6_tui.core.ros.programs.rviz2.model.displays.arrows import rgba
-from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, COLOUR, ENUM, TEXT, Property, floats
+from day6_tui.core.ros.programs.rviz2.model.properties import (
+    BOOL,
+    COLOUR,
+    ENUM,
+    FLOAT,
+    INT,
+    TEXT,
+    VECTOR,
+    Property,
+    floats,
+)
 from day6_tui.core.ros.programs.rviz2.model.scene import Points, Scene
 from day6_tui.core.ros.programs.rviz2.model.status import OK
 from day6_tui.core.ros.programs.rviz2.model.topics import FilteredDisplay
 from day6_tui.urdf.kinematics import Transform
+from day6_tui.urdf.model import Vector
 
 STYLES = ("Points", "Squares", "Flat Squares", "Spheres", "Boxes", "Tiles")
 INTENSITY, AXIS, FLAT, RGB8, RGBF32 = "Intensity", "AxisColor", "FlatColor", "RGB8", "RGBF32"
@@ -42,10 +53,12 @@ class Cloud(NamedTuple):
 class PointsDisplay(FilteredDisplay):
     """Points coloured by a channel, along an axis, all alike, or by colours of their own."""
 
+    selectable = True
+
     def build(self) -> None:
         super().build()
         changed = self.changed
-        self.selectable = self.add(Property("Selectable", BOOL, True, on_change=changed))
+        self.selectable_switch = self.add(Property("Selectable", BOOL, True, on_change=changed))
         self.style = self.add(Property("Style", ENUM, "Flat Squares", options=STYLES, on_change=self._switched))
         self.size = self.add(floats("Size (m)", 0.01, 0.0001, on_change=changed))
         self.pixels = self.add(floats("Size (Pixels)", 3, 1, on_change=changed))
@@ -71,6 +84,8 @@ class PointsDisplay(FilteredDisplay):
         self.colour = self.add(Property("Color", COLOUR, (255, 255, 255), on_change=changed))
         self._possible: tuple[str, ...] = COLOURS
         self.points_shown = 0
+        self.of_all = 0
+        """How many points the newest message had, if some were left out; else 0."""
         self._clouds: deque[Cloud] = deque(maxlen=MOST_CLOUDS)
         self._drawn: tuple[Any, ...] = ()
         self._points: list[Points] = []
@@ -113,7 +128,10 @@ class PointsDisplay(FilteredDisplay):
             self._clouds.popleft()
         shown = list(self._clouds) if self.decay.value else [self._clouds[-1]]
         self.points_shown = sum(len(each.own) for each in shown)
-        self.put_status(OK, "Points", f"Showing [{self.points_shown}] points from [{len(shown)}] messages")
+        text = f"Showing [{self.points_shown}] points from [{len(shown)}] messages"
+        if self.of_all and len(shown) == 1:
+            text = f"Showing [{self.points_shown}] of [{self.of_all}] points from [1] messages"
+        self.put_status(OK, "Points", text)
 
     def _choose(self, names: tuple[str, ...]) -> None:
         """Offer the transformers that the newest cloud allows; colours of its own come first, then a channel."""
@@ -134,11 +152,39 @@ class PointsDisplay(FilteredDisplay):
         """Old points vanish by time alone."""
         return bool(self.decay.value) and len(self._clouds) > 1
 
+    # -- selecting -----------------------------------------------------------------------------------------------------
+
+    def thing_at(self, key: Any, point: Vector) -> Any:
+        """The point of the newest cloud that lies nearest: its number."""
+        import numpy as np
+
+        if not self._clouds or not len(self._clouds[-1].xyz):
+            return key
+        return int(((self._clouds[-1].xyz - np.array(point)) ** 2).sum(axis=1).argmin())
+
+    def describe(self, key: Any) -> tuple[str, list[Property]] | None:
+        if not self._clouds:
+            return None
+        cloud = self._clouds[-1]
+        if not isinstance(key, int):
+            return self.name, [Property("Points", INT, len(cloud.xyz), read_only=True)]
+        if key >= len(cloud.xyz):
+            return None
+        lines = [Property("Position", VECTOR, tuple(map(float, cloud.xyz[key])), read_only=True)]
+        lines += [
+            Property(str(name), FLOAT, float(values[key]), read_only=True)
+            for name, values in cloud.channels.items()
+            if name not in ("x", "y", "z")
+        ]
+        return f"Point {key}", lines
+
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def draw(self, scene: Scene) -> None:
         if not self._clouds:
             return
+        if not self.selectable_switch.value:
+            scene.begin(None)
         oldest = self.rviz.timer_ns() - int(self.decay.value * 1e9)
         while len(self._clouds) > 1 and (not self.decay.value or self._clouds[0].received_ns < oldest):
             self._clouds.popleft()

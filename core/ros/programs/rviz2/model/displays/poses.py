@@ -5,7 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.arrows import PoseShape, rgba
-from day6_tui.core.ros.programs.rviz2.model.properties import COLOUR, ENUM, INT, Property, floats
+from day6_tui.core.ros.programs.rviz2.model.displays.covariance import Covariance
+from day6_tui.core.ros.programs.rviz2.model.properties import (
+    COLOUR,
+    ENUM,
+    INT,
+    TEXT,
+    VECTOR,
+    Property,
+    floats,
+    pose_lines,
+)
 from day6_tui.core.ros.programs.rviz2.model.scene import SPHERE, Lines, Scene, Shape, placed
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR
 from day6_tui.core.ros.programs.rviz2.model.topics import (
@@ -26,16 +36,18 @@ class PoseDisplay(FilteredDisplay):
     """The newest pose, as an arrow or as axes."""
 
     type = "Pose"
+    selectable = True
     message_type = "geometry_msgs/msg/PoseStamped"
 
     def build(self) -> None:
         super().build()
         self.shape = PoseShape(self.add, self.changed, below=False)
         self._pose: Transform | None = None
+        self._message: Any = None
 
     def reset(self) -> None:
         super().reset()
-        self._pose = None
+        self._pose = self._message = None
 
     def show(self, message: Any) -> None:
         if not all_finite(pose_numbers(message.pose)):
@@ -44,10 +56,63 @@ class PoseDisplay(FilteredDisplay):
         frame = self.place(message.header)
         if frame is not None:
             self._pose = compose(frame, pose_of(message.pose))
+            self._message = message
+
+    def describe(self, key: str) -> tuple[str, list[Property]] | None:
+        if self._message is None:
+            return None
+        frame = Property("Frame", TEXT, self._message.header.frame_id, read_only=True)
+        numbers = pose_numbers(self._message.pose)
+        return f"Pose {self.name}", [frame, *pose_lines(numbers[:3], numbers[3:])]
 
     def draw(self, scene: Scene) -> None:
         if self._pose is not None:
             self.shape.draw(scene, self._pose)
+
+
+class PoseWithCovarianceDisplay(FilteredDisplay):
+    """The newest pose with its covariance."""
+
+    type = "PoseWithCovariance"
+    message_type = "geometry_msgs/msg/PoseWithCovarianceStamped"
+    selectable = True
+
+    def build(self) -> None:
+        super().build()
+        self.shape = PoseShape(self.add, self.changed, below=False)
+        self.covariance = Covariance(self.add, self.changed)
+        self._pose: Transform | None = None
+        self._message: Any = None
+
+    def reset(self) -> None:
+        super().reset()
+        self._pose = self._message = None
+        self.covariance.forget()
+
+    def show(self, message: Any) -> None:
+        if not all_finite([*pose_numbers(message.pose.pose), *message.pose.covariance]):
+            self.put_status(ERROR, "Topic", INVALID_FLOATS)
+            return
+        frame = self.place(message.header)
+        if frame is not None:
+            self._pose, self._message = compose(frame, pose_of(message.pose.pose)), message
+            self.covariance.take(message.pose.covariance)
+
+    def describe(self, key: str) -> tuple[str, list[Property]] | None:
+        if self._message is None:
+            return None
+        frame = Property("Frame", TEXT, self._message.header.frame_id, read_only=True)
+        numbers, spread = pose_numbers(self._message.pose.pose), self._message.pose.covariance
+        variances = [
+            Property(f"Covariance {name}", VECTOR, tuple(float(spread[7 * index]) for index in indices), read_only=True)
+            for name, indices in (("Position", range(3)), ("Orientation", range(3, 6)))
+        ]
+        return f"Pose {self.name}", [frame, *pose_lines(numbers[:3], numbers[3:]), *variances]
+
+    def draw(self, scene: Scene) -> None:
+        if self._pose is not None:
+            self.shape.draw(scene, self._pose)
+            self.covariance.draw(scene, self._pose)
 
 
 class PoseArrayDisplay(FilteredDisplay):

@@ -5,7 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.robot_links import RobotLinks
-from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, ENUM, FILE, GROUP, TEXT, Property, floats
+from day6_tui.core.ros.programs.rviz2.model.properties import (
+    BOOL,
+    ENUM,
+    FILE,
+    GROUP,
+    TEXT,
+    Property,
+    floats,
+    pose_lines,
+)
 from day6_tui.core.ros.programs.rviz2.model.robot_parts import Part, RobotParts
 from day6_tui.core.ros.programs.rviz2.model.scene import Colour, Scene, Shape, Triangles
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK
@@ -20,6 +29,7 @@ class RobotModelDisplay(TopicDisplay):
     """Links that have no transform stay where they were (at first in the origin) and turn white, as in reality."""
 
     type = "RobotModel"
+    selectable = True
     message_type = "std_msgs/msg/String"
     topic_name = "Description Topic"
     default_topic = ""
@@ -170,6 +180,7 @@ class RobotModelDisplay(TopicDisplay):
         for name, parts in self.parts.links.items():
             if not self.links.enabled(name):
                 continue
+            scene.begin(self, name)
             pose, alpha = self.pose(name), self.alpha.value * self.links.alpha(name)
             lost = name in self.lost
             shown: list[Part] = [*parts.visual] if self.visual.value else []
@@ -181,7 +192,12 @@ class RobotModelDisplay(TopicDisplay):
                 _draw_part(scene, parts.mass, pose, "", 1.0, False)
             if self.inertia.value and parts.inertia is not None:
                 _draw_part(scene, parts.inertia, pose, "", 1.0, False)
+        scene.begin(None)
         self.links.draw(scene, self._poses)
+
+    def describe(self, key: str) -> tuple[str, list[Property]] | None:
+        pose = self.pose(key)
+        return (f"Link {key}", pose_lines(pose.xyz, pose.rotation)) if key in self.parts.links else None
 
     # -- configuration -------------------------------------------------------------------------------------------------
 

@@ -14,6 +14,7 @@ from day6_tui.core.ros.programs.rviz2.model.properties import (
     VECTOR,
     Property,
     floats,
+    pose_lines,
 )
 from day6_tui.core.ros.programs.rviz2.model.scene import Label, Scene, pointing
 from day6_tui.core.ros.programs.rviz2.model.status import OK, WARN
@@ -57,6 +58,7 @@ class TFDisplay(Display):
     """Frames, as the buffer knows them."""
 
     type = "TF"
+    selectable = True
 
     def build(self) -> None:
         changed = self.changed
@@ -171,6 +173,7 @@ class TFDisplay(Display):
         for frame in self.frames.values():
             if frame.pose is None or not frame.enabled.value:
                 continue
+            scene.begin(self, frame.name)
             grey, alpha = _faded((now_ns - frame.heard_ns) / 1e9, self.timeout.value)
             if self.axes.value:
                 scene.axes(frame.pose, AXIS_LENGTH * scale, AXIS_RADIUS * scale, alpha, grey)
@@ -179,6 +182,14 @@ class TFDisplay(Display):
             parent = self.rviz.frames.pose(frame.parent.value) if frame.parent.value else None
             if self.arrows.value and parent is not None:
                 _draw_arrow(scene, frame.pose, parent, scale, grey, alpha)
+
+    def describe(self, key: str) -> tuple[str, list[Property]] | None:
+        frame = self.frames.get(key)
+        if frame is None or frame.pose is None:
+            return None
+        parent = Property("Parent", TEXT, frame.parent.value, read_only=True)
+        enabled = Property("Enabled", BOOL, frame.enabled.value, read_only=True)
+        return f"Frame {key}", [enabled, parent, *pose_lines(frame.pose.xyz, frame.pose.rotation)]
 
     # -- configuration -------------------------------------------------------------------------------------------------
 
