@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from geometry_msgs.msg import Point32
 from rviz_machine import RVizMachine, lines
-from sensor_msgs.msg import Image, PointCloud2, PointField
+from sensor_msgs.msg import ChannelFloat32, Image, PointCloud, PointCloud2, PointField
 
 from day6_tui.core.ros.programs.rviz2.model.displays.point_cloud_common import MOST_DRAWN, rainbow
 
@@ -122,6 +123,29 @@ def test_a_big_endian_cloud_means_the_same(machine: RVizMachine, display: Any) -
     message.is_bigendian = True
     machine.publish("/points", message)
     assert machine.rviz.scene.points[0].xyz.tolist() == [[1.0, 2.0, 3.0]]
+
+
+def test_an_old_cloud_is_shown_by_its_channels(machine: RVizMachine) -> None:
+    machine.open()
+    machine.transform("map", "camera", (1.0, 0.0, 0.0))
+    display = machine.add("PointCloud", "/old")
+    message = PointCloud(points=[Point32(z=1.0), Point32(x=float("nan")), Point32(x=2.0)])
+    message.header.frame_id = "camera"
+    short = ChannelFloat32(name="short", values=[1.0])
+    message.channels = [ChannelFloat32(name="intensity", values=[10.0, 20.0, 30.0]), short]
+    machine.publish("/old", message)
+    assert machine.rviz.scene.points[0].xyz.tolist() == [[1.0, 0.0, 1.0], [3.0, 0.0, 0.0]]
+    assert colours(machine) == [[1.0, 0.0, 0.0, 1.0], [1.0, 0.0, 1.0, 1.0]]
+    assert (display.least.value, display.most.value) == (10.0, 30.0)
+    machine.rviz.edit(display.channel, "short")
+    machine.settle()
+    assert display.most.value == 0.0
+    packed = np.array([0x00FF00] * 3, np.uint32).view(np.float32)
+    message.channels = [ChannelFloat32(name="rgb", values=packed.tolist())]
+    machine.publish("/old", message)
+    machine.rviz.edit(display.how, "RGB8")
+    machine.settle()
+    assert colours(machine) == [[0.0, 1.0, 0.0, 1.0]] * 2
 
 
 @pytest.mark.parametrize("count", [640 * 480, 2_000_000])

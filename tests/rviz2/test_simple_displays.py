@@ -127,7 +127,14 @@ def test_a_class_that_is_not_here_says_so_and_keeps_its_words(world: RVizMachine
     )
     world.do(lambda: world.rviz.load_text(text))
     (display,) = world.rviz.displays
-    assert display.status("Class") is not None and "could not be loaded" in display.status("Class")[1]
+    reason = (
+        "According to the loaded plugin descriptions the class rviz_default_plugins/DepthCloud with base class type "
+        "rviz_common::Display does not exist. Declared types are  rviz_default_plugins/AccelStamped "
+    )
+    text = "The class required for this display, 'rviz_default_plugins/DepthCloud', could not be loaded. Error: "
+    assert display.status("Class")[1].startswith(text + reason)
+    logged = "PluginlibFactory: The plugin for class 'rviz_default_plugins/DepthCloud' failed to load. Error: "
+    assert logged + reason in world.running.errors
     assert display.save()["Auto Size"] == {"Value": True}
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from day6_tui.core.ros.programs.rviz2.model.scene import Overlay, Scene
-from day6_tui.tui.render.picture import SURFACE, Array, Picture
+from day6_tui.core.ros.programs.rviz2.model.scene import Overlay, Scene, Sight
+from day6_tui.tui.render.picture import EMPTY, SURFACE, Array, Picture
 
 SHARE = 0.45
 """Of the view's width and height that one picture may take."""
@@ -13,14 +15,17 @@ NEAREST = 1e-3
 LABEL = (230, 230, 230)
 
 
-def paint_overlays(picture: Picture, scene: Scene) -> None:
-    """Put the scene's overlays on a picture, above everything that has been painted."""
+PaintScene = Callable[[Picture, Scene], None]
+
+
+def paint_overlays(picture: Picture, scene: Scene, paint: PaintScene) -> None:
+    """Put the scene's overlays on a picture, above everything that has been painted; `paint` paints what a camera sees."""
     bottom = picture.height
     for overlay in scene.overlays:
-        bottom = _paint(picture, overlay, bottom)
+        bottom = _paint(picture, overlay, bottom, paint)
 
 
-def _paint(picture: Picture, overlay: Overlay, bottom: int) -> int:
+def _paint(picture: Picture, overlay: Overlay, bottom: int, paint: PaintScene) -> int:
     """Paint one with its lower edge at `bottom`; returns where the next one ends."""
     rows, columns = overlay.pixels.shape[:2]
     # In pixels of the view, which are not square everywhere.
@@ -33,7 +38,8 @@ def _paint(picture: Picture, overlay: Overlay, bottom: int) -> int:
     if across < 2 or down < 2:
         return bottom
     top, left = bottom - down, picture.width - across
-    shrunk = _resized(overlay.pixels, down, across) / 255
+    sight = overlay.sight
+    shrunk = _resized(overlay.pixels, down, across) / 255 if sight is None else _seen(overlay, sight, across, down, paint)
     y, x = np.mgrid[top:bottom, left : picture.width]
     flat = (y * picture.width + x).reshape(-1)
     colours = shrunk.reshape(-1, 3)
@@ -41,6 +47,34 @@ def _paint(picture: Picture, overlay: Overlay, bottom: int) -> int:
     picture.labels = [each for each in picture.labels if not (each[0] >= left - 1 and top <= each[1] < bottom)]
     picture.labels.append((left + across / 2, float(top), overlay.name, LABEL))
     return top
+
+
+def _seen(overlay: Overlay, sight: Sight, across: int, down: int, paint: PaintScene) -> Array:
+    """The picture of a camera with the scene in it, rows x columns x 3 (0..1)."""
+    inner = Picture(across, down, 1.0, sight.camera, sight.scene.background)
+    inner.across, inner.down = sight.focal[0] * across, sight.focal[1] * down
+    inner.offset = sight.middle[0] * across, sight.middle[1] * down
+    photo, covered = _zoomed(overlay.pixels, across, down, sight.zoom)
+    if sight.behind:
+        inner.colour[covered] = photo[covered]
+    ground = inner.colour.copy()
+    paint(inner, sight.scene)
+    beyond = (inner.depth > sight.far) & (inner.kind != EMPTY)
+    inner.colour[beyond] = ground[beyond]
+    inner.colour[covered] += (photo[covered] - inner.colour[covered]) * sight.alpha
+    return inner.colour
+
+
+def _zoomed(pixels: Array, across: int, down: int, zoom: float) -> tuple[Array, Array]:
+    """The photo in a frame it is `zoom` times as wide and high as, and where in the frame it is."""
+    rows, columns = pixels.shape[:2]
+    x = ((np.arange(across) + 0.5) / across - 0.5) / zoom + 0.5
+    y = ((np.arange(down) + 0.5) / down - 0.5) / zoom + 0.5
+    covered: Array = ((y >= 0) & (y < 1))[:, None] & ((x >= 0) & (x < 1))[None, :]
+    if zoom == 1:
+        return _resized(pixels, down, across) / 255, covered
+    nearest = pixels[np.clip(y * rows, 0, rows - 1).astype(int)][:, np.clip(x * columns, 0, columns - 1).astype(int)]
+    return nearest.astype(np.float32) / 255, covered
 
 
 def _resized(pixels: Array, height: int, width: int) -> Array:

@@ -41,12 +41,19 @@ def paint(
     """Paint a scene; `aspect` is the width of a pixel by its height, `offset` moves everything by parts of a pixel."""
     coarse = quality.coarse
     picture = Picture(max(1, width // coarse), max(1, height // coarse), aspect, camera, scene.background, offset)
+    _paint_parts(picture, scene, quality.levels)
+    paint_overlays(picture, scene, lambda inner, seen: _paint_parts(inner, seen, quality.levels))
+    return picture if coarse == 1 else _enlarged(picture, width, height)
+
+
+def _paint_parts(picture: Picture, scene: Scene, levels: int) -> None:
+    """Everything of a scene but what lies on the picture."""
     for image in scene.images:
         if image.behind:
             _paint_image(picture, image)
     thin = Segments()
-    paint_solids(picture, [each for each in scene.shapes if each.colour[3] >= 0.997], quality.levels, thin)
-    paint_triangles(picture, scene.triangles, quality.levels)
+    paint_solids(picture, [each for each in scene.shapes if each.colour[3] >= 0.997], levels, thin)
+    paint_triangles(picture, scene.triangles, levels)
     for image in scene.images:
         if not image.behind:
             _paint_image(picture, image)
@@ -60,11 +67,9 @@ def paint(
     for points in scene.points:
         paint_points(picture, points)
     faint = Segments()
-    paint_solids(picture, [each for each in scene.shapes if each.colour[3] < 0.997], quality.levels, faint)
+    paint_solids(picture, [each for each in scene.shapes if each.colour[3] < 0.997], levels, faint)
     faint.paint(picture)
     _place_labels(picture, scene)
-    paint_overlays(picture, scene)
-    return picture if coarse == 1 else _enlarged(picture, width, height)
 
 
 def _enlarged(picture: Picture, width: int, height: int) -> Picture:

@@ -166,10 +166,13 @@ class Display(Property):
 
 
 class FailedDisplay(Display):
-    """Stands for a display of a .rviz file that there is no class for; the file's words are kept."""
+    """Stands for a display of a .rviz file that there is no class for; the file's words are kept (failed_display.cpp).
 
-    def __init__(self, rviz: RViz, name: str, class_id: str) -> None:
-        self._class_id = class_id
+    The original says why in its description, in HTML; here it is a status.
+    """
+
+    def __init__(self, rviz: RViz, name: str, class_id: str, reason: str) -> None:
+        self._class_id, self._reason = class_id, reason
         super().__init__(rviz, name)
         self.config: dict[str, Any] = {}
 
@@ -186,9 +189,8 @@ class FailedDisplay(Display):
         return {**self.config, "Name": self.name, "Enabled": self.enabled, "Value": self.enabled}
 
     def refresh(self) -> None:
-        self.put_status(
-            ERROR, "Class", f"The class required for this display, '{self._class_id}', could not be loaded."
-        )
+        text = f"The class required for this display, '{self._class_id}', could not be loaded."
+        self.put_status(ERROR, "Class", f"{text} Error: {self._reason}")
 
 
 __all__ = ["Display", "FailedDisplay", "Status"]

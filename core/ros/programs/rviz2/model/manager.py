@@ -13,7 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rviz2.model.config import read_config
 from day6_tui.core.ros.programs.rviz2.model.display import Display, FailedDisplay
-from day6_tui.core.ros.programs.rviz2.model.displays import PACKAGE, TYPES, display_class, types_for
+from day6_tui.core.ros.programs.rviz2.model.displays import (
+    PACKAGE,
+    TYPES,
+    display_class,
+    types_for,
+    unknown_class,
+)
 from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer, Frames
 from day6_tui.core.ros.programs.rviz2.model.panels import load_expanded, save_panels
 from day6_tui.core.ros.programs.rviz2.model.properties import (
@@ -284,7 +290,9 @@ class RViz:
         package, _, type_name = class_id.partition("/")
         if package == PACKAGE and type_name in TYPES:
             return display_class(type_name)(self, name)
-        return FailedDisplay(self, name, class_id)
+        reason = unknown_class(class_id)
+        self.log_error(f"PluginlibFactory: The plugin for class '{class_id}' failed to load. Error: {reason}")
+        return FailedDisplay(self, name, class_id, reason)
 
     def reset(self) -> None:
         """The Reset button: forget everything that was received, transforms too."""

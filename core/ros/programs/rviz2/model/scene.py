@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from day6_tui.urdf.kinematics import IDENTITY, Transform, compose, rotate
 from day6_tui.urdf.model import Quaternion, Vector
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.rviz2.model.views import Camera
 
 Colour = tuple[float, float, float, float]
 """Red, green, blue, alpha in 0..1."""
@@ -84,11 +87,31 @@ class Image:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """What is seen by the camera that took a picture; lengths are parts of the picture's width and height."""
+
+    scene: Scene
+    camera: Camera
+    focal: tuple[float, float]
+    middle: tuple[float, float]
+    """The optical axis, right of the middle of the picture and below it."""
+    zoom: float
+    """The size of the picture in the frame it is shown in."""
+    far: float
+    """Metres; what is farther away is not seen."""
+    behind: bool
+    """Whether the picture is behind the scene."""
+    alpha: float
+    """How much of the picture lies over the scene."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Overlay:
     """A picture that lies on the view: `pixels` is rows x columns x 3 (0..255), row 0 highest."""
 
     name: str
     pixels: Any
+    sight: Sight | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

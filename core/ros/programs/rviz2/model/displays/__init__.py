@@ -13,6 +13,7 @@ PACKAGE = "rviz_default_plugins"
 TYPES: dict[str, tuple[str, str, str]] = {
     "AccelStamped": ("screw", "AccelStampedDisplay", "geometry_msgs/msg/AccelStamped"),
     "Axes": ("axes", "AxesDisplay", ""),
+    "Camera": ("camera", "CameraDisplay", "sensor_msgs/msg/Image"),
     "FluidPressure": ("scalar", "FluidPressureDisplay", "sensor_msgs/msg/FluidPressure"),
     "Grid": ("grid", "GridDisplay", ""),
     "GridCells": ("flat", "GridCellsDisplay", "nav_msgs/msg/GridCells"),
@@ -24,6 +25,7 @@ TYPES: dict[str, tuple[str, str, str]] = {
     "MarkerArray": ("marker", "MarkerArrayDisplay", "visualization_msgs/msg/MarkerArray"),
     "Odometry": ("odometry", "OdometryDisplay", "nav_msgs/msg/Odometry"),
     "Path": ("path", "PathDisplay", "nav_msgs/msg/Path"),
+    "PointCloud": ("point_cloud", "PointCloudDisplay", "sensor_msgs/msg/PointCloud"),
     "PointCloud2": ("point_cloud2", "PointCloud2Display", "sensor_msgs/msg/PointCloud2"),
     "PointStamped": ("poses", "PointStampedDisplay", "geometry_msgs/msg/PointStamped"),
     "Polygon": ("flat", "PolygonDisplay", "geometry_msgs/msg/PolygonStamped"),
@@ -55,3 +57,10 @@ def display_class(type_name: str) -> type[Display]:
 def types_for(message_type: str) -> list[str]:
     """The display types that show messages of this type."""
     return [name for name, (_, _, shown) in TYPES.items() if shown == message_type]
+
+
+def unknown_class(class_id: str) -> str:
+    """What pluginlib says of a display class that nobody declared."""
+    declared = "".join(f" {PACKAGE}/{name}" for name in sorted(TYPES))
+    text = f"According to the loaded plugin descriptions the class {class_id} with base class type rviz_common::Display"
+    return f"{text} does not exist. Declared types are {declared}"

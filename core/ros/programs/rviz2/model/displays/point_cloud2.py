@@ -59,7 +59,7 @@ class PointCloud2Display(PointsDisplay):
         good = np.isfinite(xyz).all(axis=1)
         kept = points[good]
         channels = {name: kept[name] for name in kept.dtype.names or () if kept[name].ndim == 1}
-        colours, names = _colours(kept)
+        colours, names = own_colours(kept)
         self.take(xyz[good], pose, channels, colours, names)
 
 
@@ -83,7 +83,7 @@ def _layout(message: Any) -> Any:
     )
 
 
-def _colours(points: Any) -> tuple[Any, tuple[str, ...]]:
+def own_colours(points: Any) -> tuple[Any, tuple[str, ...]]:
     """The colours (N x 4) that the points bring along, None if they bring none; and the transformers that read them."""
     import numpy as np
 
