@@ -43,12 +43,26 @@ class Hand:
     def begin(self, event: events.MouseDown, x: float, y: float) -> bool:
         """A button goes down over the view; False if it is the view's."""
         tool = self.tool
+        if tool is None and self._grab(event, x, y):
+            return True
         if tool is None or event.button not in ((LEFT, RIGHT) if tool.takes_right else (LEFT,)):
             return False
         self._held = (tool, event.button, (x, y))
         self._view.cursor = None
         if event.button == LEFT:
             self._tell(tool, tool.press, self._pointer(tool, event, x, y))
+        return True
+
+    def _grab(self, event: events.MouseDown, x: float, y: float) -> bool:
+        """Take a thing that the tool wants, though otherwise the mouse is the view's."""
+        tool = self._rviz.tools.current
+        if tool is None or not tool.grabs or event.button != LEFT:
+            return False
+        pointer = self._view.pointer(x, y, search=True)
+        if not tool.wants(pointer):
+            return False
+        self._held = (tool, LEFT, (x, y))
+        self._tell(tool, tool.press, pointer)
         return True
 
     def move(self, event: events.MouseMove, x: float, y: float) -> None:
@@ -74,7 +88,7 @@ class Hand:
     def _pointer(
         self, tool: Tool, event: events.MouseEvent, x: float, y: float, start: tuple[float, float] | None = None
     ) -> Pointer:
-        pointer = self._view.pointer(x, y, search=tool.needs_hit)
+        pointer = self._view.pointer(x, y, search=tool.needs_hit or (tool.grabs and start is not None))
         inside: tuple[tuple[object, object], ...] = ()
         if start is not None and tool.needs_hit and (int(x), int(y)) != (int(start[0]), int(start[1])):
             (left, right), (top, bottom) = sorted((int(start[0]), int(x))), sorted((int(start[1]), int(y)))

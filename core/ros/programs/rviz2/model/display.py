@@ -48,6 +48,9 @@ class Display(Property):
     def build(self) -> None:
         """Add the properties."""
 
+    def choose_topic(self, topic: str) -> None:
+        """It is added to show a topic; those of none have no choice."""
+
     def on_enable(self) -> None:
         """The check box was set."""
 

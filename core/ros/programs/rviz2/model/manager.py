@@ -86,6 +86,8 @@ class RViz:
         self.path: Callable[[str], Path] = Path
         """The file that a name means to the program."""
         self.write_file: Callable[[Path, str], None] = lambda path, text: None
+        self.interaction = False
+        """Whether the controls of interactive markers can be used, and are seen."""
         self.progress = ""
         """What is being loaded, and how much of it."""
         self.message: tuple[str, dict[str, Any]] | None = None
@@ -240,11 +242,9 @@ class RViz:
 
     def add_display(self, type_name: str, topic: str = "") -> Display:
         """Add a display of a type, on a topic; on the program's thread. Raises KeyError for an unknown type."""
-        from day6_tui.core.ros.programs.rviz2.model.topics import TopicDisplay
-
         display = display_class(type_name)(self, type_name)
-        if isinstance(display, TopicDisplay) and topic:
-            display.topic.set(topic)
+        if topic:
+            display.choose_topic(topic)
         display.expanded = True
         self.root.add(display, len(self.root.children) - 1)
         self._changed_by_user()

@@ -53,6 +53,9 @@ class TopicDisplay(Display):
     def _topics(self) -> list[str]:
         return [name for name, types in self.rviz.topics() if self.message_type in types]
 
+    def choose_topic(self, topic: str) -> None:
+        self.topic.set(topic)
+
     def process(self, message: Any) -> None:
         """Take in a message."""
         raise NotImplementedError

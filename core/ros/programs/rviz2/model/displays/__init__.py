@@ -19,6 +19,11 @@ TYPES: dict[str, tuple[str, str, str]] = {
     "GridCells": ("flat", "GridCellsDisplay", "nav_msgs/msg/GridCells"),
     "Illuminance": ("scalar", "IlluminanceDisplay", "sensor_msgs/msg/Illuminance"),
     "Image": ("image", "ImageDisplay", "sensor_msgs/msg/Image"),
+    "InteractiveMarkers": (
+        "interactive_markers",
+        "InteractiveMarkersDisplay",
+        "visualization_msgs/msg/InteractiveMarkerUpdate",
+    ),
     "LaserScan": ("laser_scan", "LaserScanDisplay", "sensor_msgs/msg/LaserScan"),
     "Map": ("map", "MapDisplay", "nav_msgs/msg/OccupancyGrid"),
     "Marker": ("marker", "MarkerDisplay", "visualization_msgs/msg/Marker"),

@@ -67,6 +67,8 @@ class Tool(Property):
     arrows = CAMERA
     needs_hit = False
     """Whether it wants to know what is under the mouse."""
+    grabs = False
+    """Whether it takes the left button from the view where it `wants` to."""
     takes_right = False
     """Whether the right button is for it rather than for the view."""
 
@@ -101,6 +103,10 @@ class Tool(Property):
         """It is taken away."""
 
     # -- the mouse: each returns whether the tool has done its work, so that the default tool comes back -------------------
+
+    def wants(self, pointer: Pointer) -> bool:
+        """Whether the left button is the tool's there; asked on the user interface's thread."""
+        return False
 
     def press(self, pointer: Pointer) -> bool:
         """The left button went down."""

@@ -1,0 +1,247 @@
+"""One interactive marker: its pose, what is drawn of it, and what it sends as the mouse takes one of its controls."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros.programs.rviz2.model.displays.control_drag import DRAGGABLE, Grab, Ray, facing
+from day6_tui.core.ros.programs.rviz2.model.displays.control_shapes import (
+    BUTTON,
+    FIXED,
+    MOVE_3D,
+    MOVE_AXIS,
+    MOVE_PLANE,
+    MOVE_ROTATE,
+    MOVE_ROTATE_3D,
+    NONE,
+    ROTATE_3D,
+    ROTATE_AXIS,
+    VIEW_FACING,
+    completed,
+    title_of,
+)
+from day6_tui.core.ros.programs.rviz2.model.displays.marker_shapes import MESH, TEXT, draw_marker
+from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
+from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK
+from day6_tui.core.ros.programs.rviz2.model.topics import pose_of, stamp_ns
+from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
+from day6_tui.urdf.kinematics import IDENTITY, Transform, compose, inverse, multiply, rotate
+from day6_tui.urdf.model import Quaternion, Vector
+from rclpy.time import Time
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.rviz2.model.displays.interactive_markers import InteractiveMarkersDisplay
+
+POSE_UPDATE, MENU_SELECT, BUTTON_CLICK, MOUSE_DOWN, MOUSE_UP = range(1, 6)
+
+WORDS = {
+    BUTTON: "Left-Click: Activate. ",
+    MOVE_AXIS: "Left-Click: Move. ",
+    MOVE_PLANE: "Left-Click: Move. ",
+    ROTATE_AXIS: "Left-Click: Rotate. ",
+    MOVE_ROTATE: "Left-Click: Move / Rotate. ",
+    MOVE_3D: "Left-Click: Move X/Y. ",
+    ROTATE_3D: "Left-Click: Rotate around X/Y. Shift-Left-Click: Rotate around Z. ",
+    MOVE_ROTATE_3D: "Left-Click: Move X/Y. ",
+}
+"""What the status bar says, of what can be done here."""
+
+
+class InteractiveMarker:
+    """A marker whose header has no time moves with its frame; another one is put into the Fixed Frame once."""
+
+    def __init__(self, display: InteractiveMarkersDisplay, message: Any) -> None:
+        self._display = display
+        self._angles: dict[str, float] = {}
+        """By control: how far it was turned about its axis."""
+        self._taken: tuple[Any, Grab | None, float] | None = None
+        """The control that is held, what follows the mouse, and its angle when it was taken."""
+        self._requested: Any = None
+        """A pose that came while a control was held."""
+        self.reference: Transform | None = None
+        self.take(message)
+
+    def take(self, message: Any) -> None:
+        """A new description."""
+        self.message = completed(message, bool(self._display.transparent.value))
+        self._title = title_of(self.message)
+        self._set_pose(message)
+        text = f"Locked to frame {self.frame}" if self.locked else "Position is fixed."
+        if self.reference is not None:
+            self._display.put_status(OK, self.message.name, text)
+
+    def take_pose(self, message: Any) -> None:
+        """A pose from the server; while the user holds a control, it waits."""
+        if self._taken is not None:
+            self._requested = message
+        else:
+            self._set_pose(message)
+
+    def _set_pose(self, message: Any) -> None:
+        self.frame, self.locked = message.header.frame_id, stamp_ns(message.header.stamp) == 0
+        self.pose = pose_of(message.pose)
+        if not self.locked:
+            # The client transforms such a message into its target frame.
+            pose = self._display.rviz.frames.pose(self.frame, stamp_ns(message.header.stamp))
+            if pose is not None:
+                self.frame, self.pose = self._display.rviz.fixed_frame, compose(pose, self.pose)
+        self.follow()
+
+    def follow(self) -> None:
+        """Find the reference frame anew."""
+        frames = self._display.rviz.frames
+        self.reference = frames.pose(self.frame)
+        if self.reference is None:
+            self._display.put_status(ERROR, self.message.name, frames.transform_problem(self.frame) or "")
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    @property
+    def turns_with_view(self) -> bool:
+        """Whether its picture changes with the view."""
+        return any(
+            control.orientation_mode == VIEW_FACING and any(marker.type != TEXT for marker in control.markers)
+            for control in self.message.controls
+        )
+
+    def draw(self, scene: Scene, interaction: bool, title: bool, axes: bool) -> None:
+        """Add to the scene; without `interaction` only the controls that are always visible."""
+        if self.reference is None:
+            return
+        name = self.message.name
+        for control in self.message.controls:
+            if not interaction and not control.always_visible:
+                continue
+            touchable = interaction and control.interaction_mode != NONE
+            scene.begin(self._display if touchable else None, (name, control.name))
+            frame = compose(self.reference, Transform(self.pose.xyz, self._markers_turn(control)))
+            for marker in control.markers:
+                self._draw_marker(scene, marker, frame)
+        scene.begin(None)
+        if title and self.message.description:
+            above = self._facing((0.0, 0.0, 0.0, 1.0), 0.0)
+            draw_marker(scene, self._title, compose(self.reference, Transform(self.pose.xyz, above)))
+        if axes:
+            scene.axes(compose(self.reference, self.pose), self.message.scale, self.message.scale * 0.05)
+
+    def _draw_marker(self, scene: Scene, marker: Any, frame: Transform) -> None:
+        if marker.header.frame_id:
+            own = self._display.rviz.frames.pose(marker.header.frame_id)
+            if own is None:
+                return
+            frame = own
+        mesh = self._display.mesh(marker) if marker.type == MESH else None
+        draw_marker(scene, marker, frame, mesh)
+
+    def _turn(self, control: Any) -> Quaternion:
+        """The control's own orientation in the reference frame."""
+        angle = self._angles.get(control.name, 0.0)
+        own = _orientation(control)
+        if control.orientation_mode == VIEW_FACING:
+            return self._facing(own, angle)
+        if control.orientation_mode == FIXED:
+            axis = rotate(own, (1.0, 0.0, 0.0))
+            half = math.sin(angle / 2)
+            return axis[0] * half, axis[1] * half, axis[2] * half, math.cos(angle / 2)
+        return self.pose.rotation
+
+    def _markers_turn(self, control: Any) -> Quaternion:
+        if control.orientation_mode == VIEW_FACING and control.independent_marker_orientation:
+            return self.pose.rotation
+        return self._turn(control)
+
+    def _facing(self, own: Quaternion, angle: float) -> Quaternion:
+        camera = self._display.rviz.view.camera()
+        turn = facing(own, camera.forward, camera.up, angle)
+        return multiply(inverse(self.reference or IDENTITY).rotation, turn)
+
+    # -- the mouse -----------------------------------------------------------------------------------------------------
+
+    def control(self, name: str) -> Any:
+        """A control by its name; None if there is none."""
+        return next((each for each in self.message.controls if each.name == name), None)
+
+    def words(self, control: Any) -> str:
+        """What the status bar says of a control."""
+        return f"{control.description} {WORDS.get(control.interaction_mode, '')}".strip()
+
+    def press(self, name: str, pointer: Pointer) -> None:
+        """The left button went down on a control."""
+        control = self.control(name)
+        if control is None or self.reference is None:
+            return
+        grab = None
+        if control.interaction_mode in DRAGGABLE:
+            back = inverse(self.reference)
+            point = placed(back, pointer.hit.point) if pointer.hit is not None else self.pose.xyz
+            axis = rotate(multiply(self._turn(control), _orientation(control)), (1.0, 0.0, 0.0))
+            view = rotate(back.rotation, self._display.rviz.view.camera().forward)
+            grab = Grab(control.interaction_mode, point, axis, view, self.pose)
+        self._taken = control, grab, self._angles.get(name, 0.0)
+        self._tell(POSE_UPDATE, name, pointer)
+        self._tell(MOUSE_DOWN, name, pointer)
+
+    def drag(self, pointer: Pointer) -> None:
+        """The mouse moved with the button down."""
+        if self._taken is None or self.reference is None:
+            return
+        control, grab, angle = self._taken
+        back = inverse(self.reference)
+        ray = Ray(placed(back, pointer.start), rotate(back.rotation, pointer.along))
+        found = grab.follow(ray) if grab is not None else None
+        if found is not None:
+            self.pose, turned = found
+            self._angles[control.name] = angle + turned
+            self._tell(POSE_UPDATE, control.name)
+
+    def release(self, pointer: Pointer) -> None:
+        """The button went up."""
+        if self._taken is None:
+            return
+        control, _, _ = self._taken
+        if control.interaction_mode == BUTTON:
+            self._tell(BUTTON_CLICK, control.name, pointer)
+        self._tell(POSE_UPDATE, control.name, pointer)
+        self._tell(MOUSE_UP, control.name, pointer)
+        self._taken = None
+        if self._requested is not None:
+            requested, self._requested = self._requested, None
+            self._set_pose(requested)
+
+    def _tell(self, event: int, control: str, pointer: Pointer | None = None) -> None:
+        """Send feedback: in the marker's frame if it is locked to it, else in the Fixed Frame."""
+        from visualization_msgs.msg import InteractiveMarkerFeedback
+
+        reference = self.reference or IDENTITY
+        feedback = InteractiveMarkerFeedback(event_type=event, control_name=control, marker_name=self.message.name)
+        hit = pointer.hit if pointer is not None else None
+        point = hit.point if hit is not None else None
+        rviz = self._display.rviz
+        pose = self.pose
+        if self.locked:
+            feedback.header.frame_id = self.frame
+            if self.frame != rviz.fixed_frame and (latest := rviz.frames.latest_ns(self.frame)) is not None:
+                feedback.header.stamp = Time(nanoseconds=latest).to_msg()
+            point = placed(inverse(reference), point) if point is not None else None
+        else:
+            feedback.header.frame_id = rviz.fixed_frame
+            pose = compose(reference, pose)
+        position, turn = feedback.pose.position, feedback.pose.orientation
+        position.x, position.y, position.z = pose.xyz
+        turn.x, turn.y, turn.z, turn.w = pose.rotation
+        if point is not None:
+            feedback.mouse_point_valid = True
+            feedback.mouse_point.x, feedback.mouse_point.y, feedback.mouse_point.z = _floats(point)
+        self._display.send(feedback)
+
+
+def _orientation(control: Any) -> Quaternion:
+    turn = control.orientation
+    norm = math.sqrt(turn.x**2 + turn.y**2 + turn.z**2 + turn.w**2)
+    return turn.x / norm, turn.y / norm, turn.z / norm, turn.w / norm
+
+
+def _floats(point: Vector) -> Vector:
+    x, y, z = map(float, point)
+    return x, y, z
