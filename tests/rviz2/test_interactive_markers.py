@@ -96,7 +96,9 @@ def use(machine: RVizMachine, *pointers: tuple[str, Pointer]) -> None:
     """Press, drag and release with the tool Interact, each told as the window tells it."""
     tool = machine.rviz.tools.current
     for act, pointer in pointers:
-        machine.do(lambda act=act, pointer=pointer: machine.rviz.tools.use(tool, lambda used: getattr(used, act)(pointer)))
+        machine.do(
+            lambda act=act, pointer=pointer: machine.rviz.tools.use(tool, lambda used: getattr(used, act)(pointer))
+        )
 
 
 def at(x: float, y: float, display: Any = None, name: str = "") -> Pointer:

@@ -39,7 +39,9 @@ def _paint(picture: Picture, overlay: Overlay, bottom: int, paint: PaintScene) -
         return bottom
     top, left = bottom - down, picture.width - across
     sight = overlay.sight
-    shrunk = _resized(overlay.pixels, down, across) / 255 if sight is None else _seen(overlay, sight, across, down, paint)
+    shrunk = (
+        _resized(overlay.pixels, down, across) / 255 if sight is None else _seen(overlay, sight, across, down, paint)
+    )
     y, x = np.mgrid[top:bottom, left : picture.width]
     flat = (y * picture.width + x).reshape(-1)
     colours = shrunk.reshape(-1, 3)

@@ -16,6 +16,7 @@ from day6_tui.urdf.kinematics import Transform
 from rclpy.event_handler import SubscriptionEventCallbacks
 
 if TYPE_CHECKING:
+    from rclpy.qos import QoSProfile
     from rclpy.subscription import Subscription
 
 INVALID_FLOATS = "Message contained invalid floating point values (nans or infs)"
@@ -91,7 +92,9 @@ class TopicDisplay(Display):
             self._since_ns = self.rviz.now_ns()
             self.put_status(OK, "Topic", "OK")
 
-    def _try_to_subscribe(self, topic: str, type_name: str, callback: Any, line: str) -> Subscription[Any] | None:
+    def _try_to_subscribe(
+        self, topic: str, type_name: str, callback: Any, line: str, qos: QoSProfile | None = None
+    ) -> Subscription[Any] | None:
         from day6_tui.core.interfaces import get_message
 
         def lost(info: Any) -> None:
@@ -107,7 +110,7 @@ class TopicDisplay(Display):
                 get_message(type_name),
                 topic,
                 with_sender if self.asks_who_sent else callback,
-                self.qos.profile(),
+                qos or self.qos.profile(),
                 event_callbacks=SubscriptionEventCallbacks(message_lost=lost),
             )
         except CppException as error:

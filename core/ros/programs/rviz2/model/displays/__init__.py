@@ -14,6 +14,7 @@ TYPES: dict[str, tuple[str, str, str]] = {
     "AccelStamped": ("screw", "AccelStampedDisplay", "geometry_msgs/msg/AccelStamped"),
     "Axes": ("axes", "AxesDisplay", ""),
     "Camera": ("camera", "CameraDisplay", "sensor_msgs/msg/Image"),
+    "Effort": ("effort", "EffortDisplay", "sensor_msgs/msg/JointState"),
     "FluidPressure": ("scalar", "FluidPressureDisplay", "sensor_msgs/msg/FluidPressure"),
     "Grid": ("grid", "GridDisplay", ""),
     "GridCells": ("flat", "GridCellsDisplay", "nav_msgs/msg/GridCells"),

@@ -83,8 +83,7 @@ def _handle(kind: int, size: Vector, control: Any) -> Any:
     turn = control.orientation
     norm = math.sqrt(turn.x**2 + turn.y**2 + turn.z**2 + turn.w**2)
     parts = [
-        abs(part)
-        for part in rotate((turn.x / norm, turn.y / norm, turn.z / norm, turn.w / norm), (1.0, 0.0, 0.0))
+        abs(part) for part in rotate((turn.x / norm, turn.y / norm, turn.z / norm, turn.w / norm), (1.0, 0.0, 0.0))
     ]
     red, green, blue = (part / max(parts) for part in parts)
     marker = _marker(kind, size, (red, green, blue, 0.5))

@@ -24,8 +24,8 @@ from day6_tui.core.ros.programs.rviz2.model.displays.control_shapes import (
 from day6_tui.core.ros.programs.rviz2.model.displays.marker_shapes import MESH, TEXT, draw_marker
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK
-from day6_tui.core.ros.programs.rviz2.model.topics import pose_of, stamp_ns
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
+from day6_tui.core.ros.programs.rviz2.model.topics import pose_of, stamp_ns
 from day6_tui.urdf.kinematics import IDENTITY, Transform, compose, inverse, multiply, rotate
 from day6_tui.urdf.model import Quaternion, Vector
 from rclpy.time import Time

@@ -92,7 +92,9 @@ class InteractiveMarkersDisplay(Display):
                 get_service(f"{PACKAGE}/srv/GetInteractiveMarkers"), f"{namespace}/get_interactive_markers"
             )
             self._publisher = node.create_publisher(
-                get_message(f"{PACKAGE}/msg/InteractiveMarkerFeedback"), f"{namespace}/feedback", QoSProfile(depth=QUEUE)
+                get_message(f"{PACKAGE}/msg/InteractiveMarkerFeedback"),
+                f"{namespace}/feedback",
+                QoSProfile(depth=QUEUE),
             )
             self._subscription = node.create_subscription(
                 get_message(self.message_type), f"{namespace}/update", self._update_came, QoSProfile(depth=QUEUE)
