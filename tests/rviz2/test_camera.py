@@ -120,3 +120,22 @@ def test_a_calibration_that_is_none_is_told(machine: RVizMachine, camera: Any) -
     text = "CameraInfo/P resulted in an invalid position calculation (nans or infs)"
     assert lines(camera)["Camera Info"] == ("Error", text)
     assert not machine.rviz.scene.overlays
+
+
+def test_a_calibration_is_a_pyramid_from_its_camera(machine: RVizMachine, camera: Any) -> None:
+    display = machine.add("CameraInfo", "/eye/camera_info")
+    info = calibration()
+    info.header.frame_id = "optical"
+    machine.publish("/eye/camera_info", info)
+    edges = machine.rviz.scene.lines[-1]
+    assert edges.pose.xyz == (5.0, 0.0, 0.0)
+    assert (-WIDTH / 2 / FOCAL, -HEIGHT / 2 / FOCAL, 1.0) in edges.vertices and len(edges.vertices) == 16
+    assert not machine.rviz.scene.triangles
+    machine.rviz.edit(display.child("Not show side polygons"), False)
+    machine.rviz.edit(display.child("Far clip"), 2.0)
+    machine.settle()
+    assert machine.rviz.scene.triangles[-1].vertices.max() == 2.0
+    info.p = [0.0] * 12
+    machine.publish("/eye/camera_info", info)
+    assert lines(display)["Camera Info"] == ("Error", "Invalid intrinsic matrix")
+    assert not machine.rviz.scene.triangles

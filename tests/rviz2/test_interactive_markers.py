@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from geometry_msgs.msg import Pose
 from rviz_machine import RVizMachine, lines
+from rviz_walk import drag, run, walking
 from visualization_msgs.msg import (
     InteractiveMarker,
     InteractiveMarkerControl,
@@ -237,3 +238,35 @@ def test_a_control_that_faces_the_view_does() -> None:
     assert rotate(turn, (0.0, 0.0, 1.0)) == pytest.approx(up)
     back = turn_between((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0))
     assert rotate(back, (1.0, 0.0, 0.0)) == pytest.approx((-1.0, 0.0, 0.0))
+
+
+def test_the_mouse_drags_a_control_and_beside_it_the_view(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            machine.fix("stand")
+            machine.transform("stand", "other")
+            server = Server(machine)
+            square = Marker(type=Marker.CUBE)
+            square.scale.x = square.scale.y = square.scale.z = 4.0
+            square.color.r = square.color.a = 1.0
+            plane = about_z(control("plane", InteractiveMarkerControl.MOVE_PLANE, markers=[square]))
+            server.markers = [marker(plane)]
+            machine.do(lambda: machine.rviz.set_view("TopDownOrtho"))
+            display = shown(machine)
+            await at.until(lambda: display.markers and machine.rviz.scene.shapes)
+            at.pane.status_bar.hurry()
+            await at.settle()
+            assert "InteractiveMarkers: interactive markers: 1" in " ".join(at.screen().split())
+            middle = at.pane.view.columns // 2, at.pane.view.rows // 2
+            scale = machine.rviz.view.child("Scale").value
+            await drag(at, middle, (middle[0] + 8, middle[1]))
+            first, *_, last = server.feedback
+            assert (first.event_type, last.event_type) == (1, InteractiveMarkerFeedback.MOUSE_UP)
+            assert first.mouse_point_valid and first.mouse_point.z == pytest.approx(2.0, abs=0.1)
+            assert last.pose.position.x > 0.1 and last.pose.position.y == pytest.approx(0.0, abs=1e-6)
+            server.feedback.clear()
+            await drag(at, (1, 1), (9, 5))
+            assert not server.feedback and machine.rviz.view.child("Scale").value == scale
+            assert machine.rviz.view.child("Angle").value != 0.0
+
+    run(walk())

@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped
 from rviz_machine import ONE_LINK, RVizMachine
-from rviz_walk import Walk, mouse, run, walking
-from textual import events
+from rviz_walk import drag, run, walking
 
 from day6_tui.core.ros.programs.rviz2.model.config import read_config, write_config
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    pass
 
 BOX = ONE_LINK.replace(
     '<link name="base_link"/>',
@@ -27,17 +26,6 @@ def listen(machine: RVizMachine, kind: type, topic: str) -> list[Any]:
     machine.node.create_subscription(kind, topic, heard.append, 10)
     machine.settle()
     return heard
-
-
-async def drag(at: Walk, *places: tuple[int, int], button: int = 1) -> None:
-    """Press at the first place (cells of the view), move through the others, let go at the last."""
-    pane = at.pane
-    kinds: Sequence[type] = [events.MouseDown, *[events.MouseMove] * (len(places) - 1), events.MouseUp]
-    for kind, (x, y) in zip(kinds, [*places, places[-1]], strict=True):
-        left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
-        pane.post_message(mouse(pane, kind, left + x, top + y, button, False, False))
-        await at.settle()
-    await at.settle()  # what the window asked for is done by the program now
 
 
 def test_the_tools_of_the_default_file_and_their_publishers(machine: RVizMachine) -> None:

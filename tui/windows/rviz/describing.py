@@ -5,6 +5,7 @@ from __future__ import annotations
 import colorsys
 import math
 
+from day6_tui.core.ros.programs.rviz2.model.display import FailedDisplay
 from day6_tui.core.ros.programs.rviz2.model.displays.robot_model import RobotModelDisplay
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import number_text
@@ -45,8 +46,14 @@ def described(rviz: RViz, texts: Texts) -> str:
             phrases.append(texts("rviz.seen.frames", count=count) if count else texts("rviz.seen.no_frames"))
         elif display.type == "Axes":
             phrases.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
+        elif isinstance(display, FailedDisplay):
+            phrases.append(texts("rviz.seen.unknown", name=display.name))
+        elif display.type == "InteractiveMarkers":
+            count = len(getattr(display, "markers", {}))
+            phrases.append(texts("rviz.seen.markers", name=display.name, count=count))
         elif count := getattr(display, "points_shown", 0):
-            phrases.append(texts("rviz.seen.points", name=display.name, count=count))
+            key = "rviz.seen.point" if count == 1 else "rviz.seen.points"
+            phrases.append(texts(key, name=display.name, count=count))
         elif size := getattr(display, "picture_size", ""):
             phrases.append(texts("rviz.seen.image", name=display.name, size=size))
         else:

@@ -192,8 +192,9 @@ class FailedDisplay(Display):
         return {**self.config, "Name": self.name, "Enabled": self.enabled, "Value": self.enabled}
 
     def refresh(self) -> None:
-        text = f"The class required for this display, '{self._class_id}', could not be loaded."
-        self.put_status(ERROR, "Class", f"{text} Error: {self._reason}")
+        name, reason = self._class_id, self._reason
+        text = f"The class required for this display, '{name}', could not be loaded. Error: {reason}"
+        self.put_status(ERROR, "Class", text)
 
 
 __all__ = ["Display", "FailedDisplay", "Status"]

@@ -14,6 +14,7 @@ TYPES: dict[str, tuple[str, str, str]] = {
     "AccelStamped": ("screw", "AccelStampedDisplay", "geometry_msgs/msg/AccelStamped"),
     "Axes": ("axes", "AxesDisplay", ""),
     "Camera": ("camera", "CameraDisplay", "sensor_msgs/msg/Image"),
+    "CameraInfo": ("camera_info", "CameraInfoDisplay", "sensor_msgs/msg/CameraInfo"),
     "Effort": ("effort", "EffortDisplay", "sensor_msgs/msg/JointState"),
     "FluidPressure": ("scalar", "FluidPressureDisplay", "sensor_msgs/msg/FluidPressure"),
     "Grid": ("grid", "GridDisplay", ""),

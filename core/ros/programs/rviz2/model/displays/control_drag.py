@@ -26,6 +26,10 @@ class Ray(NamedTuple):
     start: Vector
     along: Vector
 
+    def beside(self, point: Vector) -> Vector:
+        """Its point nearest to a point."""
+        return plus(self.start, self.along, dot(minus(point, self.start), self.along) / dot(self.along, self.along))
+
     def on_plane(self, point: Vector, normal: Vector) -> Vector | None:
         """Where it meets a plane; None if it does not."""
         slope = dot(self.along, normal)

@@ -174,7 +174,9 @@ class InteractiveMarker:
         grab = None
         if control.interaction_mode in DRAGGABLE:
             back = inverse(self.reference)
-            point = placed(back, pointer.hit.point) if pointer.hit is not None else self.pose.xyz
+            # What was found under the mouse lies a part of a cell beside it.
+            ray = Ray(placed(back, pointer.start), rotate(back.rotation, pointer.along))
+            point = ray.beside(placed(back, pointer.hit.point)) if pointer.hit is not None else self.pose.xyz
             axis = rotate(multiply(self._turn(control), _orientation(control)), (1.0, 0.0, 0.0))
             view = rotate(back.rotation, self._display.rviz.view.camera().forward)
             grab = Grab(control.interaction_mode, point, axis, view, self.pose)
