@@ -97,13 +97,16 @@ def test_a_wrench_has_an_arrow_for_the_force_and_one_for_the_torque(world: RVizM
     assert len(world.rviz.scene.shapes) == 2  # shaft and head; the torque is shorter than the arrow is wide
     message.wrench.torque.z = 1.0
     world.publish("/wrench", message)
-    assert len(world.rviz.scene.shapes) == 4
+    # Two arrows, and the head of the circle half-way up the torque, as far from it as a quarter of its length.
+    assert len(world.rviz.scene.shapes) == 5
+    x, y, z = world.rviz.scene.shapes[-1].pose.xyz
+    assert math.hypot(x - 1, y - 2) == pytest.approx((z - 3) / 2, abs=0.01)
     message.wrench.force.y = math.nan
     world.publish("/wrench", message)
     assert display.status("Topic") == ("Error", INVALID_FLOATS)
     world.rviz.edit(display.child("Accept NaN Values"), True)
     world.publish("/wrench", message)
-    assert len(world.rviz.scene.shapes) == 4
+    assert len(world.rviz.scene.shapes) == 5
 
 
 @pytest.mark.parametrize(

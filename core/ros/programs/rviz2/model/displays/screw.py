@@ -100,7 +100,12 @@ class _TwoVectors(FilteredDisplay):
             for number in CIRCLE
         ]
         ends = [point for pair in pairwise(points) for point in pair]
-        scene.lines.append(Lines(ends, [rgba(self.around_colour, self.alpha.value)]))
+        colour, width = rgba(self.around_colour, self.alpha.value), self.width.value
+        scene.lines.append(Lines(ends, [colour]))
+        # The circle's own head, where it ends.
+        end = (length / 2, length / 4, 0.0)
+        head = compose(along, pointing(end, (end[0], end[1], 1.0)))
+        scene.arrow(head, 0.0, 0.1 * width, 0.1 * width, 0.2 * width, colour)
 
 
 class WrenchDisplay(_TwoVectors):
