@@ -16,6 +16,7 @@ from visualization_msgs.msg import (
     InteractiveMarkerPose,
     InteractiveMarkerUpdate,
     Marker,
+    MenuEntry,
 )
 from visualization_msgs.srv import GetInteractiveMarkers
 
@@ -268,5 +269,46 @@ def test_the_mouse_drags_a_control_and_beside_it_the_view(machine: RVizMachine) 
             await drag(at, (1, 1), (9, 5))
             assert not server.feedback and machine.rviz.view.child("Scale").value == scale
             assert machine.rviz.view.child("Angle").value != 0.0
+
+    run(walk())
+
+
+def with_menu(*controls: InteractiveMarkerControl) -> InteractiveMarker:
+    message = marker(*controls)
+    message.menu_entries = [
+        MenuEntry(id=1, title="[x] lamp", command_type=MenuEntry.FEEDBACK),
+        MenuEntry(id=2, title="go", command_type=MenuEntry.FEEDBACK),
+        MenuEntry(id=3, parent_id=2, title="home", command_type=MenuEntry.FEEDBACK),
+        MenuEntry(id=4, title="shell", command="rm", command_type=MenuEntry.ROSRUN),
+        MenuEntry(id=5, parent_id=5, title="ring", command_type=MenuEntry.FEEDBACK),
+    ]
+    return message
+
+
+def test_a_menu_opens_by_the_right_button_and_its_choice_is_told(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            machine.fix("stand")
+            machine.transform("stand", "other")
+            server = Server(machine)
+            cube = Marker(type=Marker.CUBE)
+            cube.scale.x = cube.scale.y = cube.scale.z = 4.0
+            cube.color.a = 1.0
+            server.markers = [with_menu(control("knob", InteractiveMarkerControl.MENU, markers=[cube]))]
+            machine.do(lambda: machine.rviz.set_view("TopDownOrtho"))
+            display = shown(machine)
+            await at.until(lambda: display.markers and machine.rviz.scene.shapes)
+            middle = at.pane.view.columns // 2, at.pane.view.rows // 2
+            await drag(at, middle, button=3)
+            await at.settle()
+            assert "☑ lamp" in at.screen() and "go ▸ home" in at.screen() and "shell" not in at.screen()
+            await at.press("down", "enter")
+            told = server.feedback[-1]
+            kinds = InteractiveMarkerFeedback
+            assert (told.event_type, told.menu_entry_id, told.control_name) == (kinds.MENU_SELECT, 3, "knob")
+            # The left button opens it, too, where the control is a menu.
+            await drag(at, middle)
+            await at.settle()
+            assert server.feedback[-1].event_type == kinds.MOUSE_UP and "☑ lamp" in at.screen()
 
     run(walk())

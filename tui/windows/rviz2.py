@@ -197,6 +197,10 @@ class RVizPane(WindowPane[RViz]):
         if spans:
             self.touch_spans([(row + top, first + left, end + left) for row, first, end in spans])
         self._follow_tool()
+        if (menu := self.rviz.menu) is not None:
+            self.rviz.menu = None
+            # An overlay cannot come while a frame is made.
+            self.app.call_later(dialogs.show_menu, self, menu)
         due = self._pull_words(now) or due
         title = tuple(piece.text for piece in (*self.title(), *self.status(), *self.status_right()))
         if title != self._shown_frame:

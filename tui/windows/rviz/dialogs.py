@@ -29,6 +29,12 @@ def edit(pane: RVizPane, prop: Property) -> None:
         type_value(pane, prop)
 
 
+def show_menu(pane: RVizPane, choices: list[tuple[str, Callable[[], object]]]) -> None:
+    """The menu of an interactive marker."""
+    entries = [Entry(title, "", partial(pane.rviz.request, action)) for title, action in choices]
+    pane.lay_over(Menu(pane.look, "rviz.choose", entries))
+
+
 def _choose(pane: RVizPane, prop: Property, options: list[str]) -> None:
     texts = pane.look.texts
     entries = [Entry(option, "", partial(pane.set, prop, option)) for option in options]

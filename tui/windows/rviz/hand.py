@@ -56,13 +56,13 @@ class Hand:
     def _grab(self, event: events.MouseDown, x: float, y: float) -> bool:
         """Take a thing that the tool wants, though otherwise the mouse is the view's."""
         tool = self._rviz.tools.current
-        if tool is None or not tool.grabs or event.button != LEFT:
+        if tool is None or not tool.grabs or event.button not in (LEFT, RIGHT):
             return False
         pointer = self._view.pointer(x, y, search=True)
         if not tool.wants(pointer):
             return False
-        self._held = (tool, LEFT, (x, y))
-        self._tell(tool, tool.press, pointer)
+        self._held = (tool, event.button, (x, y))
+        self._tell(tool, tool.press if event.button == LEFT else tool.menu, pointer)
         return True
 
     def move(self, event: events.MouseMove, x: float, y: float) -> None:

@@ -88,6 +88,8 @@ class RViz:
         self.write_file: Callable[[Path, str], None] = lambda path, text: None
         self.interaction = False
         """Whether the controls of interactive markers can be used, and are seen."""
+        self.menu: list[tuple[str, Callable[[], object]]] | None = None
+        """Titles and actions that the user shall choose from, until a window shows them."""
         self.progress = ""
         """What is being loaded, and how much of it."""
         self.message: tuple[str, dict[str, Any]] | None = None

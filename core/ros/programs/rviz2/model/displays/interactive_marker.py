@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.control_drag import DRAGGABLE, Grab, Ray, facing
 from day6_tui.core.ros.programs.rviz2.model.displays.control_shapes import (
     BUTTON,
     FIXED,
+    MENU,
     MOVE_3D,
     MOVE_AXIS,
     MOVE_PLANE,
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
 POSE_UPDATE, MENU_SELECT, BUTTON_CLICK, MOUSE_DOWN, MOUSE_UP = range(1, 6)
 
 WORDS = {
+    MENU: "Left-Click: Show menu.",
     BUTTON: "Left-Click: Activate. ",
     MOVE_AXIS: "Left-Click: Move. ",
     MOVE_PLANE: "Left-Click: Move. ",
@@ -164,7 +167,10 @@ class InteractiveMarker:
 
     def words(self, control: Any) -> str:
         """What the status bar says of a control."""
-        return f"{control.description} {WORDS.get(control.interaction_mode, '')}".strip()
+        words = f"{control.description} {WORDS.get(control.interaction_mode, '')}"
+        if self.message.menu_entries and control.interaction_mode != MENU:
+            words += "Right-Click: Show context menu."
+        return words.strip()
 
     def press(self, name: str, pointer: Pointer) -> None:
         """The left button went down on a control."""
@@ -206,17 +212,45 @@ class InteractiveMarker:
             self._tell(BUTTON_CLICK, control.name, pointer)
         self._tell(POSE_UPDATE, control.name, pointer)
         self._tell(MOUSE_UP, control.name, pointer)
+        if control.interaction_mode == MENU:
+            self.open_menu(control.name, pointer)
         self._taken = None
         if self._requested is not None:
             requested, self._requested = self._requested, None
             self._set_pose(requested)
 
-    def _tell(self, event: int, control: str, pointer: Pointer | None = None) -> None:
+    # -- the menu --------------------------------------------------------------------------------------------------------
+
+    @property
+    def choices(self) -> list[tuple[int, str]]:
+        """Numbers and titles of the menu's entries that send feedback; those of a submenu after its title."""
+        entries = {entry.id: entry for entry in self.message.menu_entries}
+        parents = {entry.parent_id for entry in entries.values()}
+        found = []
+        for entry in entries.values():
+            titles, above, seen = [_checked(entry.title)], entries.get(entry.parent_id), {entry.id}
+            while above is not None and above.id not in seen:
+                seen.add(above.id)
+                titles.insert(0, _checked(above.title))
+                above = entries.get(above.parent_id)
+            if entry.id not in parents and entry.command_type == entry.FEEDBACK:
+                found.append((entry.id, " ▸ ".join(titles)))
+        return found
+
+    def open_menu(self, name: str, pointer: Pointer) -> None:
+        """Let the user choose of the menu, for a control."""
+        if choices := self.choices:
+            self._display.rviz.menu = [
+                (title, partial(self._tell, MENU_SELECT, name, pointer, number)) for number, title in choices
+            ]
+
+    def _tell(self, event: int, control: str, pointer: Pointer | None = None, entry: int = 0) -> None:
         """Send feedback: in the marker's frame if it is locked to it, else in the Fixed Frame."""
         from visualization_msgs.msg import InteractiveMarkerFeedback
 
         reference = self.reference or IDENTITY
         feedback = InteractiveMarkerFeedback(event_type=event, control_name=control, marker_name=self.message.name)
+        feedback.menu_entry_id = entry
         hit = pointer.hit if pointer is not None else None
         point = hit.point if hit is not None else None
         rviz = self._display.rviz
@@ -236,6 +270,11 @@ class InteractiveMarker:
             feedback.mouse_point_valid = True
             feedback.mouse_point.x, feedback.mouse_point.y, feedback.mouse_point.z = _floats(point)
         self._display.send(feedback)
+
+
+def _checked(title: str) -> str:
+    """A title; `[x]` and `[ ]` before it are boxes."""
+    return {"[x]": "☑", "[ ]": "☐"}.get(title[:3], title[:3]) + title[3:]
 
 
 def _orientation(control: Any) -> Quaternion:

@@ -287,6 +287,11 @@ class InteractiveMarkersDisplay(Display):
         if self._held is not None:
             self._held.press(key[1], pointer)
 
+    def open_menu(self, key: Any, pointer: Pointer) -> None:
+        """The right button went down on a control."""
+        if (marker := self.markers.get(key[0])) is not None:
+            marker.open_menu(key[1], pointer)
+
     def drag(self, pointer: Pointer) -> None:
         if self._held is not None:
             self._held.drag(pointer)

@@ -58,6 +58,11 @@ class Interact(Tool):
         held.press(pointer.hit.key, pointer)
         return False
 
+    def menu(self, pointer: Pointer) -> bool:
+        assert pointer.hit is not None
+        pointer.hit.owner.open_menu(pointer.hit.key, pointer)
+        return False
+
     def drag(self, pointer: Pointer) -> bool:
         if self._held is not None:
             self._held.drag(pointer)

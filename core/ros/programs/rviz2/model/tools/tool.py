@@ -112,6 +112,10 @@ class Tool(Property):
         """The left button went down."""
         return False
 
+    def menu(self, pointer: Pointer) -> bool:
+        """The right button went down on what the tool `wants`."""
+        return False
+
     def drag(self, pointer: Pointer) -> bool:
         """The mouse moved with the button down."""
         return False
