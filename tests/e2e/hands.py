@@ -143,7 +143,7 @@ class Keyboard(Hands):
         """The chosen line of RViz's panel, the only one that is not on the panel's background."""
         if (title := self.screen.find("2 RViz")) is None:
             return ""
-        rows = range(title[1] + 1, self.screen.rows - 4)
+        rows = range(title[1] + 2, self.screen.rows - 4)  # below the tools
         grounds = [self.screen.colours(title[0] + 2, row)[1] for row in rows]
         chosen = [row for row, ground in zip(rows, grounds, strict=True) if grounds.count(ground) == 1]
         return self.screen.row(chosen[0]) if len(chosen) == 1 else ""
@@ -206,7 +206,7 @@ class Pointer(Hands):
 
     def description_topic(self, topic: str) -> None:
         column, row = self.mouse.find("RobotModel")
-        self.mouse.wheel(column, row, -3)
+        self.mouse.wheel(column, row, -4)
         column, row = self.mouse.find("▸ Description Topic")
         self.mouse.click(column + 4, row)
         self.mouse.click(column + 4, row)

@@ -40,6 +40,17 @@ def test_alike_names_of_other_types_are_no_slip() -> None:
     ]
 
 
+def test_nobody_misses_who_hears_of_rvizs_tools_but_a_program_that_sends_the_same_is_told() -> None:
+    tools = {topic: (Endpoint("/rviz", STRING),) for topic in ("/goal_pose", "/initialpose", "/clicked_point")}
+    assert texts(Facts(tools, {})) == []
+    facts = Facts({**tools, "/goal_pose": (Endpoint("/rviz", STRING), Endpoint("/planner", STRING))}, {})
+    assert texts(facts) == ["info: /goal_pose: /rviz, /planner publishes, but nobody subscribes"]
+    facts = Facts(tools, {"/goal_pos": (Endpoint("/nav", STRING),)})
+    assert texts(facts) == [
+        "warning: /goal_pose is published and /goal_pos is subscribed to: is one of the names a typo?"
+    ]
+
+
 def test_types_that_do_not_match_keep_messages_away() -> None:
     facts = Facts({"/chatter": (Endpoint("/talker", STRING),)}, {"/chatter": (Endpoint("/listener", TWIST),)})
     assert texts(facts) == [f"error: /chatter: /talker sends {STRING}, /listener wants {TWIST}; nothing arrives"]

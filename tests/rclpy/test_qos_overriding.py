@@ -10,6 +10,7 @@ from std_msgs.msg import String
 
 from rclpy.duration import Duration
 from rclpy.parameter import Parameter
+from rclpy.publisher import Publisher
 from rclpy.qos import (
     DurabilityPolicy,
     HistoryPolicy,
@@ -18,7 +19,7 @@ from rclpy.qos import (
     QoSProfile,
     ReliabilityPolicy,
 )
-from rclpy.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+from rclpy.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions, _declare_qos_parameters
 
 ALL = [kind for kind in QoSPolicyKind if kind != QoSPolicyKind.INVALID]
 
@@ -124,3 +125,11 @@ def test_a_choice_that_there_is_not_is_refused(world: Any) -> None:
     unknown = QoSProfile(depth=1, reliability=ReliabilityPolicy.UNKNOWN)
     with pytest.raises(ValueError, match="User provided QoS profile is invalid"):
         make(world.node("m"), "publisher", unknown, QoSOverridingOptions([QoSPolicyKind.RELIABILITY]))
+
+
+def test_the_private_function_that_tests_of_programs_call_takes_a_node(world: Any) -> None:
+    """As rclpy/test/test_qos_overriding_options.py calls it."""
+    node = world.node("n", parameter_overrides=[Parameter("qos_overrides./t.publisher.depth", value=9)])
+    qos = QoSProfile(depth=3)
+    _declare_qos_parameters(Publisher, node, "/t", qos, QoSOverridingOptions.with_default_policies())
+    assert qos.depth == 9 and node.has_parameter("qos_overrides./t.publisher.history")

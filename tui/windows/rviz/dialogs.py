@@ -19,6 +19,9 @@ from day6_tui.tui.windows.rviz.tree import MOST_LINES
 if TYPE_CHECKING:
     from day6_tui.tui.windows.rviz2 import RVizPane
 
+WANTED_FIRST = ("RobotModel", "TF")
+"""What is added to RViz most often is seen without scrolling."""
+
 
 def edit(pane: RVizPane, prop: Property) -> None:
     """Choose or type a value."""
@@ -90,7 +93,7 @@ def add(pane: RVizPane) -> None:
     by_topic = texts("rviz.add.by_topic")
     entries = [
         Entry(name, texts(f"rviz.type.{name}"), partial(add_it, name), words=texts("rviz.add.by_type"))
-        for name in TYPES
+        for name in sorted(TYPES, key=lambda name: name not in WANTED_FIRST)
     ]
     for topic, types in rviz.topics():
         for message_type in types:

@@ -40,6 +40,9 @@ ENOUGH = 0.9
 OWN_TOPICS = ("/rosout", "/parameter_events", "/tf_static", "/robot_description", "/clock")
 """Topics that are often one-sided without anything being wrong."""
 
+RVIZ_TOOLS = ("/clicked_point", "/goal_pose", "/initialpose")
+"""The topics of RViz's tools, as its default configuration names them."""
+
 
 def findings(facts: Facts) -> list[Finding]:
     """Return everything that is wrong, the worst first, each once."""
@@ -113,9 +116,15 @@ def _one_sided(facts: Facts) -> Iterator[Finding]:
                 then=then,
             )
     for topic in unsubscribed:
-        if topic not in explained:
+        if topic not in explained and not _by_rviz_tool(topic, facts):
             then = f"ros2 topic echo {topic}"
             yield finding("info", "unheard", topic=topic, nodes=_names(facts.publishers[topic]), then=then)
+
+
+def _by_rviz_tool(topic: str, facts: Facts) -> bool:
+    """Whether RViz alone publishes there: only when somebody uses one of its tools."""
+    nodes = {endpoint.node.rpartition("/")[2] for endpoint in facts.publishers[topic]}
+    return topic in RVIZ_TOOLS and all(node.startswith("rviz") for node in nodes)
 
 
 def _alike(one: str, other: str) -> bool:

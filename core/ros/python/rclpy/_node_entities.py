@@ -169,9 +169,9 @@ class NodeEntities:
     def _override_qos(
         self, kind: type[Any], topic: str, qos_profile: QoSProfile, options: QoSOverridingOptions
     ) -> None:
-        from rclpy.qos_overriding_options import _declare_qos_parameters
+        from rclpy.qos_overriding_options import _declare_qos_in
 
-        _declare_qos_parameters(kind, self._parameters, topic, qos_profile, options)
+        _declare_qos_in(kind, self._parameters, topic, qos_profile, options)
 
     def create_client(
         self, context: Context, srv_type: type[Any], srv_name: str, qos_profile: QoSProfile, group: CallbackGroup

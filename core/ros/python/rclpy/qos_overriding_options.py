@@ -15,6 +15,7 @@ from rclpy.subscription import Subscription
 
 if TYPE_CHECKING:
     from rclpy._parameter_store import ParameterStore
+    from rclpy.node import Node
 
 _CHOICES = (QoSPolicyKind.LIVELINESS, QoSPolicyKind.RELIABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.DURABILITY)
 _DURATIONS = (QoSPolicyKind.LIFESPAN, QoSPolicyKind.DEADLINE, QoSPolicyKind.LIVELINESS_LEASE_DURATION)
@@ -85,6 +86,13 @@ class QoSOverridingOptions:
 
 
 def _declare_qos_parameters(
+    entity_type: type[Any], node: Node, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions
+) -> None:
+    """In real rclpy this is what tests of programs call."""
+    _declare_qos_in(entity_type, node._rclpy_parameters, topic_name, qos, options)
+
+
+def _declare_qos_in(
     entity_type: type[Any], parameters: ParameterStore, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions
 ) -> None:
     """Declare `qos_overrides.<topic>.<publisher|subscription>[_id].<policy>` and set their values in `qos`."""
