@@ -137,6 +137,10 @@ class FieldList(PaneList):
         if key in keys:
             self.highlighted = keys.index(key)
 
+    def show_end(self) -> None:
+        """Bring the last lines into sight; the cursor stays where it is."""
+        self.scroll_end(animate=False, immediate=True)
+
     def place_of_cell(self, line: FieldLine) -> tuple[int, int, int] | None:
         """Column, row and width, in this widget, of the cell of a line to type into; None if it is out of sight."""
         keys = [each.key for each in self.lines_shown]
