@@ -165,7 +165,7 @@ def test_rviz_asks_before_q_loses_what_was_changed(place: Place) -> None:
     with place.terminal("rviz2", "-f", "base_link", DAY6_LANG="en") as screen:
         screen.wait("RViz ", "Add", "Fixed Frame base_link")
         screen.send("a")
-        screen.wait("RobotModel")
+        screen.wait("AccelStamped")
         screen.send("axes\r")
         screen.wait("[x] Axes", "RViz *")
         screen.press("q")
@@ -182,9 +182,9 @@ def test_rviz_asks_before_q_loses_what_was_changed(place: Place) -> None:
 
 def test_plugins_of_rqt_are_tabs_of_its_terminal(place: Place) -> None:
     with place.terminal("rqt", DAY6_LANG="en", HOME=str(place.home)) as screen:
-        screen.wait("Node Graph", "perspective Default", "End")
+        screen.wait("Node Graph", "perspective Default", "End", "perspectives")
         assert "F3 Next" not in screen.look()
-        screen.press("Enter")
+        screen.press("Down", "Down", "Enter")
         screen.wait("No node is publishing", "F3 Next")
         screen.press("F3")
         screen.wait("open: Node Graph")

@@ -203,7 +203,8 @@ def test_a_pan_stays_when_the_graph_changes() -> None:
 
 
 @pytest.mark.parametrize(
-    ("key", "title"), [("w", "Save the graph"), ("ctrl+s", "Save the graph"), ("o", "Open a DOT"), ("ctrl+o", "Open a DOT")]
+    ("key", "title"),
+    [("w", "Save the graph"), ("ctrl+s", "Save the graph"), ("o", "Open a DOT"), ("ctrl+o", "Open a DOT")],
 )
 def test_the_keys_that_save_and_open_are_those_of_the_other_windows(key: str, title: str) -> None:
     async def act(window: _Window) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -222,7 +223,7 @@ class FieldList(PaneList):
             elif line.problem and column == line.edited:
                 cell, style = f"{cell}  {self.look.glyphs.warning} {' '.join(line.problem.split())}", colours.warning
             elif column == 1 and cell_len(cell) > width:
-                cell = cell.rpartition("/")[2]
+                cell = without_package(cell)
             segments.append(Segment(fit(cell, width, dots), on or style))
         return segments
 
@@ -235,6 +236,11 @@ class FieldList(PaneList):
         elif line.is_branch:
             lead = "- " if self.is_open(line) else "+ "
         return lead + ("" if line.ticked is None else "[x] " if line.ticked else "[ ] ")
+
+
+def without_package(type_name: str) -> str:
+    """'Twist' for 'geometry_msgs/msg/Twist', 'sequence<Log>' for 'sequence<rcl_interfaces/Log>'."""
+    return re.sub(r"(?:\w+/)+", "", type_name)
 
 
 class _Drawn(Visual):

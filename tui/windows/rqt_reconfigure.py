@@ -378,7 +378,12 @@ class ReconfigurePane(WindowPane["Reconfigure"]):
             model.load(node, text.strip())
 
         taken = before_replacing(self.look, lambda text: model.path(text.strip()), save) if saving else load
-        self.ask(texts("reconfigure.save" if saving else "reconfigure.load"), f"{node.rpartition('/')[2]}.yaml", taken, note=node)
+        self.ask(
+            texts("reconfigure.save" if saving else "reconfigure.load"),
+            f"{node.rpartition('/')[2]}.yaml",
+            taken,
+            note=node,
+        )
 
     # -- the mouse -----------------------------------------------------------------------------------------------------
 
