@@ -277,7 +277,7 @@ class WindowApp(TerminalApp):
         self.stage.break_window(pane, error)
 
     def bottom_pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
-        """The newest line of the log, and the keys."""
+        """The newest line of the log, and the keys; these alone have the whole line, as on the desktop."""
         look = self.look
         keys = [KeyHint(key, look.texts(f"single.{part}"), self.deeds[part]) for key, part in KEYS]
         pane = self.stage.shown
@@ -285,12 +285,15 @@ class WindowApp(TerminalApp):
             keys.insert(1, KeyHint("F3", look.texts("single.next"), self.deeds["next"]))
         if pane is not None:
             keys = [*keys[:1], *(KeyHint(key, name, weight=5) for key, name in pane.key_hints()), *keys[1:]]
+        notice = time.monotonic() < self._hint_until
+        said = self._hint if notice else _STAMP.sub("", self.foreground.backlog.last)
+        said = "".join(char if char.isprintable() else " " for char in said)
+        if not said:
+            return key_pieces(look, keys, width), []
         right = key_pieces(look, keys, width // 2)
         room = max(0, width - 1 - sum(cell_len(piece.text) for piece in right))
-        if time.monotonic() < self._hint_until:
-            return [Piece(f" {clip(self._hint, room - 1, look.glyphs.ellipsis)} ", look.colours.hint)], right
-        line = _STAMP.sub("", "".join(char if char.isprintable() else " " for char in self.foreground.backlog.last))
-        return [Piece(f" {clip(line, room - 1, look.glyphs.ellipsis)}", look.colours.bar)], right
+        said = clip(said, room - 1, look.glyphs.ellipsis)
+        return [Piece(f" {said} ", look.colours.hint) if notice else Piece(f" {said}", look.colours.bar)], right
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 

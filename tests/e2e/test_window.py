@@ -182,7 +182,7 @@ def test_rviz_asks_before_q_loses_what_was_changed(place: Place) -> None:
 
 def test_plugins_of_rqt_are_tabs_of_its_terminal(place: Place) -> None:
     with place.terminal("rqt", DAY6_LANG="en", HOME=str(place.home)) as screen:
-        screen.wait("Node Graph", "perspective Default", "End")
+        screen.wait("Node Graph", "perspective Default", "End", "perspectives")
         assert "F3 Next" not in screen.look()
         screen.press("Down", "Down", "Enter")
         screen.wait("No node is publishing", "F3 Next")

@@ -200,3 +200,15 @@ def test_a_pan_stays_when_the_graph_changes() -> None:
         assert window.pane._view.part == before
 
     use(ROBOTS, act)
+
+
+@pytest.mark.parametrize(
+    ("key", "title"),
+    [("w", "Save the graph"), ("ctrl+s", "Save the graph"), ("o", "Open a DOT"), ("ctrl+o", "Open a DOT")],
+)
+def test_the_keys_that_save_and_open_are_those_of_the_other_windows(key: str, title: str) -> None:
+    async def act(window: _Window) -> None:
+        await window.press(key)
+        assert title in window.text
+
+    use(LESSON, act)

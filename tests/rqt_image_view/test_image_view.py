@@ -202,6 +202,18 @@ def test_keys_choose_a_topic_zoom_rotate_and_save() -> None:
     use(Model(halves()), act)
 
 
+@pytest.mark.parametrize("key", ["w", "ctrl+s"])
+@pytest.mark.parametrize(("language", "title"), [("en", "Save as image"), ("zh", "把图像保存为")])
+def test_w_saves_as_in_the_other_windows_of_rqt(key: str, language: str, title: str) -> None:
+    async def act(window: ToolWindow) -> None:
+        await window.press(key)
+        assert title in window.text
+        await window.press("enter")
+        assert window.model.requests[-1][:2] == ("save", "image.png")
+
+    use(Model(halves()), act, lang=language)
+
+
 @pytest.mark.parametrize(
     ("message", "topic", "told"),
     [

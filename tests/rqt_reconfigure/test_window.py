@@ -211,3 +211,23 @@ def test_it_is_drawn_at_every_size_with_hostile_and_many_parameters(size, option
 
     nodes = tuple(f"/ns{number % 7}/node{number}" for number in range(300))
     use(Model(OpenNode("/sim", True, (*hostile, *many), True, None), nodes=nodes), act, size, **options)
+
+
+@pytest.mark.parametrize(("key", "request_"), [("w", "save"), ("ctrl+s", "save"), ("o", "load"), ("ctrl+o", "load")])
+def test_parameters_are_saved_and_loaded_by_the_keys_of_the_other_windows(key: str, request_: str) -> None:
+    model = Model(SIM)
+
+    async def act(window: _Window) -> None:
+        await window.press("tab", key, "enter")
+        assert [asked[:2] for asked in model.requests if asked[0] in ("save", "load")] == [(request_, "/sim")]
+
+    use(model, act)
+
+
+@pytest.mark.parametrize(("key", "title"), [("w", "把参数保存到文件"), ("o", "从文件读入参数")])
+def test_what_is_asked_about_files_is_asked_in_chinese(key: str, title: str) -> None:
+    async def act(window: _Window) -> None:
+        await window.press("tab", key)
+        assert title in window.text
+
+    use(Model(SIM), act, lang="zh")

@@ -96,6 +96,21 @@ def test_request_and_response_have_the_columns_of_the_real_one() -> None:
     use(act)
 
 
+@pytest.mark.parametrize("by_mouse", [False, True])
+def test_the_response_comes_into_sight_where_the_request_fills_the_window(by_mouse: bool) -> None:
+    async def act(window: _Window) -> None:
+        for name in ("turtle2", "turtle3"):
+            await window.press("home", "9", "enter")
+            assert f"'{name}'" not in window.text
+            await (window.click("Call") if by_mouse else window.press("c"))
+            window.model.be("answered", response=field_rows(Spawn.Response(name=name), 1))
+            await window.draw()
+            await window.draw()
+            assert f"'{name}'" in window.text
+
+    use(act, (80, 11))
+
+
 def test_values_are_typed_one_after_the_other_and_the_service_is_called() -> None:
     async def act(window: _Window) -> None:
         await window.press("1", ".", "0", "tab", "2", "enter")

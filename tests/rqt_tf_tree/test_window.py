@@ -247,7 +247,7 @@ def test_it_is_saved_and_a_file_that_is_there_is_replaced_only_on_a_second_enter
         model.save("nowhere/frames.pdf")
         await step(window.app, window.pilot)
         assert "frames.pdf: No such file or directory" in window.text
-        await window.press("w", *["backspace"] * 3, "g", "i", "f", "enter")
+        await window.press("ctrl+s", *["backspace"] * 3, "g", "i", "f", "enter")
         assert ".svg, .pdf, .png" in window.text
         await window.press("escape")
 

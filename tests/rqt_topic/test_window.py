@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from geometry_msgs.msg import Twist
+from rcl_interfaces.msg import ParameterEvent
 from std_msgs.msg import Float64MultiArray, String
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
@@ -339,3 +340,14 @@ def test_a_click_on_the_first_topic_is_none_on_the_cross_of_the_frame() -> None:
         assert "/chatter" in window.text
 
     use(heard(), act)
+
+
+def test_a_sequence_in_a_narrow_column_keeps_its_brackets() -> None:
+    model = Model(topic("/parameter_events", "rcl_interfaces/msg/ParameterEvent", monitored=True, count=1))
+    model.messages = {"/parameter_events": ParameterEvent()}
+
+    async def act(window: _Window) -> None:
+        await window.press("right")
+        assert window.line("new_parameters").split()[2].startswith("sequence<Par")
+
+    use(model, act, (80, 24))

@@ -611,6 +611,8 @@ TEXTS = {
     "reconfigure.filter_nodes": "Nodes with",
     "reconfigure.filter_parameters": "Parameters with",
     "reconfigure.unfitting": "This is not a value of type {type}.",
+    "reconfigure.save": "Save parameters to file...",
+    "reconfigure.load": "Load from File",
     "reconfigure.saved": "saved: {file}",
     # rqt_logger_level
     "loggers.nodes": "Nodes",
@@ -642,6 +644,7 @@ TEXTS = {
     "images.rotate": "rotate",
     "images.rotate_back": "rotate to the left",
     "images.save": "save",
+    "images.save_title": "Save as image",
     "images.dynamic": "dynamic range",
     "images.range": "greatest range",
     "images.range_note": "Metres that are white in an image of distances.",
@@ -890,7 +893,7 @@ TEXTS = {
         "exact number. Other values are typed: arrays as [1, 2, 3]. Enter switches true and false.\n\n"
         "What you set is a request. The node answers, and may refuse: then its reason is shown, and the old value. Values that "
         "others set, as with ros2 param set, show up by themselves.\n\n"
-        "/ filters the nodes or the parameters, r reads a node again, x closes it. ^S saves its parameters as YAML, ^O loads "
+        "/ filters the nodes or the parameters, r reads a node again, x closes it. w saves its parameters as YAML, o loads "
         "such a file. A node that does not spin does not answer: the seconds are counted, and Esc stops waiting."
     ),
     "help.rqt_logger_level": (
@@ -905,7 +908,7 @@ TEXTS = {
         "The images of a topic. t, or a click on its name, chooses one of the topics with images. The newest image is shown, a "
         "few times a second, however many come.\n\n"
         "1 shows every pixel of the image, arrows then move the part that is seen; 1 again fits all of it into the window. r "
-        "rotates, R to the left. The line below tells size and encoding, and which pixel the mouse is on. ^S saves the whole "
+        "rotates, R to the left. The line below tells size and encoding, and which pixel the mouse is on. w saves the whole "
         "image (png, jpg, bmp, tiff).\n\n"
         "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
         "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."

@@ -795,6 +795,8 @@ TEXTS = {
     "reconfigure.filter_nodes": "节点名里有",
     "reconfigure.filter_parameters": "参数名里有",
     "reconfigure.unfitting": "这不是 {type} 类型的值。",
+    "reconfigure.save": "把参数保存到文件",
+    "reconfigure.load": "从文件读入参数",
     "reconfigure.saved": "已保存：{file}",
     # rqt_logger_level
     "loggers.nodes": "节点",
@@ -826,6 +828,7 @@ TEXTS = {
     "images.rotate": "旋转",
     "images.rotate_back": "向左旋转",
     "images.save": "保存",
+    "images.save_title": "把图像保存为",
     "images.dynamic": "动态范围",
     "images.range": "最大距离",
     "images.range_note": "距离图像里，多少米显示成白色。",
@@ -1059,7 +1062,7 @@ TEXTS = {
         "和真的 rqt 一样。按数字或 Enter 输入准确的值。其他的值直接输入，数组写成 [1, 2, 3]。true 和 false 用 Enter 切换。\n\n"
         "改参数只是一个请求：节点会回答，也可以拒绝。拒绝时会显示它的理由，并恢复原来的值。别人改的值（比如用 ros2 param set）"
         "会自己显示出来。\n\n"
-        "/ 筛选节点或参数，r 重新读取，x 关闭节点。^S 把参数存成 YAML，^O 读入这样的文件。不 spin 的节点不会回答：这里会数秒，"
+        "/ 筛选节点或参数，r 重新读取，x 关闭节点。w 把参数存成 YAML，o 读入这样的文件。不 spin 的节点不会回答：这里会数秒，"
         "按 Esc 就不再等。"
     ),
     "help.rqt_logger_level": (
@@ -1072,7 +1075,7 @@ TEXTS = {
     "help.rqt_image_view": (
         "显示一个话题上的图像。按 t，或者点一下话题的名字，选择有图像的话题。不管来多少图像，每秒只显示最新的几张。\n\n"
         "按 1 显示图像的每个像素，这时用方向键移动看到的部分；再按 1 把整张图放进窗口。r 旋转，R 向左旋转。"
-        "下面一行是大小、编码和鼠标所在的像素。^S 保存整张图（png、jpg、bmp、tiff）。\n\n"
+        "下面一行是大小、编码和鼠标所在的像素。w 保存整张图（png、jpg、bmp、tiff）。\n\n"
         "距离图像（16UC1、32FC1）是灰色的：黑色是 0，白色是最大距离，按 x 修改。按 d 就用图里最小和最大的距离。"
         "按 m 把点击的位置发布到 <话题>_mouse_left。"
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -137,6 +138,10 @@ class FieldList(PaneList):
         if key in keys:
             self.highlighted = keys.index(key)
 
+    def show_end(self) -> None:
+        """Bring the last lines into sight; the cursor stays where it is."""
+        self.scroll_end(animate=False, immediate=True)
+
     def place_of_cell(self, line: FieldLine) -> tuple[int, int, int] | None:
         """Column, row and width, in this widget, of the cell of a line to type into; None if it is out of sight."""
         keys = [each.key for each in self.lines_shown]
@@ -218,7 +223,7 @@ class FieldList(PaneList):
             elif line.problem and column == line.edited:
                 cell, style = f"{cell}  {self.look.glyphs.warning} {' '.join(line.problem.split())}", colours.warning
             elif column == 1 and cell_len(cell) > width:
-                cell = cell.rpartition("/")[2]
+                cell = without_package(cell)
             segments.append(Segment(fit(cell, width, dots), on or style))
         return segments
 
@@ -231,6 +236,11 @@ class FieldList(PaneList):
         elif line.is_branch:
             lead = "- " if self.is_open(line) else "+ "
         return lead + ("" if line.ticked is None else "[x] " if line.ticked else "[ ] ")
+
+
+def without_package(type_name: str) -> str:
+    """'Twist' for 'geometry_msgs/msg/Twist', 'sequence<Log>' for 'sequence<rcl_interfaces/Log>'."""
+    return re.sub(r"(?:\w+/)+", "", type_name)
 
 
 class _Drawn(Visual):

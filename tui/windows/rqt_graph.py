@@ -370,8 +370,8 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             self._choose("")
         elif key in ("/", ":"):
             self._ask_filter("node_filter" if key == "/" else "topic_filter")
-        elif key in ("w", "o"):
-            self._ask_file(saving=key == "w")
+        elif key in ("w", "ctrl+s", "o", "ctrl+o"):
+            self._ask_file(saving=key in ("w", "ctrl+s"))
         elif key in _PANS:
             self._pan(*_PANS[key])
         elif key in _ZOOMS:

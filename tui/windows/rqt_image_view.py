@@ -197,7 +197,7 @@ class ImageViewPane(WindowPane["ImageView"]):
             ("t", texts("images.topic")),
             ("1", texts("images.fit" if self._view.zoom_1 else "images.zoom_1")),
             ("r", texts("images.rotate")),
-            ("^S", texts("images.save")),
+            ("w", texts("images.save")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
@@ -228,7 +228,7 @@ class ImageViewPane(WindowPane["ImageView"]):
             self._ask_range()
         elif character == "m":
             self.model.publish_clicks(not self.model.publishes_clicks)
-        elif key == "ctrl+s":
+        elif key in ("ctrl+s", "w"):
             self._ask_file()
         elif key in PAN and view.zoom_1 and self._picture is not None:
             self._pan(*PAN[key], self._picture)
@@ -279,7 +279,7 @@ class ImageViewPane(WindowPane["ImageView"]):
             return None
 
         sure = before_replacing(self.look, lambda text: model.path(text.strip()), taken)
-        self.ask("Save as image", "image.png", sure, note="*.bmp *.jpg *.png *.tiff")
+        self.ask(self.look.texts("images.save_title"), "image.png", sure, note="*.bmp *.jpg *.png *.tiff")
 
     # -- the mouse -----------------------------------------------------------------------------------------------------
 

@@ -239,7 +239,7 @@ class ReconfigurePane(WindowPane["Reconfigure"]):
             ("Esc", texts("reconfigure.cancel")),
             ("r", texts("reconfigure.read")),
             ("x", texts("reconfigure.close")),
-            ("^S ^O", texts("reconfigure.files")),
+            ("w o", texts("reconfigure.files")),
         ]
 
     def on_key(self, event: events.Key) -> None:
@@ -315,8 +315,8 @@ class ReconfigurePane(WindowPane["Reconfigure"]):
             self._toggle(node)
         elif character == "r":
             self.model.read(node)
-        elif key in ("ctrl+s", "ctrl+o"):
-            self._ask_file(node, saving=key == "ctrl+s")
+        elif key in ("ctrl+s", "w", "ctrl+o", "o"):
+            self._ask_file(node, saving=key in ("ctrl+s", "w"))
         elif parameter is None:
             return False
         elif key in STEPS:
@@ -378,9 +378,12 @@ class ReconfigurePane(WindowPane["Reconfigure"]):
             model.load(node, text.strip())
 
         taken = before_replacing(self.look, lambda text: model.path(text.strip()), save) if saving else load
-        # The titles of the real plugin's dialogs.
-        title = "Save parameters to file..." if saving else "Load from File"
-        self.ask(title, f"{node.rpartition('/')[2]}.yaml", taken, note=node)
+        self.ask(
+            texts("reconfigure.save" if saving else "reconfigure.load"),
+            f"{node.rpartition('/')[2]}.yaml",
+            taken,
+            note=node,
+        )
 
     # -- the mouse -----------------------------------------------------------------------------------------------------
 

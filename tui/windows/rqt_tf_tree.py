@@ -272,6 +272,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
             "c": self.model.request_clear,
             "a": self._switch_auto,
             "w": self._ask_file,
+            "ctrl+s": self._ask_file,
         }
         if key in actions:
             actions[key]()

@@ -28,6 +28,19 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
 
     def __init__(self, window: Window[ServiceCaller], look: Look) -> None:
         super().__init__(window, look, columns_in)
+        self._called = False
+        """Whether the outcome of a call is still to be brought into sight."""
+
+    def pull(self, now: float) -> bool:
+        before, animates = self._shown, super().pull(now)
+        if self._called and self.model.state and self._shown != before:
+            self.call_after_refresh(self.list.show_end)
+            self._called = self.model.is_waiting
+        return animates
+
+    def _call(self) -> None:
+        self._called = True
+        self._request("call")
 
     def state(self) -> tuple[object, ...]:
         return (self.model.version,)
@@ -40,7 +53,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
         call = (
             Button("x", texts("service.cancel"), self.ask_action("cancel"))
             if self.model.is_waiting
-            else Button("c", texts("service.call"), self.ask_action("call"))
+            else Button("c", texts("service.call"), self._call)
         )
         buttons = [call, Button("r", texts("service.refresh"), self.ask_action("refresh"))]
         taken = sum(cell_len(button.text) + 5 for button in buttons) + 6
@@ -88,7 +101,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
 
     def used(self, event: events.Key) -> bool:
         if event.character == "c":
-            self.model.call()
+            self._call()
         elif event.character == "s":
             self.choose_service()
         elif event.character == "r":

@@ -21,6 +21,7 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import in_ascii
 from day6_tui.tui.scrollbars import colour_scrollbar
 from day6_tui.tui.survival import survive
+from day6_tui.tui.windows.field_list import without_package
 
 if TYPE_CHECKING:
     from day6_tui.tui.windows.topics import TopicsPane
@@ -267,4 +268,4 @@ class TopicTree(Tree[Row]):
 
 def _short_type(type_name: str, width: int) -> str:
     """A type in full if there is room, else without its package."""
-    return type_name if cell_len(type_name) <= width else type_name.rpartition("/")[2]
+    return type_name if cell_len(type_name) <= width else without_package(type_name)
