@@ -6,7 +6,6 @@ The sliders and what a request does are the program's (`SliderModel`); this only
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -18,8 +17,8 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
-from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.joint_names import shortened
+from day6_tui.tui.windows.lines_pane import Line, LinesPane
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider, SliderModel
@@ -46,10 +45,8 @@ STEPS = {
 }
 """Keys that move the chosen slider, by how many of its 10000 steps."""
 
-Line = list[Segment]
 
-
-class SlidersPane(WindowPane["SliderModel"]):
+class SlidersPane(LinesPane["SliderModel"]):
     """Draws `SliderModel.sliders`; keeps the chosen one, the unit, and a number that is being typed."""
 
     def __init__(self, window: Window[SliderModel], look: Look) -> None:
@@ -62,37 +59,6 @@ class SlidersPane(WindowPane["SliderModel"]):
         self._tracks: dict[str, tuple[int, int]] = {}
         """Column and width of every track that is shown."""
         self._first, self._lines_each = 0, 1
-        self._version = -1
-        self._shown: list[Line] = []
-
-    # -- frames --------------------------------------------------------------------------------------------------------
-
-    def pull(self, now: float) -> bool:
-        if self.model.version != self._version or len(self._shown) != self.inner_height:
-            self._show()
-        return False
-
-    def _show(self) -> None:
-        self._version = self.model.version
-        before, self._shown = self._shown, self._build(self.inner_width, self.inner_height)
-        if len(before) != len(self._shown):
-            super().touch()
-        else:
-            self.touch_lines(y for y, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new)
-            self.touch_frame()
-
-    def touch(self) -> None:
-        self._shown = []
-        super().touch()
-
-    def on_resize(self, event: events.Resize) -> None:
-        super().on_resize(event)
-        self._shown = []
-
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if len(self._shown) != self.inner_height:
-            self._shown = self._build(width, self.inner_height)
-        return self._shown[y] if y < len(self._shown) else ()
 
     # -- the sliders ---------------------------------------------------------------------------------------------------
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from rich.segment import Segment
@@ -14,7 +13,7 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
-from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.lines_pane import Line, LinesPane
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_logger_level.model import LoggerLevels
@@ -24,10 +23,9 @@ COLUMNS = ("loggers.nodes", "loggers.loggers", "loggers.levels")
 LEVELS_WIDTH = 14
 
 Entry = tuple[str, Style]
-Line = list[Segment]
 
 
-class LoggerLevelPane(WindowPane["LoggerLevels"]):
+class LoggerLevelPane(LinesPane["LoggerLevels"]):
     """Draws three lists; keeps which of them the keys mean, and the chosen line of each."""
 
     def __init__(self, window: Window[LoggerLevels], look: Look) -> None:
@@ -35,36 +33,6 @@ class LoggerLevelPane(WindowPane["LoggerLevels"]):
         self._column = NODES
         self._at = [0, 0, 0]
         self._first = [0, 0, 0]
-        self._version = -1
-        self._shown: list[Line] = []
-
-    # -- frames --------------------------------------------------------------------------------------------------------
-
-    def pull(self, now: float) -> bool:
-        if self.model.version != self._version or len(self._shown) != self.inner_height:
-            self._show()
-        return False
-
-    def _show(self) -> None:
-        before, self._shown = self._shown, self._build(self.inner_width, self.inner_height)
-        if len(before) != len(self._shown):
-            super().touch()
-        else:
-            self.touch_lines(y for y, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new)
-            self.touch_frame()
-
-    def touch(self) -> None:
-        self._shown = []
-        super().touch()
-
-    def on_resize(self, event: events.Resize) -> None:
-        super().on_resize(event)
-        self._shown = []
-
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if len(self._shown) != self.inner_height:
-            self._shown = self._build(width, self.inner_height)
-        return self._shown[y] if y < len(self._shown) else ()
 
     # -- the lists -----------------------------------------------------------------------------------------------------
 
@@ -90,7 +58,6 @@ class LoggerLevelPane(WindowPane["LoggerLevels"]):
         return [rest // 2, rest - rest // 2, levels]
 
     def _build(self, width: int, height: int) -> list[Line]:
-        self._version = self.model.version
         colours, entries, remarks = self.look.colours, self._entries(), self._remarks(width)
         room = max(1, height - 1 - len(remarks))
         widths = self._widths(width)

@@ -5,7 +5,6 @@ The values and what becomes of a change are the program's (`Reconfigure`); this 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from rich.segment import Segment
@@ -17,7 +16,7 @@ from day6_tui.tui.cells import cell_len, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
-from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.lines_pane import Line, LinesPane
 from day6_tui.tui.windows.node_tree import NodeLine, node_lines
 from day6_tui.tui.windows.rqt_reconfigure_rows import Editors, Key, Row, rows_of
 
@@ -34,10 +33,8 @@ DETAILS = 3
 STEPS = {"right": 1, "left": -1, "shift+right": 10, "shift+left": -10}
 """Keys that move a slider, by how many of its steps."""
 
-Line = list[Segment]
 
-
-class ReconfigurePane(WindowPane["Reconfigure"]):
+class ReconfigurePane(LinesPane["Reconfigure"]):
     """Draws the model; keeps the chosen lines, what is folded, the filter of parameters and what the mouse drags."""
 
     def __init__(self, window: Window[Reconfigure], look: Look) -> None:
@@ -52,39 +49,9 @@ class ReconfigurePane(WindowPane["Reconfigure"]):
         """Part of the names of the parameters that are shown."""
         self._dragged: dict[Key, Any] = {}
         """The slider that the mouse holds, with the value that it will send."""
-        self._version = -1
         self._first_node = self._first_row = 0
         self._tree: list[NodeLine] = []
         self._rows: list[Row] = []
-        self._shown: list[Line] = []
-
-    # -- frames --------------------------------------------------------------------------------------------------------
-
-    def pull(self, now: float) -> bool:
-        if self.model.version != self._version or len(self._shown) != self.inner_height:
-            self._show()
-        return False
-
-    def _show(self) -> None:
-        before, self._shown = self._shown, self._build(self.inner_width, self.inner_height)
-        if len(before) != len(self._shown):
-            super().touch()
-        else:
-            self.touch_lines(y for y, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new)
-            self.touch_frame()
-
-    def touch(self) -> None:
-        self._shown = []
-        super().touch()
-
-    def on_resize(self, event: events.Resize) -> None:
-        super().on_resize(event)
-        self._shown = []
-
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if len(self._shown) != self.inner_height:
-            self._shown = self._build(width, self.inner_height)
-        return self._shown[y] if y < len(self._shown) else ()
 
     # -- places --------------------------------------------------------------------------------------------------------
 
@@ -108,7 +75,6 @@ class ReconfigurePane(WindowPane["Reconfigure"]):
     # -- building ------------------------------------------------------------------------------------------------------
 
     def _build(self, width: int, height: int) -> list[Line]:
-        self._version = self.model.version
         wanted = self.model.filter.casefold()
         self._tree = node_lines((node for node in self.model.nodes if wanted in node.casefold()), self._folded)
         self._rows = rows_of(self.model.opened, self._text, self.look)
