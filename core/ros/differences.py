@@ -31,7 +31,9 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
         False, True, "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling"
     ),
     "turtlesim.keys_in_help": _in_humble(
-        "GBVCDERTFQ", "gbvcdertfq", "ros/ros_tutorials#165 (turtlesim 1.8.3; #166 in Jazzy): teleop_turtle_key.cpp, branch humble"
+        "GBVCDERTFQ",
+        "gbvcdertfq",
+        "ros/ros_tutorials#165 (turtlesim 1.8.3; #166 in Jazzy): teleop_turtle_key.cpp, branch humble",
     ),
     "action_tutorials.interfaces": _in_humble(
         "action_tutorials_interfaces", "example_interfaces", "ros2/demos#701 (after Jazzy, see KEPT)"
@@ -249,7 +251,8 @@ UNSETTLED: dict[str, str] = {
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
     "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
-    "positional topics of ros2 bag record": "were removed in Lyrical (ros2/rosbag2#2328); Rolling here still takes them, with Kilted's warning",
+    "positional topics of ros2 bag record": "were removed in Lyrical (ros2/rosbag2#2328): "
+    "Rolling here still takes them, with Kilted's warning",
     "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",
     "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
     "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",

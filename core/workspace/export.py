@@ -100,7 +100,8 @@ def _workspace(given: Path | None, home: Path | None) -> Path:
 def workspace_around(folder: Path) -> Path | None:
     """Return the workspace around a folder: the nearest one above it that has packages in `src` or has been built.
 
-    One that was only just made, with an empty `src`, counts where one stands in it or in its `src`. A package outside any workspace is its own workspace; None outside everything.
+    One that was only just made, with an empty `src`, counts where one stands in it or in its `src`. A package outside
+    any workspace is its own workspace; None outside everything.
     """
     package = None
     for each in (folder, *folder.parents):

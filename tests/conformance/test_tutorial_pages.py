@@ -150,7 +150,9 @@ def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
     assert (folder / "car/drive.py").read_text() == "def main():\n    return 1\n    pass\n"
 
 
-def test_a_row_that_differs_otherwise_than_before_is_noticed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_row_that_differs_otherwise_than_before_is_noticed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     def row(difference: list[str]) -> dict[str, object]:
         each = {"command": "ros2 x", "is": "output differs", "reason": "words: ours"}
         rest = [{**each, "difference": digest(Row("ros2 x", 1, difference=difference))}]

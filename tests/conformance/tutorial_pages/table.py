@@ -93,9 +93,13 @@ class Table:
                 without += not each["reason"]
                 new = _seen(each) not in known
                 changed += new
-                print(f"  {'*' if new else ' '} {each['is']:24}{each['reason'] or 'NO REASON':20}  {each['command'][:100]!r}")
+                print(
+                    f"  {'*' if new else ' '} {each['is']:24}{each['reason'] or 'NO REASON':20}  {each['command'][:100]!r}"
+                )
         print(f"{f'{len(found)} pages of {branch}':72}" + "".join(f"{total[name]:9}" for name in names))
-        print(f"{without} rows without a reason; {changed} rows (*) are new or differ otherwise than before: is the reason true?")
+        print(
+            f"{without} rows without a reason; {changed} rows (*) are new or differ otherwise than before: is the reason true?"
+        )
         if write:
             kept[branch] = {**kept.get(branch, {}), **found}
             self._file.write_text(

@@ -1,8 +1,8 @@
 """The node of a container: loads, lists and unloads components (rclcpp_components/component_manager.cpp).
 
 In real ROS a component is a C++ class in a shared library. Here it is a class of day6-tui's own packages, found by the same
-resource of the ament index: a line `package::Class;lib/libNAME.so`. The class is in the package's `_components.py`; the library is
-only named, where real ROS has it, as nothing opens it.
+resource of the ament index: a line `package::Class;lib/libNAME.so`. The class is in the package's `_components.py`; the library
+is only named, where real ROS has it, as nothing opens it.
 """
 
 from __future__ import annotations
@@ -97,8 +97,8 @@ class ComponentManager:
             raise LoadError("Failed to find class with the requested plugin name.")
         if prefix != BUILT_IN_PREFIX:
             raise LoadError(
-                f"Failed to load library: {Path(prefix) / files[plugin]} is C++, and day6-tui runs no C++: a container here takes the "
-                "components that came with day6-tui"
+                f"Failed to load library: {Path(prefix) / files[plugin]} is C++, and day6-tui runs no C++: a container here "
+                "takes the components that came with day6-tui"
             )
         logger = self.node.get_logger()
         library = f"/opt/ros/{distribution.current()}/{files[plugin]}"
