@@ -19,12 +19,12 @@ _OLDER = "page: recorded before get_type_description and its parameter came (Iro
 
 KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     "": (
+        (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
         (r"rclcpp|_cpp\b|cpp_", "C++"),
         (r"^git clone|^wget", "network"),
         (r"ros2 (node info|service list)", _OLDER),
         (r"turtle_teleop_key", "page: recorded before the keys' names were small letters (turtlesim 1.8.3)"),
         (r"sysctl|\btc qdisc", "system: the kernel's network cannot be changed here"),
-        (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),
     ),
@@ -72,7 +72,10 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"dlopen", "C++: loads shared libraries, and says so"),
         (r"component unload", "page: older; ros2component adds 'node' in Humble, Jazzy and Rolling"),
     ),
-    "dummy-robot-demo": ((r"^source", "page: of a build from source; here the packages are ready-made"),),
+    "dummy-robot-demo": (
+        (r"^source", "page: of a build from source; here the packages are ready-made"),
+        (r"ros2 launch", "page: recorded with Bouncy, whose robot_state_publisher printed all it did"),
+    ),
     "Quality-of-Service": (
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"image_tools", "page: recorded when the programs printed instead of logging"),
