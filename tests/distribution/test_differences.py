@@ -93,6 +93,7 @@ PARTS = {
     "ros2 bag record -o mine /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
     "kill -INT %2; wait %2; kill %1; wait; cat said.txt; ls mine; cat mine/metadata.yaml",
+    "play": "ros2 bag play -r 100 mine 2>&1 | cat",
 }
 
 
@@ -199,6 +200,11 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
     refused = "AssertionError: Invalid arguments passed to constructor: check_fields"
     assert asked["unchecked"] == (refused if name == "humble" else None)
     assert asked["slots"] == (["_data"] if name == "humble" else ["_data", "_check_fields"])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> None:
+    assert "[rosbag2_player]" in played[name]["play"]
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -25,6 +25,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"ros2 (node info|service list)", _OLDER),
         (r"turtle_teleop_key", "page: recorded before the keys' names were small letters (turtlesim 1.8.3)"),
         (r"sysctl|\btc qdisc", "system: the kernel's network cannot be changed here"),
+        (r"service call /spawn turtlesim_msgs", "page: the answer was recorded before turtlesim_msgs (Kilted)"),
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),
     ),
@@ -54,7 +55,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "Recording-A-Bag-From-Your-Own-Node-Py": (
         (
-            r"bag_recorder_nodes_py|/synthetic",
+            r"bag_recorder_nodes_py|/synthetic|bag play",
             "rosbag2_py: TopicMetadata has an id as since Jazzy, which Humble's page does not give",
         ),
     ),
