@@ -11,6 +11,7 @@ from rosbag2_py._storage import EVENT_SUFFIX, Message, TopicMetadata
 if TYPE_CHECKING:
     from rclpy.node import Node
 
+
 class ServiceRequests:
     """The clients of a player, by the topic of the recorded events."""
 
@@ -72,6 +73,8 @@ class ServiceRequests:
         return True
 
     def _tell_of_metadata(self, service: str, event: Any) -> None:
+        from service_msgs.msg import ServiceEventInfo
+
         if service in self._told:
             return
         self._told.add(service)
