@@ -30,6 +30,11 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "turtlesim.holonomic": _in_humble(
         False, True, "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling"
     ),
+    "turtlesim.keys_in_help": _in_humble(
+        "GBVCDERTFQ",
+        "gbvcdertfq",
+        "ros/ros_tutorials#165 (turtlesim 1.8.3; #166 in Jazzy): teleop_turtle_key.cpp, branch humble",
+    ),
     "action_tutorials.interfaces": _in_humble(
         "action_tutorials_interfaces", "example_interfaces", "ros2/demos#701 (after Jazzy, see KEPT)"
     ),
@@ -62,10 +67,13 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "bag.recorder_can_pause": _in_humble(
         False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
     ),
-    "bag.topics_are_an_option": _in_humble(
-        False,
-        True,
-        "ros2/rosbag2: ros2bag/verb/record.py, branches humble and jazzy (positional topics are deprecated)",
+    "bag.warns_of_positional_topics": (
+        (False, False, True, True),
+        "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling",
+    ),
+    "action.root_node": (
+        ("/", "/", "//", "/"),
+        "ros2/ros2cli#926, #1049 (#1052 in Humble 0.18.13, #1051 in Jazzy 0.32.5); Kilted as it was recorded",
     ),
 }
 """Key -> (the values in the order of `NAMES`, the source)."""
@@ -160,6 +168,16 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
 
 _DEMOS = "ros2/demos: setup.py of demo_nodes_py and CMakeLists.txt of demo_nodes_cpp, branches humble and jazzy"
 
+LAUNCH_FILES: dict[str, tuple[str, str]] = {
+    "composition composition_demo_launch.py": (
+        "composition_demo.launch.py", "ros2/demos: composition/launch, branches humble and jazzy"
+    ),
+    "dummy_robot_bringup dummy_robot_bringup_launch.py": (
+        "dummy_robot_bringup.launch.py", "ros2/demos: dummy_robot_bringup/launch, branches humble and jazzy"
+    ),
+}  # fmt: skip
+"""Package and launch file of ours -> (its name in Humble, the source)."""
+
 EXECUTABLES: dict[str, tuple[tuple[str, ...], str]] = {
     f"{package} {name}": _since("jazzy", _DEMOS)
     for package, names in (
@@ -233,6 +251,9 @@ UNSETTLED: dict[str, str] = {
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
     "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
+    "positional topics of ros2 bag record": "were removed in Lyrical (ros2/rosbag2#2328): "
+    "Rolling here still takes them, with Kilted's warning",
+    "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",
     "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
     "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",
     "words of help": "of options that all have are Kilted's",
@@ -284,6 +305,12 @@ def has_executable(package: str, name: str) -> bool:
     """Return whether an executable of one of our packages is in this distribution."""
     row = EXECUTABLES.get(f"{package} {name}")
     return row is None or current() in row[0]
+
+
+def launch_file(package: str, file: str) -> str:
+    """Return the name that a launch file of a package has in this distribution."""
+    row = LAUNCH_FILES.get(f"{package} {file}")
+    return row[0] if row is not None and current() == "humble" else file
 
 
 def lacking_options(words: str) -> tuple[str, ...]:

@@ -100,7 +100,8 @@ def _workspace(given: Path | None, home: Path | None) -> Path:
 def workspace_around(folder: Path) -> Path | None:
     """Return the workspace around a folder: the nearest one above it that has packages in `src` or has been built.
 
-    A package outside any workspace is its own workspace; None outside everything.
+    One that was only just made, with an empty `src`, counts where one stands in it or in its `src`. A package outside
+    any workspace is its own workspace; None outside everything.
     """
     package = None
     for each in (folder, *folder.parents):
@@ -108,7 +109,12 @@ def workspace_around(folder: Path) -> Path | None:
             package = each  # it may also have a folder src
         elif holds_packages(each / "src") or (each / "install" / ".colcon_install_layout").is_file():
             return each
-    return package
+    return package or next((each for each in (folder, folder.parent) if _is_new(each, folder)), None)
+
+
+def _is_new(workspace: Path, here: Path) -> bool:
+    source = workspace / "src"
+    return here in (workspace, source) and source.is_dir() and not any(source.iterdir())
 
 
 def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:

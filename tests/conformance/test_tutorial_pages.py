@@ -10,7 +10,8 @@ from tutorial_pages.commands import is_form, opens_window, runs_on, split
 from tutorial_pages.documentation import Documentation
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.table import TABLE
+from tutorial_pages.player import Row
+from tutorial_pages.table import TABLE, Table, digest
 
 PAGE = """\
 A page
@@ -147,6 +148,23 @@ def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
     manifest = (folder / "package.xml").read_text()
     assert "<license>MIT</license>" in manifest and manifest.index("rclpy") < manifest.index("<export>")
     assert (folder / "car/drive.py").read_text() == "def main():\n    return 1\n    pass\n"
+
+
+def test_a_row_that_differs_otherwise_than_before_is_noticed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def row(difference: list[str]) -> dict[str, object]:
+        each = {"command": "ros2 x", "is": "output differs", "reason": "words: ours"}
+        rest = [{**each, "difference": digest(Row("ros2 x", 1, difference=difference))}]
+        return {**dict.fromkeys(("commands", "run", "shown"), 1), "files": 0, "windows": 0, "equal": 0, "rest": rest}
+
+    table = Table(tmp_path / "table.json")
+    first, other = row(["--- listing", "-a", "+b"]), row(["--- listing", "-a", "+c"])
+    assert table.take("jazzy", {"page": first}, write=True) == 1  # new
+    assert table.take("jazzy", {"page": first}, write=False) == 0
+    capsys.readouterr()
+    assert table.take("jazzy", {"page": other}, write=False) == 1
+    assert "  * output differs" in capsys.readouterr().out
 
 
 def test_the_table_counts_and_gives_each_row_a_reason() -> None:

@@ -9,7 +9,17 @@ from rosbags.typesys import Stores, get_typestore
 from short_folder import make_short_folder
 
 from day6_tui.core.ros import differences, distribution
-from day6_tui.core.ros.differences import EXECUTABLES, INTERFACES, OPTIONS, PACKAGES, RCLPY, TEXTS, VALUES, VERBS
+from day6_tui.core.ros.differences import (
+    EXECUTABLES,
+    INTERFACES,
+    LAUNCH_FILES,
+    OPTIONS,
+    PACKAGES,
+    RCLPY,
+    TEXTS,
+    VALUES,
+    VERBS,
+)
 from day6_tui.core.ros.distribution import NAMES
 
 from .command import day6, sections, started, wait_for
@@ -68,6 +78,9 @@ PARTS = {
     "turtlesim_msgs module": "python3 -c 'from turtlesim_msgs.srv import Spawn'",
     "action tutorial": "ros2 run action_tutorials_py fibonacci_action_server > /dev/null 2>&1 & "
     "until ros2 action list | grep -q fibonacci; do sleep 0.05; done; ros2 action info -t /fibonacci; kill %1; wait",
+    "launch files": "ros2 launch composition composition_demo.launch.py -p; "
+    "ros2 launch dummy_robot_bringup dummy_robot_bringup.launch.py -p; "
+    "ros2 launch composition composition_demo_launch.py -p; ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.py -p",
     "same names": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
     "until ros2 node list --count-nodes | grep -q 2; do sleep 0.05; done; ros2 node list; kill %1; kill %2; wait",
     "executables": "ros2 pkg executables",
@@ -80,6 +93,7 @@ PARTS = {
     "ros2 bag record -o mine /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
     "kill -INT %2; wait %2; kill %1; wait; cat said.txt; ls mine; cat mine/metadata.yaml",
+    "play": "ros2 bag play -r 100 mine 2>&1 | cat",
 }
 
 
@@ -104,7 +118,7 @@ def asked(played: dict[str, dict[str, str]], name: str) -> dict[str, object]:
 
 
 def test_every_row_names_its_source() -> None:
-    for table in (VALUES, PACKAGES, INTERFACES, TEXTS, RCLPY, EXECUTABLES, VERBS, OPTIONS):
+    for table in (VALUES, PACKAGES, INTERFACES, TEXTS, RCLPY, LAUNCH_FILES, EXECUTABLES, VERBS, OPTIONS):
         for key, row in table.items():
             assert len(row[-1]) > 10 and (any(mark in row[-1] for mark in ("/", "REP", "rosbags"))), key
 
@@ -189,11 +203,16 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> None:
+    assert "[rosbag2_player]" in played[name]["play"]
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["record"], name == "humble"
     assert ("mine_0.db3" in said, "mine_0.mcap" in said) == (humble, not humble)
     assert f"  version: {5 if humble else 9}\n" in said and (f"ros_distro: {name}" in said) != humble
-    assert ('Positional "topics" argument deprecated' in said) != humble
+    assert ('Positional "topics" argument deprecated' in said) == (name in ("kilted", "rolling"))
     assert ("/rosbag2_recorder/pause" in said) == ("/rosbag2_recorder/split_bagfile" in said) == (not humble)
     assert ('offered_qos_profiles: "- history: 3\\n' in said) == humble
 
@@ -203,7 +222,17 @@ def test_the_action_tutorial_and_a_warning_are_those_of_the_distribution(
     played: dict[str, dict[str, str]], name: str
 ) -> None:
     package = "action_tutorials_interfaces" if name == "humble" else "example_interfaces"
-    assert f"/fibonacci_action_server [{package}/action/Fibonacci]" in played[name]["action tutorial"]
+    slashes = "//" if name == "kilted" else "/"
+    assert f"    {slashes}fibonacci_action_server [{package}/action/Fibonacci]" in played[name]["action tutorial"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_launch_files_have_the_names_of_their_distribution(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["launch files"]
+    for key, (old, _) in LAUNCH_FILES.items():
+        for file, there in ((old, name == "humble"), (key.split()[1], name != "humble")):
+            assert (f"file '{file}' was not found" in said) != there, file
+    assert said.count("was not found") == len(LAUNCH_FILES)
     wrong = "WARNING: Be aware that are nodes in the graph that share an exact name, this can"
     right = "WARNING: Be aware that there are nodes in the graph that share an exact name, which can"
     assert (wrong if name == "humble" else right) in played[name]["same names"]

@@ -11,6 +11,8 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Int32
 from stepped_keyboard import Keyboard
 
+from day6_tui.core.ros import distribution
+from day6_tui.core.ros.distribution import NAMES
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 
@@ -161,12 +163,14 @@ def test_wrong_options_leave_no_folder_behind(machine):
         assert not (machine.cwd / "bag").exists()
 
 
-def test_old_style_topics_are_taken_with_a_warning(machine):
+@pytest.mark.parametrize("name", NAMES)
+def test_old_style_topics_are_taken_and_warned_of_since_kilted(machine, monkeypatch, name):
+    monkeypatch.setattr(distribution, "_current", name)
     machine.node("counter", counter())
     command = record(machine, "/count", seconds=0.5)
     assert command.stdout.startswith(
         '[WARN] [ros2bag]: Positional "topics" argument deprecated. Please use optional "--topics" argument instead.\n'
-    )
+    ) == (name in ("kilted", "rolling"))
     assert information(machine)["message_count"] > 2
 
 

@@ -31,6 +31,17 @@ def test_a_talker_and_a_listener_share_a_container(machine, container):
     assert "/chatter\n" in echo and "/head/chatter\n" in echo
 
 
+def test_a_library_is_loaded_once_from_where_it_is_in_real_ros(machine, container):
+    for name, plugin in (("composition", "Talker"), ("image_tools", "Cam2Image"), ("image_tools", "ShowImage")):
+        machine.ros2("component", "load", "/ComponentManager", name, f"{name}::{plugin}")
+    assert [
+        line.partition("Load Library: ")[2] for line in container.stderr.text.splitlines() if "Library" in line
+    ] == [
+        "/opt/ros/jazzy/lib/libtalker_component.so",
+        "/opt/ros/jazzy/lib/libimage_tools.so",
+    ]
+
+
 def test_what_was_unloaded_is_gone(machine, container):
     machine.ros2("component", "load", "/ComponentManager", "composition", "composition::Server")
     assert machine.ros2("component", "unload", "/ComponentManager", "1").stdout == (

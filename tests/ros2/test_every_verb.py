@@ -63,7 +63,7 @@ def robot(machine):
         ("action find -c turtlesim/action/RotateAbsolute", "1\n"),
         ("action find turtlesim/action/Nope", ""),
         ("action type /turn", f"{TURN}\n"),
-        ("action info -t /turn", f"Action: /turn\nAction clients: 0\nAction servers: 1\n    //robot [{TURN}]\n"),
+        ("action info -t /turn", f"Action: /turn\nAction clients: 0\nAction servers: 1\n    /robot [{TURN}]\n"),
         ("node list", "/robot\n"),
         ("node list -c", "1\n"),
         ("node list -a -c", "3\n"),

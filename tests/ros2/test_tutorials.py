@@ -193,9 +193,9 @@ def test_understanding_actions(tutorial):
     assert [line.strip() for line in tutorial("ros2 action info /turtle1/rotate_absolute").splitlines()] == [
         "Action: /turtle1/rotate_absolute",
         "Action clients: 1",
-        "//teleop_turtle",
+        "/teleop_turtle",
         "Action servers: 1",
-        "//turtlesim",
+        "/turtlesim",
     ]
     shown = tutorial("ros2 interface show turtlesim/action/RotateAbsolute")
     assert [line for line in shown.splitlines() if line and not line.startswith("#")] == [

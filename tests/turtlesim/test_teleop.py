@@ -8,6 +8,8 @@ import pytest
 from geometry_msgs.msg import Twist
 from turtlesim.msg import Pose
 
+from day6_tui.core.ros import distribution
+
 if TYPE_CHECKING:
     from stepped_keyboard import Keyboard
 
@@ -37,6 +39,15 @@ def test_the_help_is_that_of_the_real_one(machine: Machine, keyboard: Keyboard) 
         "'q' to quit.",
     ]
     assert teleop.log == []
+
+
+def test_the_help_of_humble_has_capitals(machine: Machine, keyboard: Keyboard, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(distribution, "_current", "humble")
+    teleop = machine.start("turtle_teleop_key", keyboard=keyboard)
+    assert teleop.output.splitlines()[3:] == [
+        "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.",
+        "'Q' to quit.",
+    ]
 
 
 def test_each_arrow_is_one_twist(machine: Machine, keyboard: Keyboard) -> None:

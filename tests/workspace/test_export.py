@@ -228,6 +228,17 @@ def test_the_workspace_one_stands_in_is_packed_and_named(
         assert "my_ws/src/one/setup.py" in archive.namelist()
 
 
+@pytest.mark.parametrize("where", [".", "src"])
+def test_an_empty_workspace_one_stands_in_is_named_in_the_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    source = tmp_path / "new_ws/src"
+    source.mkdir(parents=True)
+    monkeypatch.chdir(source.parent / where)
+    assert main([]) == 1
+    assert capsys.readouterr().err == f"day6-tui export: no package in {source}\n"
+
+
 def test_a_package_in_no_workspace_is_its_own(
     workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

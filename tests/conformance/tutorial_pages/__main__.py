@@ -2,6 +2,7 @@
 
     python tests/conformance/tutorial_pages --documentation CLONE --branch jazzy [--mirror DIR] [--report DIR] [--write] [WORD…]
 
+The machines have the distribution that a branch is about, as with `day6-tui --distro`.
 CLONE is a clone of the documentation; nothing of it is kept but the commands that do not run, or print something else. DIR of
 `--mirror` has clones of the repositories that pages fetch from (`owner+name/repo`); without it such commands count as "network".
 A WORD chooses pages by a part of their path; the pages before it in its home are played, too. `--report` keeps a file for each
@@ -25,6 +26,7 @@ HERE = Path(__file__).resolve().parent
 TESTS = HERE.parents[1]
 sys.path[:0] = [str(TESTS), str(TESTS / "stepped"), str(HERE.parent)]
 
+from day6_tui.core.ros import distribution  # noqa: E402
 from tutorial_pages.documentation import Documentation  # noqa: E402
 from tutorial_pages.pages import Page, pages  # noqa: E402
 from tutorial_pages.table import TABLE, printed, summary  # noqa: E402
@@ -42,6 +44,7 @@ def play(documentation: Documentation, chain: list[Page], mirror: Path | None, r
         surroundings.set_environment(
             {
                 **surroundings.environment(),
+                distribution.HANDED_ON: documentation.branch,
                 "DAY6_RUNTIME_DIR": f"{folder}/r",
                 "DAY6_LINK": "on",
                 "DAY6_HINTS": "off",
@@ -68,7 +71,7 @@ def main() -> int:
     """Play everything that was chosen; the exit status says whether a row lacks a reason."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--documentation", type=Path, required=True, help="clone of ros2_documentation")
-    parser.add_argument("--branch", default="jazzy")
+    parser.add_argument("--branch", default="jazzy", choices=distribution.NAMES)
     parser.add_argument("--mirror", type=Path, help="folder with clones of repositories that pages fetch from")
     parser.add_argument("--report", type=Path, help="folder for every output and difference")
     parser.add_argument("--write", action="store_true", help="write the table of the project anew for these pages")
@@ -76,6 +79,7 @@ def main() -> int:
     parser.add_argument("--chain", help=argparse.SUPPRESS)
     parser.add_argument("words", nargs="*", help="parts of the paths of pages (default: all)")
     chosen = parser.parse_args()
+    distribution.choose(chosen.branch)
     documentation = Documentation(chosen.documentation, chosen.branch)
     every = pages(documentation.pages("source/Tutorials"))
     wanted = [page for page in every if not chosen.words or any(word in page.path for word in chosen.words)]

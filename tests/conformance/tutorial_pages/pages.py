@@ -226,7 +226,7 @@ HANDS: dict[str, tuple[Hand, ...]] = {
     "Composition": (
         Hand(r"ros2 component load /ComponentManager .*(Cam2Image|--node-name talker2)", interrupt="MyContainer"),
         Hand(r"ros2 run rclcpp_components component_container", interrupt="composition"),
-        Hand(r"ros2 component (list|load)", interrupt="composition_demo_launch"),
+        Hand(r"ros2 component (list|load)", interrupt="composition_demo"),
     ),
     "Service-Introspection": (
         Hand(

@@ -2,7 +2,7 @@
 
 Each reason was looked up: in the sources of the real tool of that distribution, in what the real tools were recorded to print
 (`tests/conformance/golden`), or in the page itself. Its first word is its kind: C++, hardware, network, system, page (the page is
-older than its distribution, or shows what it does not run), distribution (another one prints what is printed here), words (ours).
+older than its distribution, or shows what it does not run), rosbag2_py (ours is one for all distributions), words (ours).
 """
 
 from __future__ import annotations
@@ -19,18 +19,13 @@ _OLDER = "page: recorded before get_type_description and its parameter came (Iro
 
 KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     "": (
+        (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
         (r"rclcpp|_cpp\b|cpp_", "C++"),
         (r"^git clone|^wget", "network"),
-        (r"/opt/ros/(?!jazzy)|printenv", "distribution: the machine has Jazzy"),
-        (r"(composition_demo|dummy_robot_bringup)\.launch\.py", "distribution: the launch file's name in Humble"),
         (r"ros2 (node info|service list)", _OLDER),
-        (r"turtle_teleop_key", "distribution: the keys' names are in capitals before Kilted"),
-        (
-            r"ros2 action info",
-            "distribution: the two slashes were recorded of Kilted's ros2cli; Jazzy's joins them otherwise",
-        ),
+        (r"turtle_teleop_key", "page: recorded before the keys' names were small letters (turtlesim 1.8.3)"),
         (r"sysctl|\btc qdisc", "system: the kernel's network cannot be changed here"),
-        (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
+        (r"service call /spawn turtlesim_msgs", "page: the answer was recorded before turtlesim_msgs (Kilted)"),
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),
     ),
@@ -60,8 +55,8 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "Recording-A-Bag-From-Your-Own-Node-Py": (
         (
-            r"bag_recorder_nodes_py|/synthetic",
-            "distribution: TopicMetadata has an id since Jazzy, which Humble's page does not give",
+            r"bag_recorder_nodes_py|/synthetic|bag play",
+            "rosbag2_py: TopicMetadata has an id as since Jazzy, which Humble's page does not give",
         ),
     ),
     "Single-Package-Define-And-Use-Interface": ((r"/address_book", "C++: its publisher"),),
@@ -78,7 +73,10 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"dlopen", "C++: loads shared libraries, and says so"),
         (r"component unload", "page: older; ros2component adds 'node' in Humble, Jazzy and Rolling"),
     ),
-    "dummy-robot-demo": ((r"^source", "page: of a build from source; here the packages are ready-made"),),
+    "dummy-robot-demo": (
+        (r"^source", "page: of a build from source; here the packages are ready-made"),
+        (r"ros2 launch", "page: recorded with Bouncy, whose robot_state_publisher printed all it did"),
+    ),
     "Quality-of-Service": (
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"image_tools", "page: recorded when the programs printed instead of logging"),
@@ -103,8 +101,6 @@ def reason(page: str, row: Row) -> str:
         return row.reason
     if row.command.startswith("ros2 interface show") and _only_comments_differ(row):
         return "words: the comments of interfaces are our own"
-    if "turtlesim_msgs" in f"{row.command} {row.listing}":
-        return "distribution: turtlesim's interfaces are turtlesim_msgs since Kilted"
     for pattern, text in (*KNOWN.get(page, ()), *KNOWN[""]):
         if re.search(pattern, row.command):
             return text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Mapping
 from pathlib import Path
@@ -22,7 +23,7 @@ def summary(page: Page, player: Player) -> dict[str, Any]:
     rows = [row for row in player.rows if row.verdict != "form"]
     shown = [row for row in rows if row.kind]
     rest = [
-        {"command": row.command, "is": _is(row), "reason": reason(page.name, row)}
+        {"command": row.command, "is": _is(row), "difference": digest(row), "reason": reason(page.name, row)}
         for row in rows
         if row.verdict not in ("run", "window") or row.kind in (Verdict.DIFFERS, Verdict.MORE)
     ]
@@ -36,6 +37,12 @@ def summary(page: Page, player: Player) -> dict[str, Any]:
         "equal": sum(row.kind in (Verdict.EQUAL, Verdict.ORDER) for row in shown),
         "rest": rest,
     }
+
+
+def digest(row: Row) -> str:
+    """Return a mark of what differs, by which a row whose reason is an old one is noticed; '' for what was not compared."""
+    lines = sorted(line for line in row.difference if line.startswith(("+", "-")) and line[:3] not in ("+++", "---"))
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:12] if lines else ""
 
 
 def _is(row: Row) -> str:
@@ -65,11 +72,15 @@ class Table:
         return json.loads(self._file.read_text(encoding="utf-8")) if self._file.is_file() else {}
 
     def take(self, branch: str, found: Mapping[str, Any], *, write: bool) -> int:
-        """Print rows, and put them into the file if they are to be kept; return 1 if one has no reason."""
+        """Print rows, and put them into the file if they are to be kept.
+
+        Return 1 if one has no reason, or differs otherwise than when it was last kept: then its reason has to be looked at.
+        """
         names = ("commands", "files", "run", "windows", "shown", "equal")
         print(f"{'page':72}" + "".join(f"{name:>9}" for name in names))
         total = dict.fromkeys(names, 0)
-        without = 0
+        without = changed = 0
+        kept = self.read()
         for path, row in found.items():
             print(
                 f"{path.removeprefix('source/Tutorials/').removesuffix('.rst')[-71:]:72}"
@@ -77,18 +88,28 @@ class Table:
             )
             for name in names:
                 total[name] += row[name]
+            known = [_seen(each) for each in kept.get(branch, {}).get(path, {"rest": ()})["rest"]]
             for each in row["rest"]:
                 without += not each["reason"]
-                print(f"    {each['is']:24}{each['reason'] or 'NO REASON':20}  {each['command'][:100]!r}")
+                new = _seen(each) not in known
+                changed += new
+                print(
+                    f"  {'*' if new else ' '} {each['is']:24}{each['reason'] or 'NO REASON':20}  {each['command'][:100]!r}"
+                )
         print(f"{f'{len(found)} pages of {branch}':72}" + "".join(f"{total[name]:9}" for name in names))
-        print(f"{without} rows without a reason")
+        print(
+            f"{without} rows without a reason; {changed} rows (*) are new or differ otherwise than before: is the reason true?"
+        )
         if write:
-            kept = self.read()
             kept[branch] = {**kept.get(branch, {}), **found}
             self._file.write_text(
                 json.dumps(kept, indent=1, ensure_ascii=False, sort_keys=False) + "\n", encoding="utf-8"
             )
-        return int(without > 0)
+        return int(without > 0 or changed > 0)
+
+
+def _seen(row: Mapping[str, str]) -> tuple[str, ...]:
+    return row["command"], row["is"], row.get("difference", "")
 
 
 TABLE = Table(FILE)

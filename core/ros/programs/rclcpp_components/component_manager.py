@@ -1,20 +1,22 @@
 """The node of a container: loads, lists and unloads components (rclcpp_components/component_manager.cpp).
 
 In real ROS a component is a C++ class in a shared library. Here it is a class of day6-tui's own packages, found by the same
-resource of the ament index: a line `package::Class;FILE`, with a Python file below the prefix where real ones name a library.
+resource of the ament index: a line `package::Class;lib/libNAME.so`. The class is in the package's `_components.py`; the library
+is only named, where real ROS has it, as nothing opens it.
 """
 
 from __future__ import annotations
 
 import importlib
 import os
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
 from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 
+from day6_tui.core.ros import distribution
 from day6_tui.core.ros.programs.rclcpp import create_node
 from rclpy.parameter import Parameter
 
@@ -37,6 +39,7 @@ class ComponentManager:
         self.session = session
         self.node = create_node(session, name, start_parameter_services=False, start_parameter_event_publisher=False)
         self.loaded: dict[int, tuple[Node, Component]] = {}
+        self._libraries: set[str] = set()
         self._last = 0
         self.node.create_service(LoadNode, "~/_container/load_node", self._on_load)
         self.node.create_service(UnloadNode, "~/_container/unload_node", self._on_unload)
@@ -92,17 +95,17 @@ class ComponentManager:
                 f"Failed to find class with the requested plugin name '{plugin}' in the loaded library"
             )
             raise LoadError("Failed to find class with the requested plugin name.")
-        library = Path(prefix) / files[plugin]
-        if prefix != BUILT_IN_PREFIX or library.suffix != ".py":
+        if prefix != BUILT_IN_PREFIX:
             raise LoadError(
-                f"Failed to load library: {library} is C++, and day6-tui runs no C++: a container here takes the "
-                "components that came with day6-tui"
+                f"Failed to load library: {Path(prefix) / files[plugin]} is C++, and day6-tui runs no C++: a container here "
+                "takes the components that came with day6-tui"
             )
         logger = self.node.get_logger()
-        logger.info(f"Load Library: {library}")
-        module = importlib.import_module(
-            ".".join(("day6_tui.core.ros", *PurePosixPath(files[plugin]).with_suffix("").parts))
-        )
+        library = f"/opt/ros/{distribution.current()}/{files[plugin]}"
+        if library not in self._libraries:
+            logger.info(f"Load Library: {library}")
+            self._libraries.add(library)
+        module = importlib.import_module(f"day6_tui.core.ros.programs.{package}._components")
         kind: type[Component] = module.COMPONENTS[plugin]
         logger.info(f"Found class: rclcpp_components::NodeFactoryTemplate<{plugin}>")
         logger.info(f"Instantiate class: rclcpp_components::NodeFactoryTemplate<{plugin}>")

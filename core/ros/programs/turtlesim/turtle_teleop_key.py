@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.programs.rclcpp import CppException, create_node
 from day6_tui.core.ros.programs.turtlesim._qos import TOPIC_QOS
 from day6_tui.core.ros.programs.turtlesim_interfaces import RotateAbsolute
@@ -18,12 +19,12 @@ from rclpy.action import ActionClient
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
-HELP = """\
+_HELP = """\
 Reading from keyboard
 ---------------------------
 Use arrow keys to move the turtle.
-Use g|b|v|c|d|e|r|t keys to rotate to absolute orientations. 'f' to cancel a rotation.
-'q' to quit.
+Use {turns} keys to rotate to absolute orientations. '{cancel}' to cancel a rotation.
+'{quit}' to quit.
 """
 
 ARROWS = {  # key byte -> name, linear, angular
@@ -105,7 +106,8 @@ async def main(session: Session) -> int:
     with session.stdin.raw():
         teleop = Teleop(session)
         session.spawn(session.spin(teleop.node))
-        session.stdout.write(HELP)
+        *turns, cancel, end = value("turtlesim.keys_in_help")
+        session.stdout.write(_HELP.format(turns="|".join(turns), cancel=cancel, quit=end))
         session.stdout.flush()
         try:
             while keys := await session.stdin.read_key():

@@ -4,20 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from service_msgs.msg import ServiceEventInfo
-
 from day6_tui.core.interfaces import deserialize, get_interface
 from rosbag2_py._options import ServiceRequestsSource
 from rosbag2_py._storage import EVENT_SUFFIX, Message, TopicMetadata
 
 if TYPE_CHECKING:
     from rclpy.node import Node
-
-_TAKEN = {
-    ServiceRequestsSource.SERVICE_INTROSPECTION: ServiceEventInfo.REQUEST_RECEIVED,
-    ServiceRequestsSource.CLIENT_INTROSPECTION: ServiceEventInfo.REQUEST_SENT,
-}
-"""Of the up to four events of a call, the one that its request is taken from."""
 
 
 class ServiceRequests:
@@ -26,7 +18,13 @@ class ServiceRequests:
     def __init__(self, node: Node, source: ServiceRequestsSource) -> None:
         self._node = node
         self._log: Any = node.get_logger()
-        self._taken = _TAKEN[source]
+        from service_msgs.msg import ServiceEventInfo  # not in Humble, whose bags have no such events
+
+        # Of the up to four events of a call, the one that its request is taken from.
+        self._taken = {
+            ServiceRequestsSource.SERVICE_INTROSPECTION: ServiceEventInfo.REQUEST_RECEIVED,
+            ServiceRequestsSource.CLIENT_INTROSPECTION: ServiceEventInfo.REQUEST_SENT,
+        }[source]
         self._clients: dict[str, Any] = {}
         self._event_types: dict[str, type] = {}
         self._told: set[str] = set()
@@ -75,6 +73,8 @@ class ServiceRequests:
         return True
 
     def _tell_of_metadata(self, service: str, event: Any) -> None:
+        from service_msgs.msg import ServiceEventInfo
+
         if service in self._told:
             return
         self._told.add(service)

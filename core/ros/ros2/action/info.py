@@ -6,6 +6,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.cli.completion import action_names
 from day6_tui.core.ros.ros2.cli.node import graph_node
 from day6_tui.core.ros.ros2.cli.options import completed
@@ -61,8 +62,7 @@ def _full_name(node: Node, action_name: str) -> str:
 def _owners(node: Node, action: str, names_and_types: Callable[..., Any]) -> list[tuple[str, list[str]]]:
     """Return `(node, types)` of the nodes that have a client or a server of the action."""
     return [
-        # ros2cli too prints two slashes before a node of the root namespace.
-        (f"{namespace}/{name}", types)
+        (f"{value('action.root_node') if namespace == '/' else namespace + '/'}{name}", types)
         for name, namespace in node.get_node_names_and_namespaces()
         for found, types in names_and_types(node, name, namespace)
         if found == action

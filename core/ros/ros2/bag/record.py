@@ -275,7 +275,7 @@ def _add_compression(parser: ArgumentParser) -> None:
 def _refusal(session: Session, args: Namespace, folder: Path) -> str | None:
     """Return ros2bag's error for options that contradict each other; warnings are printed."""
     if args.topics_positional:
-        if value("bag.topics_are_an_option"):
+        if value("bag.warns_of_positional_topics"):
             session.print(
                 warning('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
             )

@@ -15,6 +15,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
+from day6_tui.core.ros import differences
 from day6_tui.core.ros.environment import LAUNCH_PROCESS
 from day6_tui.core.ros.ros2.cli.completion import CompletionContext, package_names
 from day6_tui.core.ros.ros2.cli.options import completed
@@ -152,7 +153,10 @@ def _path_and_words(session: Session, args: Namespace) -> tuple[str, list[str]]:
         raise RuntimeError(f"Package '{args.package_name}' not found: {error}") from None
     name, package = args.launch_file_name, args.package_name
     found = [
-        os.path.join(folder, file) for folder, _, files in os.walk(share) for file in sorted(files) if file == name
+        os.path.join(folder, file)
+        for folder, _, files in os.walk(share)
+        for file in sorted(files)
+        if differences.launch_file(package, file) == name
     ]
     if not found:
         raise RuntimeError(
@@ -199,7 +203,9 @@ def launch_file_names(context: CompletionContext) -> Iterable[str]:
     if _named_file(context).is_file():
         return launch_arguments(context)
     share = _named_share(context)
-    return [path.name for path in Path(share).rglob("*") if _is_launch_file(path)] if share else []
+    package = context.values.get("package_name", "")
+    files = Path(share).rglob("*") if share else ()
+    return [differences.launch_file(package, path.name) for path in files if _is_launch_file(path)]
 
 
 def launch_arguments(context: CompletionContext) -> Iterable[str]:
