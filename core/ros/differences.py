@@ -64,6 +64,9 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "bag.metadata_version": _in_humble(
         5, 9, "ros2/rosbag2: rosbag2_storage/bag_metadata.hpp and yaml.hpp, branches humble and jazzy"
     ),
+    "bag.topics_have_ids": _in_humble(
+        False, True, "ros2/rosbag2: rosbag2_py/src/rosbag2_py/_storage.cpp, branches humble and jazzy"
+    ),
     "bag.recorder_can_pause": _in_humble(
         False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
     ),

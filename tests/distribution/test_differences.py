@@ -69,6 +69,29 @@ print(json.dumps({
 }))
 """
 
+WRITER = """\
+import rosbag2_py
+from rclpy.serialization import serialize_message
+from std_msgs.msg import String
+
+def write(**ids):
+    writer = rosbag2_py.SequentialWriter()
+    storage = rosbag2_py._storage.StorageOptions(uri="written", storage_id="sqlite3")
+    writer.open(storage, rosbag2_py._storage.ConverterOptions("", ""))
+    writer.create_topic(
+        rosbag2_py._storage.TopicMetadata(name="chatter", type="std_msgs/msg/String", serialization_format="cdr", **ids))
+    writer.write("chatter", serialize_message(String(data="x")), 1)
+
+try:
+    write()
+except TypeError:
+    print("an id is needed")
+    import shutil
+    shutil.rmtree("written", ignore_errors=True)
+    write(id=0)
+"""
+"""In the shape of the tutorial about bags from Python."""
+
 PARTS = {
     "turtlesim": "ros2 run turtlesim turtlesim_node > /dev/null 2>&1 & "
     "until ros2 topic list | grep -q pose; do sleep 0.05; done; "
@@ -94,6 +117,7 @@ PARTS = {
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
     "kill -INT %2; wait %2; kill %1; wait; cat said.txt; ls mine; cat mine/metadata.yaml",
     "play": "ros2 bag play -r 100 mine 2>&1 | cat",
+    "write": "python3 writer.py; ros2 bag info written",
 }
 
 
@@ -104,6 +128,7 @@ def played(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]
     for name in NAMES:
         home = tmp_path_factory.mktemp(name)
         (home / "program.py").write_text(PROGRAM, encoding="utf-8")
+        (home / "writer.py").write_text(WRITER, encoding="utf-8")
         (home / "names.json").write_text(json.dumps(list(RCLPY)), encoding="utf-8")
         parts = {"home": f"cd {home}", **PARTS, "rclpy": 'python3 program.py "$(cat names.json)"'}
         found[name] = sections(home, parts, ROS_DISTRO=name)
@@ -205,6 +230,15 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> None:
     assert "[rosbag2_player]" in played[name]["play"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
+    played: dict[str, dict[str, str]], name: str
+) -> None:
+    said = played[name]["write"]
+    assert "Topic: chatter | Type: std_msgs/msg/String | Count: 1" in said
+    assert ("an id is needed" in said) == (name != "humble")
 
 
 @pytest.mark.parametrize("name", NAMES)

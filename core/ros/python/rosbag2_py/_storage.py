@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from day6_tui.core.ros.differences import value
-from rosbag2_py._qos import QoS
+from rosbag2_py._qos import QoS, from_yaml
 
 NANOSECONDS = 1_000_000_000
 EVENT_SUFFIX = "/_service_event"
@@ -86,6 +86,30 @@ class TopicMetadata:
     def equals(self, other: TopicMetadata) -> bool:
         """Return whether both describe the same topic (`id` does not count)."""
         return (self.name, self.type, self.serialization_format) == (other.name, other.type, other.serialization_format)
+
+
+if not value("bag.topics_have_ids"):
+
+    class _TopicMetadata(TopicMetadata):
+        """Its arguments have another order, and profiles may be the YAML text that they are in the bag."""
+
+        def __init__(
+            self,
+            name: str,
+            type: str,  # noqa: A002 - the real one's
+            serialization_format: str,
+            offered_qos_profiles: str | list[QoS] = "",
+            *,
+            id: int = 0,  # noqa: A002
+            type_description_hash: str = "",
+        ) -> None:
+            profiles = (
+                from_yaml(offered_qos_profiles) if isinstance(offered_qos_profiles, str) else offered_qos_profiles
+            )
+            super().__init__(id, name, type, serialization_format, profiles, type_description_hash)
+
+    _TopicMetadata.__name__ = _TopicMetadata.__qualname__ = "TopicMetadata"
+    TopicMetadata = _TopicMetadata  # type: ignore[misc, assignment]
 
 
 @dataclass
