@@ -228,6 +228,18 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         Hand(r"ros2 run rclcpp_components component_container", interrupt="composition"),
         Hand(r"ros2 component (list|load)", interrupt="composition_demo"),
     ),
+    "Logging-and-logger-configuration": (
+        Hand(
+            r"ros2 service list",
+            # The page shows the line that makes the node; a reader puts it into the smallest program.
+            before=(
+                "printf '%s\\n' 'import rclpy' 'from rclpy.node import Node' 'rclpy.init()' "
+                "\"node = Node('NodeWithLoggerService', enable_logger_service=True)\" 'rclpy.spin(node)' > node.py",
+                "python3 node.py &",
+                "until ros2 node list | grep -q NodeWith; do sleep 0.2; done",
+            ),
+        ),
+    ),
     "Service-Introspection": (
         Hand(
             r"ros2 service echo",

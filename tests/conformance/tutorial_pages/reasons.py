@@ -88,9 +88,6 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"turtle_tf2 ", "page: a package of ROS 1, and the frames are C++'s"),
         (r"tf2_echo|tf2_monitor", "C++: the node that is debugged is learning_tf2_cpp's"),
     ),
-    "Logging-and-logger-configuration": (
-        (r"NodeWithLoggerService|service list", "page: the node is a line of code without a program"),
-    ),
 }
 """By page, or '' for all (looked at last): a pattern of commands and the reason."""
 
