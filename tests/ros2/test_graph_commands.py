@@ -171,7 +171,7 @@ def test_lists_and_info_of_actions(machine):
     machine.node("turner", turner)
     assert machine.ros2("action", "list", "-t").stdout == "/turn [turtlesim/action/RotateAbsolute]\n"
     assert machine.ros2("action", "info", "/turn").stdout == (
-        "Action: /turn\nAction clients: 0\nAction servers: 1\n    //turner\n"
+        "Action: /turn\nAction clients: 0\nAction servers: 1\n    /turner\n"
     )
     assert machine.ros2("action", "info", "turn", "-c").stdout == "Action: turn\nAction clients: 0\nAction servers: 1\n"
     assert machine.ros2("action", "type", "/turn").stdout == "turtlesim/action/RotateAbsolute\n"

@@ -157,6 +157,11 @@ def pages(paths: Sequence[str]) -> list[Page]:
 _PUBSUB = "ros2_ws/src/py_pubsub"
 _SRVCLI = "ros2_ws/src/py_srvcli"
 
+_NODE_WITH_LOGGER_SERVICE = (
+    "printf '%s\\n' 'import rclpy' 'from rclpy.node import Node' 'rclpy.init()' "
+    "\"node = Node('NodeWithLoggerService', enable_logger_service=True)\" 'rclpy.spin(node)' > node.py"
+)
+
 HANDS: dict[str, tuple[Hand, ...]] = {
     "Creating-Your-First-ROS2-Package": (
         Hand(r"ros2 pkg create", tab="CMake", skip="the tab for C++; a reader of Python takes the other"),
@@ -233,8 +238,7 @@ HANDS: dict[str, tuple[Hand, ...]] = {
             r"ros2 service list",
             # The page shows the line that makes the node; a reader puts it into the smallest program.
             before=(
-                "printf '%s\\n' 'import rclpy' 'from rclpy.node import Node' 'rclpy.init()' "
-                "\"node = Node('NodeWithLoggerService', enable_logger_service=True)\" 'rclpy.spin(node)' > node.py",
+                _NODE_WITH_LOGGER_SERVICE,
                 "python3 node.py &",
                 "until ros2 node list | grep -q NodeWith; do sleep 0.2; done",
             ),
