@@ -117,8 +117,9 @@ def test_a_plugin_can_be_open_twice_and_a_free_number_is_taken_again(room: Room)
 def test_the_next_rqt_begins_with_what_was_open_and_its_settings(room: Room) -> None:
     running = room.rqt()
     room.start("rqt_console", "rqt_plot")
-    room.machine.display.windows[-1].model.add("/turtle1/pose/x")
-    room.machine.advance(0.3)
+    plot = room.machine.display.windows[-1].model
+    plot.add("/turtle1/pose/x")
+    room.machine.until(lambda: plot.curves)
     room.leave(running)
     room.rqt()
     assert room.kinds == ["rqt", "rqt_console", "rqt_plot"]
