@@ -154,6 +154,14 @@ def test_perspectives_are_made_switched_and_removed(room: Room) -> None:
     assert room.kinds == ["rqt"]
 
 
+def test_a_perspective_named_on_the_command_line_stays_in_its_folder(room: Room) -> None:
+    room.rqt("-p", "../../outside")
+    room.start("rqt_graph")
+    assert room.model.perspective == "..__..__outside" and room.model.trouble == ""
+    written = {path.parent.name for path in room.home.rglob("*outside*")}
+    assert written == {"rqt_gui"}
+
+
 def test_a_file_of_the_real_rqt_opens_what_there_is_and_the_rest_stays_in_it(room: Room) -> None:
     """In the shape of qt_gui's perspective_manager.py, with what Qt keeps of its windows."""
     keys = {"topics": {"type": "repr", "repr": "['/turtle1/pose/theta']"}}

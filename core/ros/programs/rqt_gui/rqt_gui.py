@@ -157,6 +157,7 @@ class Container:
 
     async def switch(self, name: str) -> None:
         """Close all plugins and open those of a perspective."""
+        name = name.replace("/", "__").replace("\\", "__")  # qt_gui's perspective_manager.py; it is a file's name here
         found = await self._try(partial(self._store.load, name))
         self._replace_all(name, found or [])
         self._kept = found is not None
