@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.programs._component import spin_cpp
 from day6_tui.core.ros.programs.image_tools._components import Cam2Image
-from day6_tui.core.ros.programs.rclcpp import CppException, create_node
+from day6_tui.core.ros.programs.image_tools._running import run
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -36,14 +35,4 @@ Note: try running v4l2-ctl --list-formats-ext to obtain a list of valid values."
 
 
 async def main(session: Session) -> int:
-    if {"-h", "--help"} & set(session.argv[1:]):
-        session.print(USAGE)
-        return 0
-    node = create_node(session, Cam2Image.NAME)
-    try:
-        component = Cam2Image(node)
-    except RuntimeError as error:
-        raise CppException(str(error)) from None
-    status = await spin_cpp(session, node)
-    del component  # it lives as long as its node spins
-    return status
+    return await run(session, USAGE, Cam2Image.NAME, Cam2Image)

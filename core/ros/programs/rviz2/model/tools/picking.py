@@ -13,17 +13,29 @@ from day6_tui.urdf.model import Vector
 DARK_YELLOW = (128, 128, 0)
 
 
-class PublishPoint(Tool):
+class PointingTool(Tool):
+    """Knows what is under the mouse, for its status."""
+
+    arrows = SCREEN
+    needs_hit = True
+    _hit: Hit | None = None
+
+    def deactivate(self) -> None:
+        self._hit = None
+
+    def hover(self, pointer: Pointer) -> bool:
+        self._hit = pointer.hit
+        return False
+
+
+class PublishPoint(PointingTool):
     """Sends the point of a surface that was clicked."""
 
     type, title, short, key = "PublishPoint", "Publish Point", "Point", "u"
-    arrows = SCREEN
-    needs_hit = True
 
     def build(self) -> None:
         self.topic = ToolTopic(self, "geometry_msgs/msg/PointStamped", "/clicked_point")
         self.single = self.add(Property("Single click", BOOL, True))
-        self._hit: Hit | None = None
 
     def open(self) -> None:
         self.topic.open()
@@ -37,13 +49,6 @@ class PublishPoint(Tool):
             return "Move over an object to select the target point."
         return f"Left-Click: Select this point. {bracketed(self._hit.point)}"
 
-    def deactivate(self) -> None:
-        self._hit = None
-
-    def hover(self, pointer: Pointer) -> bool:
-        self._hit = pointer.hit
-        return False
-
     def release(self, pointer: Pointer) -> bool:
         self._hit = pointer.hit
         if pointer.hit is None:
@@ -54,28 +59,16 @@ class PublishPoint(Tool):
         return bool(self.single.value)
 
 
-class FocusCamera(Tool):
+class FocusCamera(PointingTool):
     """Turns the view to what was clicked."""
 
     type, title, short, key = "FocusCamera", "Focus Camera", "Focus", "c"
-    arrows = SCREEN
-    needs_hit = True
-
-    def build(self) -> None:
-        self._hit: Hit | None = None
 
     @property
     def status(self) -> str:
         if self._hit is None:
             return "Left-Click: Look in this direction."
         return f"Left-Click: Focus on this point. {bracketed(self._hit.point)}"
-
-    def deactivate(self) -> None:
-        self._hit = None
-
-    def hover(self, pointer: Pointer) -> bool:
-        self._hit = pointer.hit
-        return False
 
     def release(self, pointer: Pointer) -> bool:
         # Where nothing is, a point one metre along the ray (focus_tool.cpp).

@@ -1,0 +1,28 @@
+"""How both programs of image_tools run: usage, a node, and the component on it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.programs._component import spin_cpp
+from day6_tui.core.ros.programs.rclcpp import CppException, create_node
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+    from rclpy.node import Node
+
+
+async def run(session: Session, usage: str, name: str, component_of: Callable[[Node], object]) -> int:
+    """Print `usage` if it is asked for; else run the component until interrupted. Raises CppException for a bad parameter."""
+    if {"-h", "--help"} & set(session.argv[1:]):
+        session.print(usage)
+        return 0
+    node = create_node(session, name)
+    try:
+        component = component_of(node)
+    except RuntimeError as error:
+        raise CppException(str(error)) from None
+    status = await spin_cpp(session, node)
+    del component  # it lives as long as its node spins
+    return status
