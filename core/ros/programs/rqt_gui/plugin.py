@@ -157,6 +157,15 @@ def own_words(argv: Sequence[str]) -> list[str]:
     return words[: words.index("--ros-args")] if "--ros-args" in words else words
 
 
+def open_first(session: Session, kind: str, title: str, model: object) -> None:
+    """Open the window with which a program of rqt begins.
+
+    It gets the keyboard, as on a real desktop; not from somebody who has started it with `&` to go on typing.
+    """
+    assert session.display is not None
+    session.display.open(kind, title, model, chosen=not session.background)
+
+
 async def run_alone(
     session: Session, plugin_type: Callable[[Place], Plugin[Any]], *, in_cpp: bool = False
 ) -> int | None:
@@ -167,7 +176,7 @@ async def run_alone(
     session.defer(place.end)
     if session.display is None:
         return await plugin.without_screen()
-    session.display.open(plugin.kind, plugin.title, plugin.model)
+    open_first(session, plugin.kind, plugin.title, plugin.model)
     session.spawn(session.spin(node))
     await plugin.run()
     return 0
