@@ -57,7 +57,9 @@ def test_colours_of_sixteen_bits_are_shown_by_eight_of_them() -> None:
     assert seen(image("rgb16", deep)) == seen(image("bgr16", deep[..., ::-1])) == as_lists(FOUR)
     solid = np.full((2, 2, 1), 9, np.uint16)
     assert seen(image("rgba16", np.concatenate([deep, solid], axis=2))) == as_lists(FOUR)
-    assert seen(image("bgra16", np.concatenate([deep[..., ::-1], solid], axis=2).astype(">u2"), big=1)) == as_lists(FOUR)
+    assert seen(image("bgra16", np.concatenate([deep[..., ::-1], solid], axis=2).astype(">u2"), big=1)) == as_lists(
+        FOUR
+    )
     assert seen(image("rgb16", np.array([[[128, 129, 65535]]], np.uint16)), 1, 1) == [[[0, 1, 255]]]
     pattern = np.zeros((2, 2), np.uint8)
     pattern[0, 0], pattern[0, 1], pattern[1, 0], pattern[1, 1] = 200, 100, 50, 20
@@ -128,8 +130,7 @@ def test_rows_may_be_padded() -> None:
         (image("nv21", np.zeros((3, 2), np.uint8)), "Unrecognized image encoding [nv21]"),
         (
             image("rgb8", np.zeros((4, 2, 3), np.uint8), step=2),
-            "image from 'rgb8' to 'rgb8' an exception was thrown (Image is wrongly formed: "
-            "step < width * byte_depth * num_channels  or  2 != 2 * 1 * 3)",
+            "(Image is wrongly formed: step < width * byte_depth * num_channels  or  2 != 2 * 1 * 3)",
         ),
         (image("\x1b[2J", np.zeros((2, 2), np.uint8)), "an exception was thrown (Unrecognized image encoding ["),
         (Image(height=10**9, width=10**9, encoding="rgb8", step=2**32 - 1), "size  or  1000000000 * 4294967295 != 0)"),

@@ -19,6 +19,7 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.buttons import Button, button_line
 
 INDENT = 3
 """Cells of a level of the tree."""
@@ -142,7 +143,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         if y == 0:
-            return self._controls(width)
+            return button_line(self, y, self._buttons(), width)
         if y == 1:
             return self._heads()
         if y >= HEAD + self._rows:
@@ -156,24 +157,15 @@ class RqtTfTreePane(WindowPane[TfTree]):
             return [Segment(clip(f" {self.look.texts('tf_tree.none')}", width), self.look.colours.muted)]
         return []
 
-    def _controls(self, width: int) -> list[Segment]:
-        """What the buttons of the original do; a click on one is its key."""
-        texts, colours, x = self.look.texts, self.look.colours, 1
-        segments = [Segment(" ", colours.text)]
-        for key, name, action in (
-            ("r", texts("tf_tree.refresh"), self.model.request_refresh),
-            ("c", texts("tf_tree.clear"), self.model.request_clear),
-            ("a", texts("tf_tree.auto"), self._switch_auto),
-            ("w", texts("tf_tree.save"), self._ask_file),
-        ):
-            box = ("[x] " if self.model.auto_refresh else "[ ] ") if key == "a" else ""
-            text = f"{box}{name}({key})"
-            if x + cell_len(text) > width:
-                break
-            self.add_hit(1, x + 1, x + 1 + cell_len(text), action)
-            segments.append(Segment(f"{text}  ", colours.text))
-            x += cell_len(text) + 2
-        return segments
+    def _buttons(self) -> list[Button]:
+        """What the buttons of the original do."""
+        texts = self.look.texts
+        return [
+            Button("r", texts("tf_tree.refresh"), self.model.request_refresh),
+            Button("c", texts("tf_tree.clear"), self.model.request_clear),
+            Button("a", texts("tf_tree.auto"), self._switch_auto, self.model.auto_refresh),
+            Button("w", texts("tf_tree.save"), self._ask_file),
+        ]
 
     def _heads(self) -> list[Segment]:
         texts, muted = self.look.texts, self.look.colours.muted

@@ -11,8 +11,9 @@ from textual import events
 from day6_tui.core.session.display import Window
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows.buttons import Button
 from day6_tui.tui.windows.field_list import FieldLine
-from day6_tui.tui.windows.field_pane import Button, FieldPane, Model
+from day6_tui.tui.windows.field_pane import FieldPane, Model
 from day6_tui.tui.windows.field_rows import columns_in
 
 if TYPE_CHECKING:
