@@ -76,6 +76,9 @@ class RqtTfTreePane(WindowPane[TfTree]):
             pieces.append(self._warning(texts("tf_tree.old", count=old)))
         if name and not why:
             pieces.append(Piece(f" {texts('tf_tree.saved', name=one_line(name))} ", colours.muted))
+        if self._lines:
+            chosen = one_line(self._lines[self._chosen].name)  # in the tree there may be no room for all of it
+            pieces.append(Piece(f"{chosen} ", colours.text))
         return pieces
 
     def _warning(self, text: str) -> Piece:
@@ -87,11 +90,10 @@ class RqtTfTreePane(WindowPane[TfTree]):
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        return [
-            ("r", texts("tf_tree.refresh")),
-            ("w", texts("tf_tree.save")),
-            ("← →" if self.look.glyphs.unicode else "<- ->", texts("tf_tree.sideways")),
-        ]
+        hints = [("r", texts("tf_tree.refresh")), ("w", texts("tf_tree.save"))]
+        if self._widest > self._names_width:
+            hints.append(("← →" if self.look.glyphs.unicode else "<- ->", texts("tf_tree.sideways")))
+        return hints
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
@@ -190,10 +192,11 @@ class RqtTfTreePane(WindowPane[TfTree]):
         """A line of the tree as far as it is in sight; where its name is not, the name at the side where it lies."""
         width, begin = self._names_width, self._before(line)
         name = self._told(line)
+        mark = self.look.glyphs.ellipsis
         if self._left < begin + cell_len(name) and begin < self._left + width:
+            name = clip(name, self._left + width - begin, mark)
             shown = Strip([Segment(" " + self._guides(line), guides), Segment(name, named)]).crop(self._left)
             return shown.adjust_cell_length(width, blank)
-        mark = self.look.glyphs.ellipsis
         text = clip(name, width // 2, mark)
         if begin >= self._left + width:
             pad = " " * (width - cell_len(text) - 2)
