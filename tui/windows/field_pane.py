@@ -199,6 +199,8 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         elif event.key in ("left", "right"):
             if line.is_branch and self.list.is_open(line) is not (event.key == "right"):
                 self.toggle(line)
+            elif event.key == "left":
+                self.list.choose_parent()
         elif event.key == "delete" and line.edited is not None:
             self.take(line, "")
         elif event.key == "space" and line.edited is not None and line.cells[1] == BOOLEAN:
