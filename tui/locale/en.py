@@ -770,6 +770,8 @@ TEXTS = {
     # help
     "help.title": "Help",
     "help.keys": "↑ ↓ scroll   Tab next page   Esc back",
+    "log.keys": "↑ ↓ ← → scroll   c copy   Esc back",
+    "log.copied": "copied   Esc back",
     "list.head": "{name}: ",
     "help.everywhere": "Keys that work everywhere",
     "help.desk": (

@@ -954,6 +954,8 @@ TEXTS = {
     # help
     "help.title": "帮助",
     "help.keys": "↑ ↓ 滚动   Tab 下一页   Esc 返回",
+    "log.keys": "↑ ↓ ← → 滚动   c 复制   Esc 返回",
+    "log.copied": "已复制   Esc 返回",
     "list.head": "{name}：",
     "help.everywhere": "到处都能用的按键",
     "help.desk": (

@@ -177,6 +177,15 @@ def create_node(session: Session, *, in_cpp: bool = False) -> Node:
     return session.create_node(f"rqt_gui_{'cpp' if in_cpp else 'py'}_node_{session.pid}")
 
 
+def open_first(session: Session, kind: str, title: str, model: object) -> None:
+    """Open the window with which a program of rqt begins.
+
+    It gets the keyboard, as on a real desktop; not from somebody who has started it with `&` to go on typing.
+    """
+    assert session.display is not None
+    session.display.open(kind, title, model, chosen=not session.background)
+
+
 async def run_alone(session: Session, plugin_type: PluginType) -> int | None:
     """Run one plugin as a program of its own, `ros2 run rqt_graph rqt_graph`, until its window is closed."""
     parser = plugin_parser(session, Path(session.argv[0]).name, plugin_type.add_arguments)
@@ -195,7 +204,7 @@ async def run_alone(session: Session, plugin_type: PluginType) -> int | None:
     session.defer(place.end)
     if session.display is None:
         return await plugin.without_screen()
-    session.display.open(plugin.kind, plugin.title, plugin.model)
+    open_first(session, plugin.kind, plugin.title, plugin.model)
     session.spawn(session.spin(node))
     await plugin.run()
     return 0

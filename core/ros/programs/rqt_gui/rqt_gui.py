@@ -16,7 +16,7 @@ from day6_tui.core.ros.programs.rqt_gui.catalogue import Entry, matching, plugin
 from day6_tui.core.ros.programs.rqt_gui.command_line import container_parser, own_words
 from day6_tui.core.ros.programs.rqt_gui.model import Open, Rqt
 from day6_tui.core.ros.programs.rqt_gui.perspectives import DEFAULT, Instance, Perspectives, folder_of
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, create_node
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, create_node, open_first
 from day6_tui.core.session.argument_parser import ParserExit
 from day6_tui.core.session.session import Session, Terminated
 from day6_tui.core.session.task import Signal
@@ -105,7 +105,7 @@ class Container:
 
     async def run(self, options: argparse.Namespace) -> int:
         """Open the window and work off its requests until the program is ended, as by closing it."""
-        self._display.open("rqt", "rqt", self.model)
+        open_first(self._session, "rqt", "rqt", self.model)
         self._session.defer(self._end_all)
         if options.clear_config:
             await self._try(self._store.clear)

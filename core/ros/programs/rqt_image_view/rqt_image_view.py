@@ -11,9 +11,13 @@ from day6_tui.core.ros.programs.rqt_image_view.decoding import View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
 from day6_tui.core.session.argument_parser import Parser
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.task import Signal
 
 REFRESH_SECONDS = 0.1
 """At most this often is the graph looked at again while it changes."""
+
+IMAGE_SECONDS = 0.1
+"""At most this often does an image have the window drawn anew."""
 
 
 class ImageViewPlugin(Plugin[ImageView]):
@@ -50,7 +54,17 @@ class ImageViewPlugin(Plugin[ImageView]):
 
     async def run(self) -> None:
         self.place.serve(self.model)
+        self.place.spawn(self._wake_window())
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
+
+    async def _wake_window(self) -> None:
+        """Images come on other threads, and a window is drawn when something has run on this one."""
+        session, come = self.place.session, Signal()
+        self.model.on_image = come.set
+        while True:
+            await session.wait(come)
+            come.clear()
+            await session.sleep(IMAGE_SECONDS)
 
     def close(self) -> None:
         self.model.close()
