@@ -354,6 +354,8 @@ TEXTS = {
     "fields.leave": "old value",
     "fields.next": "next field, while typing",
     "fields.default": "default value",
+    "fields.in_force": "in force: {text}",
+    "fields.elements": "one element more, less",
     # service_caller
     "service.call": "Call",
     "service.cancel": "Cancel",
@@ -372,6 +374,7 @@ TEXTS = {
     "publisher.columns.type": "Type",
     "publisher.columns.rate": "Rate",
     "publisher.columns.expression": "Expression",
+    "publisher.columns.both": "Rate, expression",
     "publisher.add": "Add",
     "publisher.once": "Publish once",
     "publisher.remove": "Remove",

@@ -538,6 +538,8 @@ TEXTS = {
     "fields.leave": "保留原值",
     "fields.next": "输入时跳到下一个字段",
     "fields.default": "默认值",
+    "fields.in_force": "生效的是：{text}",
+    "fields.elements": "列表加、减一项",
     # service_caller
     "service.call": "调用",
     "service.cancel": "取消",
@@ -556,6 +558,7 @@ TEXTS = {
     "publisher.columns.type": "类型",
     "publisher.columns.rate": "频率",
     "publisher.columns.expression": "表达式",
+    "publisher.columns.both": "频率、表达式",
     "publisher.add": "添加",
     "publisher.once": "发布一次",
     "publisher.remove": "删除",

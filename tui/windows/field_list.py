@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from rich.segment import Segment
 from rich.style import Style as RichStyle
@@ -30,7 +30,15 @@ INDENT = 2
 OPENER, BOX = 2, 4
 """Cells of the mark of what can be opened, and of a check box behind it."""
 
-Columns = Callable[[int], Sequence[int]]
+
+class Needs(NamedTuple):
+    """Cells that the longest name with its mark takes, and the longest type without its package."""
+
+    name: int = 0
+    type: int = 0
+
+
+Columns = Callable[[int, Needs], Sequence[int]]
 """The widths of the columns in a list of some width; 0 for one for which there is no room. One cell lies between them."""
 
 
@@ -51,6 +59,8 @@ class FieldLine:
     is_head: bool = False
     problem: str = ""
     """What is wrong with what was typed: a line that warns."""
+    begins_closed: bool = False
+    """Whether a branch is closed until somebody opens it."""
 
 
 class FieldList(PaneList):
@@ -69,6 +79,7 @@ class FieldList(PaneList):
     def __init__(self, look: Look, columns: Columns) -> None:
         super().__init__(look)
         self._columns = columns
+        self._needs = Needs()
         self._all: Sequence[FieldLine] = ()
         self.lines_shown: list[FieldLine] = []
         self._toggled: set[str] = set()
@@ -86,11 +97,14 @@ class FieldList(PaneList):
     def show(self, lines: Sequence[FieldLine], *, anew: bool = False) -> None:
         """Show these lines, and draw only those that differ. `anew`: they are about something else than before."""
         self._all = lines
+        needs, self._needs = self._needs, needs_of(lines)
         if anew:
             self._toggled.clear()
             self.lines_shown, self.highlighted = [], None
         before, shown = self.lines_shown, self._open_lines(lines)
         if before == shown:
+            if needs != self._needs:
+                self.refresh()
             return
         at, chosen, offset = self.highlighted, self.chosen, self.scroll_offset.y
         self.lines_shown = shown
@@ -123,7 +137,7 @@ class FieldList(PaneList):
 
     def is_open(self, line: FieldLine) -> bool:
         """Whether the fields of a branch are shown."""
-        return (line.key in self._toggled) is not self.wants_open(line)
+        return (line.key in self._toggled) is not (self.wants_open(line) and not line.begins_closed)
 
     def toggle(self, line: FieldLine) -> None:
         """Open a branch, or close it."""
@@ -155,7 +169,11 @@ class FieldList(PaneList):
     @property
     def widths(self) -> Sequence[int]:
         """Of the columns, now."""
-        return self._columns(max(10, self.scrollable_content_region.width))
+        return self._columns(max(10, self.scrollable_content_region.width), self._needs)
+
+    def hides_type(self, line: FieldLine) -> bool:
+        """Whether a line has no room for its whole type."""
+        return len(line.cells) > 1 and cell_len(line.cells[1]) > self.widths[1]
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
 
@@ -236,6 +254,17 @@ class FieldList(PaneList):
         elif line.is_branch:
             lead = "- " if self.is_open(line) else "+ "
         return lead + ("" if line.ticked is None else "[x] " if line.ticked else "[ ] ")
+
+
+def needs_of(lines: Sequence[FieldLine]) -> Needs:
+    """What the columns of these lines need."""
+    columns = [line for line in lines if len(line.cells) > 1]
+    names = (
+        line.depth * INDENT + (1 if line.is_head else OPENER) + (BOX if line.ticked is not None else 0)
+        + cell_len(line.cells[0])
+        for line in columns
+    )  # fmt: skip
+    return Needs(max(names, default=0), max((cell_len(without_package(line.cells[1])) for line in columns), default=0))
 
 
 def without_package(type_name: str) -> str:

@@ -28,6 +28,8 @@ Entry = tuple[str, Style]
 class LoggerLevelPane(LinesPane["LoggerLevels"]):
     """Draws three lists; keeps which of them the keys mean, and the chosen line of each."""
 
+    key_weight = 3  # one more of its keys where there is no room for F8, too
+
     def __init__(self, window: Window[LoggerLevels], look: Look) -> None:
         super().__init__(window, look)
         self._column = NODES

@@ -37,6 +37,8 @@ STEPS = {"right": 1, "left": -1, "shift+right": 10, "shift+left": -10}
 class ReconfigurePane(LinesPane["Reconfigure"]):
     """Draws the model; keeps the chosen lines, what is folded, the filter of parameters and what the mouse drags."""
 
+    key_weight = 3  # one more of its keys where there is no room for F8, too
+
     def __init__(self, window: Window[Reconfigure], look: Look) -> None:
         super().__init__(window, look)
         self._editors = Editors(look)
