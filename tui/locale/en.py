@@ -221,6 +221,7 @@ TEXTS = {
     "sliders.conflict": "{nodes} publishes the same joints: the robot jitters between two commands. One of the two has to stop.",
     "sliders.degrees": "degrees",
     "sliders.move": "move",
+    "sliders.finest": "move as little as possible",
     "sliders.value": "number",
     "sliders.zero": "zero",
     "sliders.accept": "accept",
@@ -976,8 +977,8 @@ TEXTS = {
     "help.joint_state_publisher": (
         "A slider for every joint that can move. What you set here goes to /joint_states ten times a second; "
         "robot_state_publisher turns it into the poses of the links.\n\n"
-        "Up and down choose a joint, left and right move it (with Shift: finely), PageUp and PageDown move it far, Home and "
-        "End go to its limits, z to zero. A digit, Enter or a click on a number begins an exact one. "
+        "Up and down choose a joint, left and right move it, with Shift ten times as far, with Ctrl as little as possible, Home "
+        "and End go to its limits, z to zero. A digit, Enter or a click on a number begins an exact one. "
         "r is Randomize, c is Center, d changes between radians and degrees. With the mouse: drag the knob.\n\n"
         "If another node publishes the same joints, the robot jitters: both send commands, and the last one counts."
     ),
