@@ -155,7 +155,7 @@ def test_space_switches_a_boolean_field() -> None:
 def test_a_wrong_expression_is_marked() -> None:
     async def act(window: _Window) -> None:
         await window.press("home", "down", "down", *"1+", "enter", "up")
-        assert "▲ error" in window.line("1+")
+        assert window.line("1+").endswith("▲ 1+") and window.line("▲ error evaluating as")
 
     use(act, "/turtle1/cmd_vel", size=(120, 40))
 
@@ -202,12 +202,14 @@ def test_in_a_narrow_window_types_and_rate_have_room_too() -> None:
     use(act, "/turtle1/cmd_vel", size=(42, 20))
 
 
-def test_a_wrong_expression_says_what_is_in_force() -> None:
+@pytest.mark.parametrize("width", [42, 80, 160])
+def test_a_wrong_expression_says_all_that_is_wrong_and_what_is_in_force(width: int) -> None:
     async def act(window: _Window) -> None:
         await window.press("home", "down", "down", *"1+", "enter")
-        assert "in force: 0.0" in screen_lines(window.app)[-2]
+        said = " ".join(" ".join(line.strip("┃│ ") for line in screen_lines(window.app)).split())
+        assert 'error evaluating as "float": invalid syntax: invalid syntax' in said and "in force: 0.0" in said
 
-    use(act, "/turtle1/cmd_vel", size=(160, 40))
+    use(act, "/turtle1/cmd_vel", size=(width, 40))
 
 
 def test_plus_and_minus_change_how_many_elements_a_list_has() -> None:
@@ -216,3 +218,11 @@ def test_plus_and_minus_change_how_many_elements_a_list_has() -> None:
         assert window.model.asked == [("resize", 0, "/points", 1)] * 2 + [("resize", 0, "/points", -1)]
 
     use(act, "/area")
+
+
+def test_a_remark_is_never_cut() -> None:
+    async def act(window: _Window) -> None:
+        said = " ".join(line.strip("┃│ ") for line in screen_lines(window.app)[3:])
+        assert "choose its topic, then tick its box." in said
+
+    use(act, size=(38, 20))

@@ -267,5 +267,8 @@ def test_in_a_narrow_window_the_type_is_in_its_column_and_where_it_is_cut_below(
         assert window.line("name").split() == ["name", "string", "''"]
         await window.press("home")
         assert "turtlesim/srv/Spawn" in screen_lines(window.app)[-2]
+        window.model.be("", service="/a_robot/with_a_long_name/spawn")
+        await window.draw()
+        assert window.line("name").split() == ["name", "string", "''"]
 
     use(act, (38, 20))

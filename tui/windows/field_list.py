@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from rich.segment import Segment
@@ -18,7 +18,7 @@ from textual.widgets.option_list import Option
 
 from day6_tui.core.elide import elide
 from day6_tui.core.session.harmless import one_line
-from day6_tui.tui.cells import cell_len, clip, fit
+from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import in_ascii
 from day6_tui.tui.survival import PersonMessage
@@ -132,8 +132,26 @@ class FieldList(PaneList):
             if hidden_below is not None and line.key and line.depth > hidden_below:
                 continue
             hidden_below = line.depth if line.is_branch and not self.is_open(line) else None
-            shown.append(line)
+            shown += [line] if len(line.cells) > 1 else self._wrapped(line)
+            if line.edited is not None and line.problem and not self._fits(line):
+                shown += self._wrapped(
+                    FieldLine("", (f"{self.look.glyphs.warning} {line.problem}",), problem=line.problem)
+                )
         return shown
+
+    def _fits(self, line: FieldLine) -> bool:
+        """Whether what is wrong with a cell has room behind it; otherwise it is told below."""
+        assert line.edited is not None
+        return cell_len(self._with_problem(line)) <= self.widths[line.edited]
+
+    def _with_problem(self, line: FieldLine) -> str:
+        assert line.edited is not None
+        return f"{line.cells[line.edited]}  {self.look.glyphs.warning} {' '.join(line.problem.split())}"
+
+    def _wrapped(self, remark: FieldLine) -> Iterator[FieldLine]:
+        """A remark as so many lines as it needs."""
+        for text in wrap(remark.cells[0], max(10, self.scrollable_content_region.width - 2)):
+            yield replace(remark, cells=(text,))
 
     def is_open(self, line: FieldLine) -> bool:
         """Whether the fields of a branch are shown."""
@@ -239,7 +257,8 @@ class FieldList(PaneList):
                 cell = elide(one_line(cell), max(1, width), dots) if "/" in cell else cell
                 style = colours.strong if line.is_head else colours.node if line.depth else colours.topic
             elif line.problem and column == line.edited:
-                cell, style = f"{cell}  {self.look.glyphs.warning} {' '.join(line.problem.split())}", colours.warning
+                cell = self._with_problem(line) if self._fits(line) else f"{self.look.glyphs.warning} {cell}"
+                style = colours.warning
             elif column == 1 and cell_len(cell) > width:
                 cell = without_package(cell)
             segments.append(Segment(fit(cell, width, dots), on or style))
@@ -257,13 +276,16 @@ class FieldList(PaneList):
 
 
 def needs_of(lines: Sequence[FieldLine]) -> Needs:
-    """What the columns of these lines need."""
+    """What the columns of these lines need; the names of services and messages above their fields may be cut."""
     columns = [line for line in lines if len(line.cells) > 1]
     names = (
-        line.depth * INDENT + (1 if line.is_head else OPENER) + (BOX if line.ticked is not None else 0)
+        line.depth * INDENT
+        + (1 if line.is_head else OPENER)
+        + (BOX if line.ticked is not None else 0)
         + cell_len(line.cells[0])
         for line in columns
-    )  # fmt: skip
+        if line.is_head or line.depth or line.ticked is not None
+    )
     return Needs(max(names, default=0), max((cell_len(without_package(line.cells[1])) for line in columns), default=0))
 
 
