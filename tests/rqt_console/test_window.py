@@ -360,15 +360,15 @@ def test_the_list_of_filters_adds_changes_and_removes_them(full):
     async def drive(app, pilot, pane) -> None:
         await pilot.press("f")
         await step(app, pilot)
-        assert "[x] Exclude ...with severities" in screen_text(app)
-        await pilot.press(*"exclude messages", "enter", *"node", "enter")
+        assert "[x] Exclude messages with severities" in screen_text(app)
+        await pilot.press(*"exclude messages …", "enter", *"node", "enter")
         await step(app, pilot)
         await pilot.press(*"listener", "enter", "escape")  # the menu comes back after each change
         assert full.choice.first("excludes", "node").nodes == {"listener"} and len(full.shown()) == 30
-        await pilot.press("f", *"exclude node", "delete", "escape")
+        await pilot.press("f", *"exclude messages from nodes", "delete", "escape")
         await step(app, pilot)
         assert len(full.shown()) == 60
-        await pilot.press("f", *"highlight messages", "enter", *"location", "enter", *"talker.py", "enter")
+        await pilot.press("f", *"highlight messages …", "enter", *"location", "enter", *"talker.py", "enter")
         await step(app, pilot)
         assert [each.kind for each in full.choice.highlights] == ["message", "location"]
 
@@ -377,7 +377,7 @@ def test_the_list_of_filters_adds_changes_and_removes_them(full):
 
 def test_a_time_range_begins_at_the_chosen_message_and_takes_times_of_day(console):
     async def drive(app, pilot, pane) -> None:
-        await pilot.press("f", *"highlight messages", "enter", *"time", "enter")
+        await pilot.press("f", *"highlight messages …", "enter", *"time", "enter")
         await step(app, pilot)
         await pilot.press(*"until", "enter")
         await step(app, pilot)

@@ -41,7 +41,7 @@ class FilterMenus:
         entries = []
         for side in SIDES:
             for each in getattr(choice, side):
-                name = f"{_box(each.enabled)} {texts(f'console.{side}')} {texts(f'console.kind.{each.kind}')}"
+                name = f"{_box(each.enabled)} {texts(f'console.{side}.kind.{each.kind}')}"
                 remove = partial(self._change, side, each, None)
                 entries.append(Entry(name, brief(each), partial(self._edit, side, each, record), remove))
             entries.append(Entry(texts(f"console.{side}.add"), "", partial(self._add, side, record)))

@@ -14,13 +14,13 @@ from textual.widgets import Checkbox, Static
 
 from day6_tui.core.ros.programs.rqt_console.filters import SIDES, Choice
 from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES
-from day6_tui.tui.cells import clip
+from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.modal import plain
 from day6_tui.tui.survival import PersonMessage, survive
 from day6_tui.tui.windows.console_filters import brief
 
-IN_FULL_FROM = 58
+IN_FULL = sum(len(severity) + 5 for severity in SEVERITIES.values())
 """Columns that the boxes need with the severities in full; in fewer they have their letters."""
 
 
@@ -78,13 +78,15 @@ class Severities(Horizontal):
 
     def show(self, choice: Choice, width: int) -> None:
         """Show what is left out, in so many cells."""
-        self._title.update(plain(" " + self._heading("exclude").rstrip() + " "))
+        title = " " + self._heading("excludes").rstrip() + " "
+        self._title.update(plain(title))
         first = choice.first("excludes", "severity")
+        others = list(self._told(choice))
+        taken = cell_len(title) + sum(each.cell_length for each in others)
         for box in self._boxes:
-            box.name_it(in_full=width >= IN_FULL_FROM)
+            box.name_it(in_full=width >= IN_FULL + taken)
             with box.prevent(Checkbox.Changed):
                 box.value = first.enabled and box.level in first.levels
-        others = list(self._told(choice))
         self._others.display = bool(others)
         self._others.update(Content("").join(others))
 

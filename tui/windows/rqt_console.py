@@ -132,12 +132,14 @@ class RqtConsolePane(WindowPane[Console]):
             Segment(f" #{record.number} ", colours.strong),
             Segment(f"{record.severity} ", style_of(record, self.look)),
             Segment(f"{record.node}  ", colours.node),
-            Segment((whole_time if width >= 70 else time_of_day)(record.stamp_ns), colours.muted),
         ]
+        title = f"  {texts('console.location')} " if record.location else ""
         used = sum(cell_len(segment.text) for segment in head)
-        if record.location:
-            title = f"  {texts('console.location')} "
-            head.append(Segment(title + end_of(record.location, width - used - cell_len(title), dots), colours.muted))
+        stamp = whole_time(record.stamp_ns)
+        if used + cell_len(stamp + title + record.location) > width:
+            stamp = time_of_day(record.stamp_ns)  # the place says more than the date
+        room = width - used - cell_len(stamp + title)
+        head.append(Segment(stamp + title + end_of(record.location, room, dots), colours.muted))
         room = height - 2
         lines = wrap(record.text[: 4 * room * width], width - 2)  # a message may be a megabyte long
         if len(lines) > room:
@@ -201,7 +203,7 @@ class RqtConsolePane(WindowPane[Console]):
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         return [
-            (" ".join(_LEVEL_OF_KEY), texts("console.exclude")),
+            (" ".join(_LEVEL_OF_KEY), texts("console.excludes")),
             ("n", texts("console.node_out")),
             ("a", texts("console.all")),
             ("Enter", texts("console.read")),
