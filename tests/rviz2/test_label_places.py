@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 
@@ -84,7 +85,7 @@ def test_a_name_keeps_its_place_until_it_must_move() -> None:
         (_, other) = places.place([both[0], (x, 10.5, "base_footprint")], 60, 20)
         rows.append(other[0].row)
     assert rows[:10] == [11] * 10 and rows[-1] == 10
-    assert sum(a != b for a, b in zip(rows, rows[1:], strict=False)) == 1
+    assert sum(a != b for a, b in pairwise(rows)) == 1
 
 
 def test_a_name_at_the_edge_of_a_cell_does_not_tremble() -> None:
