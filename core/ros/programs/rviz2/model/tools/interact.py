@@ -60,8 +60,10 @@ class Interact(Tool):
 
     @property
     def status(self) -> str:
-        thing = self._held or self._chosen
-        return (thing.display.words_of(thing.key) if thing is not None else "") or self.rviz.view.help
+        if self._chosen is not None and (words := self._chosen.display.words_of(self._chosen.key)):
+            return f"{'/'.join(self._chosen.key)}: {words}"
+        words = self._held.display.words_of(self._held.key) if self._held is not None else ""
+        return words or self.rviz.view.help
 
     def activate(self) -> None:
         self.rviz.interaction = True
