@@ -266,7 +266,7 @@ def test_what_is_no_bag_is_refused_as_rqt_bag_does(desk, word):
     ("damage", "reason"),
     (
         ("metadata", "failed due to: Exception on parsing info file"),
-        ("empty", "failed due to: bag_0.mcap is not an MCAP file"),
+        ("empty", "failed due to: file too small"),
         ("gone", "failed due to: .*No (such file|storage)"),
         ("cut", "is not complete"),
     ),

@@ -53,9 +53,10 @@ def _parser(session: Session) -> Parser:
 
 async def _print(session: Session, names: list[str]) -> int:
     """Print what is in the bags, as `ros2 bag info` does."""
+    from rosbag2_py._console import quiet
     from rosbag2_py._info import Info
 
-    status, info = 0, Info()
+    status, info = 0, Info(quiet)
     for name in names:
         path = str(path_of(session.cwd, name))
         try:
