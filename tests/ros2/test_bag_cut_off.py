@@ -64,9 +64,7 @@ def test_what_is_no_mcap_file_is_refused(machine, content, reason, words):
             "[ERROR] [rosbag2_storage]: Could not load/open plugin with storage id 'mcap'",
         ]
     else:
-        assert told == [
-            "[ERROR] [rosbag2_storage]: No storage id specified, and no plugin found that could open URI"
-        ]
+        assert told == ["[ERROR] [rosbag2_storage]: No storage id specified, and no plugin found that could open URI"]
 
 
 def test_a_file_without_indexes_is_played_as_it_was_written(machine):
@@ -123,10 +121,10 @@ def test_a_cut_off_sqlite_bag_is_refused_as_a_whole(machine):
     ]
     shutil.copy(machine.cwd / name, file)
     result = machine.ros2("bag", "play", "bag")
+    setup = "Failed to setup storage. Error: "
     reason = "Error when processing SQL statement. SQLite error (11): database disk image is malformed"
-    assert lines(result.stderr)[0] == (
-        f"[ERROR] [rosbag2_storage]: Could not open 'bag/bag_0.db3' with 'sqlite3'. Error: Failed to setup storage. Error: {reason}"
-    )
+    opening = "[ERROR] [rosbag2_storage]: Could not open 'bag/bag_0.db3' with 'sqlite3'. Error: "
+    assert lines(result.stderr)[0] == opening + setup + reason
     assert result.status == 1
     # What is in metadata.yaml is printed without a look at the file.
     assert "Messages:          3000" in machine.ros2("bag", "info", "bag").stdout

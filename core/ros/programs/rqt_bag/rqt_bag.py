@@ -9,8 +9,9 @@ from functools import partial
 
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
+from day6_tui.core.ros.programs.rqt_bag.model.keeping import read_kept
 from day6_tui.core.ros.programs.rqt_bag.model.loading import is_bag, path_of
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, own_words, run_alone
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, own_words, run_alone
 from day6_tui.core.session.argument_parser import Parser, ParserExit
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
@@ -24,15 +25,21 @@ class BagPlugin(Plugin[Bags]):
     def __init__(self, place: Place) -> None:
         super().__init__(place, Bags(place.session, place.node, publish_clock="--clock" in place.words))
         place.defer(self.model.close)
-        for word in place.words:
-            if not word.startswith("-"):
-                self.model.load(word)
+        names = [word for word in place.words if not word.startswith("-")]
+        if names:
+            for name in names:
+                self.model.load(name)
+        else:
+            self.model.resume(read_kept(place.settings))
 
     async def run(self) -> None:
         place, model = self.place, self.model
         for work in model.work:
             place.spawn(work())
         await model.serve()
+
+    def settings(self) -> Settings:
+        return self.model.kept().settings()
 
     async def without_screen(self) -> int | None:
         session = self.place.session

@@ -15,7 +15,7 @@ from rosbag2_py._storage import Message, MessageDefinition, TopicMetadata
 
 
 class McapBlocks:
-    """One file; see `BlockFile`. The place of a block is its stretch, the key of a message its offset: in its chunk, or the file."""
+    """One file; see `BlockFile`. A block's place is its stretch, a message's key its offset: in its chunk, or in the file."""
 
     def __init__(self, path: Path) -> None:
         self._file = McapFile(path)

@@ -72,9 +72,7 @@ class McapReader:
             self._file.close()
             raise
         summary = self._file.summary
-        self.has_time_order = summary is not None and any(
-            index.message_index_length for index in summary.chunk_indexes
-        )
+        self.has_time_order = summary is not None and any(index.message_index_length for index in summary.chunk_indexes)
         """Whether the file tells the order of time: real ROS plays a file that doesn't as it was written."""
 
     def close(self) -> None:

@@ -169,9 +169,9 @@ class SequentialReader:
             return False
         if read_order.sort_by == ReadOrderSortBy.File and read_order.reverse:
             return False
-        if read_order.sort_by == ReadOrderSortBy.ReceivedTimestamp and self._files:
-            if not self._is_in_order(self._reader(self._files[0])):
-                return False
+        by_time = read_order.sort_by == ReadOrderSortBy.ReceivedTimestamp
+        if by_time and self._files and not self._is_in_order(self._reader(self._files[0])):
+            return False
         self._order = read_order
         self._restart()
         return True
