@@ -9,8 +9,9 @@ from functools import partial
 
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
+from day6_tui.core.ros.programs.rqt_bag.model.keeping import read_kept
 from day6_tui.core.ros.programs.rqt_bag.model.loading import is_bag, path_of
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.session.argument_parser import Parser
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
@@ -25,8 +26,11 @@ class BagPlugin(Plugin[Bags]):
         super().__init__(place, Bags(place.session, place.node, publish_clock=place.option("clock", False)))
         place.defer(self.model.close)
         self._named: list[str] = place.option("bagfiles", [])
-        for name in self._named:
-            self.model.load(name)
+        if self._named:
+            for name in self._named:
+                self.model.load(name)
+        else:
+            self.model.resume(read_kept(place.settings))
 
     @staticmethod
     def add_arguments(parser: Parser) -> None:
@@ -45,6 +49,9 @@ class BagPlugin(Plugin[Bags]):
             place.spawn(work())
         await model.serve()
 
+    def settings(self) -> Settings:
+        return self.model.kept().settings()
+
     async def without_screen(self) -> int | None:
         session = self.place.session
         if stays(session, self.place.node):
@@ -55,9 +62,10 @@ class BagPlugin(Plugin[Bags]):
 
 async def _print(session: Session, names: list[str]) -> int:
     """Print what is in the bags, as `ros2 bag info` does."""
+    from rosbag2_py._console import quiet
     from rosbag2_py._info import Info
 
-    status, info = 0, Info()
+    status, info = 0, Info(quiet)
     for name in names:
         path = str(path_of(session.cwd, name))
         try:
