@@ -28,13 +28,16 @@ def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[Cal
         @functools.wraps(function)
         def wrapped(self: Any, *args: Any, **kwargs: Any) -> Any:
             for _ in range(times - 1):
+                noted = [(each, len(each)) for each in _failures(self)]
                 try:
                     result = function(self, *args, **kwargs)
-                    if _succeeds(self):
+                    if all(len(each) == length for each, length in noted):
                         return result
                 except AssertionError:
                     pass  # the next try may do better; the last one is not caught
-                _forget_failures(self)
+                for each, length in noted:
+                    del each[length:]
+                self._outcome.success = True
                 if delay is not None:
                     time.sleep(delay)
             return function(self, *args, **kwargs)
@@ -44,17 +47,7 @@ def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[Cal
     return decorate
 
 
-def _succeeds(test: Any) -> bool:
-    """Return whether no subtest of this test has failed so far."""
-    outcome = getattr(test, "_outcome", None)
-    return outcome is None or bool(outcome.success)
-
-
-def _forget_failures(test: Any) -> None:
-    """Take back what unittest has noted of failed subtests: in a list of the outcome until Python 3.10, then in the result."""
-    outcome = getattr(test, "_outcome", None)
-    if outcome is None:
-        return
-    noted = outcome.errors if hasattr(outcome, "errors") else getattr(outcome.result, "errors", [])
-    noted.clear()
-    outcome.success = True
+def _failures(test: Any) -> list[list[Any]]:
+    """Return where unittest notes failed subtests: in a list of the outcome until Python 3.10, then in the result."""
+    outcome = test._outcome
+    return [outcome.errors] if hasattr(outcome, "errors") else [outcome.result.errors, outcome.result.failures]
