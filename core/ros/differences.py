@@ -74,6 +74,14 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
         (False, False, True, True),
         "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling",
     ),
+    "rqt_robot_steering.stamped": (
+        (False, False, False, True),
+        "ros-visualization/rqt_robot_steering#18 (1.0.1: what is not kept is not the text 'true') and #28 (4.0.2, Rolling)",
+    ),
+    "rqt_robot_steering.parameters": (
+        (False, False, False, True),
+        "ros-visualization/rqt_robot_steering#28 (4.0.2, Rolling); before it asks for undeclared ones, '~default_topic'",
+    ),
     "action.root_node": (
         ("/", "/", "//", "/"),
         "ros2/ros2cli#926, #1049 (#1052 in Humble 0.18.13, #1051 in Jazzy 0.32.5); Kilted as it was recorded",

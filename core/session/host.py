@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from day6_tui.core.session.program import Program
     from day6_tui.core.session.session import Main, Session
-    from day6_tui.core.session.streams import OutputStream
+    from day6_tui.core.session.streams import InputStream, OutputStream
 
 
 class Host(Protocol):
@@ -29,9 +29,17 @@ class Host(Protocol):
         """Names of the commands that open a terminal of the machine."""
 
     def start_beside(
-        self, argv: list[str], main: Main, stdout: OutputStream, stderr: OutputStream, *, env: dict[str, str], cwd: Path
+        self,
+        argv: list[str],
+        main: Main,
+        stdout: OutputStream,
+        stderr: OutputStream,
+        *,
+        env: dict[str, str],
+        cwd: Path,
+        stdin: InputStream | None = None,
     ) -> Program:
-        """Start another program in the background, with empty standard input.
+        """Start another program in the background; without `stdin` it has nothing to read.
 
         Raises:
             OSError: too many programs are running.

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 from rqt_machine import RqtMachine
 
-from day6_tui.core.ros.programs.rqt_shell.model import MOST_CHARACTERS, MOST_LINES, Kind, Shell
+from day6_tui.core.ros.programs.rqt_py_common.command_lines import MOST_CHARACTERS, MOST_LINES, Kind
+from day6_tui.core.ros.programs.rqt_shell.model import Shell
 from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.interpreter import subshell_main

@@ -33,6 +33,8 @@ COMMANDS = {
     "action_browser": "ros2 run rqt_action rqt_action",
     "rqt_image_view": "ros2 run rqt_image_view rqt_image_view",
     "rqt_shell": "ros2 run rqt_shell rqt_shell",
+    "rqt_py_console": "ros2 run rqt_py_console rqt_py_console",
+    "rqt_robot_steering": "ros2 run rqt_robot_steering rqt_robot_steering",
     "rqt_logger_level": "ros2 run rqt_logger_level rqt_logger_level",
     "rqt_reconfigure": "ros2 run rqt_reconfigure rqt_reconfigure",
     "joint_state_publisher": "ros2 run joint_state_publisher_gui joint_state_publisher_gui",

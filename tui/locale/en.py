@@ -568,6 +568,8 @@ TEXTS = {
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_logger_level": "how much a node logs",
     "rqt.about.rqt_shell": "a line for commands",
+    "rqt.about.rqt_py_console": "lines of Python",
+    "rqt.about.rqt_robot_steering": "drive a robot by two sliders",
     "rqt.about.rqt_service_caller": "call a service",
     "rqt.about.rqt_srv": "the types of services, field by field",
     "rqt.about.rqt_publisher": "publish messages of your own",
@@ -668,6 +670,32 @@ TEXTS = {
     "shell.history": "earlier lines",
     "shell.stop": "stop",
     "shell.running": "running …",
+    # rqt_py_console
+    "py_console.ended": "Python has ended with status {status}. Enter begins a new one.",
+    "py_console.begin": "new Python",
+    "py_console.indent": "indent",
+    "py_console.end": "end Python",
+    # rqt_robot_steering
+    "steering.topic": "topic",
+    "steering.topic_title": "Topic for the velocities",
+    "steering.no_topic": "(no topic)",
+    "steering.space": "Space",
+    "steering.stop": "Stop",
+    "steering.linear": "linear",
+    "steering.angular": "angular",
+    "steering.minimum": "least",
+    "steering.maximum": "greatest",
+    "steering.limits": "limits",
+    "steering.next": "next limit",
+    "steering.change": "by 0.1",
+    "steering.far": "ten times as far",
+    "steering.zero": "linear, angular to zero",
+    "steering.bad_limit": "A number from {low} to {high}.",
+    "steering.nothing": "Nothing is published without a topic.",
+    "steering.unheard": "Nobody subscribes to {topic}.",
+    "steering.heard": "subscriptions: {count}",
+    "steering.other_type": "{topic} is used with the type {types}: nobody who subscribes to that gets a {type}.",
+    "steering.other_stamp": "{topic} is used with the type {types}, and this window publishes {type}: m changes that.",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -974,6 +1002,23 @@ TEXTS = {
         "one that the real rqt still has. What a command prints is shown above the line. ^C stops one that does not end.\n\n"
         "Every line has a shell of its own, so cd lasts only to the end of the line. For everything else there are terminals: F2."
     ),
+    "help.rqt_py_console": (
+        "Lines of Python, as after python3 in a terminal. Enter runs a line; after one that ends with a colon follow the lines "
+        "of its block, and an empty one runs them. Errors are shown as Python prints them, and input() asks here.\n\n"
+        "Nodes that you make are real: import rclpy, rclpy.init(), node = rclpy.create_node('mine'), and ros2 node list shows "
+        "/mine. Python runs in a process of its own: ^C interrupts what does not end, exit() or ^D ends it, and Enter begins a "
+        "new one. Closing the window ends it, too.\n\n"
+        "In the real rqt the lines run inside rqt itself: there a loop without end stops all windows, and exit() closes this one."
+    ),
+    "help.rqt_robot_steering": (
+        "Drives what listens to velocities: geometry_msgs/Twist on /cmd_vel, or on another topic that t sets, like "
+        "/turtle1/cmd_vel. With stamped it is TwistStamped, which newer robots want.\n\n"
+        "w and s make the robot faster and slower, a and d turn it to the left and to the right; with Shift ten times as far. x "
+        "sets the linear, z the angular velocity to zero, Space both. The arrows do the same, and the sliders can be dragged. "
+        "Tab goes to the ends of the sliders, and Enter sets one.\n\n"
+        "The velocity is published ten times a second, zero only once: then others can drive. Stop before you close the window: "
+        "as the real one it says nothing when it goes, and a robot that does not watch for that drives on."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -1087,6 +1132,8 @@ TEXTS = {
     "manual.rqt_logger_level": "Logger Level",
     "manual.rqt_image_view": "Image View",
     "manual.rqt_shell": "Shell of rqt",
+    "manual.rqt_py_console": "Python Console of rqt",
+    "manual.rqt_robot_steering": "Robot Steering",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",

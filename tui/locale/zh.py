@@ -752,6 +752,8 @@ TEXTS = {
     "rqt.about.rqt_console": "所有节点的日志消息",
     "rqt.about.rqt_logger_level": "节点记录多少日志",
     "rqt.about.rqt_shell": "输入一行命令",
+    "rqt.about.rqt_py_console": "输入一行 Python",
+    "rqt.about.rqt_robot_steering": "用两个滑块开机器人",
     "rqt.about.rqt_service_caller": "调用服务",
     "rqt.about.rqt_srv": "服务的类型和字段",
     "rqt.about.rqt_publisher": "发布自己的消息",
@@ -852,6 +854,32 @@ TEXTS = {
     "shell.history": "以前的命令",
     "shell.stop": "停止",
     "shell.running": "正在运行…",
+    # rqt_py_console
+    "py_console.ended": "Python 已经结束，状态是 {status}。按 Enter 重新开始。",
+    "py_console.begin": "新的 Python",
+    "py_console.indent": "缩进",
+    "py_console.end": "结束 Python",
+    # rqt_robot_steering
+    "steering.topic": "话题",
+    "steering.topic_title": "速度发到哪个话题",
+    "steering.no_topic": "（没有话题）",
+    "steering.space": "空格",
+    "steering.stop": "停",
+    "steering.linear": "线速度",
+    "steering.angular": "角速度",
+    "steering.minimum": "最小",
+    "steering.maximum": "最大",
+    "steering.limits": "范围",
+    "steering.next": "下一个",
+    "steering.change": "每次 0.1",
+    "steering.far": "一次十步",
+    "steering.zero": "线速度、角速度归零",
+    "steering.bad_limit": "{low} 到 {high} 之间的数。",
+    "steering.nothing": "没有话题，就什么也不发布。",
+    "steering.unheard": "没有人订阅 {topic}。",
+    "steering.heard": "订阅者：{count}",
+    "steering.other_type": "{topic} 上的类型是 {types}：这样的订阅者收不到这个窗口发布的 {type}。",
+    "steering.other_stamp": "{topic} 上的类型是 {types}，这个窗口发布的是 {type}：按 m 更换。",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -1140,6 +1168,21 @@ TEXTS = {
         "真的 rqt 现在也只剩这一种。命令输出的内容显示在上面。不会结束的命令用 ^C 停止。\n\n"
         "每一行都有自己的 shell，所以 cd 只在这一行里有效。其他的事用终端做：F2。"
     ),
+    "help.rqt_py_console": (
+        "一行一行地运行 Python，和终端里的 python3 一样。按 Enter 就运行；以冒号结尾的行后面还有代码块，空行表示代码块结束。"
+        "出错时显示的就是 Python 自己的报错，input() 也在这里提问。\n\n"
+        "这里创建的节点是真的：import rclpy，rclpy.init()，node = rclpy.create_node('mine')，然后 ros2 node list 里就有 /mine。"
+        "Python 在自己的进程里运行：停不下来的用 ^C 打断，exit() 或 ^D 结束它，再按 Enter 重新开始。关掉窗口，它也就结束了。\n\n"
+        "真的 rqt 是在自己里面运行这些代码：一个死循环会让所有窗口停住，exit() 会关掉这个窗口。"
+    ),
+    "help.rqt_robot_steering": (
+        "给听速度的机器人发指令：把 geometry_msgs/Twist 发到 /cmd_vel，按 t 可以换话题，比如 /turtle1/cmd_vel。"
+        "勾上 stamped 就发 TwistStamped，新一些的机器人要的是它。\n\n"
+        "w 加速，s 减速，a 左转，d 右转；按住 Shift 一次十步。x 让线速度归零，z 让角速度归零，空格两个都归零。"
+        "方向键也一样，滑块还可以用鼠标拖。Tab 选滑块的两端，Enter 输入数值。\n\n"
+        "速度每秒发布十次，零只发布一次，这样别人也能开。关窗口之前先停下来：和真的一样，关窗口时它什么也不说，"
+        "没有人管的机器人会一直开下去。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -1245,6 +1288,8 @@ TEXTS = {
     "manual.rqt_logger_level": "日志级别",
     "manual.rqt_image_view": "图像",
     "manual.rqt_shell": "rqt 的 Shell",
+    "manual.rqt_py_console": "rqt 的 Python 控制台",
+    "manual.rqt_robot_steering": "机器人转向",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",

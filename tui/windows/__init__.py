@@ -37,6 +37,8 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt_reconfigure": ("rqt_reconfigure", "ReconfigurePane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
     "rqt_shell": ("rqt_shell", "ShellPane"),
+    "rqt_py_console": ("rqt_py_console", "PyConsolePane"),
+    "rqt_robot_steering": ("rqt_robot_steering", "RobotSteeringPane"),
     "world": ("world", "WorldPane"),
     "editor": ("editor", "EditorPane"),
     "inspector": ("inspector", "InspectorPane"),

@@ -148,10 +148,18 @@ class Shell(ShellState):
         return MODULES["terminals"]
 
     def start_beside(
-        self, argv: list[str], main: Main, stdout: OutputStream, stderr: OutputStream, *, env: dict[str, str], cwd: Path
+        self,
+        argv: list[str],
+        main: Main,
+        stdout: OutputStream,
+        stderr: OutputStream,
+        *,
+        env: dict[str, str],
+        cwd: Path,
+        stdin: InputStream | None = None,
     ) -> Program:
-        """Start a program in the background, with nothing to read; for a launch. Raises BlockingIOError."""
-        streams = Streams(InputStream(), stdout, stderr)
+        """Start a program in the background; for a launch and for windows. Raises BlockingIOError."""
+        streams = Streams(stdin or InputStream(), stdout, stderr)
         program = self.desk.start_program(argv, main, streams, env=env, cwd=cwd, shell=self)
         program.session.background = True
         return program

@@ -5,56 +5,42 @@ Its own words for it (shell.py): "Simple shell for executing non-interactive fin
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
-from enum import Enum
 
-MOST_LINES = 2_000
-MOST_CHARACTERS = 2_000
-"""Of one line; the rest is cut off."""
+from day6_tui.core.ros.programs.rqt_py_common.command_lines import CommandLines
 
 PROMPT = ">>> "
 """qt_gui_py_common, console_text_edit.py"""
 
 
-class Kind(Enum):
-    """What a line is."""
-
-    COMMAND = "command"
-    OUTPUT = "output"
-    ERROR = "error"
-
-
-class Shell:
-    """The model of one shell. The window reads `lines`, `running`, `version`, and calls `run` and `interrupt`."""
+class Shell(CommandLines):
+    """The model of one shell. The window reads `lines`, `prompt`, `version`, and calls `run` and `interrupt`."""
 
     def __init__(self) -> None:
-        self._lines: deque[tuple[Kind, str]] = deque(maxlen=MOST_LINES)
-        self._open: Kind | None = None
-        """The kind of the last line while it has no end."""
+        super().__init__()
         self.running = ""
         """The command line that runs; '' for none."""
-        self.history: list[str] = []
-        self.version = 0
         self.on_run: Callable[[str], object] | None = None
         """Called (any thread) with a line that is to be run."""
         self.on_interrupt: Callable[[], object] | None = None
         """Called (any thread) to end the command that runs."""
 
     @property
-    def lines(self) -> list[tuple[Kind, str]]:
-        """What there is to see, the oldest first."""
-        return list(self._lines)
+    def prompt(self) -> str | None:
+        return None if self.running else PROMPT
+
+    @property
+    def can_interrupt(self) -> bool:
+        return bool(self.running)
 
     def run(self, line: str) -> bool:
         """Run a command line; False while another one runs, or for an empty one."""
-        if self.running or not line.strip():
-            return False
-        self.running = line
-        self.history.append(line)
-        self._lines.append((Kind.COMMAND, PROMPT + line))
-        self._open = None
-        self.version += 1
+        with self._lock:
+            if self.running or not line.strip():
+                return False
+            self.running = line
+            self.history.append(line)
+            self._show_command(PROMPT + line)
         if self.on_run is not None:
             self.on_run(line)
         return True
@@ -64,18 +50,8 @@ class Shell:
         if self.on_interrupt is not None:
             self.on_interrupt()
 
-    def take(self, text: str, kind: Kind) -> None:
-        """Add text that was printed."""
-        pieces = text.split("\n")
-        if self._open is kind and self._lines:
-            _, before = self._lines.pop()
-            pieces[0] = before + pieces[0]
-        self._open = kind if pieces[-1] else None
-        for piece in pieces if pieces[-1] else pieces[:-1]:
-            self._lines.append((kind, piece[:MOST_CHARACTERS]))
-        self.version += 1
-
     def ended(self) -> None:
         """The command has ended."""
-        self.running, self._open = "", None
-        self.version += 1
+        with self._lock:
+            self.running, self._open = "", None
+            self.version += 1

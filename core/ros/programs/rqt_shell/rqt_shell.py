@@ -9,27 +9,13 @@ from __future__ import annotations
 from functools import partial
 
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
-from day6_tui.core.ros.programs.rqt_shell.model import Kind, Shell
+from day6_tui.core.ros.programs.rqt_py_common.command_lines import Kind, Printed
+from day6_tui.core.ros.programs.rqt_shell.model import Shell
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import OutputStream
-from day6_tui.core.session.task import Signal, let_others_run
+from day6_tui.core.session.task import Signal
 
 NO_SHELL = "This shell runs commands of the desktop (day6-tui). Here is none: type them into your own terminal."
-
-
-class _Printed(OutputStream):
-    """Output that goes into the window."""
-
-    def __init__(self, model: Shell, kind: Kind) -> None:
-        self._model, self._kind = model, kind
-
-    def write(self, text: str) -> int:
-        self._model.take(text, self._kind)
-        return len(text)
-
-    async def drain(self) -> None:
-        await let_others_run()  # an endless program must not hold up the others
 
 
 class ShellPlugin(Plugin[Shell]):
@@ -63,7 +49,7 @@ class ShellPlugin(Plugin[Shell]):
 
     async def _run(self, line: str) -> None:
         session, model = self.place.session, self.model
-        output, errors = (partial(_Printed, model)(kind) for kind in (Kind.OUTPUT, Kind.ERROR))
+        output, errors = (Printed(partial(model.take, kind=kind)) for kind in (Kind.OUTPUT, Kind.ERROR))
         host = session.host
         bash = host.command("bash") if host is not None and host.starts_programs else None
         if host is None or bash is None:
