@@ -47,16 +47,21 @@ UNITS = {LINEAR: "m/s", ANGULAR: "rad/s"}
 
 LIMITS = ((LINEAR, MAXIMUM), (LINEAR, MINIMUM), (ANGULAR, MAXIMUM), (ANGULAR, MINIMUM))
 
-ROOMY = (34, 11)
+ROOMY = (34, 9)
 """Columns and lines from which on the linear slider stands upright, as in the real one."""
 
+MOST_REMARKS = 3
+
 TALLEST = 15
-"""Lines of it."""
+"""Lines of it; their number is odd, so that zero is in its middle."""
+
+AIRY = 13
+"""Lines from which on there are empty ones around it."""
 
 BESIDE = 12
 """Columns from it to the buttons at its left."""
 
-VALUE_WIDTH, LIMIT_WIDTH = 12, 6
+VALUE_WIDTH, LIMIT_WIDTH = 14, 6
 
 Placed = tuple[int, list[Segment], Action | None]
 """A column, what stands from there on, and what a click on it does."""
@@ -111,7 +116,7 @@ class RobotSteeringPane(WindowPane["RobotSteering"]):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         height = self.inner_height
-        remarks = self._remarks(width, max(1, height // 3))
+        remarks = self._remarks(width, max(0, min(MOST_REMARKS, height - 4)))
         below = y - (height - len(remarks))
         if y == 0:
             return button_line(self, 0, self._buttons(width), width)
@@ -135,16 +140,16 @@ class RobotSteeringPane(WindowPane["RobotSteering"]):
 
     def _upright(self, width: int, height: int) -> dict[int, list[Placed]]:
         """The linear slider upright with its buttons and numbers beside it, the angular one lying below it."""
-        long = min(TALLEST, height - 7)
-        top = 1 + (height - 6 - long) // 2
-        x, middle, bottom = width // 2, top + long // 2, top + long - 1
-        across = bottom + 2
+        gap = 1 if height >= AIRY else 0
+        half, top = (min(TALLEST, height - 4 - 2 * gap) - 1) // 2, 1 + gap
+        x, middle, bottom = 2 + (width - 5) // 2, top + half, top + 2 * half
+        across = bottom + 1 + gap
         self._tracks = {
-            LINEAR: Track(top, x, long, True, True),
-            ANGULAR: Track(across, 2, width - 4, False, True),
+            LINEAR: Track(top, x, 2 * half + 1, True, True),
+            ANGULAR: Track(across, 2, (width - 5) // 2 * 2 + 1, False, True),
         }
         rows: dict[int, list[Placed]] = {
-            y: [(x, [mark], None)] for y, mark in zip(range(top, top + long), self._marks(LINEAR), strict=True)
+            y: [(x, [mark], None)] for y, mark in enumerate(self._marks(LINEAR), start=top)
         }
         for y, button in ((top, ("w", "+", PAGE)), (middle, ("x", "0", 0)), (bottom, ("s", "-", -PAGE))):
             rows[y].append(self._button(x - BESIDE, LINEAR, *button))
@@ -155,13 +160,13 @@ class RobotSteeringPane(WindowPane["RobotSteering"]):
         rows[across + 1] = [
             self._button(2, ANGULAR, "a", "<", PAGE),
             self._button(x - 3, ANGULAR, "z", "0", 0),
-            self._button(width - 8, ANGULAR, "d", ">", -PAGE),
+            self._button(2 * x - 7, ANGULAR, "d", ">", -PAGE),
         ]
         value = self._value(ANGULAR)
         rows[across + 2] = [
             self._end(2, ANGULAR, MAXIMUM),
             (x - cell_len(value.text) // 2, [value], None),
-            self._end(width - 2 - LIMIT_WIDTH, ANGULAR, MINIMUM),
+            self._end(2 * x - 1 - LIMIT_WIDTH, ANGULAR, MINIMUM),
         ]
         return rows
 
@@ -173,7 +178,7 @@ class RobotSteeringPane(WindowPane["RobotSteering"]):
             first, last = (MAXIMUM, MINIMUM) if falls else (MINIMUM, MAXIMUM)
             name = self.look.texts(f"steering.{axis}")
             ends = width >= ROOMY[0] + 2 * LIMIT_WIDTH
-            left = cell_len(name) + 2
+            left = max(cell_len(self.look.texts(f"steering.{each}")) for each in (LINEAR, ANGULAR)) + 2
             x = left + (LIMIT_WIDTH + 1) * ends
             length = max(3, width - x - VALUE_WIDTH - (LIMIT_WIDTH + 1) * ends)
             self._tracks[axis] = Track(y, x, length, False, falls)

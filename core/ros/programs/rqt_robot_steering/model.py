@@ -7,13 +7,14 @@ and makes requests, the program's thread carries them out.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from geometry_msgs.msg import Twist, TwistStamped
 
 from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.exceptions import InvalidTopicNameException
 
 if TYPE_CHECKING:
@@ -65,9 +66,13 @@ _KEPT = {
 class RobotSteering(Requests):
     """The model of one Robot Steering. The window reads what is public and calls what is below "the window's side"."""
 
-    def __init__(self, node: Node, settings: Mapping[str, Any], *, stamped: bool) -> None:
+    def __init__(
+        self, node: Node, settings: Mapping[str, Any], tell: Callable[[str], object], *, stamped: bool
+    ) -> None:
         super().__init__()
         self._node = node
+        self._tell = tell
+        """Prints a line in the terminal."""
         self._publisher: Publisher[Any] | None = None
         self._stopped = False
         """Whether zero was published: once, so that others can take over."""
@@ -77,7 +82,7 @@ class RobotSteering(Requests):
         self.stamped = stamped
         """Whether TwistStamped is published, instead of Twist."""
         self.problem = ""
-        """Why there is no publisher, in rclpy's words."""
+        """Why there is no publisher, in rclpy's words: no name, or a type that this node's context does not have there."""
         self.heard = 0
         """Subscriptions that get what is published."""
         self.other_types: tuple[str, ...] = ()
@@ -174,8 +179,9 @@ class RobotSteering(Requests):
             try:
                 kind = TwistStamped if self.stamped else Twist
                 self._publisher = self._node.create_publisher(kind, topic, DEPTH)
-            except InvalidTopicNameException as error:
+            except (InvalidTopicNameException, RCLError) as error:
                 self.problem = str(error)
+                self._tell(f"Error creating publisher: {error}")
         self.version += 1
         self.refresh()
 

@@ -41,9 +41,7 @@ class RobotSteeringPlugin(Plugin[RobotSteering]):
         if differences.value("rqt_robot_steering.parameters"):
             settings = {**settings, **_given(place.node)}
         stamped = differences.value("rqt_robot_steering.stamped")
-        super().__init__(place, RobotSteering(place.node, settings, stamped=stamped))
-        if self.model.problem:
-            place.session.print(f"Error creating publisher: {self.model.problem}")
+        super().__init__(place, RobotSteering(place.node, settings, place.session.print, stamped=stamped))
 
     async def run(self) -> None:
         self.place.serve(self.model)
