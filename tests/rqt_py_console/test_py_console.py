@@ -1,4 +1,4 @@
-"""The Python console of rqt: a real interpreter behind it, its blocks, errors, questions and ends; its keys and what is pasted."""
+"""The Python console of rqt: the interpreter behind it, its blocks, errors, questions and ends; keys and what is pasted."""
 
 from __future__ import annotations
 

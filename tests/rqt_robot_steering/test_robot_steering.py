@@ -1,4 +1,4 @@
-"""Robot Steering: what it publishes and when, its limits and perspectives, topics that are wrong, and the turtle that it drives."""
+"""Robot Steering: what it publishes and when, its limits and perspectives, topics that are wrong, the turtle it drives."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_stamped_messages_have_the_time_and_take_the_place_of_the_others(machine
     plain.clear()
     machine.advance(0.5)
     assert plain == [] and stamped[-1].twist.linear.x == 0.5 and stamped[-1].header.frame_id == ""
-    assert 0 < stamped[-1].header.stamp.sec
+    assert stamped[-1].header.stamp.sec > 0
     kinds = [info.topic_type for info in machine.node.get_publishers_info_by_topic("/cmd_vel")]
     assert kinds == ["geometry_msgs/msg/TwistStamped"]
 

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from geometry_msgs.msg import Twist, TwistStamped
 
 from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
-from rclpy._rclpy_pybind11 import RCLError
 from rclpy.exceptions import InvalidTopicNameException
 
 if TYPE_CHECKING:
@@ -179,7 +178,7 @@ class RobotSteering(Requests):
             try:
                 kind = TwistStamped if self.stamped else Twist
                 self._publisher = self._node.create_publisher(kind, topic, DEPTH)
-            except (InvalidTopicNameException, RCLError) as error:
+            except (InvalidTopicNameException, RuntimeError) as error:  # rcl's errors are of that class
                 self.problem = str(error)
                 self._tell(f"Error creating publisher: {error}")
         self.version += 1
