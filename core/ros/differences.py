@@ -270,6 +270,7 @@ UNSETTLED: dict[str, str] = {
     "words of help": "of options that all have are Kilted's",
     "ros2 doctor --exclude-packages": "is there in Humble too",
     "pictures of turtles": "one more in each distribution; windows here draw all turtles alike",
+    "rqt_robot_steering before Rolling": "its restore_settings is known from #18 only, not after #23 (1.0.2 to 3.0.0): as in #18",
     "depth of a Humble turtlesim's topics": "7 as later (ros_tutorials#161) in place of 1: no tool shows it",
 }
 """What no source could settle, or is known and not told apart -> what is done."""

@@ -1177,7 +1177,7 @@ TEXTS = {
     ),
     "help.rqt_robot_steering": (
         "给听速度的机器人发指令：把 geometry_msgs/Twist 发到 /cmd_vel，按 t 可以换话题，比如 /turtle1/cmd_vel。"
-        "勾上 stamped 就发 TwistStamped，新一些的机器人要的是它。\n\n"
+        "勾上 stamped 就发 TwistStamped，较新的机器人用的就是它。\n\n"
         "w 加速，s 减速，a 左转，d 右转；按住 Shift 一次十步。x 让线速度归零，z 让角速度归零，空格两个都归零。"
         "方向键也一样，滑块还可以用鼠标拖。Tab 选滑块的两端，Enter 输入数值。\n\n"
         "速度每秒发布十次，零只发布一次，这样别人也能开。关窗口之前先停下来：和真的一样，关窗口时它什么也不说，"
