@@ -339,6 +339,7 @@ TEXTS = {
     "topics.sort": "sort",
     "topics.reverse": "sort the other way",
     "topics.filter": "filter",
+    "topics.view": "view",
     "topics.filter_note": "Part of a topic's name or type; nothing shows all.",
     "topics.filtered": "of {count}, filter: {text}",
     "topics.unfilter": "show all",
@@ -770,7 +771,7 @@ TEXTS = {
     # help
     "help.title": "Help",
     "help.keys": "↑ ↓ scroll   Tab next page   Esc back",
-    "log.keys": "↑ ↓ ← → scroll   c copy   Esc back",
+    "log.keys": "↑ ↓ scroll   c copy   Esc back",
     "log.copied": "copied   Esc back",
     "list.head": "{name}: ",
     "help.everywhere": "Keys that work everywhere",

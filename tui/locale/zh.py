@@ -523,6 +523,7 @@ TEXTS = {
     "topics.sort": "排序",
     "topics.reverse": "反过来排",
     "topics.filter": "过滤",
+    "topics.view": "看全部",
     "topics.filter_note": "写话题名或类型的一部分；什么都不写就显示全部。",
     "topics.filtered": "共 {count} 个，过滤：{text}",
     "topics.unfilter": "显示全部",
@@ -954,7 +955,7 @@ TEXTS = {
     # help
     "help.title": "帮助",
     "help.keys": "↑ ↓ 滚动   Tab 下一页   Esc 返回",
-    "log.keys": "↑ ↓ ← → 滚动   c 复制   Esc 返回",
+    "log.keys": "↑ ↓ 滚动   c 复制   Esc 返回",
     "log.copied": "已复制   Esc 返回",
     "list.head": "{name}：",
     "help.everywhere": "到处都能用的按键",

@@ -143,7 +143,7 @@ class FieldList(PaneList):
             end = at + len(list(takewhile(lambda line: line.depth > depth, self.lines_shown[at + 1 :])))
             top = min(at, end + 1 - self.size.height)
             if top > self.scroll_offset.y:
-                self.scroll_to(y=top, animate=False)
+                self.scroll_to(y=top, animate=False, immediate=True)
 
     def choose(self, key: str) -> None:
         """Put the cursor on a line, if it is shown."""

@@ -61,7 +61,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
     # -- frame ---------------------------------------------------------------------------------------------------------
 
     def status(self) -> list[Piece]:
-        texts, chosen = self.look.texts, self.table.chosen
+        texts, colours, chosen = self.look.texts, self.look.colours, self.table.chosen
         if chosen is None and not self._filter:
             return []
         names = [topic.name for topic in self._topics]
@@ -69,7 +69,10 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         text = f" {at}/{len(names)} "
         if self._filter:
             text += f"{texts('topics.filtered', text=self._filter, count=len(self.model.topics))} "
-        return [Piece(text, self.look.colours.muted)]
+        pieces = [Piece(text, colours.muted)]
+        if chosen is not None:  # in their columns there may be no room for all of it
+            pieces += [Piece(f"{'/'.join(chosen.path)} ", colours.text), Piece(f"{chosen.type} ", colours.muted)]
+        return pieces
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         return self._head() if y == 0 else ()
@@ -101,8 +104,9 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         return [
             ("Enter", texts("topics.stop" if topic is not None and topic.monitored else "topics.listen")),
             ("← →" if unicode else "<- ->", texts("topics.open")),
-            ("s", texts("topics.sort")),
             ("/", texts("topics.filter")),
+            ("v", texts("topics.view")),
+            ("s", texts("topics.sort")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
@@ -247,6 +251,8 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             self._sort_by(self._sort)
         elif event.character == "/":
             self._ask_filter()
+        elif event.character == "v":
+            self._view()
         elif event.key == "escape" and self._filter:
             self._filter_by("")
         else:
@@ -257,6 +263,22 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         if self.used(event):
             event.stop()
             event.prevent_default()
+
+    def _view(self) -> None:
+        """Show the whole value of the chosen line, as it is now; of a topic of which nothing has come, what its type is."""
+        from day6_tui.core.ros.programs.rqt_topic.fields import text_of, value_at
+        from day6_tui.tui.message import LogModal
+
+        topic, chosen = self._chosen_topic(), self.table.chosen
+        if topic is None or chosen is None:
+            return
+        message = self._messages.get(topic.name, (0, None))[1]
+        path = chosen.path if (value := value_at(message, chosen.path[1:])) is not None else chosen.path[:1]
+        if message is not None:
+            title, text = "/".join(path), text_of(message if value is None else value)
+        else:
+            title, text = _definition(topic)
+        self.lay_over(LogModal(self.look, title, text.split("\n"), from_top=True))
 
     def tick(self, topic: str) -> None:
         """Listen to a topic, or stop."""
@@ -280,6 +302,17 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         self.look.wake()
 
 
+def _definition(topic: Topic) -> tuple[str, str]:
+    """The name and the text of the type of a topic; that of its action or service, if it belongs to one."""
+    from day6_tui.core.interfaces import definition_text
+
+    name = topic.types[0] if "/msg/" in topic.types[0] else topic.types[0].partition("_")[0]
+    try:
+        return name, definition_text(name)
+    except (LookupError, OSError, ValueError) as error:
+        return topic.types[0], str(error)
+
+
 def _ends(path: Path, ends: Sequence[Endpoint]) -> list[Branch]:
     return [Branch(Row((*path, f"{end.node}"), value=end.qos)) for end in ends]
 
@@ -293,8 +326,12 @@ def _bandwidth(bandwidth: float | None) -> str:
         return "-"
     for unit, size in (("MB/s", 1e6), ("kB/s", 1e3)):
         if bandwidth >= size:
-            return f"{bandwidth / size:.2f} {unit}"
+            return f"{_three_digits(bandwidth / size)} {unit}"
     return f"{bandwidth:.0f} B/s"
+
+
+def _three_digits(number: float) -> str:
+    return f"{number:.{2 if number < 10 else 1 if number < 100 else 0}f}"
 
 
 def _sparkline(values: Sequence[float], width: int, bars: str) -> str:

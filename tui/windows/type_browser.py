@@ -124,7 +124,7 @@ class BrowsingPane(FieldPane[Model]):
         if "/" not in kind:
             parent = line.key.rpartition("/")[0]
             kind = next((each.cells[1] for each in self.list.lines_shown if each.key == parent), kind)
-        self.lay_over(LogModal(self.look, kind, self.browser.text(kind).splitlines()))
+        self.lay_over(LogModal(self.look, kind, self.browser.text(kind).splitlines(), from_top=True))
 
     def choose_package(self) -> None:
         """Open the list of packages, then that of the chosen one's types."""
