@@ -70,7 +70,7 @@ class Columns(NamedTuple):
     value: int
 
 
-LEAST_VALUE = 14
+LEAST_VALUE = 12
 """Cells that long names leave to the values."""
 
 
