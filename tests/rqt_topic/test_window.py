@@ -410,7 +410,7 @@ def test_v_shows_the_whole_value_or_else_what_the_type_is() -> None:
     use(model, act, (80, 24))
 
 
-@pytest.mark.parametrize("width", [40, 80])
+@pytest.mark.parametrize("width", [44, 80])
 def test_what_is_opened_on_the_last_line_in_sight_comes_into_sight(width: int) -> None:
     async def act(window: _Window) -> None:
         await window.press("end", "right")

@@ -70,7 +70,7 @@ class Columns(NamedTuple):
     value: int
 
 
-LEAST_VALUE = 12
+LEAST_VALUE = 13
 """Cells that long names leave to the values."""
 
 

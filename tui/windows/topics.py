@@ -71,7 +71,8 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             text += f"{texts('topics.filtered', text=self._filter, count=len(self.model.topics))} "
         pieces = [Piece(text, colours.muted)]
         if chosen is not None:  # in their columns there may be no room for all of it
-            pieces += [Piece(f"{'/'.join(chosen.path)} ", colours.text), Piece(f"{chosen.type} ", colours.muted)]
+            path = chosen.path if chosen.type else chosen.path[:1]
+            pieces += [Piece(f"{'/'.join(path)} ", colours.text), Piece(f"{chosen.type} ", colours.muted)]
         return pieces
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
