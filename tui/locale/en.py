@@ -228,6 +228,7 @@ TEXTS = {
     # rqt_graph
     "rqt.hidden": "{count} hidden: {reasons}",
     "rqt.hides": "{option} hides {names}",
+    "rqt.hides_some": "{option} {count}",
     "rqt.separator": "; ",
     "rqt.nothing_hidden": "nothing is hidden",
     "rqt.empty": "No node is publishing or subscribing.",
