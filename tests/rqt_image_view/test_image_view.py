@@ -18,6 +18,7 @@ from day6_tui.core.ros.programs.rqt_gui.plugin import Place
 from day6_tui.core.ros.programs.rqt_image_view.decoding import Undecodable, View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
 from day6_tui.core.ros.programs.rqt_image_view.rqt_image_view import ImageViewPlugin
+from day6_tui.tui.locale import catalogue
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
@@ -242,6 +243,34 @@ def test_the_truth_is_told_where_there_is_no_picture(message, topic, told) -> No
         assert told in window.text.replace("┃\n┃ ", "").replace("  ", "")
 
     use(model, act, (120, 24))
+
+
+def test_the_last_image_of_a_camera_that_has_gone_is_marked_as_such() -> None:
+    model = Model(halves())
+
+    async def act(window: ToolWindow) -> None:
+        assert "Nobody publishes" not in window.text
+        model.topics = {}
+        model.version += 1
+        await step(window.app, window.pilot)
+        assert "40x40 mono8" in window.text and "Nobody publishes /camera." in window.text
+
+    use(model, act)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_the_controls_stand_above_with_their_keys_also_beside_a_long_name(size: tuple[int, int], lang: str) -> None:
+    model = Model(halves())
+    model.topic = "/robot/sensors/front/left/camera/image_raw/of_great_length"
+
+    async def act(window: ToolWindow) -> None:
+        head = window.text.split("\n")[2]
+        assert "…" in head or size[0] == 120
+        assert all(each in head for each in ("t /robot", "▾", "1 [ ] 1:1", "r 0°", "d [ ]", "m [ ]")) or size[0] == 120
+        assert catalogue(lang)["images.mouse"] in head
+
+    use(model, act, size, lang=lang)
 
 
 def test_without_colours_or_utf8_brightness_is_a_letter() -> None:

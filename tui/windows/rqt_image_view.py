@@ -12,19 +12,19 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from rich.segment import Segment
-from rich.style import Style
 from textual import events
 from textual.geometry import Region
 
 from day6_tui.core.ros.programs.rqt_image_view.decoding import Picture, Undecodable, View
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import clip, wrap
+from day6_tui.tui.cells import wrap
 from day6_tui.tui.colours import background_of
 from day6_tui.tui.look import Look
 from day6_tui.tui.menu import Entry, Menu
-from day6_tui.tui.pane import Action, Piece
+from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.buttons import Button, button_line, shortened
 from day6_tui.tui.windows.image_cells import in_cells, on_ground, pixels_in_cells
 
 if TYPE_CHECKING:
@@ -133,7 +133,7 @@ class ImageViewPane(WindowPane["ImageView"]):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         if y == 0:
-            return self._head(width)
+            return button_line(self, y, shortened(self._buttons(), width, self.look.glyphs.ellipsis), width)
         colours, row = self.look.colours, y - 1 - self._corner[1]
         remark = self._remark()
         if remark:
@@ -157,27 +157,18 @@ class ImageViewPane(WindowPane["ImageView"]):
             return texts("images.no_topic", topic=model.topic)
         return texts("images.waiting", topic=model.topic)
 
-    def _head(self, width: int) -> list[Segment]:
-        colours, view, texts = self.look.colours, self._view, self.look.texts
-        self._hits.pop(1, None)
-        shown: list[tuple[str, Style, Action]] = [
-            (f" {self.model.topic or '-'} ", colours.key, self._choose_topic),
-            (f" {'1:1' if view.zoom_1 else texts('images.fit')} ", colours.text, partial(self._press, "", "1")),
-            (f" {90 * view.rotation}° ", colours.text, partial(self._press, "", "r")),
+    def _buttons(self) -> list[Button]:
+        """The controls of the original; a click on one is its key."""
+        model, view, texts = self.model, self._view, self.look.texts
+        mark = " ▾" if self.look.glyphs.chinese else " v"
+        publishes = model.mouse_topic if model.publishes_clicks else texts("images.mouse")
+        return [
+            Button("t", model.topic or "-", self._choose_topic, mark=mark),
+            Button("1", "1:1", partial(self._press, "", "1"), view.zoom_1),
+            Button("r", f"{90 * view.rotation}°", partial(self._press, "", "r")),
+            Button("d", texts("images.dynamic"), partial(self._press, "", "d"), view.dynamic_range),
+            Button("m", publishes, partial(self._press, "", "m"), model.publishes_clicks),
         ]
-        if view.dynamic_range:
-            shown.append((f" {texts('images.dynamic')} ", colours.text, partial(self._press, "", "d")))
-        if self.model.publishes_clicks:
-            shown.append((f" {self.model.mouse_topic} ", colours.publisher, partial(self._press, "", "m")))
-        segments: list[Segment] = []
-        x = 0
-        for text, style, action in shown:
-            text = clip(text, max(0, width - x), self.look.glyphs.ellipsis)
-            segment = Segment(text, style)
-            self.add_hit(1, x + self.inner_offset, x + self.inner_offset + segment.cell_length, action)
-            x += segment.cell_length
-            segments.append(segment)
-        return segments
 
     def status(self) -> list[Piece]:
         picture, colours = self._picture, self.look.colours
@@ -185,6 +176,9 @@ class ImageViewPane(WindowPane["ImageView"]):
             return []
         text = f" {picture.image_width}x{picture.image_height} {picture.encoding}  {self.model.received} "
         pieces = [Piece(text, colours.muted)]
+        if self.model.topic not in self.model.topics:  # what is seen is the last image
+            text = self.look.texts("images.no_topic", topic=self.model.topic)
+            pieces.append(Piece(f" {self.look.glyphs.warning} {text} ", colours.warning))
         if self._mouse is not None:
             pieces.append(Piece(f" x {self._mouse[0]}  y {self._mouse[1]} ", colours.strong))
         return pieces
@@ -192,10 +186,12 @@ class ImageViewPane(WindowPane["ImageView"]):
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def key_hints(self) -> list[tuple[str, str]]:
-        texts = self.look.texts
+        texts, zoomed = self.look.texts, self._view.zoom_1
+        arrows = "←↑↓→" if self.look.glyphs.unicode else "arrows"
         return [
             ("t", texts("images.topic")),
-            ("1", texts("images.fit" if self._view.zoom_1 else "images.zoom_1")),
+            ("1", texts("images.fit" if zoomed else "images.zoom_1")),
+            *([(arrows, texts("rqt.pan"))] if zoomed else []),
             ("r", texts("images.rotate")),
             ("w", texts("images.save")),
         ]
@@ -250,7 +246,9 @@ class ImageViewPane(WindowPane["ImageView"]):
             for name, kind in self.model.topics.items()
         ]
         if entries:
-            self.lay_over(Menu(self.look, "images.topic", entries))
+            names = list(self.model.topics)
+            at = names.index(self.model.topic) if self.model.topic in names else 0
+            self.lay_over(Menu(self.look, "topics.columns.topic", entries, chosen=at))
 
     def _ask_range(self) -> None:
         texts = self.look.texts

@@ -50,7 +50,7 @@ class BrowsingPane(FieldPane[Model]):
     def bar(self) -> Sequence[Segment | Button]:
         texts, mark = self.look.texts, " ▾" if self.look.glyphs.chinese else " v"
         return [
-            Button("p", (self.browser.package or texts("types.no_package")) + mark, self.choose_package),
+            Button("p", self.browser.package or texts("types.no_package"), self.choose_package, mark=mark),
             Button("a", texts("types.add"), self.choose_type),
         ]
 
