@@ -657,6 +657,7 @@ TEXTS = {
     "shell.history": "earlier lines",
     "shell.stop": "stop",
     "shell.running": "running …",
+    "shell.no_desktop": "This shell runs commands of the desktop (day6-tui). Here is none: type them into your own terminal.",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",

@@ -841,6 +841,7 @@ TEXTS = {
     "shell.history": "以前的命令",
     "shell.stop": "停止",
     "shell.running": "正在运行…",
+    "shell.no_desktop": "这里的 shell 运行的是桌面（day6-tui）里的命令，现在没有桌面：请在你自己的终端里输入命令。",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",

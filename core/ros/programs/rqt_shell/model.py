@@ -23,6 +23,12 @@ class Kind(Enum):
     COMMAND = "command"
     OUTPUT = "output"
     ERROR = "error"
+    REMARK = "remark"
+    """A sentence of ours, which the window has in the user's language; the line is its name."""
+
+
+NO_DESKTOP = "shell.no_desktop"
+"""The remark where commands cannot be run."""
 
 
 class Shell:

@@ -9,13 +9,11 @@ from __future__ import annotations
 from functools import partial
 
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
-from day6_tui.core.ros.programs.rqt_shell.model import Kind, Shell
+from day6_tui.core.ros.programs.rqt_shell.model import NO_DESKTOP, Kind, Shell
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import OutputStream
 from day6_tui.core.session.task import Signal, let_others_run
-
-NO_SHELL = "This shell runs commands of the desktop (day6-tui). Here is none: type them into your own terminal."
 
 
 class _Printed(OutputStream):
@@ -67,7 +65,7 @@ class ShellPlugin(Plugin[Shell]):
         host = session.host
         bash = host.command("bash") if host is not None and host.starts_programs else None
         if host is None or bash is None:
-            errors.write(f"{NO_SHELL}\n")
+            model.take(f"{NO_DESKTOP}\n", Kind.REMARK)
             return
         try:
             self._program = host.start_beside(
