@@ -850,7 +850,8 @@ TEXTS = {
         "newest message are shown. Listening is a subscription, so it counts as one.\n\n"
         "The right arrow key, or a click on the small arrow, opens a topic: the fields of its message, and who publishes and "
         "subscribes. The left one closes it. s sorts by the next column, S the other way round; so does a click on a column's "
-        "name. / filters by part of a name or type, Esc shows all again."
+        "name. / filters by part of a name or type, Esc shows all again.\n\n"
+        "v shows all of a value that has no room on its line, or what the type is while nothing has come; there, c copies it."
     ),
     "help.rqt_tf_tree": (
         "The tree of frames: each stands below its parent. Age is how long ago its newest transform was sent, rate how often "
@@ -882,7 +883,8 @@ TEXTS = {
     ),
     "help.type_browser": (
         "The types of messages or services that there are here, like ros2 interface show. p chooses a package, a adds one of its "
-        "types as a tree of fields. Enter, or v, shows the text that defines the type of the line; d removes the tree."
+        "types as a tree of fields. Enter, or v, shows the text that defines the type of the line, which c "
+        "then copies; d removes the tree."
     ),
     "help.action_browser": (
         "Below, the types of actions, as in the real rqt: p chooses a package, a adds one of its types, Enter shows its text.\n\n"
@@ -921,6 +923,7 @@ TEXTS = {
     "help.rqt_shell": (
         "A shell for commands that end by themselves and ask nothing, like ros2 topic list: rqt's SimpleShell, which is the only "
         "one that the real rqt still has. What a command prints is shown above the line. ^C stops one that does not end.\n\n"
+        "Up and Down bring back earlier lines, Page Up shows what was printed before. "
         "Every line has a shell of its own, so cd lasts only to the end of the line. For everything else there are terminals: F2."
     ),
     "help.world": (
@@ -946,7 +949,7 @@ TEXTS = {
         "the cross of this window all of them.\n\n"
         "What is open, with its settings, is a perspective: rqt begins with the last one. p switches to another, makes a new "
         "one, and reads or writes a file that the real rqt can read, too. Each window is also a command: "
-        "ros2 run rqt_plot rqt_plot."
+        "ros2 run rqt_plot rqt_plot. It gets the keyboard, unless & stands at the end: then you go on typing."
     ),
     "help.rqt_console": (
         "The log messages of all nodes, from the topic /rosout, the newest at the end. The arrow keys or a click choose one: "

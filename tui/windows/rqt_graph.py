@@ -281,7 +281,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         if below >= 0:
             return self._switch_line(below, y, width)
         if not self.graph.content.boxes and y == self.inner_height // 2:
-            text = clip(self.look.texts("rqt.empty"), width, self.look.glyphs.ellipsis)
+            text = clip(f" {self.look.texts('rqt.empty')}", width, self.look.glyphs.ellipsis)
             return [Segment(text, self.look.colours.muted)]
         if self._fine is not None and self.look.pixels is not None:
             return self._fine.sheet.line(y) if y < self._fine.rows else []
