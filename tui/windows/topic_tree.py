@@ -106,7 +106,8 @@ class TopicTree(Tree[Row]):
         self._open: set[Path] = set()
         self._opened: Path | None = None
         """What was opened last, until its parts are in sight."""
-        self._longest = 0
+        self._names: list[str] = []
+        self._longest = LONGEST_PART
         """Cells of the longest name of a topic, with what stands before it."""
         self.remark = ""
         """What is shown while there are no lines."""
@@ -147,10 +148,7 @@ class TopicTree(Tree[Row]):
     def show(self, branches: Sequence[Branch]) -> None:
         """Show these branches, and draw only the lines that differ."""
         line, before = self.cursor_line, self.chosen
-        longest = max((BEFORE_NAME + cell_len(one_line(row.path[-1])) for row, _ in branches), default=0)
-        longest = max(longest, LONGEST_PART)
-        if bool(branches) != bool(self.root.children) or longest != self._longest:
-            self._longest = longest
+        if self._measure([row.path[-1] for row, _ in branches]) or bool(branches) != bool(self.root.children):
             self._invalidate()
             self.refresh()
         self._fill(self.root, branches)
@@ -163,6 +161,14 @@ class TopicTree(Tree[Row]):
         if self._opened is not None and (opened := self.node_at(self._opened)) is not None:
             self._opened = None
             self.call_after_refresh(self._show_parts, opened)
+
+    def _measure(self, names: list[str]) -> bool:
+        """Measure the names of the topics; return whether the columns are other ones now."""
+        if names == self._names:
+            return False
+        before, self._names = self._longest, names
+        self._longest = max([LONGEST_PART, *(BEFORE_NAME + cell_len(one_line(name)) for name in names)])
+        return self._longest != before
 
     def _show_parts(self, node: TreeNode[Row]) -> None:
         """Scroll down as far as is needed to see what is below a line, but not beyond the line itself."""
