@@ -418,3 +418,27 @@ def test_what_is_opened_on_the_last_line_in_sight_comes_into_sight(width: int) -
         assert window.line("data") and window.line("subscriptions")
 
     use(Model(*(topic(f"/topic{number:02}") for number in range(40))), act, (width, 24))
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+def test_the_mouse_can_do_what_the_keys_can(lang: str, size: tuple[int, int]) -> None:
+    async def act(window: _Window) -> None:
+        texts = window.app.look.texts
+        await window.click(f" {texts('topics.sort')}", into=2)
+        assert window.line("▲").index("▲") > window.line("/chatter").index("/chatter") + 10
+        await window.click(f" {texts('topics.view')}", into=2)
+        assert "data: Hello 7" in window.text
+        await window.press("escape")
+        await window.click(f" {texts('topics.filter')}", into=2)
+        await window.press(*"cmd", "enter")
+        assert window.order() == ["/cmd_vel"]
+
+    use(heard(), act, size, lang=lang)
+
+
+def test_a_low_window_has_its_lines_for_topics() -> None:
+    async def act(window: _Window) -> None:
+        assert "Topic ▲" in screen_lines(window.app)[2] and "/chatter" in screen_lines(window.app)[3]
+
+    use(heard(), act, (80, 10))

@@ -333,7 +333,7 @@ TEXTS = {
     "topics.subscriptions": "subscriptions",
     "topics.history": "recent rate",
     "topics.quiet": "not monitored",
-    "topics.waiting": "nothing received yet",
+    "topics.waiting": "nothing yet",
     "topics.listen": "listen",
     "topics.stop": "stop",
     "topics.open": "open",

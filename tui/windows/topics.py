@@ -17,6 +17,7 @@ from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.buttons import Button, button_line
 from day6_tui.tui.windows.topic_tree import Branch, Path, Row, TopicTree
 
 if TYPE_CHECKING:
@@ -26,6 +27,9 @@ SORTS = ("topic", "type", "bandwidth", "hz")
 """The columns by which topics can be sorted."""
 
 BARS_WIDTH = 12
+
+WITH_BUTTONS = 10
+"""Lines of the inside from which on one is for buttons."""
 
 RESTS = 20
 """A message that took long to read is read again after this many times as long: the window stays quick."""
@@ -76,7 +80,23 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         return pieces
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        return self._head() if y == 0 else ()
+        if y < self._bar_rows:
+            return button_line(self, y, self._buttons(), width)
+        return self._head() if y == self._bar_rows else ()
+
+    @property
+    def _bar_rows(self) -> int:
+        """Lines for the buttons, where there are enough for topics."""
+        return 1 if self.inner_height >= WITH_BUTTONS else 0
+
+    def _buttons(self) -> list[Button]:
+        """What has no place of its own to be clicked."""
+        texts = self.look.texts
+        return [
+            Button("/", texts("topics.filter"), self._ask_filter),
+            Button("v", texts("topics.view"), self._view),
+            Button("s", texts("topics.sort"), self._sort_by_next),
+        ]
 
     def _head(self) -> list[Segment]:
         """The names of the columns; a click sorts by one."""
@@ -94,7 +114,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             pad = " " * (width - cell_len(text))
             text = gap + (pad + text if key in ("bandwidth", "hz") else text + pad)
             if key in SORTS:
-                self.add_hit(1, x, x + cell_len(text), partial(self._sort_by, key))
+                self.add_hit(self._bar_rows + 1, x, x + cell_len(text), partial(self._sort_by, key))
             x += cell_len(text)
             segments.append(Segment(text, self.look.colours.strong if key == self._sort else self.look.colours.muted))
         return segments
@@ -120,6 +140,8 @@ class TopicsPane(WindowPane["TopicMonitor"]):
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)
+        self.measure()
+        self.table.styles.margin = (self._bar_rows + 2, 1, 1, 1)
         self.refill()
 
     # -- filling the tree ----------------------------------------------------------------------------------------------
@@ -144,7 +166,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         self._show()
         if self._read(now):  # other topics have come in sight
             self._show()
-        self.touch_lines([0])
+        self.touch_lines(range(self._bar_rows + 1))
         self.touch_frame()
 
     def _show(self) -> None:
@@ -247,7 +269,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             if topic is not None:
                 self.tick(topic.name)
         elif event.character == "s":
-            self._sort_by(SORTS[(SORTS.index(self._sort) + 1) % len(SORTS)])
+            self._sort_by_next()
         elif event.character == "S":
             self._sort_by(self._sort)
         elif event.character == "/":
@@ -285,6 +307,9 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         """Listen to a topic, or stop."""
         self.model.toggle(topic)
         self.look.wake()
+
+    def _sort_by_next(self) -> None:
+        self._sort_by(SORTS[(SORTS.index(self._sort) + 1) % len(SORTS)])
 
     def _sort_by(self, column: str) -> None:
         """Sort by a column: the greatest number first; by the same once more: the other way round."""
