@@ -126,7 +126,7 @@ def test_the_whole_image_is_saved_turned_as_it_is_seen(machine) -> None:
 
 
 def test_a_name_that_is_no_topic_is_not_listened_to(machine) -> None:
-    running = machine.open("/no//topic", "-x")
+    running = machine.open("/no//topic")
     assert machine.model.topic == "" and running.program.status is None
 
 

@@ -97,6 +97,10 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
         name, _, path = line.key.removeprefix(ACTION).partition(REQUEST)
         self.model.set_expression(name, path, text)
 
+    def resize(self, line: FieldLine, step: int) -> None:
+        name, _, path = line.key.removeprefix(ACTION).partition(REQUEST)
+        self.model.resize(name, path, step)
+
     # -- opening -------------------------------------------------------------------------------------------------------
 
     def _wants_open(self, line: FieldLine) -> bool:

@@ -11,6 +11,7 @@ from rich.segment import Segment
 from textual import events, on
 from textual.widget import Widget
 
+from day6_tui.core.ros.programs.rqt_py_common.message_form import SEQUENCE
 from day6_tui.core.session.display import Window
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Action, Piece
@@ -35,6 +36,8 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     FieldPane { layers: list entry; layout: vertical; }
     FieldPane > FieldList, FieldPane > FieldList:focus { layer: list; margin: 2 1 1 1; }
     """
+
+    key_weight = 3  # one more of its keys where there is no room for F8, too
 
     def __init__(self, window: Window[Model], look: Look, columns: Columns) -> None:
         super().__init__(window, look, FieldList(look, columns))
@@ -68,6 +71,9 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     def usual_hints(self) -> list[tuple[str, str]]:
         """The keys for the key bar while nothing is typed."""
         return []
+
+    def resize(self, line: FieldLine, step: int) -> None:
+        """Give a sequence one element more (1) or less (-1)."""
 
     def tick(self, line: FieldLine) -> None:
         """The check box of a line was clicked."""
@@ -103,10 +109,13 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         return [] if y else button_line(self, y, self.bar(), width)
 
     def status(self) -> list[Piece]:
-        chosen = self.list.chosen
-        if chosen is None or not chosen.problem:
-            return []
-        return [Piece(f" {self.look.glyphs.warning} {' '.join(chosen.problem.split())} ", self.look.colours.warning)]
+        chosen, colours = self.list.chosen, self.look.colours
+        if chosen is not None and chosen.problem:
+            return [Piece(f" {self.look.glyphs.warning} {' '.join(chosen.problem.split())} ", colours.warning)]
+        if chosen is not None and self.list.hides_type(chosen):
+            name = self.look.texts("list.head", name=chosen.cells[0].rpartition("/")[2] or chosen.cells[0])
+            return [Piece(f" {name}{chosen.cells[1]} ", colours.muted)]
+        return []
 
     @on(FieldList.Moved)
     def show_problem(self, event: FieldList.Moved) -> None:
@@ -205,6 +214,8 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
             self.take(line, "")
         elif event.key == "space" and line.edited is not None and line.cells[1] == BOOLEAN:
             self.take(line, str(line.typed != "True"))
+        elif event.character in ("+", "-") and line.edited is not None and line.cells[1].startswith(SEQUENCE):
+            self.resize(line, 1 if event.character == "+" else -1)
         elif event.character in BEGINS and line.edited is not None:
             self.type_over(line, event.character)
         else:

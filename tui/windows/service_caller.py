@@ -81,12 +81,15 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
     def take(self, line: FieldLine, text: str) -> None:
         self.model.set_expression(line.key.removeprefix(REQUEST), text)
 
+    def resize(self, line: FieldLine, step: int) -> None:
+        self.model.resize(line.key.removeprefix(REQUEST), step)
+
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def usual_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         call = ("x", texts("service.cancel")) if self.model.is_waiting else ("c", texts("service.call"))
-        return [call, ("s", texts("service.choose")), ("Enter", texts("fields.edit"))]
+        return [("Enter", texts("fields.edit")), call, ("s", texts("service.choose"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
@@ -95,6 +98,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
             ("Tab", texts("fields.next")),
             ("Del", texts("fields.default")),
             (arrows, texts("topics.open")),
+            ("+ -", texts("fields.elements")),
             ("r", texts("service.refresh")),
         ]
 
@@ -128,6 +132,5 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
         self.look.wake()
 
     def status(self) -> list[Piece]:
-        return super().status() or [
-            Piece(f" {self.look.texts('service.count', count=len(self.model.services))} ", self.look.colours.muted)
-        ]
+        count = self.look.texts("service.count", count=len(self.model.services))
+        return super().status() or [Piece(f" {count} ", self.look.colours.muted)]
