@@ -132,6 +132,16 @@ def test_enter_shows_the_text_and_d_removes_the_tree() -> None:
     use(browser("msg", "geometry_msgs/Twist"), act, (120, 40))
 
 
+def test_an_array_is_one_line_until_it_is_opened() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("end")
+        assert window.pane.list.chosen.cells == ("covariance", "double[36]", "nav_msgs/Odometry/twist/covariance")
+        await window.press("right", "end")
+        assert window.pane.list.chosen.cells[2] == "nav_msgs/Odometry/twist/covariance[35]"
+
+    use(browser("msg", "nav_msgs/Odometry"), act, (120, 40))
+
+
 def test_the_text_and_the_removal_have_buttons_where_there_is_a_tree() -> None:
     async def click(window: _Window, text: str) -> None:
         line = screen_lines(window.app)[2]

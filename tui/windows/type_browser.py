@@ -70,7 +70,11 @@ class BrowsingPane(FieldPane[Model]):
             lines.append(FieldLine(key, (tree.name, tree.type, tree.type), is_branch=bool(tree.rows)))
             lines += [
                 FieldLine(
-                    key + row.path, (row.name, row.type, tree.type + row.path), row.depth, is_branch=row.is_branch
+                    key + row.path,
+                    (row.name, row.type, tree.type + row.path),
+                    row.depth,
+                    is_branch=row.is_branch,
+                    begins_closed=row.elements > 0,  # all elements are of one type
                 )
                 for row in tree.rows
             ]
