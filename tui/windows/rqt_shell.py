@@ -34,6 +34,8 @@ CURSOR: dict[str, Callable[[int, int], int]] = {
 class ShellPane(WindowPane["Shell"]):
     """Draws the newest lines; keeps what is typed, and how far it was scrolled back."""
 
+    takes_text = True
+
     def __init__(self, window: Window[Shell], look: Look) -> None:
         super().__init__(window, look)
         self._typed = ""
