@@ -90,6 +90,17 @@ def test_what_a_plugin_is_for_is_told_in_full(lang: str, size: tuple[int, int]) 
     assert catalogue(lang)["rqt.about.rqt_action"] in play(lang=lang, size=(40, 24))[1]
 
 
+def test_the_list_of_perspectives_begins_at_the_present_one() -> None:
+    model = Rqt(plugins(), Path("/nowhere"), lambda: None)
+    model.perspective, model.perspectives = "talk", ("Default", "talk", "zoo")
+
+    async def act(window: ToolWindow) -> None:
+        await window.press("p", "down", "enter")
+
+    use_window(("rqt", "rqt", model), act, (80, 24), ToolWindow)
+    assert model.requests == [("switch", "zoo")]
+
+
 def test_close_is_offered_on_a_plugin_that_is_open_only() -> None:
     wide = (140, 24)
     assert " close" not in play(size=wide)[1].split("\n")[-1]

@@ -158,7 +158,8 @@ class RqtPane(ListPane[Rqt, PluginList]):
             MenuEntry(texts("rqt.import"), ".perspective", partial(self._ask_file, "rqt.import", model.load)),
             MenuEntry(texts("rqt.export"), ".perspective", partial(self._ask_file, "rqt.export", model.export)),
         ]
-        self.lay_over(Menu(self.look, "rqt.perspectives", entries))
+        at = model.perspectives.index(model.perspective) if model.perspective in model.perspectives else 0
+        self.lay_over(Menu(self.look, "rqt.perspectives", entries, chosen=at))
 
     def _ask_name(self) -> None:
         def taken(name: str) -> str | None:
