@@ -35,9 +35,7 @@ class ShownImage:
         try:
             return None if message is None else picture_of(message, view)
         except Undecodable as error:
-            raise Undecodable(
-                str(error.__cause__ or error)
-            ) from error  # the reason, without rqt_image_view's words around it
+            raise Undecodable(error.reason) from error  # the words around it are those of rqt_image_view
 
 
 class ImageWindow:
