@@ -53,6 +53,14 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
         False, True, "ros2/rclpy: rclpy/type_description_service.py, in branch jazzy and not in humble"
     ),
     "rclpy.init_returns_manager": _in_humble(False, True, "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
+    "rclcpp.signal": (
+        ("SIGINT/SIGTERM", "SIGINT/SIGTERM", "SIGINT/SIGTERM", "signum={number}"),
+        "ros2/rclcpp#2986 (30.1.4), and #3000 for the others (16.0.17, 28.1.15, 29.5.6), which before said what Rolling says",
+    ),
+    "rclcpp.lifecycle_warns": (
+        (False, False, True, True),
+        "ros2/rclcpp: rclcpp_lifecycle/src/lifecycle_node.cpp, branches humble, jazzy and rolling (29.3)",
+    ),
     "ros2.same_names": _in_humble(
         "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
         "WARNING: Be aware that there are nodes in the graph that share an exact name, which can have unintended side effects.",

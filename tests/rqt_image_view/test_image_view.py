@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
@@ -14,6 +15,7 @@ from rqt_machine import RqtMachine
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
 
+from day6_tui.core.ros.programs.image_tools.shown_image import ShownImage
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place
 from day6_tui.core.ros.programs.rqt_image_view.decoding import Undecodable, View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
@@ -22,7 +24,7 @@ from day6_tui.tui.locale import catalogue
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from screens import ToolWindow, step, use_window
+from screens import ToolWindow, step, step_until, use_window
 
 
 def image(value: int = 0, width: int = 8, height: int = 6, encoding: str = "mono8") -> Image:
@@ -294,3 +296,36 @@ def test_it_is_drawn_at_every_size(size, options) -> None:
         assert "Error" not in window.text
 
     use(Model(halves()), act, size, **options)
+
+
+# -- showimage, which draws in the same way ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_showimage_draws_the_image_from_the_first_line_on(size: tuple[int, int], lang: str) -> None:
+    shown = ShownImage()
+
+    async def act(window: ToolWindow) -> None:
+        assert "▀" not in window.text
+        shown.take(halves())
+        await step_until(window.app, window.pilot, lambda: "40x40 mono8" in window.text)
+        assert "/image" in window.text
+        # All rows inside the frame; the left half is black, the right one white.
+        rows = [line for line in window.pane._lines if line]
+        assert len(rows) == (size[1] - 4) and [segment.cell_length for segment in rows[0]] == [size[1] - 4] * 2
+        await window.pilot.hover(offset=(size[0] // 2, size[1] // 2))
+        await step(window.app, window.pilot)
+        assert re.search(r"x \d+  y \d+", window.text)
+
+    use_window(("showimage", "/image", shown), act, size, ToolWindow, lang=lang)
+
+
+def test_showimage_tells_what_it_cannot_draw() -> None:
+    shown = ShownImage()
+
+    async def act(window: ToolWindow) -> None:
+        shown.take(image(0, encoding="rgb8"))
+        await step_until(window.app, window.pilot, lambda: "┃ Image is wrongly formed: step < width" in window.text)
+
+    use_window(("showimage", "/image", shown), act, (80, 24), ToolWindow)

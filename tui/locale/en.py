@@ -974,6 +974,13 @@ TEXTS = {
         "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
         "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."
     ),
+    "help.showimage": (
+        "The newest image of the topic image, fitted into the window, a few times a second, however many come. The line below "
+        "tells size and encoding, and which pixel the mouse is on. `ros2 run image_tools cam2image --ros-args -p "
+        "burger_mode:=true` publishes images without a camera.\n\n"
+        "In real ROS 2 this is a window of OpenCV, as large as the image. Closing it ends the program; there it would come back "
+        "with the next image."
+    ),
     "help.rqt_shell": (
         "A shell for commands that end by themselves and ask nothing, like ros2 topic list: rqt's SimpleShell, which is the only "
         "one that the real rqt still has. What a command prints is shown above the line. ^C stops one that does not end.\n\n"
@@ -1092,6 +1099,7 @@ TEXTS = {
     "manual.rqt_reconfigure": "Parameter Reconfigure",
     "manual.rqt_logger_level": "Logger Level",
     "manual.rqt_image_view": "Image View",
+    "manual.showimage": "showimage",
     "manual.rqt_shell": "Shell of rqt",
     "manual.inspector": "Inspector",
     # The command line

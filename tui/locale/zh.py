@@ -1139,6 +1139,11 @@ TEXTS = {
         "距离图像（16UC1、32FC1）是灰色的：黑色是 0，白色是最大距离，按 x 修改。按 d 就用图里最小和最大的距离。"
         "按 m 把点击的位置发布到 <话题>_mouse_left。"
     ),
+    "help.showimage": (
+        "话题 image 上最新的图像，放进窗口里；不管来多少，每秒只显示最新的几张。下面一行是大小、编码和鼠标所在的像素。"
+        "`ros2 run image_tools cam2image --ros-args -p burger_mode:=true` 没有摄像头也能发布图像。\n\n"
+        "真的 ROS 2 里这是 OpenCV 的窗口，和图像一样大。关掉窗口，程序就结束；在那里，下一张图像来了窗口会再出现。"
+    ),
     "help.rqt_shell": (
         "一个简单的 shell，给会自己结束、不用输入的命令，例如 ros2 topic list：就是 rqt 的 SimpleShell，"
         "真的 rqt 现在也只剩这一种。命令输出的内容显示在上面。不会结束的命令用 ^C 停止。\n\n"
@@ -1249,6 +1254,7 @@ TEXTS = {
     "manual.rqt_reconfigure": "参数调节",
     "manual.rqt_logger_level": "日志级别",
     "manual.rqt_image_view": "图像",
+    "manual.showimage": "showimage",
     "manual.rqt_shell": "rqt 的 Shell",
     "manual.inspector": "检查器",
     # 命令行

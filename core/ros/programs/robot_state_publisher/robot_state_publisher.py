@@ -16,7 +16,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 
-from day6_tui.core.ros.programs.rclcpp import CppException, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, CppException, create_node, log_interrupt
 from day6_tui.core.ros.programs.rclcpp.qos import DYNAMIC_TF, STATIC_TF
 from day6_tui.core.ros.programs.robot_state_publisher._segments import FrameTransform, Segments, StaticFrames, Throttle
 from day6_tui.core.session.threads import in_thread
@@ -245,6 +245,6 @@ async def main(session: Session) -> int:
     publisher.start(description, await _report(description, size))
     try:
         await session.spin(node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0
