@@ -147,7 +147,7 @@ def test_a_pose_estimate_is_shown_with_its_covariance(world: RVizMachine) -> Non
     message.pose.pose.orientation.w = 1.0
     message.pose.covariance[0] = message.pose.covariance[7] = 0.25
     world.publish("/initialpose", message)
-    assert world.rviz.scene.shapes[-1].size == (1.0, 1.0, 1e-4)
+    assert world.rviz.scene.shapes[-1].size == (1.0, 1.0, 0.001)
     message.pose.covariance[35] = math.nan
     world.publish("/initialpose", message)
     assert display.status("Topic") == ("Error", INVALID_FLOATS)
