@@ -530,6 +530,8 @@ TEXTS = {
     "rviz.seen.no_frames": "no frames: nobody publishes /tf",
     "rviz.seen.axes": "the axes of {frame}",
     "rviz.seen.unknown": "{name}: nothing, its class is not here",
+    "rviz.seen.left_out": "{name}: {type} is the one display left out here; PointCloud2 shows clouds of points",
+    "rviz.seen.waiting": "{name}: {count} messages wait for a transform from {frame} to {fixed}",
     "rviz.seen.markers": "{name}: interactive markers: {count}",
     "rviz.seen.point": "{name}: {count} point",
     "rviz.seen.points": "{name}: {count} points",

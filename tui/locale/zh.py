@@ -714,6 +714,8 @@ TEXTS = {
     "rviz.seen.no_frames": "没有坐标系：没有人在发布 /tf",
     "rviz.seen.axes": "{frame} 的坐标轴",
     "rviz.seen.unknown": "{name}：没有内容，这里没有这个类",
+    "rviz.seen.left_out": "{name}：这里唯一没有的显示项就是 {type}；点云请用 PointCloud2",
+    "rviz.seen.waiting": "{name}：{count} 条消息在等从 {frame} 到 {fixed} 的坐标变换",
     "rviz.seen.markers": "{name}：{count} 个交互标记",
     "rviz.seen.point": "{name}：{count} 个点",
     "rviz.seen.points": "{name}：{count} 个点",

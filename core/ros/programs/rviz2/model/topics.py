@@ -150,6 +150,17 @@ class FilteredDisplay(TopicDisplay):
         self._waiting: deque[tuple[Any, bytes | None]] = deque()
         """Messages and who sent them."""
 
+    @property
+    def waiting(self) -> int:
+        """How many messages wait."""
+        return len(self._waiting)
+
+    @property
+    def waiting_for(self) -> str:
+        """The frame that the newest one waits for, '' if none waits; any thread."""
+        newest = list(self._waiting)[-1:]
+        return str(newest[0][0].header.frame_id) if newest else ""
+
     def show(self, message: Any) -> None:
         """A message whose transform is known (or was, when it came)."""
         raise NotImplementedError
