@@ -661,6 +661,7 @@ TEXTS = {
     "rviz.unsaved": "RViz 的画面设置（在它的窗口里按 ^S 保存）",
     "rviz.quality": "画质：{name}",
     "rviz.nothing_to_focus": "现在还没有可以对准的东西",
+    "rviz.view_saved": "视角已存为 {name}：在 Views 下面它的那一行按 Enter 就能回来，^R 改名，^X 删除",
     "rviz.no_controls": "没有交互标记：先添加 InteractiveMarkers 显示项，再运行一个服务器",
     "rviz.tool.bad_topic": "{topic} 不能作话题名，这个工具发不出消息",
     "rviz.type.Axes": "一个坐标系的坐标轴",
@@ -1001,12 +1002,16 @@ TEXTS = {
         "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓，或者按 Shift Tab，也能走到按钮）\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
         "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
-        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\nl\t画质：细节少一些就快一些\nr\t重置\n"
+        "v\tOrbit、XYOrbit、TopDownOrtho、FPS、ThirdPersonFollower\n"
+        "k\t留下这个视角：Views 下面多一行，能回来\nl\t画质：细节少一些就快一些\nr\t重置\n"
         "^S w ^O\t保存、另存为、打开\ne\t保存图片\n"
         "m i s … u\t工具，字母和真正的 RViz 一样（再按一次或按 Esc 退出）：m Move Camera、i Interact、s Select、"
         "c Focus Camera、n Measure、p 2D Pose Estimate、g 2D Goal Pose、u Publish Point\n\n"
         "定位姿：在位置上按下鼠标，拖向要面对的方向，松开。用键盘：方向键和回车定位置，再用方向键和回车定方向；"
         "加 Shift 步子更小。其他工具：点一下，或者用方向键和回车。\n\n"
+        "交互标记：拖它的控件，右键打开菜单。用键盘：x 在控件之间走，回车抓住或松开，"
+        "方向键和 PageUp、PageDown 移动或转动它，"
+        "空格打开菜单，抓住时在移动和转动之间切换。\n\n"
         "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
     ),
     "help.rqt_graph": (

@@ -40,6 +40,8 @@ class PixelView:
         self.sheet = Sheet(columns, rows, look.colours.text)
         self._places = LabelPlaces()
         self.cell = (1, 1)
+        self.scene = rviz.scene
+        """What is painted."""
         self.cursor: tuple[int, int] | None = None
         """The cell in which the keys point at things."""
         self.pixels: Array = np.zeros((rows, columns, 3), np.uint8)
@@ -95,7 +97,7 @@ class PixelView:
         columns, rows = self._size
         width, height = columns * cell[0], rows * cell[1]
         quality = QUALITIES[self._rviz.quality.value]
-        return paint(self._rviz.scene, self._rviz.view.camera(), width, height, 1.0, quality, offset)
+        return paint(self.scene, self._rviz.view.camera(), width, height, 1.0, quality, offset)
 
     def _put_labels(self, picture: Picture) -> list[Span]:
         red, green, blue = picture.background

@@ -142,7 +142,7 @@ def spread_of(covariance: Sequence[float]) -> Spread | None:
 
 
 def _principal(rows: Any) -> tuple[Any, Any] | None:
-    """Standard deviations along the principal axes, and these as the columns of a right-handed matrix; None if one is negative."""
+    """Standard deviations along the principal axes, and these as the columns of a right-handed matrix; None of no covariance."""
     import numpy as np
 
     variances, axes = np.linalg.eigh(rows)
