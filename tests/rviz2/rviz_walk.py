@@ -80,8 +80,8 @@ def run(walk: Any) -> None:
     asyncio.run(walk)
 
 
-def mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl: bool) -> Any:
-    return kind(pane, x, y, 0, 0, button, shift, False, ctrl, x, y)
+def mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl: bool, alt: bool = False) -> Any:
+    return kind(pane, x, y, 0, 0, button, shift, alt, ctrl, x, y)
 
 
 async def drag(at: Walk, *places: tuple[int, int], button: int = 1, shift: bool = False, ctrl: bool = False) -> None:
@@ -92,6 +92,6 @@ async def drag(at: Walk, *places: tuple[int, int], button: int = 1, shift: bool 
     kinds = [events.MouseDown, *[events.MouseMove] * (len(places) - 1), events.MouseUp]
     for kind, (x, y) in zip(kinds, [*places, places[-1]], strict=True):
         left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
-        pane.post_message(mouse(pane, kind, left + x, top + y, button, shift, ctrl))
+        pane.post_message(mouse(pane, kind, left + x, top + y, button, shift, ctrl, alt))
         await at.settle()
     await at.settle()  # what the window asked for is done by the program now

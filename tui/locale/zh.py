@@ -1001,7 +1001,7 @@ TEXTS = {
         "Tab\t面板或视图；窗口窄时，用视图就会先收起面板\nEnter\t修改数值，展开一项\n空格\t打勾\n/\t查找属性，收起的也能找到\n"
         "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓，或者按 Shift Tab，也能走到按钮）\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
-        "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
+        "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人，或选中的东西\n4\t斜上方 45°\nz\t回到开始的视角\n"
         "v\tOrbit、XYOrbit、TopDownOrtho、FPS、ThirdPersonFollower\n"
         "k\t留下这个视角：Views 下面多一行，能回来\nl\t画质：细节少一些就快一些\nr\t重置\n"
         "^S w ^O\t保存、另存为、打开\ne\t保存图片\n"

@@ -35,7 +35,7 @@ from day6_tui.tui.windows.rviz.buttons import LABELS, PanelButton
 from day6_tui.tui.windows.rviz.control_keys import ControlKeys
 from day6_tui.tui.windows.rviz.displays import DisplaysPanel
 from day6_tui.tui.windows.rviz.dragging import Dragging
-from day6_tui.tui.windows.rviz.extent import extent
+from day6_tui.tui.windows.rviz.extent import around, extent
 from day6_tui.tui.windows.rviz.hand import Hand
 from day6_tui.tui.windows.rviz.hints import ARROWS, panel_hints, view_hints
 from day6_tui.tui.windows.rviz.offer import Offer
@@ -433,8 +433,8 @@ class RVizPane(WindowPane[RViz]):
     # -- what keys do --------------------------------------------------------------------------------------------------
 
     def focus_robot(self) -> None:
-        """Look at what there is: the robot, or everything solid."""
-        found = extent(self.rviz.scene)
+        """Look at what is selected, else at what there is: the robot, or everything solid."""
+        found = around(self.rviz.selection.bounds(self.rviz.scene)) or extent(self.rviz.scene)
         if found is None:
             self.show_message(self.look.texts("rviz.nothing_to_focus"))
             return

@@ -43,6 +43,8 @@ class Hand:
     def begin(self, event: events.MouseDown, x: float, y: float) -> bool:
         """A button goes down over the view; False if it is the view's."""
         tool = self.tool
+        if event.meta:  # Alt: as with the original's Select
+            return False
         if tool is None and self._grab(event, x, y):
             return True
         if tool is None or event.button not in ((LEFT, RIGHT) if tool.takes_right else (LEFT,)):
