@@ -84,7 +84,14 @@ def mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl:
     return kind(pane, x, y, 0, 0, button, shift, alt, ctrl, x, y)
 
 
-async def drag(at: Walk, *places: tuple[int, int], button: int = 1, shift: bool = False, ctrl: bool = False) -> None:
+async def drag(
+    at: Walk,
+    *places: tuple[int, int],
+    button: int = 1,
+    shift: bool = False,
+    ctrl: bool = False,
+    alt: bool = False,
+) -> None:
     """Press at the first place (cells of the view), move through the others, let go at the last."""
     from textual import events
 
