@@ -534,6 +534,7 @@ TEXTS = {
     "rviz.seen.left_out": "{name}: {type} is the one display left out here; PointCloud2 shows clouds of points",
     "rviz.seen.waiting": "{name}: {count} messages wait for a transform from {frame} to {fixed}",
     "rviz.seen.markers": "{name}: interactive markers: {count}",
+    "rviz.seen.nameless": "{name}: {count} messages without a frame in their header, which cannot be placed",
     "rviz.seen.point": "{name}: {count} point",
     "rviz.seen.points": "{name}: {count} points",
     "rviz.seen.image": "{name}: image of {size} pixels",

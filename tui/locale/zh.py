@@ -718,6 +718,7 @@ TEXTS = {
     "rviz.seen.left_out": "{name}：这里唯一没有的显示项就是 {type}；点云请用 PointCloud2",
     "rviz.seen.waiting": "{name}：{count} 条消息在等从 {frame} 到 {fixed} 的坐标变换",
     "rviz.seen.markers": "{name}：{count} 个交互标记",
+    "rviz.seen.nameless": "{name}：{count} 条消息的 header 里没有 frame_id，不知道该画在哪里",
     "rviz.seen.point": "{name}：{count} 个点",
     "rviz.seen.points": "{name}：{count} 个点",
     "rviz.seen.image": "{name}：{size} 像素的图像",

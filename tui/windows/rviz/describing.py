@@ -59,6 +59,8 @@ def described(rviz: RViz, texts: Texts) -> str:
             frame, fixed = display.waiting_for, rviz.fixed_frame
             count = display.waiting
             phrases.append(texts("rviz.seen.waiting", name=display.name, count=count, frame=frame, fixed=fixed))
+        elif isinstance(display, FilteredDisplay) and not display.received and display.nameless:
+            phrases.append(texts("rviz.seen.nameless", name=display.name, count=display.nameless))
         elif count := getattr(display, "points_shown", 0):
             key = "rviz.seen.point" if count == 1 else "rviz.seen.points"
             phrases.append(texts(key, name=display.name, count=count))
