@@ -102,3 +102,14 @@ async def drag(
         pane.post_message(mouse(pane, kind, left + x, top + y, button, shift, ctrl, alt))
         await at.settle()
     await at.settle()  # what the window asked for is done by the program now
+
+
+async def hover(at: Walk, place: tuple[int, int]) -> None:
+    """Move the mouse to a cell of the view, with no button down."""
+    from textual import events
+
+    pane = at.pane
+    left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
+    pane.post_message(mouse(pane, events.MouseMove, left + place[0], top + place[1], 0, False, False))
+    await at.settle()
+    await at.settle()

@@ -740,8 +740,9 @@ class RVizPane(WindowPane[RViz]):
             event.stop()
             self._dragging.move(event, self.rviz.view)
             self.look.wake()
-        elif self._hand.held or (self._in_view(event) and self._hand.tool is not None):
+        elif self._hand.held or (self._in_view(event) and self._hand.hovering is not None):
             event.stop()
+            self._used = True
             self._hand.move(event, *self._place(event))
             self.look.wake()
 

@@ -52,6 +52,8 @@ class Interact(Tool):
         """What the mouse or the keys hold."""
         self._chosen: Thing | None = None
         """What the keys are at."""
+        self._over: Thing | None = None
+        """What the mouse is over."""
 
     def _hide_changed(self) -> None:
         if self.rviz.tools.current is not self:
@@ -62,13 +64,14 @@ class Interact(Tool):
     def status(self) -> str:
         if self._chosen is not None and (words := self._chosen.display.words_of(self._chosen.key)):
             return f"{'/'.join(self._chosen.key)}: {words}"
-        words = self._held.display.words_of(self._held.key) if self._held is not None else ""
-        return words or self.rviz.view.help
+        thing = self._held or self._over
+        return (thing.display.words_of(thing.key) if thing is not None else "") or self.rviz.view.help
 
     def activate(self) -> None:
         self.rviz.interaction = True
 
     def deactivate(self) -> None:
+        self._over = None
         self.choose(None)
         self.rviz.interaction = not self.hide.value
 
@@ -76,6 +79,13 @@ class Interact(Tool):
 
     def wants(self, pointer: Pointer) -> bool:
         return pointer.hit is not None and pointer.hit.owner.type == "InteractiveMarkers"
+
+    def hover(self, pointer: Pointer) -> bool:
+        over = Thing(pointer.hit.owner, pointer.hit.key) if pointer.hit is not None and self.wants(pointer) else None
+        if over != self._over:
+            self._over = over
+            self._light()
+        return False
 
     def press(self, pointer: Pointer) -> bool:
         assert pointer.hit is not None
@@ -119,7 +129,7 @@ class Interact(Tool):
         """Show what is in use."""
         for thing in self.things:
             thing.display.lights.clear()
-        for lit, amount in ((self._chosen, NEAR), (self._held, IN_USE)):
+        for lit, amount in ((self._over, NEAR), (self._chosen, NEAR), (self._held, IN_USE)):
             if lit is not None:
                 lit.display.lights[lit.key] = amount
 
