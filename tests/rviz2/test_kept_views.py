@@ -89,7 +89,8 @@ def test_the_focal_point_is_marked_while_the_camera_is_moved(machine: RVizMachin
         async with walking(machine) as at:
 
             def marked() -> bool:
-                return any(each.kind == SPHERE and each.size == FOCUS for each in at.pane.view.scene.shapes)
+                shape = at.pane.view.focus
+                return shape is not None and (shape.kind, shape.size) == (SPHERE, FOCUS)
 
             assert not marked()
             await at.press("tab", "left")

@@ -10,7 +10,7 @@ import numpy as np
 from day6_tui.core.ros.programs.rviz2.model.scene import BOX, Scene, Shape
 from day6_tui.core.ros.programs.rviz2.model.views import Orbit
 from day6_tui.tui.cells import cell_len
-from day6_tui.tui.render.cells import cells_of, pixel_aspect
+from day6_tui.tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.tui.render.label_places import LabelPlaces, Piece
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.urdf.kinematics import Transform
@@ -120,6 +120,21 @@ def test_only_the_cells_of_a_name_are_sent_again() -> None:
     before = cells_of(picture, "half")
     picture.labels = [(32.0, 20.0, "odom", (255, 255, 255))]
     assert cells_of(picture, "half").changes(before) == [(10, 28, 34)]
+
+
+def test_a_name_has_one_ground_though_only_a_part_of_what_is_under_it_changed() -> None:
+    camera = Orbit(list, lambda: None).camera()
+
+    def cells(left: float, right: float) -> Cells:
+        picture = paint(Scene(), camera, 60, 40, pixel_aspect("half"), QUALITIES["High"])
+        picture.labels = [(30.0, 20.0, "odom", (255, 255, 255))]
+        picture.colour[20:22, 28:30], picture.colour[20:22, 30:32] = left, right
+        picture.kind[20:22, 28:32] = 1
+        return cells_of(picture, "half")
+
+    before = cells(0.0, 0.0)
+    assert cells(0.0, 1.0).changes(before) == []  # its ground is that of its first cell
+    assert cells(1.0, 0.0).changes(before) == [(10, 28, 32)]
 
 
 def _brightness(mode: str, across: int, down: int) -> float:

@@ -72,6 +72,12 @@ class Cells:
             segments = [*left, Segment(text, _style(colour, back)), *right]
         return segments
 
+    def _texts(self, row: int) -> set[tuple[int, str, int, int]]:
+        """The texts of a row, with the ground that each has."""
+        return {
+            (column, text, colour, int(self.back[row, column])) for column, text, colour in self.labels.get(row, ())
+        }
+
     def changes(self, before: Cells | None) -> list[Span]:
         """The spans in which this differs from the cells shown before."""
         columns, rows = self.size
@@ -79,8 +85,10 @@ class Cells:
             return [(row, 0, columns) for row in range(rows)]
         different = (self.chars != before.chars) | (self.front != before.front) | (self.back != before.back)
         for row in self.labels.keys() | before.labels.keys():
-            for column, text, _ in {*self.labels.get(row, ())} ^ {*before.labels.get(row, ())}:
-                different[row, column : column + cell_len(text)] = True
+            now, then = self._texts(row), before._texts(row)
+            for same in (True, False):  # what is under a text that stays is not seen
+                for column, text, _, _ in now & then if same else now ^ then:
+                    different[row, column : column + cell_len(text)] = not same
         spans: list[Span] = []
         for row in np.flatnonzero(different.any(axis=1)).tolist():
             for column in np.flatnonzero(different[row]).tolist():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rich.segment import Segment
@@ -11,7 +10,7 @@ from textual.geometry import Region
 from textual.widget import Widget
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
-from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+from day6_tui.core.ros.programs.rviz2.model.scene import Shape
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.tui.canvas import PIXELS_PER_CELL, Span
 from day6_tui.tui.look import Look
@@ -72,10 +71,9 @@ class View3D:
         return Screen(self._rviz.view.camera(), self.columns, self.rows)
 
     @property
-    def scene(self) -> Scene:
-        """What is painted: the scene, and the focal point while the camera is moved."""
-        scene, shape = self._rviz.scene, self._rviz.view.focal_shape if self._focus_shown else None
-        return scene if shape is None else replace(scene, shapes=[*scene.shapes, shape])
+    def focus(self) -> Shape | None:
+        """What marks the focal point, while the camera is moved."""
+        return self._rviz.view.focal_shape if self._focus_shown else None
 
     def pointer(self, x: float, y: float, *, search: bool) -> Pointer:
         """What a place (in cells, with fractions) points to; `search` for things, too."""
@@ -156,7 +154,7 @@ class View3D:
         self._times.append(now)
         everything = [(row, 0, self.columns) for row in range(self.rows)] if fine is None else []
         fine = self._fine = fine or PixelView(self._rviz, self._look, self.columns, self.rows)
-        fine.cursor, fine.scene = self.cursor, self.scene
+        fine.cursor, fine.focus = self.cursor, self.focus
         spans = fine.draft(pictures, now)
         return everything or spans, True
 
@@ -176,7 +174,7 @@ class View3D:
         across, down = PIXELS_PER_CELL[mode]
         camera = self._rviz.view.camera()
         width, height = self.columns * across, self.rows * down
-        picture = paint(self.scene, camera, width, height, pixel_aspect(mode), quality)
+        picture = paint(self._rviz.scene.beside(self.focus), camera, width, height, pixel_aspect(mode), quality)
         if self.cursor is not None:
             x, y = (self.cursor[0] + 0.5) * across, (self.cursor[1] + 0.5) * down
             picture.labels.insert(0, (x, y, self._cross, CURSOR))
