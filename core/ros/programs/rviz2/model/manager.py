@@ -251,6 +251,7 @@ class RViz:
         """Keep the view under the name of its type (view_manager.cpp, copyCurrentToList)."""
         saved = SavedView({**self.view.save(), "Name": self.view.type})
         self.views.add(saved)
+        self.views.expanded = True
         self._changed_by_user()
         return saved
 
