@@ -147,8 +147,8 @@ def cells_of(
 
 def _ground(under: Array, colour: int, background: tuple[int, int, int]) -> int:
     """What most cells under a text have, or the background of the view where the text could not be read on that."""
-    values, counts = np.unique(under, return_counts=True)
-    ground = int(values[counts.argmax()])
+    values = under.tolist()
+    ground: int = max(set(values), key=values.count)
     if ground == PLAIN or abs(_brightness(ground) - _brightness(colour)) >= READABLE:
         return ground
     red, green, blue = background

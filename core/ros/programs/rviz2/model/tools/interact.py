@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from day6_tui.core.ros.programs.rviz2.model.key_steps import FINE, FINE_TURN, TURN, step_at
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, Property
@@ -10,6 +10,9 @@ from day6_tui.core.ros.programs.rviz2.model.tools.tool import Hit, Pointer, Tool
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rviz2.model.displays.interactive_markers import InteractiveMarkersDisplay
+
+INTERACTIVE_MARKERS = "InteractiveMarkers"
+"""The type of the display, which is imported only when somebody adds it."""
 
 NEAR, IN_USE = 0.3, 0.5
 """How much brighter a control is that the mouse is over, or the keys are at, and one that is held."""
@@ -78,7 +81,7 @@ class Interact(Tool):
     # -- the mouse -------------------------------------------------------------------------------------------------------
 
     def wants(self, pointer: Pointer) -> bool:
-        return pointer.hit is not None and pointer.hit.owner.type == "InteractiveMarkers"
+        return pointer.hit is not None and pointer.hit.owner.type == INTERACTIVE_MARKERS
 
     def hover(self, pointer: Pointer) -> bool:
         over = Thing(pointer.hit.owner, pointer.hit.key) if pointer.hit is not None and self.wants(pointer) else None
@@ -138,10 +141,12 @@ class Interact(Tool):
     @property
     def things(self) -> list[Thing]:
         """All controls that can be used; any thread."""
-        from day6_tui.core.ros.programs.rviz2.model.displays.interactive_markers import InteractiveMarkersDisplay
-
-        shown = [each for each in self.rviz.displays if isinstance(each, InteractiveMarkersDisplay) and each.enabled]
-        return [Thing(display, key) for display in shown for key in display.controls()]
+        found = []
+        for display in self.rviz.displays:
+            if display.type == INTERACTIVE_MARKERS and display.enabled:
+                markers = cast("InteractiveMarkersDisplay", display)
+                found += [Thing(markers, key) for key in markers.controls()]
+        return found
 
     def choose(self, thing: Thing | None) -> bool:
         """Point to a control, or to none; what is held is let go."""
