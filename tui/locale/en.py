@@ -483,6 +483,7 @@ TEXTS = {
     "rviz.unsaved": "the view of RViz (^S in its window saves it)",
     "rviz.quality": "quality: {name}",
     "rviz.nothing_to_focus": "there is nothing to look at yet",
+    "rviz.view_saved": "view saved as {name}: its line below Views (Enter) leads back, ^R renames it, ^X removes it",
     "rviz.no_controls": "There is no interactive marker: add the display InteractiveMarkers and start a server",
     "rviz.tool.bad_topic": "{topic} is no name for a topic; the tool sends nothing",
     "rviz.type.Axes": "the axes of a frame",
@@ -536,7 +537,10 @@ TEXTS = {
     "rviz.seen.no_frames": "no frames: nobody publishes /tf",
     "rviz.seen.axes": "the axes of {frame}",
     "rviz.seen.unknown": "{name}: nothing, its class is not here",
+    "rviz.seen.left_out": "{name}: {type} is the one display left out here; PointCloud2 shows clouds of points",
+    "rviz.seen.waiting": "{name}: {count} messages wait for a transform from {frame} to {fixed}",
     "rviz.seen.markers": "{name}: interactive markers: {count}",
+    "rviz.seen.nameless": "{name}: {count} messages without a frame in their header, which cannot be placed",
     "rviz.seen.point": "{name}: {count} point",
     "rviz.seen.points": "{name}: {count} points",
     "rviz.seen.image": "{name}: image of {size} pixels",
@@ -870,13 +874,17 @@ TEXTS = {
         "^N or a\tadd a display, like the button Add at the lower left (↓ below the last line or Shift Tab goes there)\n"
         "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
         "d\thide or show the panel, like the arrow at its edge\n"
-        "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
-        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\nl\tquality: less detail is faster\nr\treset\n"
+        "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot, or at what is selected\n"
+        "4\t45° from above\nz\tview as at the start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS, ThirdPersonFollower\n"
+        "k\tkeep the view: a line below Views leads back\nl\tquality: less detail is faster\nr\treset\n"
         "^S w ^O\tsave, save as, open\ne\tsave a picture\n"
         "m i s … u\tthe tools, in RViz's own letters (a second press or Esc leaves one): m Move Camera, i Interact, s Select, "
         "c Focus Camera, n Measure, p 2D Pose Estimate, g 2D Goal Pose, u Publish Point\n\n"
         "A pose: press where it shall be, drag to where it shall look, let go. With keys: arrows and Enter for the place, arrows "
         "and Enter for the direction; Shift makes finer steps. The other tools: click, or arrows and Enter.\n\n"
+        "Interactive markers: drag their controls; the right button opens their menu. With keys: x goes from one control to the "
+        "next, Enter takes it and lets it go, arrows and Page keys move or turn it, Space opens the menu or changes between "
+        "moving and turning.\n\n"
         "Mouse: drag turns, Shift or Ctrl and drag pans, the wheel zooms."
     ),
     "help.rqt_graph": (

@@ -667,6 +667,7 @@ TEXTS = {
     "rviz.unsaved": "RViz 的画面设置（在它的窗口里按 ^S 保存）",
     "rviz.quality": "画质：{name}",
     "rviz.nothing_to_focus": "现在还没有可以对准的东西",
+    "rviz.view_saved": "视角已存为 {name}：在 Views 下面它的那一行按 Enter 就能回来，^R 改名，^X 删除",
     "rviz.no_controls": "没有交互标记：先添加 InteractiveMarkers 显示项，再运行一个服务器",
     "rviz.tool.bad_topic": "{topic} 不能作话题名，这个工具发不出消息",
     "rviz.type.Axes": "一个坐标系的坐标轴",
@@ -720,7 +721,10 @@ TEXTS = {
     "rviz.seen.no_frames": "没有坐标系：没有人在发布 /tf",
     "rviz.seen.axes": "{frame} 的坐标轴",
     "rviz.seen.unknown": "{name}：没有内容，这里没有这个类",
+    "rviz.seen.left_out": "{name}：这里唯一没有的显示项就是 {type}；点云请用 PointCloud2",
+    "rviz.seen.waiting": "{name}：{count} 条消息在等从 {frame} 到 {fixed} 的坐标变换",
     "rviz.seen.markers": "{name}：{count} 个交互标记",
+    "rviz.seen.nameless": "{name}：{count} 条消息的 header 里没有 frame_id，不知道该画在哪里",
     "rviz.seen.point": "{name}：{count} 个点",
     "rviz.seen.points": "{name}：{count} 个点",
     "rviz.seen.image": "{name}：{size} 像素的图像",
@@ -1048,13 +1052,17 @@ TEXTS = {
         "Tab\t面板或视图；窗口窄时，用视图就会先收起面板\nEnter\t修改数值，展开一项\n空格\t打勾\n/\t查找属性，收起的也能找到\n"
         "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓，或者按 Shift Tab，也能走到按钮）\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
-        "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
-        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\nl\t画质：细节少一些就快一些\nr\t重置\n"
+        "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人，或选中的东西\n4\t斜上方 45°\nz\t回到开始的视角\n"
+        "v\tOrbit、XYOrbit、TopDownOrtho、FPS、ThirdPersonFollower\n"
+        "k\t留下这个视角：Views 下面多一行，能回来\nl\t画质：细节少一些就快一些\nr\t重置\n"
         "^S w ^O\t保存、另存为、打开\ne\t保存图片\n"
         "m i s … u\t工具，字母和真正的 RViz 一样（再按一次或按 Esc 退出）：m Move Camera、i Interact、s Select、"
         "c Focus Camera、n Measure、p 2D Pose Estimate、g 2D Goal Pose、u Publish Point\n\n"
         "定位姿：在位置上按下鼠标，拖向要面对的方向，松开。用键盘：方向键和回车定位置，再用方向键和回车定方向；"
         "加 Shift 步子更小。其他工具：点一下，或者用方向键和回车。\n\n"
+        "交互标记：拖它的控件，右键打开菜单。用键盘：x 在控件之间走，回车抓住或松开，"
+        "方向键和 PageUp、PageDown 移动或转动它，"
+        "空格打开菜单，抓住时在移动和转动之间切换。\n\n"
         "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
     ),
     "help.rqt_graph": (

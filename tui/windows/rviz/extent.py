@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
 from day6_tui.core.ros.programs.rviz2.model.views import FIELD_OF_VIEW, Camera
@@ -32,6 +33,15 @@ def extent(scene: Scene) -> tuple[Vector, float] | None:
         take(mesh.pose.xyz, float(math.dist((0, 0, 0), tuple(corners))))
     if not all(map(math.isfinite, (*low, *high))):
         return None
+    return around([((low[0], low[1], low[2]), (high[0], high[1], high[2]))])
+
+
+def around(boxes: Sequence[tuple[Vector, Vector]]) -> tuple[Vector, float] | None:
+    """Centre and radius of a ball around boxes, each given by its least and greatest corner; None for no box."""
+    if not boxes:
+        return None
+    low = [min(box[0][axis] for box in boxes) for axis in range(3)]
+    high = [max(box[1][axis] for box in boxes) for axis in range(3)]
     centre = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
     return centre, max(1e-3, math.dist(low, high) / 2)
 
