@@ -12,6 +12,7 @@ from textual import events
 
 from day6_tui.core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, text_of, value_from
 from day6_tui.core.session.display import Window
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.cells import cell_len, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
@@ -151,12 +152,23 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
 
     def status(self) -> list[Piece]:
         texts, colours = self.look.texts, self.look.colours
-        pieces = [Piece(f" {texts('reconfigure.nodes', count=len(self.model.nodes))} ", colours.muted)]
+        pieces = [Piece(f" {text} ", colours.muted) for text in self._told_below()]
+        pieces = pieces or [Piece(f" {texts('reconfigure.nodes', count=len(self.model.nodes))} ", colours.muted)]
         for text in filter(None, (self.model.filter, self._text)):
             pieces.append(Piece(f" {texts('reconfigure.filtered', text=text)} ", colours.muted))
         if self.model.message:
             pieces.append(Piece(f" {self.model.message} ", colours.hint))
         return pieces
+
+    def _told_below(self) -> list[str]:
+        """What the list has no room for: the chosen parameter's whole name, and its range where no details are seen."""
+        row = self._row
+        if self._on_nodes or row is None or row.parameter is None:
+            return []
+        told = [one_line(row.parameter.name)] if self._editors.cuts(row.parameter) else []
+        if self._list_height(self.inner_height) == self.inner_height and row.parameter.limits:
+            told.append(row.parameter.limits)
+        return told
 
     # -- what is chosen ------------------------------------------------------------------------------------------------
 
@@ -261,6 +273,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
 
     def _toggle(self, node: str) -> None:
         self._node, self._key = node, (node, "")
+        if self.inner_width < NARROW:  # where only one half is seen
+            self._on_nodes = any(each.name == node for each in self.model.opened)
         self.model.toggle(node)
 
     def _fold(self, line: NodeLine, *, fold: bool) -> None:

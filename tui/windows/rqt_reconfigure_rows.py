@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 from rich.segment import Segment
 from rich.style import Style
 
+from day6_tui.core.elide import elide
 from day6_tui.core.ros.programs.rqt_reconfigure.values import shown
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.cells import cell_len, clip, fit
 
 if TYPE_CHECKING:
@@ -100,6 +102,10 @@ class Editors:
         self._room = max(0, width - self._name - 5)
         self._limits = self._room >= VALUE_WIDTH + 2 * LIMIT_WIDTH + 12
 
+    def cuts(self, parameter: Parameter) -> bool:
+        """Whether there is no room for the whole name of a parameter."""
+        return cell_len(parameter.name) > self._name
+
     @property
     def value_column(self) -> int:
         """The column from which a line shows the value."""
@@ -122,7 +128,8 @@ class Editors:
                 Segment(fit(row.node.name, width - 5, glyphs.ellipsis), style),
                 Segment(f" {glyphs.close} ", colours.muted),
             ]
-        name = fit(row.parameter.name, self._name, glyphs.ellipsis)
+        # Of long names the end tells them apart.
+        name = fit(elide(one_line(row.parameter.name), self._name, glyphs.ellipsis), self._name)
         style = on or (colours.strong if chosen else colours.topic) if there else on or colours.muted
         return [mark, Segment(" " + name, style), Segment(" ", colours.text), *self._editor(row, dragged)]
 
