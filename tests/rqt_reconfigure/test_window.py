@@ -258,3 +258,12 @@ def test_in_a_narrow_window_opening_a_node_goes_to_its_parameters_and_closing_ba
         assert "arm" in window.text
 
     use(Model(), act, size=(42, 12))
+
+
+def test_a_long_text_is_below_the_list_where_its_line_has_no_room() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("tab", "down")
+        assert "the end of it" in window.text
+
+    text = Parameter("greeting", 4, "hello " * 12 + "the end of it")
+    use(Model(OpenNode("/sim", True, (text,), True, None)), act, size=(80, 24))

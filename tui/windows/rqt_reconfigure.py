@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rich.segment import Segment
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, text_of, value_from
+from day6_tui.core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, shown, text_of, value_from
 from day6_tui.core.session.display import Window
 from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.cells import cell_len, fit, wrap
@@ -30,7 +30,7 @@ NARROW = 56
 """Columns below which only one half is seen, the one with the keyboard."""
 
 DETAILS = 3
-"""Lines below the parameters that describe the chosen one."""
+"""Lines below the parameters that describe the chosen one, at least."""
 
 
 class ReconfigurePane(LinesPane["Reconfigure"]):
@@ -71,7 +71,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         return left + 1 if 0 < left < self.inner_width else left
 
     def _list_height(self, height: int) -> int:
-        return height - DETAILS - 1 if height >= 4 * DETAILS else height
+        return height - max(DETAILS, height // 4) - 1 if height >= 4 * DETAILS else height
 
     # -- building ------------------------------------------------------------------------------------------------------
 
@@ -133,22 +133,23 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         if room == height:
             return lines
         rule = Segment(self.look.glyphs.border.horizontal * width, colours.frame)
-        return [*lines, [rule], *self._details(self._rows[at], width)]
+        return [*lines, [rule], *self._details(self._rows[at], width, height - room - 1)]
 
-    def _details(self, row: Row, width: int) -> list[Line]:
+    def _details(self, row: Row, width: int, height: int) -> list[Line]:
         """What is known of the chosen parameter."""
         colours, texts, parameter = self.look.colours, self.look.texts, row.parameter
         if parameter is None:
-            return [[]] * DETAILS
+            return [[]] * height
         facts = [name_of(parameter.kind), parameter.limits]
         facts += [texts("reconfigure.read_only")] if parameter.read_only else []
         facts += [texts("reconfigure.sent")] if parameter.sent else []
         lines = [[Segment(" " + fit("   ".join(filter(None, facts)), width - 2), colours.muted)]]
         said = parameter.refusal or " ".join(filter(None, (parameter.description, parameter.constraints)))
-        shown = wrap(said[:LONGEST], width - 2)[: DETAILS - 1] if said else []
         style = colours.warning if parameter.refusal else colours.text
-        lines += [[Segment(f" {line}", style)] for line in shown]
-        return lines + [[]] * (DETAILS - len(lines))
+        lines += [[Segment(f" {line}", style)] for line in wrap(said[:LONGEST], width - 2)] if said else []
+        if self._editors.cuts_value(parameter):
+            lines += [[Segment(f" {line}", colours.strong)] for line in wrap(shown(parameter.value), width - 2)]
+        return (lines + [[]] * height)[:height]
 
     def status(self) -> list[Piece]:
         texts, colours = self.look.texts, self.look.colours

@@ -98,13 +98,18 @@ class Editors:
         """Divide `width` cells for the lines that are in sight."""
         self.tracks = {}
         longest = max((cell_len(row.parameter.name) for row in rows if row.parameter is not None), default=0)
-        self._name = min(longest, max(8, width // 2))
+        self._name = min(longest, max(8, width * 2 // 5))
         self._room = max(0, width - self._name - 5)
         self._limits = self._room >= VALUE_WIDTH + 2 * LIMIT_WIDTH + 12
 
     def cuts(self, parameter: Parameter) -> bool:
         """Whether there is no room for the whole name of a parameter."""
         return cell_len(parameter.name) > self._name
+
+    def cuts_value(self, parameter: Parameter) -> bool:
+        """Whether there is no room for the whole text of a value."""
+        value = parameter.value
+        return not isinstance(value, (bool, int, float)) and cell_len(shown(value)) > self._room
 
     @property
     def value_column(self) -> int:
