@@ -267,3 +267,15 @@ def test_a_long_text_is_below_the_list_where_its_line_has_no_room() -> None:
 
     text = Parameter("greeting", 4, "hello " * 12 + "the end of it")
     use(Model(OpenNode("/sim", True, (text,), True, None)), act, size=(80, 24))
+
+
+def test_no_key_is_promised_for_what_cannot_be_changed() -> None:
+    async def act(window: _Window) -> None:
+        for node in (OpenNode("/sim", False, (RED,), True, None), OpenNode("/sim", True, (FRAME,), True, None)):
+            await window.show(node)
+            await window.press("tab", "down", "right", "enter", "5", "home")
+            assert window.model.requests == []
+            assert "value" not in screen_lines(window.app)[-1] and "x close" in screen_lines(window.app)[-1]
+            await window.press("tab")
+
+    use(Model(), act)

@@ -201,8 +201,9 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         if self._on_nodes or row is None:
             opened = any(node.name == self._node for node in self.model.opened)
             hints = [("Enter", texts("reconfigure.close" if opened else "reconfigure.open"))]
-        elif row.parameter is None:
-            hints = [("x", texts("reconfigure.close")), ("r", texts("reconfigure.read"))]
+        elif row.parameter is None or not row.is_changeable:
+            hints = [("x", texts("reconfigure.close"))]
+            hints += [("r", texts("reconfigure.read"))] if row.node.there else []
         elif isinstance(row.parameter.value, bool):
             hints = [("Enter", texts("reconfigure.switch"))]
         else:
@@ -298,7 +299,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             self.model.read(node)
         elif key in ("ctrl+s", "w", "ctrl+o", "o"):
             self._ask_file(node, saving=key in ("ctrl+s", "w"))
-        elif parameter is None:
+        elif parameter is None or not row.is_changeable:
             return False
         elif key in SLIDER_STEPS or key in SLIDER_FINEST:
             self.model.move(node, parameter.name, SLIDER_STEPS.get(key) or SLIDER_FINEST[key])
@@ -327,9 +328,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
                 return texts("reconfigure.unfitting", type=kind)
             return None
 
-        if not parameter.read_only:
-            note = "   ".join(filter(None, (kind, parameter.limits, parameter.description)))
-            self.ask(parameter.name, begun, taken, note=note)
+        note = "   ".join(filter(None, (kind, parameter.limits, parameter.description)))
+        self.ask(parameter.name, begun, taken, note=note)
 
     def _ask_filter(self) -> None:
         def taken(text: str) -> None:
@@ -400,6 +400,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         if parameter is None:
             if x >= self.inner_width - self._right - 4:
                 self._toggle(row.node.name)
+        elif not row.is_changeable:
+            return
         elif row.key in self._editors.tracks and self._drag_to(x):
             self.capture_mouse()
         elif x >= self._editors.value_column:

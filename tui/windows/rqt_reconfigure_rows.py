@@ -39,6 +39,11 @@ class Row:
     warns: bool = False
 
     @property
+    def is_changeable(self) -> bool:
+        """Whether it is a parameter to which another value can be given now."""
+        return self.node.there and self.parameter is not None and not self.parameter.read_only
+
+    @property
     def key(self) -> Key | None:
         if self.remark:
             return None
