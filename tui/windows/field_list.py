@@ -261,6 +261,8 @@ class FieldList(PaneList):
                 style = colours.warning
             elif column == 1 and cell_len(cell) > width:
                 cell = without_package(cell)
+            elif cell.startswith("/"):
+                cell = elide(one_line(cell), max(1, width), dots)
             segments.append(Segment(fit(cell, width, dots), on or style))
         return segments
 
@@ -276,15 +278,14 @@ class FieldList(PaneList):
 
 
 def needs_of(lines: Sequence[FieldLine]) -> Needs:
-    """What the columns of these lines need; the names of services and messages above their fields may be cut."""
+    """What the columns of these lines need; of the names of topics, services and actions their last parts have to stay."""
     columns = [line for line in lines if len(line.cells) > 1]
     names = (
         line.depth * INDENT
         + (1 if line.is_head else OPENER)
         + (BOX if line.ticked is not None else 0)
-        + cell_len(line.cells[0])
+        + min(cell_len(line.cells[0]), cell_len(line.cells[0].rpartition("/")[2]) + 2)
         for line in columns
-        if line.is_head or line.depth or line.ticked is not None
     )
     return Needs(max(names, default=0), max((cell_len(without_package(line.cells[1])) for line in columns), default=0))
 
