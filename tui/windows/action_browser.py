@@ -128,7 +128,7 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
             return super().usual_hints()
         if not action.watched:
             return [("Enter", texts("actions.watch")), *super().usual_hints()]
-        return [("Enter", texts("fields.edit")), ("g", texts("actions.send")), ("x", texts("actions.cancel"))]
+        return [*self.line_hints(), ("g", texts("actions.send")), ("x", texts("actions.cancel"))]
 
     def used(self, event: events.Key) -> bool:
         if event.character == "g":

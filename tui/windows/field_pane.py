@@ -83,6 +83,17 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     def resize(self, line: FieldLine, step: int) -> None:
         """Give a sequence one element more (1) or less (-1)."""
 
+    def line_hints(self) -> list[tuple[str, str]]:
+        """The keys for the chosen line."""
+        texts, line = self.look.texts, self.list.chosen
+        if line is None or (line.edited is None and not line.is_branch):
+            return []
+        if line.edited is None:
+            return [("Enter", texts("topics.open"))]
+        if line.cells[1] == BOOLEAN:
+            return [("Space", texts("reconfigure.switch"))]
+        return [("Enter", texts("fields.edit"))]
+
     def tick(self, line: FieldLine) -> None:
         """The check box of a line was clicked."""
 

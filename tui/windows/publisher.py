@@ -140,7 +140,10 @@ class PublisherPane(FieldPane["MessagePublisher"]):
         texts = self.look.texts
         if not self._publishers:
             return [("a", texts("publisher.add"))]
-        return [("Space", texts("publisher.tick")), ("a", texts("publisher.add")), ("Enter", texts("fields.edit"))]
+        line = self.list.chosen
+        if line is not None and line.ticked is not None:
+            return [("Space", texts("publisher.tick")), ("Enter", texts("publisher.columns.rate"))]
+        return [*self.line_hints(), ("o", texts("publisher.once")), ("a", texts("publisher.add"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
