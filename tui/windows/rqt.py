@@ -120,7 +120,8 @@ class RqtPane(ListPane[Rqt, PluginList]):
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        return [("Enter", texts("rqt.open")), ("x", texts("rqt.close")), ("p", texts("rqt.perspectives"))]
+        close = [("x", texts("rqt.close"))] if isinstance(self.list.chosen, Open) else []
+        return [("Enter", texts("rqt.open")), *close, ("p", texts("rqt.perspectives"))]
 
     def on_key(self, event: events.Key) -> None:
         """p: perspectives."""
