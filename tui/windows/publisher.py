@@ -28,7 +28,7 @@ def columns_in(width: int, needs: Needs) -> tuple[int, int, int, int]:
     if width < NARROW:
         name, kind = narrow_columns(width, needs)
         return name, kind, 0, max(1, width - name - kind - (2 if kind else 1))
-    name, kind = max(16, width * 3 // 10), max(9, width // 5)
+    name, kind = max(16, width * 3 // 10), max(9, width // 5, min(needs.type, width // 4))
     return name, kind, 7, max(1, width - name - kind - 10)
 
 
