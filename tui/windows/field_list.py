@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import takewhile
 from typing import Any, NamedTuple
 
 from rich.segment import Segment
@@ -162,13 +163,31 @@ class FieldList(PaneList):
         self._toggled ^= {line.key}
         self.show(self._all)
         # The mark of the line itself is not part of it.
-        self.replace_option_prompt_at_index(self.lines_shown.index(line), _Drawn(self, self.lines_shown.index(line)))
+        at = self.lines_shown.index(line)
+        self.replace_option_prompt_at_index(at, _Drawn(self, at))
+        self.call_after_refresh(self.show_branch, line.key)
+
+    def show_branch(self, key: str) -> None:
+        """Scroll down as far as is needed to see what is below a line, but not beyond the line itself."""
+        at = next((at for at, line in enumerate(self.lines_shown) if line.key == key), None)
+        if at is not None:
+            depth = self.lines_shown[at].depth
+            end = at + len(list(takewhile(lambda line: line.depth > depth, self.lines_shown[at + 1 :])))
+            top = min(at, end + 1 - self.size.height)
+            if top > self.scroll_offset.y:
+                self.scroll_to(y=top, animate=False)
 
     def choose(self, key: str) -> None:
         """Put the cursor on a line, if it is shown."""
         keys = [line.key for line in self.lines_shown]
         if key in keys:
             self.highlighted = keys.index(key)
+
+    def choose_parent(self) -> None:
+        """Put the cursor on the branch to which its line belongs."""
+        if (line := self.chosen) is not None and self.highlighted is not None:
+            above = [each for each in self.lines_shown[: self.highlighted] if each.key and each.depth < line.depth]
+            self.choose(above[-1].key if above else "")
 
     def show_end(self) -> None:
         """Bring the last lines into sight; the cursor stays where it is."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Iterable, Sequence
 from functools import partial
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 from rich.segment import Segment
 from textual import events, on
@@ -13,9 +13,9 @@ from textual.widget import Widget
 
 from day6_tui.core.ros.programs.rqt_py_common.message_form import SEQUENCE
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Action, Piece
+from day6_tui.tui.windows.buttons import Button, button_line
 from day6_tui.tui.windows.field_entry import FieldEntry
 from day6_tui.tui.windows.field_list import Columns, FieldLine, FieldList
 from day6_tui.tui.windows.pane_list import ListPane
@@ -27,14 +27,6 @@ BEGINS = frozenset("0123456789.-'\"[(")
 
 BOOLEAN = "boolean"
 """The type of a field that a key switches."""
-
-
-class Button(NamedTuple):
-    """Something on the first line of the window that can be clicked, with the key that does the same."""
-
-    key: str
-    text: str
-    action: Action
 
 
 class FieldPane(ListPane[Model, FieldList], Generic[Model]):
@@ -125,19 +117,7 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         return False
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if y:
-            return []
-        colours, segments, x = self.look.colours, [Segment(" ", self.background)], 1
-        for piece in self.bar():
-            if isinstance(piece, Segment):
-                segments.append(piece)
-            else:
-                text = clip(f" {piece.text} ", width - x, self.look.glyphs.ellipsis)
-                self.add_hit(1, x + self.inner_offset, x + self.inner_offset + cell_len(text), piece.action)
-                keyed = f" {piece.key} " if piece.key else " "
-                segments += [Segment(text, colours.key), Segment(keyed, colours.muted)]
-            x = sum(cell_len(segment.text) for segment in segments)
-        return segments
+        return [] if y else button_line(self, y, self.bar(), width)
 
     def status(self) -> list[Piece]:
         chosen, colours = self.list.chosen, self.look.colours
@@ -239,6 +219,8 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         elif event.key in ("left", "right"):
             if line.is_branch and self.list.is_open(line) is not (event.key == "right"):
                 self.toggle(line)
+            elif event.key == "left":
+                self.list.choose_parent()
         elif event.key == "delete" and line.edited is not None:
             self.take(line, "")
         elif event.key == "space" and line.edited is not None and line.cells[1] == BOOLEAN:

@@ -12,8 +12,9 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows.buttons import Button
 from day6_tui.tui.windows.field_list import FieldLine, Needs
-from day6_tui.tui.windows.field_pane import BOOLEAN, Button, FieldPane
+from day6_tui.tui.windows.field_pane import BOOLEAN, FieldPane
 from day6_tui.tui.windows.field_rows import NARROW, is_long, narrow_columns, problem_of
 
 if TYPE_CHECKING:

@@ -88,6 +88,7 @@ class _Written:
     """The file of a recording, from which nothing is read while it is written."""
 
     is_complete = True
+    passed = 1.0
 
     def blocks(self) -> Iterator[Block]:
         return iter(())
