@@ -29,7 +29,7 @@ LEAST_VALUE = 10
 def columns_in(width: int, needs: Needs) -> tuple[int, int, int]:
     """Widths of name, type and value: the value gets half of a wide window, and in a narrow one what is left."""
     if width >= NARROW:
-        name, kind = max(16, width * 3 // 10), max(9, width // 4, min(needs.type, width // 3))
+        name, kind = max(16, width * 3 // 10), max(9, width // 4)
     else:
         name, kind = narrow_columns(width, needs)
     return name, kind, max(1, width - name - kind - (2 if kind else 1))
