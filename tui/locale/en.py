@@ -723,6 +723,7 @@ TEXTS = {
     "console.stop_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05; an empty line: no end.",
     "console.wrong_time": "This is no time, like 14:05:01.250.",
     "console.filters": "filters",
+    "console.filters.title": "Filters",
     "console.files": "save, load",
     "console.save": "Save to File",
     "console.load": "Load from File",
@@ -819,6 +820,7 @@ TEXTS = {
     "menu.none": "nothing by that name",
     "menu.keys": "↑ ↓ choose   Enter go   Esc back",
     "menu.keys.close": "↑ ↓ choose   Enter go   Del close   Esc back",
+    "menu.keys.remove": "↑ ↓ choose   Enter go   Del remove   Esc back",
     "menu.terminal": "terminal",
     "menu.window": "window",
     # help

@@ -907,6 +907,7 @@ TEXTS = {
     "console.stop_ns.note": "例如 14:05:01.250 或 2026-01-31 14:05；留空：不限。",
     "console.wrong_time": "不是时间。例如 14:05:01.250。",
     "console.filters": "过滤器",
+    "console.filters.title": "过滤器",
     "console.files": "保存、打开文件",
     "console.save": "保存到文件",
     "console.load": "打开文件",
@@ -1003,6 +1004,7 @@ TEXTS = {
     "menu.none": "没有这个名字",
     "menu.keys": "↑ ↓ 选择   Enter 确定   Esc 返回",
     "menu.keys.close": "↑ ↓ 选择   Enter 确定   Del 关闭   Esc 返回",
+    "menu.keys.remove": "↑ ↓ 选择   Enter 确定   Del 删除   Esc 返回",
     "menu.terminal": "终端",
     "menu.window": "窗口",
     # help

@@ -49,7 +49,7 @@ class FilterMenus:
         if record is not None:
             for side in SIDES:
                 entries += self._of_record(side, record)
-        self._lay_over(Menu(self._look, "console.filters", entries, chosen=chosen))
+        self._lay_over(Menu(self._look, "console.filters.title", entries, chosen=chosen, keys="menu.keys.remove"))
 
     def _of_record(self, side: str, record: Record) -> Iterator[Entry]:
         """What a right click offers in rqt_console."""

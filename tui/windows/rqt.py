@@ -146,7 +146,7 @@ class RqtPane(ListPane[Rqt, PluginList]):
             MenuEntry(texts("rqt.import"), ".perspective", partial(self._ask_file, "rqt.import", model.load)),
             MenuEntry(texts("rqt.export"), ".perspective", partial(self._ask_file, "rqt.export", model.export)),
         ]
-        self.lay_over(Menu(self.look, "rqt.perspectives", entries))
+        self.lay_over(Menu(self.look, "rqt.perspectives", entries, keys="menu.keys.remove"))
 
     def _ask_name(self) -> None:
         def taken(name: str) -> str | None:
