@@ -121,8 +121,6 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
 
     def status(self) -> list[Piece]:
         chosen, colours = self.list.chosen, self.look.colours
-        if chosen is not None and chosen.problem:
-            return [Piece(f" {self.look.glyphs.warning} {' '.join(chosen.problem.split())} ", colours.warning)]
         if chosen is not None and self.list.hides_type(chosen):
             name = self.look.texts("list.head", name=chosen.cells[0].rpartition("/")[2] or chosen.cells[0])
             return [Piece(f" {name}{chosen.cells[1]} ", colours.muted)]

@@ -129,7 +129,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
     def status(self) -> list[Piece]:
         publisher, colours = self._chosen(), self.look.colours
         pieces = super().status()
-        if publisher is None or (self.list.chosen is not None and self.list.chosen.problem):
+        if publisher is None:
             return pieces
         topic = clip(publisher.topic, max(8, self.inner_width // 2), self.look.glyphs.ellipsis)
         head = f"{topic}  " if not pieces else ""
