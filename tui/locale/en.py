@@ -709,7 +709,7 @@ TEXTS = {
     "console.highlights.this.severity": "Highlight this severity",
     "console.highlights.this.message": "Highlight this message",
     "console.only": "Show highlighted messages only",
-    "console.only.short": "highlighted only",
+    "console.only.short": "only these",
     "console.text": "Text",
     "console.text.note": "Takes effect while it is typed; an empty line turns it off.",
     "console.regexp": "Regex",

@@ -893,7 +893,7 @@ TEXTS = {
     "console.highlights.this.severity": "突出显示这个级别",
     "console.highlights.this.message": "突出显示这条消息",
     "console.only": "只看突出显示的消息",
-    "console.only.short": "只看突出显示的",
+    "console.only.short": "只看这些",
     "console.text": "文字",
     "console.text.note": "边输入边生效；留空就取消。",
     "console.regexp": "正则表达式",
