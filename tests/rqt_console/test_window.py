@@ -260,7 +260,7 @@ def test_what_programs_write_is_text_and_nothing_else(console):
     console.receive(log("[bold red]\x1b[2J\x07 \u202eabc[/]", 30, "[node]\x1b]0;x\x07"))
     for keys in ([], ["enter"], ["n"], ["f"], ["n", "f", *"exclude messages from", "enter"]):
         text = look(console, keys)
-        assert "[bold red]^[[2J^G" in text or "[node]^[]0;x^G" in text and "\x1b" not in text and "\u202e" not in text
+        assert "[bold red]^[[2J^G" in text or ("[node]^[]0;x^G" in text and "\x1b" not in text and "\u202e" not in text)
 
 
 def test_a_click_beside_the_table_leaves_it_the_keyboard(full):
