@@ -9,6 +9,7 @@ from __future__ import annotations
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rqt_gui import perspectives
@@ -101,6 +102,9 @@ class Container:
         """Of the perspective: plugins that are not here. They stay in it."""
         self._kept = True
         """Whether the perspective is written when something changes: not over one that could not be read."""
+        self._writing = Lock()
+        self._turn = 0
+        """Counts what was to be written."""
         self.model = Rqt(plugins(), session.cwd, self._woken.set)
 
     async def run(self, options: argparse.Namespace) -> int:
@@ -118,10 +122,11 @@ class Container:
                 await self._session.wait(self._woken)
                 self._woken.clear()
                 while self.model.requests:
-                    deed, subject = self.model.requests.pop(0)
+                    deed, subject = self.model.requests[0]
                     self.model.trouble = ""
                     await getattr(self, deed)(subject)
                     self.model.version += 1
+                    self.model.requests.pop(0)
         except (KeyboardInterrupt, Terminated) as end:
             await self._keep()  # settings have changed since the last plugin was opened
             if isinstance(end, Terminated):
@@ -244,8 +249,15 @@ class Container:
     async def _keep(self) -> None:
         """Write the perspective, so that the next rqt begins with it."""
         if self._kept:
-            await self._try(partial(self._store.save, self.model.perspective, self._instances()))
+            self._turn += 1
+            await self._try(partial(self._write, self._turn, self.model.perspective, self._instances()))
         self._tell_names(await in_thread(self._store.names))
+
+    def _write(self, turn: int, name: str, instances: list[Instance]) -> None:
+        """Write a perspective, on a thread. One that Ctrl-C interrupted goes on there: what is newer must not be lost to it."""
+        with self._writing:
+            if turn == self._turn:
+                self._store.save(name, instances)
 
     async def _try(self, work: Any) -> Any:
         """Return what work at the disk returns; what fails is told in the window, and None returned."""
