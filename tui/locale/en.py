@@ -921,7 +921,8 @@ TEXTS = {
         "field, Esc leaves the old one, Del brings the default back. Then c, or Call, sends the request, and the response is "
         "shown below.\n\n"
         "An expression is a part of Python: 1.5, 2*pi, sin(0.3), [1, 2], 'text' or, for a text, also without quotes. What does "
-        "not fit its field is marked, and the field is sent with its default, as in the real rqt.\n\n"
+        "not fit its field is marked, and the field is sent with its default, as in the real rqt. + and - on the line of a list "
+        "add an element or take the last one away.\n\n"
         "If nobody answers, the window says for how long, and x waits no longer. What the node thinks of the call stands in its "
         "own terminal: turtlesim, for example, answers an empty name if a turtle of that name exists already."
     ),
@@ -931,7 +932,10 @@ TEXTS = {
         "line changes it, 0 publishes only by hand). o publishes one message, d removes the publisher, C all of them.\n\n"
         "Enter on a field, or a click on its value, types an expression, as in Service Caller. It is computed anew for each "
         "message: i counts the messages, so sin(i/10) swings. now() is the time, for a stamp; random() and uniform(0, 1) change "
-        "every time. A text may stand without quotes. What is wrong is marked, and the field has its default until it is mended."
+        "every time. A text may stand without quotes. What is wrong is marked, and the expression before it counts until it is "
+        "mended, as in the real rqt; one that fails only now and then gives that message the default.\n\n"
+        "An array has a line for each element, which takes an expression, too; + and - on the array's own line add an element or "
+        "take the last one away, and an expression there gives all at once, like [0.5, i, 2*i]."
     ),
     "help.type_browser": (
         "The types of messages or services that there are here, like ros2 interface show. p chooses a package, a adds one of its "
