@@ -76,7 +76,7 @@ def test_keys_choose_publish_and_move_the_playhead(bag):
     async def act(tool):
         await tool.go("enter")
         assert "[x] /number" in tool.text
-        await tool.go("n", "n", "p")
+        await tool.go(".", ".", ",")
         assert [each.data for each in numbers] == [0.0, 1.0, 2.0, 1.0]
         await tool.go("end")
         assert "9.900s" in tool.text and numbers[-1].data == 99.0
@@ -179,7 +179,7 @@ def test_the_message_of_the_chosen_topic_is_shown_and_its_field_can_be_plotted(b
 
 def test_topics_are_chosen_for_a_new_bag(bag):
     async def act(tool):
-        await tool.go("s")
+        await tool.go("w")
         assert "Which topics are exported?" in tool.text and tool.text.count("[x]") == 4
         await tool.go("space", "down", "space", "enter")
         assert "Save selected region" in tool.text

@@ -716,7 +716,7 @@ TEXTS = {
     "console.highlights.this.severity": "Highlight this severity",
     "console.highlights.this.message": "Highlight this message",
     "console.only": "Show highlighted messages only",
-    "console.only.short": "highlighted only",
+    "console.only.short": "only these",
     "console.text": "Text",
     "console.text.note": "Takes effect while it is typed; an empty line turns it off.",
     "console.regexp": "Regex",
@@ -730,6 +730,7 @@ TEXTS = {
     "console.stop_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05; an empty line: no end.",
     "console.wrong_time": "This is no time, like 14:05:01.250.",
     "console.filters": "filters",
+    "console.filters.title": "Filters",
     "console.files": "save, load",
     "console.save": "Save to File",
     "console.load": "Load from File",
@@ -826,6 +827,7 @@ TEXTS = {
     "menu.none": "nothing by that name",
     "menu.keys": "↑ ↓ choose   Enter go   Esc back",
     "menu.keys.close": "↑ ↓ choose   Enter go   Del close   Esc back",
+    "menu.keys.remove": "↑ ↓ choose   Enter go   Del remove   Esc back",
     "menu.terminal": "terminal",
     "menu.window": "window",
     # help
@@ -931,7 +933,8 @@ TEXTS = {
         "field, Esc leaves the old one, Del brings the default back. Then c, or Call, sends the request, and the response is "
         "shown below.\n\n"
         "An expression is a part of Python: 1.5, 2*pi, sin(0.3), [1, 2], 'text' or, for a text, also without quotes. What does "
-        "not fit its field is marked, and the field is sent with its default, as in the real rqt.\n\n"
+        "not fit its field is marked, and the field is sent with its default, as in the real rqt. + and - on the line of a list "
+        "add an element or take the last one away.\n\n"
         "If nobody answers, the window says for how long, and x waits no longer. What the node thinks of the call stands in its "
         "own terminal: turtlesim, for example, answers an empty name if a turtle of that name exists already."
     ),
@@ -941,7 +944,10 @@ TEXTS = {
         "line changes it, 0 publishes only by hand). o publishes one message, d removes the publisher, C all of them.\n\n"
         "Enter on a field, or a click on its value, types an expression, as in Service Caller. It is computed anew for each "
         "message: i counts the messages, so sin(i/10) swings. now() is the time, for a stamp; random() and uniform(0, 1) change "
-        "every time. A text may stand without quotes. What is wrong is marked, and the field has its default until it is mended."
+        "every time. A text may stand without quotes. What is wrong is marked, and the expression before it counts until it is "
+        "mended, as in the real rqt; one that fails only now and then gives that message the default.\n\n"
+        "An array has a line for each element, which takes an expression, too; + and - on the array's own line add an element or "
+        "take the last one away, and an expression there gives all at once, like [0.5, i, 2*i]."
     ),
     "help.type_browser": (
         "The types of messages or services that there are here, like ros2 interface show. p chooses a package, a adds one of its "
@@ -1043,7 +1049,7 @@ TEXTS = {
         "ruler to select a region, turn the wheel to zoom, drag with the middle button or Shift to move what is seen. Playing "
         "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once.\n\n"
         "v shows the message or image of the chosen topic at the playhead; Tab goes to its fields, where g types the command "
-        "that plots one. s exports the selected region to a new bag, r records a new one in place of what is open."
+        "that plots one. w exports the selected region to a new bag, r records a new one in place of what is open."
     ),
     "help.rqt_plot": (
         "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "

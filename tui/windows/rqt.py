@@ -159,7 +159,7 @@ class RqtPane(ListPane[Rqt, PluginList]):
             MenuEntry(texts("rqt.export"), ".perspective", partial(self._ask_file, "rqt.export", model.export)),
         ]
         at = model.perspectives.index(model.perspective) if model.perspective in model.perspectives else 0
-        self.lay_over(Menu(self.look, "rqt.perspectives", entries, chosen=at))
+        self.lay_over(Menu(self.look, "rqt.perspectives", entries, chosen=at, keys="menu.keys.remove"))
 
     def _ask_name(self) -> None:
         def taken(name: str) -> str | None:

@@ -228,7 +228,7 @@ class RqtBagPane(WindowPane["Bags"]):
             ("Space", texts("bag.pause" if plays else "bag.play")),
             ("Enter", texts("bag.unpublish" if self.chosen in self.model.player.publishing else "bag.publish")),
             ("+ -", texts("bag.speed")),
-            ("p n", texts("bag.step")),
+            (", .", texts("bag.step")),
             ("v", texts("bag.view")),
             ("m", texts("bag.menu")),
         ]
@@ -249,7 +249,7 @@ class RqtBagPane(WindowPane["Bags"]):
             ("t", texts("bag.thumbnails")),
             ("o", texts("bag.open")),
             ("r", texts("bag.record")),
-            ("s", texts("bag.save")),
+            ("w", texts("bag.save")),
         ]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
@@ -292,8 +292,9 @@ class RqtBagPane(WindowPane["Bags"]):
             "+": lambda: self._speed(faster),
             "=": lambda: self._speed(faster),
             "-": lambda: self._speed(slower),
-            "p": lambda: self._step(-1),
-            "n": lambda: self._step(1),
+            "p": self._toggle_play,
+            ",": lambda: self._step(-1),
+            ".": lambda: self._step(1),
             "0": self._fit,
             "[": lambda: self._select_end(left=True),
             "]": lambda: self._select_end(left=False),
@@ -302,7 +303,7 @@ class RqtBagPane(WindowPane["Bags"]):
             "v": self.toggle_view,
             "t": self.toggle_thumbnails,
             "r": self._questions.recording,
-            "s": self._questions.export,
+            "w": self._questions.export,
             "m": self._questions.menu,
         }.get(character)
         if action is None:
@@ -365,7 +366,7 @@ class RqtBagPane(WindowPane["Bags"]):
         recorder = self.model.recorder
         if character == "r":
             self.model.stop_recording()
-        elif key == "space" and recorder is not None:
+        elif key in ("space", "p") and recorder is not None:
             self.model.request(recorder.toggle_paused)
         else:
             return False

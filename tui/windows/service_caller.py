@@ -89,7 +89,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
     def usual_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         call = ("x", texts("service.cancel")) if self.model.is_waiting else ("c", texts("service.call"))
-        return [("Enter", texts("fields.edit")), call, ("s", texts("service.choose"))]
+        return [*self.line_hints(), call, ("s", texts("service.choose"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
