@@ -290,6 +290,13 @@ def test_what_is_no_bag_is_refused_as_rqt_bag_does(desk, word):
     assert f"rqt_bag: error: '{word}' is not a valid rosbag" in running.errors
 
 
+def test_an_empty_bag_says_so(desk):
+    write_bag(desk.folder / "bag", seconds=0.0, static=False)
+    model = desk.open("bag", topics=0)
+    desk.machine.until(lambda: model.bags and not model.loading)
+    assert model.status == "'bag' has no messages" and not model.failed
+
+
 @pytest.mark.parametrize(
     ("damage", "reason"),
     (
@@ -316,6 +323,7 @@ def test_a_damaged_bag_is_told_and_the_window_goes_on(desk, damage, reason):
     model = desk.open("bag", topics=0)
     desk.machine.until(lambda: not model.loading and model.status and model.status != "Loading 'bag' ...")
     assert re.search(reason, model.status) and model.failed == (damage != "cut")
+    assert bool(model.topics) == (damage == "cut")
     model.load("other")
     desk.machine.until(lambda: not model.status and not model.loading)
     assert model.timeline.count("/number") >= 100 and len(model.topics) == 3

@@ -273,8 +273,15 @@ class Bags:
         self.status, self.failed = text, failed
         self._version += 1
 
+    def dismiss(self) -> None:
+        """Show no longer what went wrong, or has been done."""
+        if not self.is_busy and (self.status or self.player.problem):
+            self.player.problem = ""
+            self.tell("")
+
     async def _load(self, name: str, problem: str) -> None:
         path = path_of(self._session.cwd, name)
+        blocks = self.timeline.blocks
         self.tell(f"Loading '{name}' ...")
         self.loading, self._cancelled = True, False
         try:
@@ -285,9 +292,12 @@ class Bags:
             rates = await in_thread(lambda: {topic: self.timeline.rate(topic) for topic in bag.topics})
             self.rates = {**self.rates, **rates}
             cut = "" if bag.is_complete else f"'{name}' is not complete: it is shown as far as it goes"
+            cut = cut or ("" if self.timeline.blocks > blocks else f"'{name}' has no messages")
             stopped = f"Cancelled: '{name}' is shown as far as it was read" if self._cancelled else ""
             self.tell(problem or stopped or cut, failed=bool(problem))
         except (RuntimeError, OSError) as error:
+            if not self.timeline.blocks:
+                self._start_anew()  # nothing of it can be shown
             self.tell(f"Loading '{name}' failed due to: {_reason(error)}", failed=True)
         finally:
             self.loading = False
@@ -337,7 +347,7 @@ class Bags:
             bag.close()
         self._version += self.timeline.version + self.player.version
         self.timeline, self.bags, self.rates, self._has_begun = Timeline(), (), {}, False
-        self.view, self._resumed = None, Kept()
+        self.view = None
         self._pictures.clear()
         self._shown.clear()
         self.player.forget(self.timeline)
@@ -349,6 +359,7 @@ class Bags:
             self.tell(f"Background operation already running: {what}", failed=True)
             return
         self._start_anew()
+        self._resumed = Kept()
         path = path_of(self._session.cwd, name)
         self._node.get_logger().get_child("rqt_bag.BagWidget").info(f"Recording to {name}.")
         try:
