@@ -182,11 +182,13 @@ class RqtBagPane(WindowPane["Bags"]):
         loading = f"{model.status} {model.indexed} %" if model.indexed is not None else ""
         text = self._recording_text() or exporting or loading or model.status or model.player.problem
         failed = bool(model.recorder) or (not exporting and (model.failed or not model.status))
-        if not text and topic:
-            count = self.look.texts("bag.messages", count=model.timeline.count(topic))
-            text, failed = f"{model.topics[topic]}  {count}  {self.lanes.rate(topic)}", False
-        lines = wrap(one_line(text), max(1, self.inner_width - 2))[:MOST_TOLD] if text else [""]
-        return lines, failed
+        width = max(1, self.inner_width - 2)
+        if text:
+            return wrap(one_line(text), width)[:MOST_TOLD], failed
+        if not topic:
+            return [""], False
+        count = self.look.texts("bag.messages", count=model.timeline.count(topic))
+        return [clip(f"{model.topics[topic]}  {count}  {self.lanes.rate(topic)}", width, self.look.glyphs.ellipsis)], False
 
     def _told_line(self, number: int) -> list[Segment]:
         lines, failed = self._told()

@@ -67,6 +67,10 @@ class Info:
         """Return the names of the topics, except service events."""
         return [each.topic_metadata.name for each in _topics(metadata, sorting_method)]
 
+    def read_metadata_and_output_service_verbose(self, uri: str, storage_id: str = "") -> None:
+        """Print everything, as `ros2 bag info -v` does."""
+        print(self.verbose_text(uri, self.read_metadata(uri, storage_id)))
+
     def text(self, metadata: BagMetadata, sorting_method: str = "name") -> str:
         """Return the output of `ros2 bag info BAG`."""
         services = _services(metadata, sorting_method)

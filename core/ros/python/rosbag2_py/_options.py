@@ -7,6 +7,9 @@ from datetime import timedelta
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import value
+from rosbag2_py._storage import Bound
+
 if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
 
@@ -18,8 +21,12 @@ class ServiceRequestsSource(IntEnum):
     CLIENT_INTROSPECTION = 1
 
 
+_OLD_NAMES = {"all": ("all_topics",), "exclude": ("exclude_regex",)}
+"""Names of Humble."""
+
+
 @dataclass
-class RecordOptions:
+class RecordOptions(Bound):
     """The options of a recording. `services` lists event topics, `/name/_service_event`."""
 
     all_topics: bool = False
@@ -49,9 +56,15 @@ class RecordOptions:
     use_sim_time: bool = False
     disable_keyboard_controls: bool = False
 
+    def __setattr__(self, name: str, value_: object) -> None:
+        for new in _OLD_NAMES.get(name, ()) if value("bag.options_have_old_names") else ():
+            super().__setattr__(new, value_)
+        if name not in _OLD_NAMES or not value("bag.options_have_old_names"):
+            super().__setattr__(name, value_)
+
 
 @dataclass
-class PlayOptions:
+class PlayOptions(Bound):
     """The options of a playback. Times are in seconds, `playback_until_timestamp` in nanoseconds since 1970 (-1: to the end)."""
 
     read_ahead_queue_size: int = 1000

@@ -6,12 +6,15 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+from rosbag2_py import also
 from rosbag2_py._options import PlayOptions, RecordOptions, ServiceRequestsSource
 from rosbag2_py._storage import StorageOptions
 
 __all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource"]
 
 _LONGEST_WAIT = 0.1
+
+__getattr__ = also("_transport")
 
 
 class _Transport:
@@ -20,7 +23,13 @@ class _Transport:
     _cancelled = False
 
     def __init__(self, log_level: str = "info") -> None:
+        """Raise RuntimeError for a log level that doesn't exist."""
+        from rclpy.context import Context
+
         self._log_level = log_level
+        context = Context()
+        context.init(args=["--ros-args", "--log-level", log_level])
+        context.try_shutdown()
 
     @classmethod
     def cancel(cls) -> None:
