@@ -83,7 +83,7 @@ def reading(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise BadBag(f"{error.strerror}: {path}") from None
+        raise BadBag(f"{error.strerror}: {path}") from error
     except (struct.error, zlib.error, LookupError, TypeError, ValueError, ArithmeticError, MemoryError) as error:
         raise BadBag(f"{path.name} is damaged: {error or type(error).__name__}") from error
 
@@ -139,7 +139,8 @@ def open_file(path: Path, storage_id: str, log: Log) -> BagReader | None:
             log("ERROR", _LOGGER, "No storage id specified, and no plugin found that could open URI")
             return None
         if storage_id in SUFFIXES:
-            log("ERROR", _LOGGER, f"Could not open '{path}' with '{storage_id}'. Error: {error}")
+            reason = error.__cause__.strerror if isinstance(error.__cause__, OSError) else error
+            log("ERROR", _LOGGER, f"Could not open '{path}' with '{storage_id}'. Error: {reason}")
         log("ERROR", _LOGGER, f"Could not load/open plugin with storage id '{storage_id}'")
         return None
     if file.storage_id == "sqlite3":

@@ -166,7 +166,7 @@ class SqliteReader:
     def __init__(self, path: Path) -> None:
         self._path = path
         if not path.is_file():
-            raise BadBag(f"{path.name} does not exist")
+            raise BadBag(f"Failed to read from bag: File '{path}' does not exist!")
         # Opened for writing if that is allowed: a killed recorder's unfinished transaction has to be rolled back.
         self._database = sqlite3.connect(path, check_same_thread=False)
         try:
