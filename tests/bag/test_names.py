@@ -50,9 +50,9 @@ def test_an_option_that_does_not_exist_is_refused(options, place):
 
 
 def test_options_have_their_old_names_in_humble(monkeypatch):
-    from rosbag2_py import _options
+    from day6_tui.core.ros import differences
 
-    monkeypatch.setattr(_options, "value", lambda key: key == "bag.options_have_old_names")
+    monkeypatch.setattr(differences, "value", lambda key: key == "bag.options_have_old_names")
     options = rosbag2_py.RecordOptions()
     options.all, options.exclude = True, "/rosout"
     assert options.all_topics and options.exclude_regex == "/rosout"

@@ -188,7 +188,8 @@ class RqtBagPane(WindowPane["Bags"]):
         if not topic:
             return [""], False
         count = self.look.texts("bag.messages", count=model.timeline.count(topic))
-        return [clip(f"{model.topics[topic]}  {count}  {self.lanes.rate(topic)}", width, self.look.glyphs.ellipsis)], False
+        about = f"{model.topics[topic]}  {count}  {self.lanes.rate(topic)}"
+        return [clip(about, width, self.look.glyphs.ellipsis)], False
 
     def _told_line(self, number: int) -> list[Segment]:
         lines, failed = self._told()

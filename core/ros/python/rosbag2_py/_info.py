@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -195,7 +195,7 @@ def message_sizes(uri: str, metadata: BagMetadata, log: Log = to_console) -> dic
     return dict(sizes)
 
 
-def _all_messages(uri: str, metadata: BagMetadata, log: Log) -> Any:
+def _all_messages(uri: str, metadata: BagMetadata, log: Log) -> Iterator[tuple[str, bytes, int]]:
     from rosbag2_py._reader import SequentialReader
 
     reader = SequentialReader(log)

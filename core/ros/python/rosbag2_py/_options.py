@@ -7,7 +7,7 @@ from datetime import timedelta
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.differences import value
+from day6_tui.core.ros import differences
 from rosbag2_py._storage import Bound
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ class ServiceRequestsSource(IntEnum):
     CLIENT_INTROSPECTION = 1
 
 
-_OLD_NAMES = {"all": ("all_topics",), "exclude": ("exclude_regex",)}
-"""Names of Humble."""
+_OLD_NAMES = {"all": "all_topics", "exclude": "exclude_regex"}
+"""Humble's names and the present ones."""
 
 
 @dataclass
@@ -56,11 +56,9 @@ class RecordOptions(Bound):
     use_sim_time: bool = False
     disable_keyboard_controls: bool = False
 
-    def __setattr__(self, name: str, value_: object) -> None:
-        for new in _OLD_NAMES.get(name, ()) if value("bag.options_have_old_names") else ():
-            super().__setattr__(new, value_)
-        if name not in _OLD_NAMES or not value("bag.options_have_old_names"):
-            super().__setattr__(name, value_)
+    def __setattr__(self, name: str, value: object) -> None:
+        known = name in _OLD_NAMES and differences.value("bag.options_have_old_names")
+        super().__setattr__(_OLD_NAMES[name] if known else name, value)
 
 
 @dataclass

@@ -39,7 +39,7 @@ class Shown(NamedTuple):
 
     type: str
     time_ns: int
-    message: Any | None
+    message: object | None
     problem: str = ""
 
 
