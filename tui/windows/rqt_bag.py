@@ -25,7 +25,6 @@ from day6_tui.core.ros.programs.rqt_bag.model.view import (
     whole,
 )
 from day6_tui.core.session.display import Window
-from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.cells import clip, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
@@ -165,7 +164,7 @@ class RqtBagPane(WindowPane["Bags"]):
         told = self._told()[0]
         if 1 <= y <= len(told):
             return self._told_line(y - 1)
-        none = self.look.texts("bag.none")
+        none = "" if self.model.bags else self.look.texts("bag.none")
         return [Segment(" " + clip(none, width - 1), self.look.colours.muted)] if y == len(told) + 2 else []
 
     def _recording_text(self) -> str:
@@ -184,7 +183,7 @@ class RqtBagPane(WindowPane["Bags"]):
         failed = bool(model.recorder) or (not exporting and (model.failed or not model.status))
         width = max(1, self.inner_width - 2)
         if text:
-            return wrap(one_line(text), width)[:MOST_TOLD], failed
+            return wrap(text, width)[:MOST_TOLD], failed
         if not topic:
             return [""], False
         count = self.look.texts("bag.messages", count=model.timeline.count(topic))
