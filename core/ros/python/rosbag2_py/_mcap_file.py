@@ -329,12 +329,6 @@ class McapFile:
         channel, _, received, sent = MESSAGE_HEAD.unpack_from(data)
         return Message(received, sent, self.channels[channel].topic, data[MESSAGE_HEAD.size :])
 
-    def content_of(self, offset: int) -> tuple[str, int]:
-        """The compression of a chunk, and the offset of its content in the file."""
-        *_, name_length = _CHUNK.unpack(self.read(offset + RECORD.size, _CHUNK.size))
-        at = offset + RECORD.size + _CHUNK.size
-        return self.read(at, name_length).decode(), at + name_length + 8
-
     def unpack(self, offset: int, *, check: bool = False) -> bytes:
         """The records in a chunk. The last one is kept: messages beside each other are often wanted together."""
         if self._unpacked[0] == offset:
