@@ -204,6 +204,19 @@ def test_a_long_reason_is_told_whole_and_gives_way_to_the_topic(bag):
     use(bag, act, size=(80, 24))
 
 
+@pytest.mark.parametrize(("lang", "text"), (("en", "'bag' is not complete"), ("zh", "'bag' 不完整")))
+def test_what_rqt_bag_has_no_words_for_is_told_in_the_users_language(desk, lang, text):
+    file = write_bag(desk.folder / "bag") / "bag_0.mcap"
+    file.write_bytes(file.read_bytes()[:-500])
+    desk.open("bag")
+
+    async def act(tool):
+        await tool.settle()
+        assert text in tool.text
+
+    use(desk, act, lang=lang)
+
+
 def test_without_a_bag_the_window_says_what_to_do(desk):
     desk.open(topics=0)
 

@@ -687,6 +687,9 @@ TEXTS = {
     "console.undone": "as it was",
     # rqt_plot
     "bag.none": "No bag is open: o opens one.",
+    "bag.cut": "'{name}' is not complete: it is shown as far as it goes.",
+    "bag.cancelled": "Cancelled: '{name}' is shown as far as it was read.",
+    "bag.empty": "'{name}' has no messages.",
     "bag.messages": "{count} messages",
     "bag.open": "open",
     "bag.open.title": "Open a bag",

@@ -871,6 +871,9 @@ TEXTS = {
     "console.undone": "还原",
     # rqt_plot
     "bag.none": "没有打开的 bag：按 o 打开一个。",
+    "bag.cut": "'{name}' 不完整：能读到的部分都显示在这里。",
+    "bag.cancelled": "已取消：'{name}' 只显示已经读到的部分。",
+    "bag.empty": "'{name}' 里没有消息。",
     "bag.messages": "{count} 条消息",
     "bag.open": "打开",
     "bag.open.title": "打开 bag",

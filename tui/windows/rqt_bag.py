@@ -40,6 +40,9 @@ if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
 
 
+NOTES = {"cut": "bag.cut", "cancelled": "bag.cancelled", "empty": "bag.empty"}
+"""The texts of what the model notes."""
+
 MOST_TOLD = 3
 """Lines of what went wrong."""
 
@@ -177,9 +180,11 @@ class RqtBagPane(WindowPane["Bags"]):
     def _told(self) -> tuple[list[str], bool]:
         """What is going on or went wrong, or what the chosen topic is: its lines, and whether it warns."""
         model, topic = self.model, self.chosen
+        status = model.status
+        status = status if isinstance(status, str) else self.look.texts(NOTES[status.kind], name=status.name)
         exporting = f"{model.exporting_to}  {model.exporting} %" if model.exporting is not None else ""
-        loading = f"{model.status} {model.indexed} %" if model.indexed is not None else ""
-        text = self._recording_text() or exporting or loading or model.status or model.player.problem
+        loading = f"{status} {model.indexed} %" if model.indexed is not None else ""
+        text = self._recording_text() or exporting or loading or status or model.player.problem
         failed = bool(model.recorder) or (not exporting and (model.failed or not model.status))
         width = max(1, self.inner_width - 2)
         if text:

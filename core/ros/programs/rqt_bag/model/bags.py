@@ -43,6 +43,13 @@ class Shown(NamedTuple):
     problem: str = ""
 
 
+class Note(NamedTuple):
+    """What the window says of a bag in its user's language, where rqt_bag has no words for it: "cut", "cancelled" or "empty"."""
+
+    kind: str
+    name: str
+
+
 class Bags:
     """The model. The window reads its attributes and calls the methods of its side, on any thread."""
 
@@ -56,8 +63,8 @@ class Bags:
         """The types of the topics of all bags, by name, sorted."""
         self.rates: dict[str, float | None] = {}
         """Messages per second of each topic, between its first and its last one; None where that says nothing."""
-        self.status = ""
-        """What is going on, or went wrong, in the words of rqt_bag; '' for nothing."""
+        self.status: str | Note = ""
+        """What is going on, or went wrong, in the words of rqt_bag if it has any; '' for nothing."""
         self.failed = False
         """Whether `status` tells what went wrong."""
         self.loading = False
@@ -268,7 +275,7 @@ class Bags:
             if self._in_sight is not None:
                 await self._look(*self._in_sight)
 
-    def tell(self, text: str, *, failed: bool = False) -> None:
+    def tell(self, text: str | Note, *, failed: bool = False) -> None:
         """Show a line of text."""
         self.status, self.failed = text, failed
         self._version += 1
@@ -291,10 +298,11 @@ class Bags:
             self._began()
             rates = await in_thread(lambda: {topic: self.timeline.rate(topic) for topic in bag.topics})
             self.rates = {**self.rates, **rates}
-            cut = "" if bag.is_complete else f"'{name}' is not complete: it is shown as far as it goes"
-            cut = cut or ("" if self.timeline.blocks > blocks else f"'{name}' has no messages")
-            stopped = f"Cancelled: '{name}' is shown as far as it was read" if self._cancelled else ""
-            self.tell(problem or stopped or cut, failed=bool(problem))
+            kinds = {
+                "cancelled": self._cancelled, "cut": not bag.is_complete, "empty": self.timeline.blocks == blocks
+            }  # fmt: skip
+            note = next((Note(kind, name) for kind, holds in kinds.items() if holds), "")
+            self.tell(problem or note, failed=bool(problem))
         except (RuntimeError, OSError) as error:
             if not self.timeline.blocks:
                 self._start_anew()  # nothing of it can be shown
