@@ -963,7 +963,9 @@ TEXTS = {
         "ruler to select a region, turn the wheel to zoom, drag with the middle button or Shift to move what is seen. Playing "
         "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once.\n\n"
         "v shows the message or image of the chosen topic at the playhead; Tab goes to its fields, where g types the command "
-        "that plots one. s exports the selected region to a new bag, r records a new one in place of what is open."
+        "that plots one. s exports the selected region to a new bag, r records a new one in place of what is open.\n\n"
+        "Keys are the real one's, but for Up and Down: they choose a topic here, there they zoom as Page Up and Page Down do. "
+        "A perspective of rqt keeps the open bags, the ticked topics, the region and what is seen."
     ),
     "help.rqt_plot": (
         "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "
