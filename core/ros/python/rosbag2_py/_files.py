@@ -159,7 +159,7 @@ def _open(path: Path, storage_id: str) -> BagReader:
         return SqliteReader(path)
 
 
-def create_file(path: Path, storage_id: str, preset: str, distro: str) -> BagWriter:
+def create_file(path: Path, storage_id: str, preset: str, distro: str, log: Log) -> BagWriter:
     """Create a new file. Raises RuntimeError for an unknown storage or preset."""
     if (storage_id or get_default_storage_id()) == "mcap":
         from rosbag2_py._mcap_write import McapWriter
@@ -167,4 +167,6 @@ def create_file(path: Path, storage_id: str, preset: str, distro: str) -> BagWri
         return McapWriter(path, preset)
     from rosbag2_py._sqlite import SqliteWriter
 
-    return SqliteWriter(path, preset, distro)
+    file = SqliteWriter(path, preset, distro)
+    log("INFO", _LOGGER, f"Opened database '{path}' for READ_WRITE.")
+    return file

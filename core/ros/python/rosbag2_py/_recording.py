@@ -12,6 +12,7 @@ from day6_tui.core.interfaces import type_name
 from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._qos import from_rclpy
 from rosbag2_py._storage import ConverterOptions, StorageOptions, TopicMetadata
@@ -54,6 +55,7 @@ class Recording:
         *,
         keyboard: bool,
         host: RecordingHost | None = None,
+        log: Log = to_console,
     ) -> None:
         self._node = node
         self._host = host
@@ -78,19 +80,19 @@ class Recording:
         self._filter = TopicFilter(options, node, self._log.warning)
         if keyboard:
             self._log.info("Press SPACE for pausing/resuming")
-        self._writer = self._make_writer()
+        self._writer = self._make_writer(log)
 
     def _full(self, topic: str) -> str:
         from rclpy.expand_topic_name import expand_topic_name
 
         return expand_topic_name(topic, self._node.get_name(), self._node.get_namespace())
 
-    def _make_writer(self) -> SequentialWriter:
+    def _make_writer(self, log: Log) -> SequentialWriter:
         options = self._options
         mode = compression_mode_from_string(options.compression_mode)
         if not mode:
-            return SequentialWriter()
-        return SequentialCompressionWriter(CompressionOptions(options.compression_format or "zstd", mode))
+            return SequentialWriter(log)
+        return SequentialCompressionWriter(CompressionOptions(options.compression_format or "zstd", mode), log)
 
     # -- start and stop ------------------------------------------------------------------------------------------------
 
