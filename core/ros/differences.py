@@ -75,6 +75,9 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "bag.topics_have_ids": _in_humble(
         False, True, "ros2/rosbag2: rosbag2_py/src/rosbag2_py/_storage.cpp, branches humble and jazzy"
     ),
+    "bag.options_have_old_names": _in_humble(
+        True, False, "ros2/rosbag2: rosbag2_py/src/rosbag2_py/_transport.cpp, branches humble (all, exclude) and jazzy"
+    ),
     "bag.recorder_can_pause": _in_humble(
         False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
     ),

@@ -14,7 +14,7 @@ from day6_tui.core.advice.matching import card_for
 
 EXEMPT: dict[str, str] = {
     # Place, how and text of what needs none -> why.
-    r"launch/_process/__main__|joint_state_publisher\.py.*Exception: word|listening\.py|reindex\.py": (
+    r"launch/_process/__main__|joint_state_publisher\.py.*Exception: word|listening\.py|bag/_options\.py.*print_error": (
         "carries a text that another place makes, and that is enumerated there"
     ),
     r"packages\.py.*WARNING: word|colcon\.py:\d+: warn: colcon[. ]|results\.py|interpreter\.py.*word: word": "the same",

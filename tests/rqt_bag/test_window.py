@@ -193,6 +193,30 @@ def test_topics_are_chosen_for_a_new_bag(bag):
     use(bag, act)
 
 
+def test_a_long_reason_is_told_whole_and_gives_way_to_the_topic(bag):
+    async def act(tool):
+        bag.model.tell("Loading 'x' failed due to: " + "a reason that goes on " * 5 + "to its end", failed=True)
+        await tool.settle()
+        assert "to its end" in tool.text
+        await tool.go("down")
+        assert "to its end" not in tool.text and "std_msgs/msg/String" in tool.text
+
+    use(bag, act, size=(80, 24))
+
+
+@pytest.mark.parametrize(("lang", "text"), (("en", "'bag' is not complete"), ("zh", "'bag' 不完整")))
+def test_what_rqt_bag_has_no_words_for_is_told_in_the_users_language(desk, lang, text):
+    file = write_bag(desk.folder / "bag") / "bag_0.mcap"
+    file.write_bytes(file.read_bytes()[:-500])
+    desk.open("bag")
+
+    async def act(tool):
+        await tool.settle()
+        assert text in tool.text
+
+    use(desk, act, lang=lang)
+
+
 def test_without_a_bag_the_window_says_what_to_do(desk):
     desk.open(topics=0)
 

@@ -749,6 +749,9 @@ TEXTS = {
     "console.undone": "as it was",
     # rqt_plot
     "bag.none": "No bag is open: o opens one.",
+    "bag.cut": "'{name}' is not complete: it is shown as far as it goes.",
+    "bag.cancelled": "Cancelled: '{name}' is shown as far as it was read.",
+    "bag.empty": "'{name}' has no messages.",
     "bag.messages": "{count} messages",
     "bag.open": "open",
     "bag.open.title": "Open a bag",
@@ -779,8 +782,8 @@ TEXTS = {
     "bag.record": "record",
     "bag.record.title": "Select name for new rosbag",
     "bag.record.topics": "Select the topics you want to record",
-    "bag.recording": "recording: {count} messages, {size}",
-    "bag.recording_paused": "recording paused: {count} messages, {size}",
+    "bag.recording": "recording: {count} messages, {size}; r stops",
+    "bag.recording_paused": "recording paused: {count} messages, {size}; Space goes on",
     "bag.stop_recording": "stop recording",
     "bag.hold_recording": "pause, go on",
     "bag.save": "export the selected region",
@@ -1049,7 +1052,9 @@ TEXTS = {
         "ruler to select a region, turn the wheel to zoom, drag with the middle button or Shift to move what is seen. Playing "
         "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once.\n\n"
         "v shows the message or image of the chosen topic at the playhead; Tab goes to its fields, where g types the command "
-        "that plots one. w exports the selected region to a new bag, r records a new one in place of what is open."
+        "that plots one. w exports the selected region to a new bag, r records a new one in place of what is open.\n\n"
+        "Keys are the real one's, but for Up and Down: they choose a topic here, there they zoom as Page Up and Page Down do. "
+        "A perspective of rqt keeps the open bags, the ticked topics, the region and what is seen."
     ),
     "help.rqt_plot": (
         "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "

@@ -933,6 +933,9 @@ TEXTS = {
     "console.undone": "还原",
     # rqt_plot
     "bag.none": "没有打开的 bag：按 o 打开一个。",
+    "bag.cut": "'{name}' 不完整：能读到的部分都显示在这里。",
+    "bag.cancelled": "已取消：'{name}' 只显示已经读到的部分。",
+    "bag.empty": "'{name}' 里没有消息。",
     "bag.messages": "{count} 条消息",
     "bag.open": "打开",
     "bag.open.title": "打开 bag",
@@ -963,8 +966,8 @@ TEXTS = {
     "bag.record": "录制",
     "bag.record.title": "新 rosbag 的名字",
     "bag.record.topics": "选择要录制的话题",
-    "bag.recording": "录制中：{count} 条消息，{size}",
-    "bag.recording_paused": "录制已暂停：{count} 条消息，{size}",
+    "bag.recording": "录制中：{count} 条消息，{size}；按 r 停止",
+    "bag.recording_paused": "录制已暂停：{count} 条消息，{size}；按空格继续",
     "bag.stop_recording": "停止录制",
     "bag.hold_recording": "暂停、继续",
     "bag.save": "导出选中的一段",
@@ -1204,7 +1207,9 @@ TEXTS = {
         "在时间线上点击或拖动来移动播放头，在标尺上拖动来选择一段，滚轮缩放，按中键或 Shift 拖动来移动视野。"
         "播放在选中的一段里循环，没有选择时在全部里循环。打开 bag 只读索引：很大的也马上打开。\n\n"
         "v 在下面显示选中话题在播放头处的消息或图像；Tab 到它的字段，那里按 g 输入画这个字段的命令。"
-        "w 把选中的一段导出成新的 bag，r 录制新的 bag，打开的会关闭。"
+        "w 把选中的一段导出成新的 bag，r 录制新的 bag，打开的会关闭。\n\n"
+        "按键和真正的 rqt_bag 一样，只有上、下键不同：这里用来选择话题，那里和 Page Up、Page Down 一样是缩放。"
+        "rqt 的窗口组合会记住打开的 bag、勾选的话题、选中的一段和视野。"
     ),
     "help.rqt_plot": (
         "把消息里的数字画成随时间变化的曲线。一条曲线就是一个话题的一个字段，图例里是它的最新值。纵轴会自动适应看得见的"

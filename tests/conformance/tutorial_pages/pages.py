@@ -125,6 +125,7 @@ ORDER = (
     "Advanced/Recording-A-Bag-From-Your-Own-Node-CPP",
     "Advanced/Recording-A-Bag-From-Your-Own-Node-Py",
     "Advanced/Reading-From-A-Bag-File-CPP",
+    "Advanced/Reading-From-A-Bag-File-Python",
     "Demos/Quality-of-Service",
     "Demos/Managed-Nodes",
     "Demos/Logging-and-logger-configuration",
@@ -150,6 +151,8 @@ def pages(paths: Sequence[str]) -> list[Page]:
                 chain = _CHAINED[0]
             if name.startswith("Intermediate/") and ("Action" in name):
                 chain = "Intermediate/Actions"
+            if name in ("Advanced/Recording-A-Bag-From-Your-Own-Node-Py", "Advanced/Reading-From-A-Bag-File-Python"):
+                chain = "Advanced/Bags"  # the second one reads what the first one has written
             found.append(Page(path, chain))
     return found
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -66,6 +66,10 @@ class Info:
     def topic_names(self, metadata: BagMetadata, sorting_method: str = "name") -> list[str]:
         """Return the names of the topics, except service events."""
         return [each.topic_metadata.name for each in _topics(metadata, sorting_method)]
+
+    def read_metadata_and_output_service_verbose(self, uri: str, storage_id: str = "") -> None:
+        """Print everything, as `ros2 bag info -v` does."""
+        print(self.verbose_text(uri, self.read_metadata(uri, storage_id)))
 
     def text(self, metadata: BagMetadata, sorting_method: str = "name") -> str:
         """Return the output of `ros2 bag info BAG`."""
@@ -191,7 +195,7 @@ def message_sizes(uri: str, metadata: BagMetadata, log: Log = to_console) -> dic
     return dict(sizes)
 
 
-def _all_messages(uri: str, metadata: BagMetadata, log: Log) -> Any:
+def _all_messages(uri: str, metadata: BagMetadata, log: Log) -> Iterator[tuple[str, bytes, int]]:
     from rosbag2_py._reader import SequentialReader
 
     reader = SequentialReader(log)

@@ -21,6 +21,7 @@ from rosbag2_py._topic_filter import is_service_event
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+    from rclpy.publisher import Publisher
 
 NODE_NAME = "rosbag2_player"
 SECOND = 1_000_000_000
@@ -53,14 +54,14 @@ class Playing:
         self._node = node
         self._readers = readers
         self._options = options
-        self._log: Any = node.get_logger()
+        self._log = node.get_logger()
         self._steady_ns = steady_ns
         self._wake = on_wake
         self.finished = False
         self._bursting = False
         self._stream: Iterator[Message] | None = None
         self._next: Message | None = None
-        self._publishers: dict[str, Any] = {}
+        self._publishers: dict[str, Publisher[Any]] = {}
         self._requests: ServiceRequests | None = None
         if options.publish_service_requests:
             self._requests = ServiceRequests(node, options.service_requests_source)
@@ -91,7 +92,7 @@ class Playing:
             exclude_service_events=[self._full(topic) for topic in options.exclude_service_events_to_filter],
             regex_to_exclude=options.exclude_regex_to_filter,
         )
-        self._clock_publisher: Any = None
+        self._clock_publisher: Publisher[Clock] | None = None
         if options.clock_publish_frequency > 0 or options.clock_publish_on_topic_publish:
             self._clock_publisher = self._node.create_publisher(Clock, "/clock", CLOCK_QOS)
         if options.clock_publish_frequency > 0:
@@ -267,6 +268,8 @@ class Playing:
         return True
 
     def _publish_clock(self, bag_ns: int | None = None) -> None:
+        if self._clock_publisher is None:
+            return
         seconds, nanoseconds = divmod(self.clock.now() if bag_ns is None else bag_ns, SECOND)
         clock = Clock()
         clock.clock.sec, clock.clock.nanosec = seconds, nanoseconds
