@@ -70,6 +70,22 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "bag.recorder_can_pause": _in_humble(
         False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
     ),
+    "bag.info_names_distribution_and_services": _in_humble(
+        False, True, "ros2/rosbag2: rosbag2_py/format_bag_metadata.cpp, branches humble and jazzy"
+    ),
+    "bag.recorder_logs_pause_at_end": _in_humble(
+        False, True, "ros2/rosbag2: Recorder::stop in recorder.cpp, branches humble and jazzy"
+    ),
+    "bag.recorder_waits": _in_humble(
+        "Waiting for recording", "Wait for recording", "ros2/rosbag2: recorder.cpp, branches humble and jazzy"
+    ),
+    "bag.player_logs_end": _in_humble(
+        False, True, "ros2/rosbag2: `Playback until timestamp` in player.cpp, branch jazzy and not humble"
+    ),
+    "bag.player_logs_next": _in_humble(
+        True, False, "ros2/rosbag2: `Playing next message.` in player.cpp: INFO in branch humble, DEBUG in jazzy"
+    ),
+    "bag.progress_rate": _in_humble(0, 3, "ros2/rosbag2#1836 (after Jazzy, see KEPT)"),
     "bag.warns_of_positional_topics": (
         (False, False, True, True),
         "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling",

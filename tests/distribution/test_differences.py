@@ -116,6 +116,7 @@ PARTS = {
     "ros2 bag record -o mine /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
     "kill -INT %2; wait %2; kill %1; wait; cat said.txt; ls mine; cat mine/metadata.yaml",
+    "info": "ros2 bag info mine",
     "play": "ros2 bag play -r 100 mine 2>&1 | cat",
     "write": "python3 writer.py; ros2 bag info written",
 }
@@ -229,7 +230,40 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> None:
-    assert "[rosbag2_player]" in played[name]["play"]
+    said, humble = played[name]["play"], name == "humble"
+    assert "[rosbag2_player]: Set rate to 100" in said
+    assert ("Playback until timestamp: -1" in said) != humble
+    assert ("[rosbag2_storage]: Opened database 'mine/mine_0.db3' for READ_ONLY." in said) == humble
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_humble_tells_neither_distribution_nor_services_of_a_bag(
+    played: dict[str, dict[str, str]], name: str
+) -> None:
+    titles = [line.partition(":")[0] for line in played[name]["info"].splitlines() if line[:1].strip()]
+    later = {"ROS Distro", "Service", "Service information"}
+    assert {*titles} == {
+        "Files", "Bag size", "Storage id", "Duration", "Start", "End", "Messages", "Topic information",
+        *(() if name == "humble" else later),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_humble_has_no_progress_bar(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    from argparse import ArgumentParser
+
+    from day6_tui.core.ros.ros2.bag import play
+
+    monkeypatch.setattr(distribution, "_current", name)
+    play.add_arguments(parser := ArgumentParser())
+    assert parser.get_default("progress_bar_update_rate") == (0 if name == "humble" else 3)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_pausing_and_stepping_are_logged_as_there(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(distribution, "_current", name)
+    said = differences.value("bag.recorder_waits"), differences.value("bag.player_logs_next")
+    assert said == (("Waiting for recording", True) if name == "humble" else ("Wait for recording", False))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -249,6 +283,8 @@ def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str
     assert ('Positional "topics" argument deprecated' in said) == (name in ("kilted", "rolling"))
     assert ("/rosbag2_recorder/pause" in said) == ("/rosbag2_recorder/split_bagfile" in said) == (not humble)
     assert ('offered_qos_profiles: "- history: 3\\n' in said) == humble
+    assert ("Pausing recording." in said) != humble and "Recording stopped" in said
+    assert ("[rosbag2_storage]: Opened database 'mine/mine_0.db3' for READ_WRITE." in said) == humble
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import struct
 import zlib
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
+from rclpy._logging_settings import PROCESS, LoggingSettings
 from rosbag2_py._storage import (
     MCAP_MAGIC,
     BadBag,
@@ -124,6 +125,25 @@ def storage_of(path: Path, storage_id: str = "") -> str:
     if first.startswith(b"SQLite format 3\0"):
         return "sqlite3"
     raise RuntimeError(NO_STORAGE)
+
+
+class OpeningLog(NamedTuple):
+    """Logs that a file of SQLite was opened, as SqliteStorage::open does (MCAP's does not).
+
+    `settings` are those of a context. Paths are told from `folder` (of a context; "": the process's), as they mostly are typed.
+    """
+
+    settings: LoggingSettings = PROCESS
+    folder: str = ""
+
+    def tell(self, file: BagReader | BagWriter, path: Path, how: str) -> None:
+        if file.storage_id != "sqlite3":
+            return
+        from rclpy.impl.rcutils_logger import RcutilsLogger
+
+        with suppress(OSError, ValueError):
+            path = path.relative_to(self.folder or Path.cwd())
+        RcutilsLogger._of_node("rosbag2_storage", self.settings).info(f"Opened database '{path}' for {how}.")
 
 
 def open_file(path: Path, storage_id: str = "") -> BagReader:

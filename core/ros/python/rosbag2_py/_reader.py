@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from rosbag2_py._compression import decompress
-from rosbag2_py._files import NO_STORAGE, BagReader, get_registered_readers, open_file, reading
+from rosbag2_py._files import NO_STORAGE, BagReader, OpeningLog, get_registered_readers, open_file, reading
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import (
     BagMetadata,
@@ -45,6 +45,7 @@ class SequentialReader:
         self._stream: Iterator[Message] | None = None
         self._next: Message | None = None
         self._unpacked: Path | None = None
+        self._log = OpeningLog()
 
     def open_uri(self, uri: str) -> None:
         """Open a bag; its storage is detected."""
@@ -92,6 +93,7 @@ class SequentialReader:
             mode = self._metadata.compression_mode if self._metadata is not None else ""
             packed = mode.upper() == "FILE" and path.suffix == ".zstd"
             found = self._open[path] = open_file(self._unpack(path) if packed else path, self._storage)
+            self._log.tell(found, path, "READ_ONLY")
         return found
 
     def _unpack(self, path: Path) -> Path:

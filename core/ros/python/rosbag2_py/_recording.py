@@ -12,6 +12,7 @@ from day6_tui.core.interfaces import type_name
 from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
+from rosbag2_py._files import OpeningLog
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._qos import from_rclpy
 from rosbag2_py._storage import ConverterOptions, StorageOptions, TopicMetadata
@@ -76,6 +77,7 @@ class Recording:
         if keyboard:
             self._log.info("Press SPACE for pausing/resuming")
         self._writer = self._make_writer()
+        self._writer._log = OpeningLog(node.context._logging, node.context._folder)
 
     def _full(self, topic: str) -> str:
         from rclpy.expand_topic_name import expand_topic_name
@@ -108,7 +110,8 @@ class Recording:
             self._subscribe()
         if self._options.is_discovery_disabled:
             self._discovering = False
-        self._log.info("Wait for recording: Press SPACE to start." if self.paused else "Recording...")
+        waits = f"{value('bag.recorder_waits')}: Press SPACE to start."
+        self._log.info(waits if self.paused else "Recording...")
         self._flushed = time.monotonic()
 
     def _offer_services(self, node: Node) -> None:
@@ -141,7 +144,9 @@ class Recording:
         if not self.recording:
             return
         self.recording = False
-        self.pause()
+        if value("bag.recorder_logs_pause_at_end"):
+            self.pause()
+        self.paused = True
         for subscription in self._subscriptions.values():
             self._node.destroy_subscription(subscription)
         self._subscriptions.clear()

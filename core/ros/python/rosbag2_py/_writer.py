@@ -17,6 +17,7 @@ from rosbag2_py._files import (
     MINIMUM_SPLIT,
     SUFFIXES,
     BagWriter,
+    OpeningLog,
     create_file,
     get_registered_serializers,
     get_registered_writers,
@@ -59,11 +60,12 @@ class SequentialWriter:
     def __init__(self) -> None:
         self._options = CompressionOptions()
         self._bag: _Bag | None = None
+        self._log: OpeningLog | None = OpeningLog()
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
         """Create the folder and the first file. Raises RuntimeError if the folder exists."""
         self.close()
-        self._bag = _Bag(storage_options, self._options)
+        self._bag = _Bag(storage_options, self._options, self._log)
         # Tutorials' programs never close their bags: that happens when Python exits, at the latest.
         self._end = weakref.finalize(self, self._bag.close)
 
@@ -115,7 +117,8 @@ class SequentialCompressionWriter(SequentialWriter):
 class _Bag:
     """The state of a bag that is being written. `on_split(closed, opened)` gets the paths after each split."""
 
-    def __init__(self, options: StorageOptions, compression: CompressionOptions) -> None:
+    def __init__(self, options: StorageOptions, compression: CompressionOptions, log: OpeningLog | None) -> None:
+        self._log = log
         self.folder = Path(options.uri)
         self.storage = options.storage_id or get_default_storage_id()
         self.options = options
@@ -176,6 +179,8 @@ class _Bag:
         name = f"{self.folder.name}_{len(self._files)}{SUFFIXES[self.storage]}"
         self._path = self.folder / name
         self._file: BagWriter = create_file(self._path, self.storage, self.options.storage_preset_profile, self._distro)
+        if self._log is not None:
+            self._log.tell(self._file, self._path, "READ_WRITE")
         self._files.append(FileInformation(name, BagTime(), Duration(), 0))
         for topic, definition in self.topics.values():
             self._file.create_topic(topic, definition)

@@ -47,10 +47,12 @@ async def play(
 
 
 def _open(session: Session, path: str, storage: str = "") -> SequentialReader:
+    from rosbag2_py._files import OpeningLog
     from rosbag2_py._reader import SequentialReader
     from rosbag2_py._storage import StorageOptions
 
     reader = SequentialReader()
+    reader._log = OpeningLog(session.context._logging, str(session.cwd))
     reader.open(StorageOptions(str(Path(session.cwd, path)), storage_id=storage))
     return reader
 

@@ -38,6 +38,7 @@ def export(
     if first is None or first > end_ns:
         raise ExportError("No messages found")
     writer = SequentialWriter()
+    writer._log = None  # a window has no place for its line
     try:
         writer.open(StorageOptions(str(path)))
     except (RuntimeError, OSError) as error:
