@@ -22,6 +22,10 @@ def _in_humble(old: Any, usual: Any, source: str) -> tuple[tuple[Any, Any, Any, 
     return (old, usual, usual, usual), source
 
 
+def _in_rolling(usual: Any, new: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
+    return (usual, usual, usual, new), source
+
+
 VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "turtlesim.interfaces": (
         ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
@@ -57,6 +61,21 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
         "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
         "WARNING: Be aware that there are nodes in the graph that share an exact name, which can have unintended side effects.",
         "ros2/ros2cli: ros2node/verb/list.py, branches humble and jazzy",
+    ),
+    "pkg.create_licences": _in_humble(
+        "identitifers", "identifiers", "ros2/ros2cli: ros2pkg/verb/create.py, branches humble and jazzy"
+    ),
+    "param.get_arrays": _in_humble(
+        "array", "list", "ros2/ros2cli: ros2param/verb/get.py, branches humble and jazzy (`.tolist()`)"
+    ),
+    "param.dump_to_folder": _in_humble(
+        True, False, "ros2/ros2cli: --output-dir and --print in ros2param/verb/dump.py, branches humble and not jazzy"
+    ),
+    "param.several": _in_rolling(
+        False, True, "ros2/ros2cli#1170, #1174, #1185, #1203, #1204: ros2param/verb; Release-Lyrical-Luth.rst"
+    ),
+    "robot_state_publisher.names_segments": _in_humble(
+        True, False, "ros/robot_state_publisher: setupURDF, branches humble and rolling (`Robot initialized`)"
     ),
     "bag.storage": _in_humble(
         "sqlite3", "mcap", "ros2/rosbag2#1160 (Iron); Release-Iron-Irwini.rst of ros2_documentation"

@@ -97,6 +97,23 @@ PARTS = {
     "until ros2 topic list | grep -q pose; do sleep 0.05; done; "
     "ros2 topic type /turtle1/pose; ros2 service type /spawn; ros2 topic info -v /turtle1/pose; ros2 service list; "
     "ros2 param list /turtlesim; kill %1; wait",
+    "parameters": "ros2 run demo_nodes_cpp parameter_blackboard > /dev/null 2>&1 & "
+    "ros2 run demo_nodes_cpp talker > /dev/null 2>&1 & "
+    "until ros2 node list --count-nodes | grep -q 2; do sleep 0.05; done; "
+    "ros2 param set /parameter_blackboard numbers '[1, 2]'; ros2 param set /parameter_blackboard flag true; "
+    "ros2 param get /parameter_blackboard numbers; ros2 param get /parameter_blackboard numbers flag; "
+    "ros2 param get use_sim_time; ros2 param get --hide-type use_sim_time; "
+    "ros2 param get /talker none some; ros2 param get /talker none; "
+    "ros2 param set /parameter_blackboard numbers '[4]' flag false; ros2 param set /parameter_blackboard flag; "
+    "ros2 param set /parameter_blackboard flag true; "
+    "ros2 param set --atomic /parameter_blackboard flag false numbers '[5]'; "
+    "ros2 param list --service-timeout 3 --filter flag /parameter_blackboard; "
+    "mkdir kept; ros2 param dump /parameter_blackboard --print --output-dir kept; grep -A1 numbers kept/*; "
+    "ros2 param dump /parameter_blackboard --output-dir kept; kill %1; kill %2; wait",
+    "licence": "ros2 pkg create --build-type ament_cmake unlicensed",
+    "segments": "echo \"<robot name='r'><link name='b'/><link name='a'/><joint name='j' type='fixed'><parent link='b'/>"
+    "<child link='a'/></joint></robot>\" > r.urdf; ros2 run robot_state_publisher robot_state_publisher r.urdf > said.txt 2>&1 & "
+    "until ros2 topic list | grep -q tf_static; do sleep 0.05; done; kill -INT %1; wait; cat said.txt",
     "turtlesim module": "python3 -c 'from turtlesim.srv import Spawn'",
     "turtlesim_msgs module": "python3 -c 'from turtlesim_msgs.srv import Spawn'",
     "action tutorial": "ros2 run action_tutorials_py fibonacci_action_server > /dev/null 2>&1 & "
@@ -353,6 +370,50 @@ def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
         done = day6("ros2", "topic", "echo", "--once", "--timeout", "2", "/chatter", ROS_DISTRO="jazzy")
         assert "data:" not in done.stdout
         assert "data: 'Hello World" in day6("ros2", "topic", "echo", "--once", "/chatter", ROS_DISTRO="humble").stdout
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["parameters"].removeprefix("Set parameter successful\n" * 2)
+    first = "Integer values are: " + ("array('q', [1, 2])" if name == "humble" else "[1, 2]") + "\n"
+    assert said.startswith(first)
+    if name != "rolling":
+        assert "unrecognized arguments: flag" in said and "the following arguments are required: parameter_name" in said
+        assert "Parameter not set\n" in said
+        return
+    assert said.startswith(
+        f"{first}numbers:\n  {first}flag:\n  Boolean value is: True\n"
+        "/parameter_blackboard:\n  Boolean value is: False\n/talker:\n  Boolean value is: False\n"
+        "/parameter_blackboard: False\n/talker: False\n"
+        "Parameter(s) 'none', 'some' not available on node\nParameter(s) 'none' not available on node\n"
+        "numbers: Set parameter successful\nflag: Set parameter successful\n"
+        "Parameters must be provided as name/value pairs: name value [name value ...]. Got 1 argument(s).\n"
+        "Set parameter successful\nSet parameters atomically successful\n  flag\n"
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_humble_can_dump_parameters_into_a_folder(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["parameters"]
+    if name != "humble":
+        assert "unrecognized arguments: --print --output-dir kept" in said
+        return
+    file = "kept/parameter_blackboard.yaml"
+    assert (
+        "WARNING: '--print' is deprecated; this utility prints to stdout by default\n"
+        "WARNING: '--output-dir' is deprecated; use redirection to save to a file\n"
+        f"Saving to:  {file}\n    numbers:\n    - 1\n"
+    ) in said
+    assert said.endswith(f"Saving to:  {file}\nFile exists: '{file}'\n")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_texts_that_humble_has(played: dict[str, dict[str, str]], name: str) -> None:
+    humble = name == "humble"
+    assert (f"one of the ament license {'identitifers' if humble else 'identifiers'}:") in played[name]["licence"]
+    lines = [line.partition("[robot_state_publisher]: ")[2] for line in played[name]["segments"].splitlines()]
+    said = [line for line in lines if line and "backwards compatibility" not in line]
+    assert said == (["got segment a", "got segment b"] if humble else ["Robot initialized"])
 
 
 def test_what_is_deliberately_another_is_said() -> None:
