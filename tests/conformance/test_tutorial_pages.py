@@ -10,8 +10,10 @@ from tutorial_pages.commands import is_form, opens_window, runs_on, split
 from tutorial_pages.documentation import Documentation
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.player import Row
+from tutorial_pages.player import Row, as_of_today, is_from_home
 from tutorial_pages.table import TABLE, Table, digest
+
+from day6_tui.core.ros import distribution
 
 PAGE = """\
 A page
@@ -107,6 +109,7 @@ def test_commands_and_what_they_print_are_told_apart() -> None:
         ("Sum: 3", "Sum: 5\n", Verdict.EQUAL),
         ("[INFO] [talker]: Hello 1", "[INFO] [1700000000.123456789] [talker]: Hello 7\n", Verdict.EQUAL),
         ("/a\n...\n/z", "/a\n/b\n/z\n", Verdict.EQUAL),
+        ("(... components of others here)\n/z", "/a\n/z\n", Verdict.EQUAL),
         ("/a\n/b", "/b\n/a\n", Verdict.ORDER),
         ("/a", "/a\n/b\n", Verdict.MORE),
         ("one line that\nis broken", "one line that is broken\n", Verdict.EQUAL),
@@ -138,6 +141,11 @@ def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
         "ros2_ws/src/car/setup.py", "(os.path.join('share', package_name, 'launch'), glob('launch/*')),", "data"
     )
     workspace.write(
+        "ros2_ws/src/car/setup.py",
+        "(os.path.join('share', package_name, 'config'),\n   glob(os.path.join('config', '*.yaml'))),",
+        "data",
+    )
+    workspace.write(
         "ros2_ws/src/car/package.xml", "<license>MIT</license>\n<exec_depend>rclpy</exec_depend>", "manifest"
     )
     workspace.write("ros2_ws/src/car/car/drive.py", "def main():\n    pass", "whole")
@@ -145,9 +153,27 @@ def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
     setup = (folder / "setup.py").read_text()
     assert "            'drive = car.drive:main',\n" in setup and setup.startswith("import os\nfrom glob import glob\n")
     assert "(os.path.join('share', package_name, 'launch'), glob('launch/*'))," in setup
+    assert "(os.path.join('share', package_name, 'config'), glob(os.path.join('config', '*.yaml')))," in setup
     manifest = (folder / "package.xml").read_text()
     assert "<license>MIT</license>" in manifest and manifest.index("rclpy") < manifest.index("<export>")
     assert (folder / "car/drive.py").read_text() == "def main():\n    return 1\n    pass\n"
+
+
+def test_a_path_that_is_there_only_from_home_is_typed_at_home(tmp_path: Path) -> None:
+    (tmp_path / "ws/install").mkdir(parents=True)
+    (tmp_path / "ws/install/r.rviz").write_text("")
+    assert is_from_home("rviz2 -d ws/install/r.rviz", tmp_path / "ws", tmp_path)
+    assert not is_from_home("rviz2 -d ws/install/r.rviz", tmp_path, tmp_path)
+    assert not is_from_home("rviz2 -d install/r.rviz", tmp_path / "ws", tmp_path)
+    assert not is_from_home("ros2 topic pub /a/b c/d/E '{x: 1}'", tmp_path / "ws", tmp_path)
+
+
+def test_a_file_of_the_mirror_imports_the_interfaces_of_today(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = b"from turtlesim.msg import Pose\nimport turtlesim.srv\n# turtlesim\n"
+    monkeypatch.setattr(distribution, "_current", "jazzy")
+    assert as_of_today(text) == text
+    monkeypatch.setattr(distribution, "_current", "rolling")
+    assert as_of_today(text) == b"from turtlesim_msgs.msg import Pose\nimport turtlesim_msgs.srv\n# turtlesim\n"
 
 
 def test_a_row_that_differs_otherwise_than_before_is_noticed(

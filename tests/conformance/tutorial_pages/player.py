@@ -8,6 +8,7 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.shell.runs import Run
 from day6_tui.core.shell.terminal import Terminal
 from tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
@@ -41,9 +42,12 @@ _MOVES = re.compile(
     re.IGNORECASE,
 )
 _FAILED = re.compile(
-    r"Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found",
+    r"process has died \[pid|Could not load display config|Parameter file path is not a file"
+    r"|Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found",
     re.M,
 )
+_TOO_EARLY = re.compile(r"^WARNING: topic \[.*\] does not appear to be published yet", re.M)
+"""What a program says that a slower reader would not have seen."""
 _WORKSPACE = re.compile(r"mkdir -p (~/|\./)?(?P<name>[\w/]+)/src\b")
 _DOWNLOAD = re.compile(r":download:`[^`<]*<([^>]+)>`[^`]*``([^`]+)``")
 _IS_FILE = re.compile(r"\.(py|cfg|txt|xml|ya?ml|h|hpp|cpp)$")
@@ -101,6 +105,9 @@ class Player:
         for block in self._documentation.blocks(self._page.path):
             hand = next((each for each in self._hands if each.fits(block)), None)
             self._play_block(block, hand)
+        silent = [row.run for row in self.rows if row.run is not None and row.command.startswith("python3 ")]
+        # A page's program has something to say, sooner or later.
+        self._machine.wait(lambda: all(run.written or run.status is not None for run in silent), GOES_ON_S)
         for terminal in self._machine.terminals:
             if terminal.busy:
                 self._interrupt(terminal)
@@ -224,6 +231,10 @@ class Player:
         windows = len(self._machine.windows())
         row.run = self._machine.type(terminal, command)
         self._until_settled(row, terminal, windows)
+        if row.run.status and _TOO_EARLY.search(row.run.output):
+            self._machine.wait(lambda: False, GOES_ON_S / 2)
+            row.run = self._machine.type(terminal, command)
+            self._until_settled(row, terminal, windows)
         self._workspace.ran(command, terminal.shell.cwd)
         if command.startswith("colcon build"):
             self._unbuilt = False
@@ -278,6 +289,8 @@ class Player:
             into = place
         elif self._into:
             into = self._workspace.folder(self._into)
+        elif is_from_home(command, terminal.shell.cwd, self._machine.home):
+            into = self._machine.home
         if into is not None and into.is_dir() and into != terminal.shell.cwd:
             self._machine.settle(terminal, f"cd {shlex.quote(str(into))}")
 
@@ -292,6 +305,7 @@ class Player:
         if opens_window(row.command):
             self._machine.wait(lambda: ended() or len(self._machine.windows()) > windows, OPENS_S)
             row.opened = len(self._machine.windows()) > windows
+            self._machine.wait(ended, QUIET_S)  # what it says once it is there
             return
         self._machine.wait(lambda: ended() or run.written > 0, STARTS_S)
         while not ended():
@@ -316,7 +330,7 @@ class Player:
         )
         if done.returncode:
             return "failed", "network: not in the mirror"
-        (terminal.shell.cwd / (name or path.rpartition("/")[2])).write_bytes(done.stdout)
+        (terminal.shell.cwd / (name or path.rpartition("/")[2])).write_bytes(as_of_today(done.stdout))
         return "run", "given from the mirror"
 
     def _newest_bag(self) -> str:
@@ -374,15 +388,26 @@ class Player:
         status = row.run.status
         shown = row.kind not in ("", Verdict.DIFFERS.value)
         hangs = row.interrupted and not runs_on(row.command)
+        said = row.output.partition("^C")[0] if row.interrupted else row.output
         if opens_window(row.command):
             row.verdict, hangs = "window", not row.opened
-        said = row.output.partition("^C")[0] if row.interrupted else row.output
         if ((status not in (0, None) and not row.interrupted) or hangs or _FAILED.search(said)) and not shown:
             row.verdict = "failed"
         if row.verdict == "failed" and not row.reason and _CPP_NAME.search(self._page.name):
             row.reason = "C++"
         if row.verdict == "failed" and not row.reason and _NO_COMPILER.search(row.output):
             row.reason = "C++"
+
+
+def is_from_home(command: str, cwd: Path, home: Path) -> bool:
+    """Say whether a command names a path that is not there where it is typed, but is from the home folder."""
+    words = [word for word in command.split() if "/" in word and not word.startswith(("/", "~", "'", '"', "$"))]
+    return any((home / word).exists() and not (cwd / word).exists() for word in words)
+
+
+def as_of_today(file: bytes) -> bytes:
+    """Return a file of the mirror with turtlesim's interfaces where they are now: the copies are older than Kilted."""
+    return re.sub(rb"\bturtlesim(?=\.(?:msg|srv)\b)", str(value("turtlesim.interfaces")).encode(), file)
 
 
 def _body(text: str) -> str:

@@ -36,12 +36,12 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     "Recording-And-Playing-Back-Data": (
         (
             r"ros2 bag record",
-            "page: recorded with Dashing; the recorder of today logs by its own name, and no database is opened",
+            "page: recorded with Dashing: today's recorder logs by its own name, and how it opens a database (of SQLite)",
         ),
         (r"ros2 bag info <", "page: recorded with Rolling, whose name it shows"),
         (
             r"ros2 bag info",
-            "page: names no distribution and no services, as before Jazzy, and not the number of the file",
+            "page: recorded with Dashing: no number of the file, no colon after End, no distribution and services (Jazzy)",
         ),
         (r"ros2 bag play", "page: recorded with Dashing; the player of today names its rate and keys"),
     ),
@@ -66,10 +66,9 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "Getting-Started-With-Ros2doctor": (
         (r"ros2 doctor --report", "page: asks the internet for the distribution's state; here nothing is asked"),
-        (r"ros2 doctor", "page: doctor also finds the topics of the action, which the listing leaves out"),
+        (r"ros2 doctor", "page: shows the warnings and leaves out doctor's last line"),
     ),
     "Composition": (
-        (r"component types", "page: an extract, with words in brackets for the rest"),
         (r"dlopen", "C++: loads shared libraries, and says so"),
         (r"component unload", "page: older; ros2component adds 'node' in Humble, Jazzy and Rolling"),
     ),
