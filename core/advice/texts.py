@@ -275,6 +275,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "the folder {folder} does not exist; {above} does",
         "没有 {folder} 这个文件夹，它的上一级 {above} 是有的",
     ),
+    "bag.topics": (
+        "since Lyrical the topics to record stand behind --topics",
+        "从 Lyrical 起，要录的话题写在 --topics 后面",
+    ),
     "path.near": ("there is no {name}, but there is {near}", "没有 {name}，不过有 {near}"),
     "path.elsewhere": ("{name} is not in this folder, but here: {place}", "{name} 不在这个文件夹里，它在 {place}"),
     "command.python": (

@@ -101,14 +101,23 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "bag.player_logs_end": _in_humble(
         False, True, "ros2/rosbag2: `Playback until timestamp` in player.cpp, branch jazzy and not humble"
     ),
+    "bag.player_logs_stop": _in_humble(
+        False, True, "ros2/rosbag2: `Stopping playback.` in player.cpp, branch jazzy and not humble"
+    ),
     "bag.player_logs_next": _in_humble(
         True, False, "ros2/rosbag2: `Playing next message.` in player.cpp: INFO in branch humble, DEBUG in jazzy"
     ),
     "bag.progress_rate": _in_humble(0, 3, "ros2/rosbag2#1836 (after Jazzy, see KEPT)"),
-    "bag.warns_of_positional_topics": (
-        (False, False, True, True),
-        "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling",
+    "bag.positional_topics": (
+        ("taken", "taken", "deprecated", "removed"),
+        "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling; #2328 (Lyrical)",
     ),
+    "bag.play_takes_storage": _in_rolling(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
+    "bag.file_names": _in_rolling(
+        "name_index", "index_name_time", "ros2/rosbag2#2265; Release-Lyrical-Luth.rst of ros2_documentation"
+    ),
+    "topic.bw_of_several": _in_rolling(False, True, "ros2/ros2cli#1124, #1130: ros2topic/verb/bw.py (Lyrical)"),
+    "topic.hz_of_all": _in_rolling(False, True, "ros2/ros2cli#1122: ros2topic/verb/hz.py (Lyrical)"),
     "action.root_node": (
         ("/", "/", "//", "/"),
         "ros2/ros2cli#926, #1049 (#1052 in Humble 0.18.13, #1051 in Jazzy 0.32.5); Kilted as it was recorded",
@@ -289,8 +298,6 @@ UNSETTLED: dict[str, str] = {
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
     "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
-    "positional topics of ros2 bag record": "were removed in Lyrical (ros2/rosbag2#2328): "
-    "Rolling here still takes them, with Kilted's warning",
     "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",
     "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
     "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 from rosbags.typesys import Stores, get_typestore
@@ -129,11 +130,18 @@ PARTS = {
     "action": "ros2 action",
     "bag": "ros2 bag",
     "service": "ros2 service",
-    "record": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
-    "ros2 bag record -o mine /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
+    "record": "test $ROS_DISTRO = rolling && NAMED=--topics; ros2 run demo_nodes_py talker > /dev/null 2>&1 & until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
+    "ros2 bag record -o mine $NAMED /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
     "kill -INT %2; wait %2; kill %1; wait; cat said.txt; ls mine; cat mine/metadata.yaml",
     "info": "ros2 bag info mine",
+    "reindex": "rm mine/metadata.yaml; ros2 bag reindex mine 2>&1 | tail -1; ros2 bag record /chatter > refused.txt 2>&1 & "
+    "until grep -q 'arguments\\|Listening' refused.txt; do sleep 0.05; done; kill -INT %1; wait; cat refused.txt; "
+    "ros2 bag play mine -s mcap > stored.txt 2>&1; cat stored.txt",
+    "bandwidth": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
+    "{ ros2 topic bw /chatter /rosout 2>&1 | head -6; ros2 topic bw --all 2>&1 | head -6; ros2 topic hz -a 2>&1 | head -6; } "
+    "| tr = _; "
+    "kill %1; wait",
     "play": "ros2 bag play -r 100 mine 2>&1 | cat",
     "write": "python3 writer.py; ros2 bag info written",
 }
@@ -295,13 +303,36 @@ def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["record"], name == "humble"
-    assert ("mine_0.db3" in said, "mine_0.mcap" in said) == (humble, not humble)
+    file = {"humble": r"mine_0\.db3", "rolling": r"0_mine_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.mcap"}.get(name, r"mine_0\.mcap")
+    assert re.search(rf"^{file}$", said, re.MULTILINE) and re.search(rf'path: "?{file}"?$', said, re.MULTILINE)
     assert f"  version: {5 if humble else 9}\n" in said and (f"ros_distro: {name}" in said) != humble
-    assert ('Positional "topics" argument deprecated' in said) == (name in ("kilted", "rolling"))
+    assert ('Positional "topics" argument deprecated' in said) == (name == "kilted")
     assert ("/rosbag2_recorder/pause" in said) == ("/rosbag2_recorder/split_bagfile" in said) == (not humble)
     assert ('offered_qos_profiles: "- history: 3\\n' in said) == humble
     assert ("Pausing recording." in said) != humble and "Recording stopped" in said
     assert ("[rosbag2_storage]: Opened database 'mine/mine_0.db3' for READ_WRITE." in said) == humble
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_lyrical_has_no_positional_topics_and_no_storage_of_a_bag_to_play(
+    played: dict[str, dict[str, str]], name: str
+) -> None:
+    said, rolling = played[name]["reindex"], name == "rolling"
+    assert "Reindexing complete." in said
+    assert ("unrecognized arguments: /chatter" in said) == ("unrecognized arguments: -s mcap" in said) == rolling
+    assert ("Listening for topics..." in said) != rolling
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_bandwidth_of_several_topics_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["bandwidth"]
+    if name != "rolling":
+        assert "unrecognized arguments: /rosout" in said and said.count("the following arguments are required: topic") == 2
+        return
+    assert said.startswith("Subscribed to [/chatter]\nSubscribed to [/rosout]\n")
+    assert " topic     bandwidth   window    mean    min     max \n" + "_" * 53 + "\n/chatter   " in said
+    assert re.search(r"^/chatter +\d+ B/s +\d+ +\d+ B +\d+ B +\d+ B *$", said, re.MULTILINE)
+    assert re.search(r"^ *topic +rate +min_delta +max_delta +std_dev +window *$", said, re.MULTILINE)
 
 
 @pytest.mark.parametrize("name", NAMES)

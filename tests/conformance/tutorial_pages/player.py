@@ -231,6 +231,8 @@ class Player:
         windows = len(self._machine.windows())
         row.run = self._machine.type(terminal, command)
         self._until_settled(row, terminal, windows)
+        if hand is not None and hand.lasts:
+            self._machine.wait(lambda: False, hand.lasts)
         if row.run.status and _TOO_EARLY.search(row.run.output):
             self._machine.wait(lambda: False, GOES_ON_S / 2)
             row.run = self._machine.type(terminal, command)

@@ -2,7 +2,7 @@
 
 Each reason was looked up: in the sources of the real tool of that distribution, in what the real tools were recorded to print
 (`tests/conformance/golden`), or in the page itself. Its first word is its kind: C++, hardware, network, system, page (the page is
-older than its distribution, or shows what it does not run), rosbag2_py (ours is one for all distributions), words (ours).
+older than its distribution, or shows what it does not run), words (ours).
 """
 
 from __future__ import annotations
@@ -52,12 +52,6 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     "Creating-A-Workspace": ((r"colcon build", "network: what was to be cloned is not in the mirror"),),
     "Creating-Your-First-ROS2-Package": (
         (r"ros2 pkg create", "page: the listing was made without the licence that its command names"),
-    ),
-    "Recording-A-Bag-From-Your-Own-Node-Py": (
-        (
-            r"bag_recorder_nodes_py|/synthetic|bag play",
-            "rosbag2_py: TopicMetadata has an id as since Jazzy, which Humble's page does not give",
-        ),
     ),
     "Single-Package-Define-And-Use-Interface": ((r"/address_book", "C++: its publisher"),),
     "Using-Parameters-In-A-Class-Python": (

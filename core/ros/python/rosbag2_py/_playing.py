@@ -345,7 +345,8 @@ class Playing:
     def stop(self) -> None:
         """End the playback."""
         if not self.finished:
-            self._log.info("Stopping playback.")
+            if value("bag.player_logs_stop"):
+                self._log.info("Stopping playback.")
             self.finished = True
             self._wake()
 

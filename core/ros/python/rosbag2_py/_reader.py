@@ -71,6 +71,8 @@ class SequentialReader:
         if storage_options.start_time_ns >= 0:
             self._start_ns = storage_options.start_time_ns
         self._end_ns = storage_options.end_time_ns if storage_options.end_time_ns >= 0 else _LAST
+        if self._files:
+            self._reader(self._files[0])
 
     def _find(self, name: str) -> Path:
         """Return the path of a file; early versions list files with the bag's folder in front."""

@@ -31,7 +31,7 @@ _LIMITS = (
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    add_bag_path(parser, required=False)
+    add_bag_path(parser, required=False, storage=value("bag.play_takes_storage"))
     parser.add_argument(
         "-i",
         "--input",

@@ -59,7 +59,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 async def _several(session: Session, args: Namespace) -> str | None:
     """Get several parameters of a node, or one of all nodes: a single word is its name."""
     if args.node_name is None:
-        return "ros2 param get: error: the name of a parameter is required"
+        return "error: the following arguments are required: parameter_name"
     names: list[str] = args.parameter_name or [args.node_name]
     everywhere = not args.parameter_name
     if everywhere:
