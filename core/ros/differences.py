@@ -293,8 +293,18 @@ KEPT: dict[str, str] = {
 """What deliberately is another one than there, and how."""
 
 UNSETTLED: dict[str, str] = {
-    "Rolling": "has Lyrical's packages and interfaces; rclpy and ros2 are Kilted's, without what Release-Lyrical-Luth.rst "
-    "adds (ros2 param and topic bw of several, service info --verbose, names of bag parts, AsyncNode)",
+    "Rolling": "has Lyrical's packages and interfaces; of its rclpy and ros2 what stands above, else Kilted's",
+    "rclpy of Rolling": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
+    "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510); what #1456 removed as deprecated is there",
+    "ros2 of Rolling": "lacks service info --verbose (ros2cli#916), what doctor --report adds (#1045, #1059, #1076, #1079), "
+    "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
+    "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",
+    "bags of Rolling": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
+    "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150) and the newer methods of Player and Recorder",
+    "launch of Rolling": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
+    "(rcl#1275), robot_state_publisher use_robot_description_topic (#234)",
+    "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
+    "rclpy#1584): the words are in no source at hand",
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
     "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",

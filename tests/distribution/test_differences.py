@@ -130,7 +130,8 @@ PARTS = {
     "action": "ros2 action",
     "bag": "ros2 bag",
     "service": "ros2 service",
-    "record": "test $ROS_DISTRO = rolling && NAMED=--topics; ros2 run demo_nodes_py talker > /dev/null 2>&1 & until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
+    "record": "test $ROS_DISTRO = rolling && NAMED=--topics; ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
+    "until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
     "ros2 bag record -o mine $NAMED /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
     "kill -INT %2; wait %2; kill %1; wait; cat said.txt; ls mine; cat mine/metadata.yaml",
@@ -262,9 +263,7 @@ def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> No
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_humble_tells_neither_distribution_nor_services_of_a_bag(
-    played: dict[str, dict[str, str]], name: str
-) -> None:
+def test_humble_tells_neither_distribution_nor_services_of_a_bag(played: dict[str, dict[str, str]], name: str) -> None:
     titles = [line.partition(":")[0] for line in played[name]["info"].splitlines() if line[:1].strip()]
     later = {"ROS Distro", "Service", "Service information"}
     assert {*titles} == {
@@ -303,7 +302,9 @@ def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["record"], name == "humble"
-    file = {"humble": r"mine_0\.db3", "rolling": r"0_mine_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.mcap"}.get(name, r"mine_0\.mcap")
+    file = {"humble": r"mine_0\.db3", "rolling": r"0_mine_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.mcap"}.get(
+        name, r"mine_0\.mcap"
+    )
     assert re.search(rf"^{file}$", said, re.MULTILINE) and re.search(rf'path: "?{file}"?$', said, re.MULTILINE)
     assert f"  version: {5 if humble else 9}\n" in said and (f"ros_distro: {name}" in said) != humble
     assert ('Positional "topics" argument deprecated' in said) == (name == "kilted")
@@ -327,7 +328,9 @@ def test_lyrical_has_no_positional_topics_and_no_storage_of_a_bag_to_play(
 def test_the_bandwidth_of_several_topics_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["bandwidth"]
     if name != "rolling":
-        assert "unrecognized arguments: /rosout" in said and said.count("the following arguments are required: topic") == 2
+        assert (
+            "unrecognized arguments: /rosout" in said and said.count("the following arguments are required: topic") == 2
+        )
         return
     assert said.startswith("Subscribed to [/chatter]\nSubscribed to [/rosout]\n")
     assert " topic     bandwidth   window    mean    min     max \n" + "_" * 53 + "\n/chatter   " in said

@@ -73,12 +73,10 @@ _COMMANDS_OF = {
 """Packages whose name differs from the commands they provide, all of which exist here."""
 
 
-_GATHERING = frozenset(
-    (
-        "common_interfaces desktop desktop_full ros_base ros_core rosbag2 rosbag2_storage_mcap rosbag2_storage_sqlite3 "
-        "rosbag2_transport rqt rqt_common_plugins"
-    ).split()
-)
+_GATHERING = {
+    *("desktop", "desktop_full", "ros_base", "ros_core", "common_interfaces", "rqt", "rqt_common_plugins"),
+    *("rosbag2", "rosbag2_storage_mcap", "rosbag2_storage_sqlite3", "rosbag2_transport"),
+}
 """Packages of ROS that only gather others, or are a part in C++ of what is here."""
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.cli import completion
-from day6_tui.core.ros.ros2.cli.node import absolute, graph_node, node_names
+from day6_tui.core.ros.ros2.cli.node import graph_node, node_names
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option, completed
 from day6_tui.core.ros.ros2.param._services import (
     ParameterServices,
@@ -15,7 +15,7 @@ from day6_tui.core.ros.ros2.param._services import (
     add_timeout_option,
     found_node,
 )
-from day6_tui.core.ros.ros2.param._values import NOT_SET, is_known, label, python_value, shown_value
+from day6_tui.core.ros.ros2.param._values import NOT_SET, is_known, label, shown_value
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterValue
