@@ -300,13 +300,12 @@ UNSETTLED: dict[str, str] = {
     "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
     "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",
     "bags of Rolling": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
-    "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150) and the newer methods of Player and Recorder",
+    "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150), the newer methods of its classes",
     "launch of Rolling": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
     "(rcl#1275), robot_state_publisher use_robot_description_topic (#234)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
     "rclpy#1584): the words are in no source at hand",
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
-    "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
     "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",
     "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
