@@ -10,7 +10,7 @@ from tutorial_pages.commands import is_form, opens_window, runs_on, split
 from tutorial_pages.documentation import Documentation
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.player import Row, as_of_today, is_from_home
+from tutorial_pages.player import Row, as_of_today, is_from_home, starts_the_same
 from tutorial_pages.table import TABLE, Table, digest
 
 from day6_tui.core.ros import distribution
@@ -166,6 +166,14 @@ def test_a_path_that_is_there_only_from_home_is_typed_at_home(tmp_path: Path) ->
     assert not is_from_home("rviz2 -d ws/install/r.rviz", tmp_path, tmp_path)
     assert not is_from_home("rviz2 -d install/r.rviz", tmp_path / "ws", tmp_path)
     assert not is_from_home("ros2 topic pub /a/b c/d/E '{x: 1}'", tmp_path / "ws", tmp_path)
+
+
+def test_a_launch_with_other_arguments_takes_the_place_of_the_one_before() -> None:
+    assert starts_the_same("ros2 launch car drive.py ", "ros2 launch car drive.py speed:=2")
+    assert starts_the_same("ros2 run car drive", "ros2 run car drive")
+    assert not starts_the_same("ros2 launch car drive.py", "ros2 launch car park.py")
+    assert not starts_the_same("ros2 run car drive", "ros2 run car drive --ros-args -r __ns:=/a")
+    assert not starts_the_same("ros2 run turtlesim turtle_teleop_key", "ros2 run turtlesim turtle_teleop_key")
 
 
 def test_a_file_of_the_mirror_imports_the_interfaces_of_today(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -243,7 +243,7 @@ class Player:
 
     def _choose(self, command: str, block: Block, hand: Hand | None) -> Terminal:
         for other in self._machine.terminals:
-            if other.busy and other.title.strip() == command.strip() and "turtle_teleop_key" not in command:
+            if other.busy and starts_the_same(other.title, command):
                 self._interrupt(other)
                 self._terminal, self._wants_new = other, False
         if hand is not None and hand.interrupt:
@@ -399,6 +399,14 @@ class Player:
             row.reason = "C++"
         if row.verdict == "failed" and not row.reason and _NO_COMPILER.search(row.output):
             row.reason = "C++"
+
+
+def starts_the_same(running: str, command: str) -> bool:
+    """Say whether a reader ends a running program before this command: it is the same, or launches it with other arguments."""
+    if "turtle_teleop_key" in command:
+        return False
+    words, others = command.split(), running.split()
+    return words == others or (words[:2] == ["ros2", "launch"] and words[:4] == others[:4])
 
 
 def is_from_home(command: str, cwd: Path, home: Path) -> bool:
