@@ -254,6 +254,12 @@ HANDS: dict[str, tuple[Hand, ...]] = {
             ),
         ),
     ),
+    "Quality-of-Service": (
+        Hand(
+            r"tc qdisc",
+            skip="system: would disturb the network of the machine that plays, which messages do not use here",
+        ),
+    ),
     "dummy-robot-demo": (
         Hand(r"process started with pid", of="ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.py"),
     ),

@@ -52,7 +52,7 @@ _WORKSPACE = re.compile(r"mkdir -p (~/|\./)?(?P<name>[\w/]+)/src\b")
 _DOWNLOAD = re.compile(r":download:`[^`<]*<([^>]+)>`[^`]*``([^`]+)``")
 _IS_FILE = re.compile(r"\.(py|cfg|txt|xml|ya?ml|h|hpp|cpp)$")
 _NO_COMPILER = re.compile(r"no C\+\+ compiler|is a C\+\+ program")
-_OTHER_SYSTEM = re.compile(r"\bon (windows|macos)\W*$", re.IGNORECASE)
+_OTHER_SYSTEM = re.compile(r"\bon (windows|macos)\W*$|^(macos users:|if you are on macos\b)", re.IGNORECASE | re.M)
 _TREE = re.compile(r"[├└]──|^\w+/\n +\w+/", re.M)
 """A picture of folders."""
 _CPP_NAME = re.compile(r"Cpp|CPP|Pluginlib|Composable|Custom-Display")

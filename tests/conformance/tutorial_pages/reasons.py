@@ -21,10 +21,9 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     "": (
         (r"^RMW_IMPLEMENTATION", "system: one middleware, whatever is asked for"),
         (r"rclcpp|_cpp\b|cpp_", "C++"),
-        (r"^git clone|^wget", "network"),
+        (r"^git clone|^wget", "network: the clone in the mirror has no such branch or file"),
         (r"ros2 (node info|service list)", _OLDER),
         (r"turtle_teleop_key", "page: recorded before the keys' names were small letters (turtlesim 1.8.3)"),
-        (r"sysctl|\btc qdisc", "system: the kernel's network cannot be changed here"),
         (r"service call /spawn turtlesim_msgs", "page: the answer was recorded before turtlesim_msgs (Kilted)"),
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),
@@ -49,7 +48,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"colcon test$", "C++; and launch_testing is not part of day6-tui"),
         (r"^cd ", "page: a picture of folders"),
     ),
-    "Creating-A-Workspace": ((r"colcon build", "network: what was to be cloned is not in the mirror"),),
+    "Creating-A-Workspace": ((r"colcon build", "network: the clone in the mirror has no such branch"),),
     "Creating-Your-First-ROS2-Package": (
         (r"ros2 pkg create", "page: the listing was made without the licence that its command names"),
     ),
@@ -89,6 +88,8 @@ def reason(page: str, row: Row) -> str:
     """Return the reason of a row, '' where there is none to be told."""
     if row.reason and row.verdict not in ("run", "window"):
         return row.reason
+    if row.command.startswith("colcon build") and "day6-tui has no C++ compiler" in row.output:
+        return "C++: says which programs it leaves out"
     if row.command.startswith("ros2 interface show") and _only_comments_differ(row):
         return "words: the comments of interfaces are our own"
     for pattern, text in (*KNOWN.get(page, ()), *KNOWN[""]):
