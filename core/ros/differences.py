@@ -116,6 +116,12 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "bag.file_names": _in_rolling(
         "name_index", "index_name_time", "ros2/rosbag2#2265; Release-Lyrical-Luth.rst of ros2_documentation"
     ),
+    "service.info_verbose": _in_rolling(
+        False,
+        True,
+        "ros2/ros2cli#916, ros2/rclpy#1307; Release-Lyrical-Luth.rst and Understanding-ROS2-Services.rst of "
+        "ros2_documentation, whose rmw_fastrtps has two endpoints for a service",
+    ),
     "topic.bw_of_several": _in_rolling(False, True, "ros2/ros2cli#1124, #1130: ros2topic/verb/bw.py (Lyrical)"),
     "topic.hz_of_all": _in_rolling(False, True, "ros2/ros2cli#1122: ros2topic/verb/hz.py (Lyrical)"),
     "action.root_node": (
@@ -296,7 +302,7 @@ UNSETTLED: dict[str, str] = {
     "Rolling": "has Lyrical's packages and interfaces; of its rclpy and ros2 what stands above, else Kilted's",
     "rclpy of Rolling": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
     "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510); what #1456 removed as deprecated is there",
-    "ros2 of Rolling": "lacks service info --verbose (ros2cli#916), what doctor --report adds (#1045, #1059, #1076, #1079), "
+    "ros2 of Rolling": "lacks what doctor --report adds (#1045, #1059, #1076, #1079), "
     "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
     "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",
     "bags of Rolling": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "

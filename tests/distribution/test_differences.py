@@ -111,6 +111,8 @@ PARTS = {
     "ros2 param list --service-timeout 3 --filter flag /parameter_blackboard; "
     "mkdir kept; ros2 param dump /parameter_blackboard --print --output-dir kept; grep -A1 numbers kept/*; "
     "ros2 param dump /parameter_blackboard --output-dir kept; kill %1; kill %2; wait",
+    "service details": "ros2 run demo_nodes_cpp add_two_ints_server > /dev/null 2>&1 & "
+    "until ros2 service list | grep -q two_ints; do sleep 0.05; done; ros2 service info -v /add_two_ints; kill %1; wait",
     "licence": "ros2 pkg create --build-type ament_cmake unlicensed",
     "segments": "echo \"<robot name='r'><link name='b'/><link name='a'/><joint name='j' type='fixed'><parent link='b'/>"
     "<child link='a'/></joint></robot>\" > r.urdf; ros2 run robot_state_publisher robot_state_publisher r.urdf > said.txt 2>&1 & "
@@ -423,6 +425,25 @@ def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]],
         "numbers: Set parameter successful\nflag: Set parameter successful\n"
         "Parameters must be provided as name/value pairs: name value [name value ...]. Got 1 argument(s).\n"
         "Set parameter successful\nSet parameters atomically successful\n  flag\n"
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_details_of_a_service_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["service details"]
+    if name != "rolling":
+        assert ("unrecognized arguments: -v" in said) == (name != "humble")
+        return
+    gid = r"(?:[0-9a-f]{2}\.){15}0"
+    half = "      Reliability: RELIABLE\n      History (Depth): KEEP_LAST (10)\n      Durability: VOLATILE\n"
+    half += "      Lifespan: Infinite\n      Deadline: Infinite\n      Liveliness: AUTOMATIC\n"
+    half = re.escape(half + "      Liveliness lease duration: Infinite\n")
+    assert re.fullmatch(
+        "Type: example_interfaces/srv/AddTwoInts\nClients count: 0\nServices count: 1\nNode name: add_two_ints_server\n"
+        "Node namespace: /\nService type: example_interfaces/srv/AddTwoInts\nService type hash: RIHS01_[0-9a-f]{64}\n"
+        f"Endpoint type: SERVER\nEndpoint count: 2\nGIDs:\n- Request Reader : {gid}4\n- Response Writer : {gid}3\n"
+        f"QoS profiles:\n- Request Reader :\n{half}- Response Writer :\n{half}",
+        said,
     )
 
 
