@@ -10,7 +10,7 @@ from tutorial_pages.commands import is_form, opens_window, runs_on, split
 from tutorial_pages.documentation import Documentation
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.player import Row, as_of_today, is_from_home, starts_the_same
+from tutorial_pages.player import Row, as_of_today, is_from_home, put_right, starts_the_same
 from tutorial_pages.table import TABLE, Table, digest
 
 from day6_tui.core.ros import distribution
@@ -174,6 +174,12 @@ def test_a_launch_with_other_arguments_takes_the_place_of_the_one_before() -> No
     assert not starts_the_same("ros2 launch car drive.py", "ros2 launch car park.py")
     assert not starts_the_same("ros2 run car drive", "ros2 run car drive --ros-args -r __ns:=/a")
     assert not starts_the_same("ros2 run turtlesim turtle_teleop_key", "ros2 run turtlesim turtle_teleop_key")
+
+
+def test_a_reader_puts_right_what_todays_recorder_refuses() -> None:
+    refusal = "ros2: error: unrecognized arguments: /a /b\n"
+    assert put_right("ros2 bag record -o x /a /b", refusal) == "ros2 bag record -o x --topics /a /b"
+    assert put_right("ros2 bag record -o x /a /b", "Recording...") == put_right("ros2 topic info /a /b", refusal) == ""
 
 
 def test_a_file_of_the_mirror_imports_the_interfaces_of_today(monkeypatch: pytest.MonkeyPatch) -> None:

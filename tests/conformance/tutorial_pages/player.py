@@ -237,6 +237,8 @@ class Player:
             self._machine.wait(lambda: False, GOES_ON_S / 2)
             row.run = self._machine.type(terminal, command)
             self._until_settled(row, terminal, windows)
+        if right := put_right(command, row.run.output):
+            self._until_settled(Row(right, block.line, run=self._machine.type(terminal, right)), terminal, windows)
         self._workspace.ran(command, terminal.shell.cwd)
         if command.startswith("colcon build"):
             self._unbuilt = False
@@ -399,6 +401,15 @@ class Player:
             row.reason = "C++"
         if row.verdict == "failed" and not row.reason and _NO_COMPILER.search(row.output):
             row.reason = "C++"
+
+
+def put_right(command: str, output: str) -> str:
+    """Return what a reader types after a command that today's tool refuses, so that the page goes on; '' for nothing."""
+    refused = re.search(r"unrecognized arguments: (/.*)", output)
+    if refused is None or not command.startswith("ros2 bag record "):
+        return ""
+    topics = refused[1].split()
+    return " ".join([*(word for word in command.split() if word not in topics), "--topics", *topics])
 
 
 def starts_the_same(running: str, command: str) -> bool:

@@ -88,6 +88,8 @@ def reason(page: str, row: Row) -> str:
     """Return the reason of a row, '' where there is none to be told."""
     if row.reason and row.verdict not in ("run", "window"):
         return row.reason
+    if row.command.startswith("ros2 bag record") and "unrecognized arguments: /" in row.output:
+        return "page: older than Lyrical, where the topics stand behind --topics (the reader types that then)"
     if row.command.startswith("colcon build") and "day6-tui has no C++ compiler" in row.output:
         return "C++: says which programs it leaves out"
     if row.command.startswith("ros2 interface show") and _only_comments_differ(row):
