@@ -10,7 +10,7 @@ from textual.widget import Widget
 
 from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.look import Look
-from day6_tui.tui.modal import Modal, lines_of
+from day6_tui.tui.modal import Modal, lines_of, plain
 
 
 class ErrorModal(Modal):
@@ -42,13 +42,18 @@ class ErrorModal(Modal):
 
 
 class LogModal(Modal):
-    """What a program has written, with the newest lines at the end."""
+    """Lines to read and to copy: what a program has written, with the newest at the end, or the text of a message."""
 
-    BINDINGS = [Binding("enter,q", "close", show=False)]
+    BINDINGS = [Binding("enter,q", "close", show=False), Binding("c", "copy_all", show=False)]
 
     def __init__(self, look: Look, title: str, lines: Sequence[str]) -> None:
-        super().__init__(look, title, look.texts("help.keys"))
+        super().__init__(look, title, look.texts("log.keys"))
         self._lines = lines
+
+    def action_copy_all(self) -> None:
+        """c: all of it goes to the clipboard of the terminal."""
+        self.app.copy_to_clipboard("\n".join(self._lines))
+        self.query_one("#frame").border_subtitle = plain(self.look.texts("log.copied"))
 
     def inside(self) -> ComposeResult:
         from day6_tui.tui.log_view import LogView

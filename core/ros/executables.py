@@ -44,6 +44,7 @@ def are_on(path: str) -> bool:
 def texts(system: str = os.name) -> dict[str, str]:
     """Return the files for a system ('posix' or 'nt'), `{name: text}`."""
     arguments: dict[str, tuple[str, ...]] = {"python3": (), "python": (), "pytest": ("-m", "pytest"), "day6-tui": _SELF}
+    arguments["launch_test"] = ("-m", "launch_testing.launch_test")
     arguments.update({name: (*_SELF, name) for name in ros_commands()})
     if system == "nt":
         # A batch file is read in the console's old code page, so the interpreter's path is passed in the environment.

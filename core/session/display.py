@@ -28,7 +28,7 @@ class Window(Generic[Model]):
         self.model = model
         self.closed = False
         self.chosen = False
-        """Whether a person chose it in another window of the program, and so expects the keyboard in it."""
+        """Whether a person has just asked for it, by its command or in another window, and so expects the keyboard in it."""
         self.on_close: Callable[[], None] | None = None
         """Called when the user closes the window (any thread); `Session.display` sets it to end the program."""
         self._display = display

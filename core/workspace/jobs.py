@@ -70,8 +70,12 @@ class Work:
         """Emit a line of standard error."""
         self.events.emit(Event("stderr", self.job, text))
 
-    def run(self, command: list[str], cwd: Path, env: Mapping[str, str], *, shown: str = "") -> int:
+    def run(
+        self, command: list[str], cwd: Path, env: Mapping[str, str], *, shown: str = "", one_stream: bool = False
+    ) -> int:
         """Run a command and emit its output; returns its exit status, negative for a signal.
+
+        With `one_stream` all it writes is its standard output.
 
         Raises:
             OSError: the command cannot be started.
@@ -81,7 +85,8 @@ class Work:
         process.stdin.close()
         shown = shown or " ".join(command)
         self.log_command(cwd, shown)
-        readers = [self.copy(process.stdout, self.stdout), self.copy(process.stderr, self.stderr)]
+        errors = self.stdout if one_stream else self.stderr
+        readers = [self.copy(process.stdout, self.stdout), self.copy(process.stderr, errors)]
         return self.finish(process, readers, cwd, shown)
 
     def log_command(self, cwd: Path, shown: str) -> None:

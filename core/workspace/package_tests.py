@@ -1,11 +1,12 @@
-"""Runs the tests of a package, as `colcon test` does: pytest for a Python package, the pytest tests of a CMake package.
+"""Runs the tests of a package, as `colcon test` does: pytest for a Python package, pytest and launch tests of a CMake package.
 
-Other tests of a CMake package (C++ tests, launch tests, linters) cannot run here. Each of them becomes a skipped result and is
-named on standard error: a test that did not run is never green.
+Other tests of a CMake package (C++ tests, linters) cannot run here. Each of them becomes a skipped result and is named on
+standard error: a test that did not run is never green.
 """
 
 from __future__ import annotations
 
+import itertools
 import os
 import sys
 from html import escape
@@ -24,9 +25,17 @@ _TESTS_FAILED = 1
 _NO_TESTS = 5
 
 _PYTEST = "ament_add_pytest_test"
+_LAUNCH_TEST = "add_launch_test"
+_KEYWORDS = (
+    *("APPEND_ENV", "APPEND_LIBRARY_DIRS", "ARGS", "ENV", "LABELS", "PYTHON_EXECUTABLE"),
+    *("RUNNER", "TARGET", "TIMEOUT", "WORKING_DIRECTORY"),
+)
+"""The keywords of both commands."""
+_ISOLATED = "run_test_isolated.py"
+"""The runner of ament_cmake_ros that gives each test a ROS_DOMAIN_ID of its own."""
+_domains = itertools.cycle(range(1, 102))
 _OTHERS = frozenset(
     {
-        "add_launch_test",
         "add_ros_test",
         "add_test",
         "ament_add_catch2",
@@ -81,23 +90,41 @@ class _Run:
             return 1
         self._skip([command for command in commands if command.name in _OTHERS])
         statuses = [self._cmake_test(each) for each in commands if each.name == _PYTEST and len(each.words) > 1]
+        statuses += [self._launch_test(each) for each in commands if each.name == _LAUNCH_TEST and each.words]
         return max(statuses, key=lambda status: (status > _TESTS_FAILED, status), default=0)
 
     def _cmake_test(self, command: Command) -> int:
         name, path, *_ = command.words
-        environment = dict(self.environment)
-        for word in command.after("ENV", "APPEND_ENV", "TIMEOUT", "WORKING_DIRECTORY", "PYTHON_EXECUTABLE", "RUNNER"):
-            variable, equals, value = word.partition("=")
-            if equals:
-                environment[variable] = value
-        result = self.results / "test_results" / self.package.name / f"{one_line(name).replace(os.sep, '_')}.xunit.xml"
-        return self._pytest([str(command.folder / path)], result, environment)
+        return self._pytest([str(command.folder / path)], self._result_of(name), self._environment_of(command))
+
+    def _launch_test(self, command: Command) -> int:
+        """Run a launch test as launch_testing_ament_cmake's add_launch_test does; returns 0 or _TESTS_FAILED."""
+        path = command.folder / command.words[0]
+        target = (command.after("TARGET", *_KEYWORDS) or [os.path.relpath(path, self.package.path)])[0]
+        result = self._result_of(target)
+        self._write_missing(result)
+        words = [
+            *(sys.executable, "-m", "launch_testing.launch_test", str(path), *command.after("ARGS", *_KEYWORDS)),
+            *(f"--junit-xml={result.as_posix()}", f"--package-name={self.package.name}"),
+        ]
+        environment = self._environment_of(command)
+        if os.path.basename("".join(command.after("RUNNER", *_KEYWORDS))) == _ISOLATED:
+            environment["ROS_DOMAIN_ID"] = str(next(_domains))
+        status = self.work.run(words, self.settings.build_base / self.package.name, environment, one_stream=True)
+        return _TESTS_FAILED if status else 0
+
+    def _environment_of(self, command: Command) -> dict[str, str]:
+        pairs = (word.partition("=") for word in command.after("ENV", *_KEYWORDS))
+        return {**self.environment, **{variable: value for variable, equals, value in pairs if equals}}
+
+    def _result_of(self, name: str) -> Path:
+        file = f"{one_line(name).replace('/', '_').replace(os.sep, '_')}.xunit.xml"
+        return self.results / "test_results" / self.package.name / file
 
     def _pytest(self, words: list[str], result: Path, environment: dict[str, str]) -> int:
         """Run pytest; returns 0 also if there were no tests, as colcon does."""
         name = self.package.name
-        # A failing result, in case pytest ends before it writes its own.
-        self._write(result, ["pytest.missing_result"], "error", "The test invocation failed without a result file.")
+        self._write_missing(result)
         cache = (self.settings.build_base / name / ".pytest_cache").as_posix()
         options = [
             "--tb=short",
@@ -119,12 +146,17 @@ class _Run:
         names = [_test_name(command) for command in commands]
         result = self.results / "test_results" / self.package.name / "not_run_here.xunit.xml"
         if names:
-            self._write(result, names, "skipped", "day6-tui runs only pytest tests")
+            self._write(result, names, "skipped", "day6-tui runs only pytest and launch tests")
             self.work.stderr(
-                f"day6-tui runs only pytest tests: these of '{self.package.name}' did not run: {', '.join(names)}\n"
+                "day6-tui runs only pytest and launch tests: "
+                f"these of '{self.package.name}' did not run: {', '.join(names)}\n"
             )
         elif result.is_file():
             self.settings.output.remove(result)
+
+    def _write_missing(self, result: Path) -> None:
+        """Write a failing result, in case the tests end before they write their own."""
+        self._write(result, ["pytest.missing_result"], "error", "The test invocation failed without a result file.")
 
     def _write(self, path: Path, tests: list[str], outcome: str, reason: str) -> None:
         """Write a result in which all tests have one outcome: 'error' or 'skipped'."""

@@ -10,6 +10,7 @@ import pytest
 import rosbag2_py
 from rosbag2_py._blocks import open_blocks
 from rosbag2_py._mcap_blocks import McapBlocks
+from rosbag2_py._mcap_file import McapFile
 from std_msgs.msg import String
 
 from rclpy.serialization import serialize_message
@@ -91,6 +92,41 @@ def test_an_mcap_file_that_was_cut_off_is_indexed_as_far_as_it_goes(tmp_path, pr
         list(file.blocks())
         assert not file.is_complete and next(topic.name for topic in file.topics()) == "/chatter"
         file.close()
+
+
+@pytest.mark.parametrize("preset", ["", "zstd_fast"])
+def test_of_a_file_that_was_cut_off_only_the_first_and_the_last_chunk_are_unpacked(tmp_path, preset, monkeypatch):
+    path = write(tmp_path, "mcap", preset)
+    data = path.read_bytes()
+    path.write_bytes(data[: int(len(data) * 0.8)])
+    unpacked = []
+    unpack = McapFile.unpack
+
+    def noted(self, offset, **words):
+        unpacked.append(offset)
+        return unpack(self, offset, **words)
+
+    monkeypatch.setattr(McapFile, "unpack", noted)
+    file = McapBlocks(path)
+    blocks = list(file.blocks())
+    assert len(blocks) >= 4 and len(unpacked) <= 2 and file.passed == 1.0
+    assert sum(sum(block.counts.values()) for block in blocks) % 500 == 0
+    file.close()
+
+
+def test_a_channel_that_is_first_named_in_a_later_chunk_is_found_in_a_file_that_was_cut_off(tmp_path):
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(tmp_path / "bag"), storage_id="mcap"))
+    for number in range(40):
+        name = f"/topic{number // 10}"
+        writer.create_topic(rosbag2_py.TopicMetadata(0, name, "std_msgs/msg/String", "cdr", [rosbag2_py.QoS(10)]))
+        writer.write(name, serialize_message(String(data=f"hi {number}")), number + 1)
+        writer.flush()
+    writer.close()
+    path = tmp_path / "bag" / "bag_0.mcap"
+    path.write_bytes(path.read_bytes()[:-200])
+    counts, found = everything(path)
+    assert counts == {f"/topic{number}": 10 for number in range(4)} and found == by_reader(path)
 
 
 def test_an_mcap_file_without_chunks_is_gone_through(tmp_path):
@@ -175,7 +211,7 @@ def test_bytes_that_are_wrong_anywhere_are_told_as_a_damaged_bag(tmp_path, stora
 )
 def test_a_file_that_is_no_bag_is_refused(tmp_path, name, content):
     (tmp_path / name).write_bytes(content)
-    with pytest.raises(RuntimeError, match=r"MCAP file|storage"):
+    with pytest.raises(RuntimeError, match=r"file too small|storage|Table `topics`"):
         open_blocks(tmp_path / name)
     with pytest.raises(RuntimeError, match=r"No such file|does not exist"):
         open_blocks(tmp_path / f"no_{name}")

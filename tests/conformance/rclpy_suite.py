@@ -102,15 +102,17 @@ def _share(outcomes: Outcomes) -> str:
     return f"{counts['passed']} of {counts['passed'] + counts['failed']}"
 
 
-def summary(ours: Outcomes, real: Outcomes, expected: Mapping[str, str]) -> tuple[list[str], bool]:
-    """Return what to print, and whether exactly what was expected to fail did."""
+def summary(
+    ours: Outcomes, real: Outcomes, expected: Mapping[str, str], package: str = "rclpy"
+) -> tuple[list[str], bool]:
+    """Return what to print of a package's tests, and whether exactly what was expected to fail did."""
     failed = {test for test, outcome in ours.items() if outcome == "failed"}
     lines = [f"-- {test}: {expected[test]}" for test in sorted(failed & set(expected))]
     for test in sorted(failed - set(expected)):
         lines.append(f"!= {test}: not expected to fail{' (the real one fails too)' * (real.get(test) == 'failed')}")
     passes = sorted(test for test in expected if ours.get(test) == "passed")
     lines += [f"== {test}: expected to fail, but passes" for test in passes]
-    both = {"rclpy's own test suite": ours, "the same on the real rclpy": real}
+    both = {f"{package}'s own test suite": ours, f"the same on the real {package}": real}
     lines += [f"{what}: {_share(outcomes)}" for what, outcomes in both.items() if outcomes]
     return lines, failed <= set(expected) and not passes
 

@@ -281,8 +281,9 @@ def test_every_window_title_tab_and_list_of_the_desktop_shows_hostile_texts_as_t
         screen.wait("'bytes'$'\\377")
         for command, title, keys, wanted in WINDOWS:
             screen.line("clear; " + command)
-            screen.wait(f"╭ 2 {title} ")
-            screen.press("F3")
+            if not command.startswith("rqt"):  # those have the keyboard by themselves
+                screen.wait(f"╭ 2 {title} ")
+                screen.press("F3")
             screen.wait(f"┏ 2 {title} ")
             screen.press(*keys)
             screen.wait(wanted)

@@ -89,15 +89,15 @@ def test_degrees_are_shown_for_what_turns_and_not_for_what_slides() -> None:
     assert "90.0 °" in text and "-180" in text and "0.100 m" in text
 
 
-def test_arrows_move_coarsely_and_with_shift_finely() -> None:
+def test_arrows_move_a_step_with_shift_ten_and_with_ctrl_as_little_as_possible() -> None:
     model = FakeModel(wheel(), LIFT)
     pane = pane_of(model)
-    for key in ("right", "shift+left", "pageup", "home", "end"):
+    for key in ("right", "shift+left", "ctrl+right", "home", "end"):
         pane._press(key, "")
     assert model.requests == [
         ("step", "left_wheel_joint", 5100),
-        ("step", "left_wheel_joint", 4999),
-        ("step", "left_wheel_joint", 6000),
+        ("step", "left_wheel_joint", 4000),
+        ("step", "left_wheel_joint", 5001),
         ("value", "left_wheel_joint", -math.pi),
         ("value", "left_wheel_joint", math.pi),
     ]

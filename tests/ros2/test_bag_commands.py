@@ -40,7 +40,7 @@ def test_reindex_from_the_command_line(counted):
         "[INFO] [rosbag2_cpp]: Beginning reindexing bag in directory: bag",
         "[INFO] [rosbag2_cpp]: Reindexing complete.",
     ]
-    assert information(counted) == before
+    assert information(counted) == {**before, "files": []}  # the real one leaves them out, too
 
 
 def test_convert_writes_the_bag_with_another_storage_and_fewer_topics(machine):

@@ -21,9 +21,14 @@ START = 1_690_000_000 * SECOND
 LATCHED = QoS(1).transient_local()
 
 
-def write_bag(folder: Path, storage: str = "mcap", *, seconds: float = 10.0, preset: str = "") -> Path:
-    """Write /number with 0, 1, 2 … ten times a second, /word once a second, and /static twice at the beginning."""
-    writer = rosbag2_py.SequentialWriter()
+def write_bag(
+    folder: Path, storage: str = "mcap", *, seconds: float = 10.0, preset: str = "", packed: bool = False
+) -> Path:
+    """Write /number with 0, 1, 2 … ten times a second, /word once a second, and /static twice at the beginning.
+
+    `packed`: the whole file is compressed.
+    """
+    writer = rosbag2_py.SequentialCompressionWriter() if packed else rosbag2_py.SequentialWriter()
     writer.open(rosbag2_py.StorageOptions(str(folder), storage_id=storage, storage_preset_profile=preset))
     for id_, (name, kind, qos) in enumerate((
         ("/number", "std_msgs/msg/Float64", [QoS(10)]),

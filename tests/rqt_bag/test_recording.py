@@ -165,7 +165,7 @@ def test_a_full_disk_ends_the_export_and_is_told(desk, monkeypatch):
 def test_a_cancelled_export_leaves_a_whole_bag_with_what_was_copied(desk, monkeypatch):
     write_bag(desk.folder / "bag", seconds=200)
     model = desk.open("bag")
-    monkeypatch.setattr(type(model), "_progress", lambda self, percent: self.cancel_export())
+    monkeypatch.setattr(type(model), "_progress", lambda self, percent: self.cancel())
     model.export("part", ["/number"])
     desk.machine.until(lambda: model.status.startswith("Cancelled"))
     count = int(model.status.split()[1])

@@ -250,6 +250,34 @@ def test_a_pause_of_the_world_holds_the_playhead(desk):
     assert desk.playhead == held
 
 
+@pytest.mark.parametrize("packed", (False, True))
+def test_loading_can_be_cancelled_and_shows_what_was_read(desk, monkeypatch, packed):
+    from day6_tui.core.ros.programs.rqt_bag.model import bags
+
+    preset = "" if packed else "zstd_fast"
+    write_bag(desk.folder / "bag", preset=preset, seconds=2000.0, packed=packed)
+    model = desk.open(topics=0)
+    seen = []
+    loading = bags.index_bag
+
+    def watched(bag, timeline, cancelled):
+        def asked():
+            seen.append(model.indexed)
+            if len(seen) == 2:
+                model.cancel()
+            return cancelled()
+
+        loading(bag, timeline, asked)
+
+    monkeypatch.setattr(bags, "index_bag", watched)
+    model.load("bag")
+    desk.machine.until(lambda: model.bags and not model.loading)
+    assert "Cancelled: 'bag' is shown as far as it was read" in model.status
+    assert seen[0] == 0 and model.timeline.count("/number") < 20000
+    desk.jump(1.0)
+    assert desk.playhead == 1.0
+
+
 # -- what can go wrong -------------------------------------------------------------------------------------------------
 
 
@@ -266,7 +294,7 @@ def test_what_is_no_bag_is_refused_as_rqt_bag_does(desk, word):
     ("damage", "reason"),
     (
         ("metadata", "failed due to: Exception on parsing info file"),
-        ("empty", "failed due to: bag_0.mcap is not an MCAP file"),
+        ("empty", "failed due to: file too small"),
         ("gone", "failed due to: .*No (such file|storage)"),
         ("cut", "is not complete"),
     ),

@@ -9,6 +9,7 @@ from stepped_machine import SteppedMachine
 from turtlesim.srv import TeleportAbsolute
 
 from day6_tui.core.ros.programs.rqt_console import model
+from day6_tui.core.ros.programs.rqt_console.filters import Filter
 from day6_tui.core.ros.programs.rqt_console.model import Console
 
 
@@ -42,14 +43,14 @@ def test_severities_texts_and_nodes_can_be_left_out_and_come_back():
         console.receive(log(text, level, node))
     console.toggle_level(10)
     assert texts(console) == ["two", "Three", "four"]
-    console.exclude_text("THREE")
+    console.set_filter("excludes", 1, Filter("message", "Three"))
     assert texts(console) == ["two", "four"]
     console.toggle_node("b")
     console.receive(log("five", 20, "b"))
     console.receive(log("six", 20, "a"))
     assert texts(console) == ["two", "six"] and console.total == 6
     console.toggle_node("b")
-    console.exclude_text("")
+    console.set_filter("excludes", 1, None)
     console.toggle_level(10)
     assert texts(console) == ["one", "two", "Three", "four", "five", "six"]
     console.toggle_level(50)
@@ -60,11 +61,11 @@ def test_severities_texts_and_nodes_can_be_left_out_and_come_back():
 def test_highlighting_leaves_nothing_out():
     console = Console()
     console.receive(log("Oh no! I hit the wall!"))
-    console.highlight("WALL")
+    console.set_filter("highlights", 0, Filter("message", "wall"))
     (record,) = console.shown()
-    assert console.choice.highlights(record)
-    console.highlight("")
-    assert not console.choice.highlights(record)
+    assert console.choice.is_highlighted(record)
+    console.set_filter("highlights", 0, None)
+    assert not console.choice.is_highlighted(record)
 
 
 def test_what_comes_while_paused_is_not_kept_and_clear_forgets():

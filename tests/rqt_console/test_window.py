@@ -54,7 +54,7 @@ def test_a_larger_window_shows_the_location_too(console):
 
 
 def test_letters_leave_severities_out(console):
-    text = look(console, ["w", "d"])
+    text = look(console, ["W", "D"])
     assert "hit the wall" not in text and "details" not in text and "Starting turtlesim" in text
     assert "[x] Warn" in text and "1 of 3 messages" in text
     console.show_everything()
@@ -63,9 +63,9 @@ def test_letters_leave_severities_out(console):
 
 def test_text_is_typed_into_a_prompt(console):
     text = look(console, ["slash", *"wa", "enter"])
-    assert console.choice.text == "wa" and WALL not in text
+    assert console.choice.first("excludes", "message").text == "wa" and WALL not in text
     look(console, ["h", *"st", "enter"])
-    assert console.choice.highlight == "st"
+    assert console.choice.first("highlights", "message").text == "st"
 
 
 def test_pause_and_clear(console):
@@ -97,7 +97,7 @@ def test_a_click_on_a_severitys_box_leaves_it_out_and_one_on_a_message_chooses_i
             row = next(y for y, line in enumerate(lines) if "Exclude" in line)
             await pilot.click(offset=(lines[row].index("W"), row))
             await step(app, pilot)
-            assert console.choice.levels == {30} and WALL not in screen_text(app)
+            assert console.choice.first("excludes", "severity").levels == {30} and WALL not in screen_text(app)
             await pilot.click(offset=(3, row - 1))
             await step(app, pilot)
             assert pane.table.chosen is None
@@ -220,9 +220,9 @@ def test_a_text_is_in_force_while_it_is_typed_and_escape_takes_it_back(full):
         for keys, text in ((["slash", "0"], "0"), (["1"], "01"), (["escape"], ""), (["slash", "7", "enter"], "7")):
             await pilot.press(*keys)
             await step(app, pilot)
-            assert full.choice.text == text
-        await pilot.press("d")
-        assert full.choice.levels == {10} and "exclude text: 7" in screen_text(app)
+            assert full.choice.first("excludes", "message").text == text
+        await pilot.press("D")
+        assert full.choice.first("excludes", "severity").levels == {10} and 'also: "7"' in screen_text(app)
 
     in_the_window(full, drive, size=(120, 40))
 
@@ -232,7 +232,9 @@ def test_keys_that_are_quicker_than_the_line_are_typed_into_it(full):
         for key in ("slash", "d", "e", "w", "enter", "n"):
             app.post_message(events.Key(key, "/" if key == "slash" else key if len(key) == 1 else None))
         await step(app, pilot)
-        assert full.choice.text == "dew" and not full.choice.levels and full.choice.nodes == {"talker"}
+        choice = full.choice
+        assert choice.first("excludes", "message").text == "dew" and not choice.first("excludes", "severity").levels
+        assert choice.first("excludes", "node").nodes == {"talker"}
 
     in_the_window(full, drive)
 
@@ -337,3 +339,61 @@ def test_a_megabyte_and_a_stamp_that_no_calendar_has_are_shown(console, keys, mo
     monkeypatch.setattr(console_table.time, "localtime", localtime)
     text = look(console, keys)
     assert "x x x x x" in text and "5.000" in text
+
+
+def test_tab_makes_a_regular_expression_of_what_is_typed_and_escape_takes_both_back(full):
+    async def drive(app, pilot, pane) -> None:
+        await pilot.press("slash", *"^hello.[01]", "tab")
+        await step(app, pilot)
+        assert full.choice.first(
+            "excludes", "message"
+        ).is_regex and "Exclude messages containing (Regex):" in screen_text(app)
+        assert {record.text[6] for record in full.shown()} == set("23456")
+        await pilot.press("escape", "slash", *"(", "tab")
+        await step(app, pilot)
+        assert len(full.shown()) == 60 and "missing ), unterminated subpattern" in screen_text(app)
+
+    in_the_window(full, drive, size=(120, 40))
+
+
+def test_the_list_of_filters_adds_changes_and_removes_them(full):
+    async def drive(app, pilot, pane) -> None:
+        await pilot.press("f")
+        await step(app, pilot)
+        assert "[x] Exclude messages with severities" in screen_text(app)
+        await pilot.press(*"exclude messages …", "enter", *"node", "enter")
+        await step(app, pilot)
+        await pilot.press(*"listener", "enter", "escape")  # the menu comes back after each change
+        assert full.choice.first("excludes", "node").nodes == {"listener"} and len(full.shown()) == 30
+        await pilot.press("f", *"exclude messages from nodes", "delete", "escape")
+        await step(app, pilot)
+        assert len(full.shown()) == 60
+        await pilot.press("f", *"highlight messages …", "enter", *"location", "enter", *"talker.py", "enter")
+        await step(app, pilot)
+        assert [each.kind for each in full.choice.highlights] == ["message", "location"]
+
+    in_the_window(full, drive)
+
+
+def test_a_time_range_begins_at_the_chosen_message_and_takes_times_of_day(console):
+    async def drive(app, pilot, pane) -> None:
+        await pilot.press("f", *"highlight messages …", "enter", *"time", "enter")
+        await step(app, pilot)
+        await pilot.press(*"until", "enter")
+        await step(app, pilot)
+        for text, good in (("noon", False), ("25:00", False), ("1970-01-01 23:00", True)):
+            await pilot.press(*["backspace"] * 8, *text, "enter")
+            await step(app, pilot)
+            assert ("This is no time" in screen_text(app)) is not good
+        (each,) = (each for each in console.choice.highlights if each.kind == "time")
+        assert each.start_ns == 5_000_000_000 and each.stop_ns is not None
+
+    in_the_window(console, drive)
+
+
+def test_what_is_shown_is_saved_and_comes_back(console, tmp_path):
+    console._folder = tmp_path
+    assert "saved:" in look(console, ["W", "w", "enter"], width=120)
+    lines = (tmp_path / "rqt_console.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "message;severity;node;stamp;location" and len(lines) == 3
+    assert "exists" in look(console, ["w", "enter"])  # nothing is overwritten without being asked

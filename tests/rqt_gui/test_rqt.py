@@ -51,7 +51,6 @@ class Room:
         before = self.model.version
         deed()
         self.machine.until(lambda: not self.model.requests and self.model.version > before)
-        self.machine.advance(0.3)
 
     @property
     def nodes(self) -> list[str]:

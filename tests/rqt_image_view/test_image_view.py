@@ -81,6 +81,17 @@ def test_an_image_of_another_process_is_decoded_when_it_is_looked_at(machine, mo
         machine.model.picture(View(1, 1))
 
 
+def test_an_image_has_the_window_drawn_anew_though_nothing_else_goes_on(machine) -> None:
+    machine.node.create_publisher(Image, "one", 1)
+    machine.open("/one", seconds=2.0)
+    drawn: list[int] = []
+    machine.scheduler.on_activity = lambda: drawn.append(machine.model.received)
+    machine.scheduler.run(lambda: bool(drawn), timeout=5.0)
+    machine.model._receive(image(1))  # as the link's thread does
+    machine.scheduler.run(lambda: 1 in drawn, timeout=5.0)
+    assert 1 in drawn
+
+
 def test_clicks_are_published_beside_the_topic_when_wanted(machine) -> None:
     machine.node.create_publisher(Image, "camera", 1)
     machine.open("/camera")
@@ -114,7 +125,7 @@ def test_the_whole_image_is_saved_turned_as_it_is_seen(machine) -> None:
 
 
 def test_a_name_that_is_no_topic_is_not_listened_to(machine) -> None:
-    running = machine.open("/no//topic", "-x")
+    running = machine.open("/no//topic")
     assert machine.model.topic == "" and running.program.status is None
 
 

@@ -12,7 +12,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, use_window
+from screens import ToolWindow, screen_lines, step, use_window
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros.programs.rqt_msg import rqt_msg
@@ -130,6 +130,66 @@ def test_enter_shows_the_text_and_d_removes_the_tree() -> None:
         assert window.line("Msg Root") == ""
 
     use(browser("msg", "geometry_msgs/Twist"), act, (120, 40))
+
+
+def test_a_plain_field_is_explained_by_the_text_of_the_type_that_has_it() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("end", "v")
+        assert "━ geometry_msgs/Vector3 ━" in window.text and "float64 z" in window.text
+
+    use(browser("msg", "geometry_msgs/Twist"), act)
+
+
+def test_the_text_of_a_type_can_be_copied_and_only_keys_that_do_something_are_named() -> None:
+    async def act(window: _Window) -> None:
+        copied: list[str] = []
+        window.app.copy_to_clipboard = copied.append  # type: ignore[method-assign]
+        await window.press("home", "v")
+        assert "Tab" not in window.text.split("\n")[-2] and "c copy" in window.text
+        await window.press("c")
+        assert "Vector3  linear" in copied[0] and "copied" in window.text
+        await window.press("escape")
+        assert "Msg Root" in window.text
+
+    use(browser("msg", "geometry_msgs/Twist"), act)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_a_type_that_is_added_is_seen_and_chosen_however_many_there_are(lang: str) -> None:
+    async def act(window: _Window) -> None:
+        await window.press("a", *"twist", "enter")
+        await step(window.app, window.pilot)
+        assert window.pane.list.chosen.cells[1:] == ("geometry_msgs/Twist",) * 2
+        assert "geometry_msgs/Twist/angular/z" in window.text
+
+    model = browser("msg", "geometry_msgs/AccelWithCovarianceStamped")
+    model.add("PoseWithCovarianceStamped")
+    use(model, act, lang=lang)
+
+
+def test_the_whole_path_and_type_of_a_field_are_told_where_the_columns_are_too_narrow() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("end")
+        told = screen_lines(window.app)[-2]
+        assert "trajectory_msgs/MultiDOFJointTrajectory/points" in told
+        assert "sequence<trajectory_msgs/MultiDOFJointTrajectoryPoint>" in told
+
+    use(browser("msg", "trajectory_msgs/MultiDOFJointTrajectory"), act, (120, 24))
+
+
+def test_left_goes_from_a_field_to_its_message_and_right_brings_its_fields_into_sight() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("end", "left")
+        assert window.pane.list.chosen.cells[0] == "angular"
+        await window.press("left")
+        assert not window.line("angular/z")
+        await window.press("left", "left")  # the root is closed, too
+        await window.press("right")
+        await window.press("down", "left", "down", "right")
+        await step(window.app, window.pilot)
+        assert window.line("Twist/angular/z")
+
+    use(browser("msg", "geometry_msgs/Twist"), act, (80, 10))
 
 
 def test_a_complaint_is_shown() -> None:

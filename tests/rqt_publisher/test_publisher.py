@@ -8,8 +8,9 @@ from typing import Any
 
 import pytest
 from builtin_interfaces.msg import Time
-from geometry_msgs.msg import PoseStamped, Twist
+from geometry_msgs.msg import Polygon, PoseStamped, PoseWithCovariance, Twist
 from std_msgs.msg import Bool, ByteMultiArray, Float64MultiArray, Int32, String, UInt8
+from test_msgs.msg import BoundedSequences
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.interfaces import type_name
@@ -277,3 +278,67 @@ def test_a_perspective_may_be_anything(world, kept: object) -> None:
 def test_the_topics_there_are_can_be_chosen(world) -> None:
     world.node.create_publisher(Twist, "cmd_vel", 10)
     assert ("/cmd_vel", "geometry_msgs/msg/Twist") in world.model.topics()
+
+
+def test_a_wrong_expression_leaves_the_one_before_in_force(world) -> None:
+    heard = world.add(Twist, linear__x="2 * i")
+    world.model.set_expression(0, "/linear/x", "2 * j")
+    world.wait(0.1)
+    (row,) = (row for row in world.model.shown()[0].rows if row.path == "/linear/x")
+    assert (row.text, row.in_force) == ("2 * j", "2 * i") and "'j' is not defined" in row.problem
+    for _ in range(2):
+        world.model.publish_once(0)
+    world.wait(0.1)
+    assert [each.linear.x for each in heard] == [2.0, 4.0]
+    assert "2 * j" not in world.model.kept() and "2 * i" in world.model.kept()
+    world.model.set_expression(0, "/linear/x", "3")
+    world.wait(0.1)
+    assert world.problems() == {}
+
+
+def test_the_elements_of_an_array_have_expressions_of_their_own(world) -> None:
+    heard = world.add(PoseWithCovariance)
+    world.model.set_expression(0, "/covariance[35]", "i / 10")
+    world.model.set_expression(0, "/covariance[0]", "300")
+    world.model.publish_once(0)
+    world.wait(0.1)
+    assert (heard[0].covariance[0], heard[0].covariance[1], heard[0].covariance[35]) == (300.0, 0.0, 0.1)
+
+
+def test_a_list_grows_and_shrinks_and_its_elements_are_filled_in(world) -> None:
+    heard = world.add(Polygon)
+    for _ in range(3):
+        world.model.resize(0, "/points", 1)
+    world.model.resize(0, "/points", -1)
+    world.model.set_expression(0, "/points[1]/x", "sin(i)")
+    world.wait(0.1)
+    assert [row.path for row in world.model.shown()[0].rows if row.is_branch] == ["/points", "/points[0]", "/points[1]"]
+    world.model.publish_once(0)
+    world.wait(0.1)
+    assert [point.x for point in heard[0].points] == pytest.approx([0.0, 0.8415], abs=1e-4)
+    again = _World()
+    again.model.post(lambda: again.model.take_kept(world.model.kept()))
+    again.wait(0.1)
+    texts = {row.path: row.text for row in again.model.shown()[0].rows}
+    assert texts["/points[1]/x"] == "sin(i)"
+    again.program.interrupt()
+
+
+def test_a_bounded_list_grows_to_its_bound_and_says_so(world) -> None:
+    world.add(BoundedSequences)
+    for _ in range(4):
+        world.model.resize(0, "/int32_values", 1)
+        world.wait(0.1)
+    rows = [row.path for row in world.model.shown()[0].rows if row.path.startswith("/int32_values[")]
+    assert len(rows) == 3 and "/int32_values" in world.problems()
+
+
+def test_an_element_out_of_range_is_refused(world) -> None:
+    heard = world.add(ByteMultiArray)
+    world.model.resize(0, "/data", 1)
+    world.model.set_expression(0, "/data[0]", "256")
+    world.wait(0.1)
+    assert world.problems().keys() == {"/data[0]"}
+    world.model.publish_once(0)
+    world.wait(0.1)
+    assert list(heard[0].data) == [b"\x00"]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Polygon, Twist
 from std_msgs.msg import Bool, String
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
@@ -22,7 +22,9 @@ from day6_tui.core.ros.programs.rqt_py_common.expressions import NAMES
 from day6_tui.core.ros.programs.rqt_py_common.message_form import MessageForm
 
 TYPES = {"/chatter": "std_msgs/msg/String", "/turtle1/cmd_vel": "geometry_msgs/msg/Twist", "/flag": "std_msgs/msg/Bool"}
+TYPES["/area"] = "geometry_msgs/msg/Polygon"
 CLASSES = {"std_msgs/msg/String": String, "geometry_msgs/msg/Twist": Twist, "std_msgs/msg/Bool": Bool}
+CLASSES["geometry_msgs/msg/Polygon"] = Polygon
 
 
 class Model:
@@ -53,9 +55,11 @@ class Model:
 
     def set_expression(self, number: int, path: str, text: str) -> None:
         form = self.publishers[number][4]
-        form.set(path, text)
-        form.message({**NAMES, "i": 0})
+        form.set_if_good(path, text, {**NAMES, "i": 0})
         self.version += 1
+
+    def resize(self, number: int, path: str, step: int) -> None:
+        self.asked.append(("resize", number, path, step))
 
     def set_enabled(self, number: int, enabled: bool) -> None:
         self.publishers[number][3] = enabled
@@ -106,7 +110,7 @@ def test_a_topic_is_chosen_published_and_filled_in() -> None:
         await window.press("1", "0", "enter", "space", "down", "down", *"2.5", "tab", *"sin", "enter")
         (topic, _, rate, on, form) = window.model.publishers[0]
         assert (topic, rate, on) == ("/turtle1/cmd_vel", 10.0, True)
-        assert form.expressions == {"/linear/x": "2.5", "/linear/y": "sin"}
+        assert form.expressions == {"/linear/x": "2.5"}  # "sin" alone is no number
 
     use(act)
 
@@ -151,7 +155,7 @@ def test_space_switches_a_boolean_field() -> None:
 def test_a_wrong_expression_is_marked() -> None:
     async def act(window: _Window) -> None:
         await window.press("home", "down", "down", *"1+", "enter", "up")
-        assert "▲ error" in window.line("1+")
+        assert window.line("1+").endswith("▲ 1+") and window.line("▲ error evaluating as")
 
     use(act, "/turtle1/cmd_vel", size=(120, 40))
 
@@ -184,3 +188,41 @@ def test_no_line_is_wider_than_the_window(size: tuple[int, int], lang: str) -> N
         assert all(cell_len(line) <= size[0] for line in screen_lines(window.app))
 
     use(act, "/chatter", "/turtle1/cmd_vel", size=size, lang=lang)
+
+
+def test_in_a_narrow_window_types_and_rate_have_room_too() -> None:
+    async def act(window: _Window) -> None:
+        assert window.line("/cmd_vel").split()[-3:] == ["Twist", "1.00", "Hz"]
+        assert window.line("linear").split() == ["▾", "linear", "Vector3"]
+        assert window.line("x  ").split() == ["x", "double", "0.0"]
+        await window.press("home", "5", "enter", "down")
+        assert window.model.publishers[0][2] == 5.0
+        assert "geometry_msgs/Vector3" in screen_lines(window.app)[-2]
+
+    use(act, "/turtle1/cmd_vel", size=(42, 20))
+
+
+@pytest.mark.parametrize("width", [42, 80, 160])
+def test_a_wrong_expression_says_all_that_is_wrong_and_what_is_in_force(width: int) -> None:
+    async def act(window: _Window) -> None:
+        await window.press("home", "down", "down", *"1+", "enter")
+        said = " ".join(" ".join(line.strip("┃│ ") for line in screen_lines(window.app)).split())
+        assert 'error evaluating as "float": invalid syntax: invalid syntax' in said and "in force: 0.0" in said
+
+    use(act, "/turtle1/cmd_vel", size=(width, 40))
+
+
+def test_plus_and_minus_change_how_many_elements_a_list_has() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("home", "down", "+", "+", "-")
+        assert window.model.asked == [("resize", 0, "/points", 1)] * 2 + [("resize", 0, "/points", -1)]
+
+    use(act, "/area")
+
+
+def test_a_remark_is_never_cut() -> None:
+    async def act(window: _Window) -> None:
+        said = " ".join(line.strip("┃│ ") for line in screen_lines(window.app)[3:])
+        assert "choose its topic, then tick its box." in said
+
+    use(act, size=(38, 20))

@@ -116,3 +116,27 @@ def test_a_field_that_there_is_not_is_refused() -> None:
     form = MessageForm(Twist, convert)
     with pytest.raises(LookupError):
         form.set("/linear/w", "1")
+
+
+def test_an_array_is_a_branch_of_its_elements_unless_it_is_huge() -> None:
+    rows = {row.path: row for row in field_rows(PoseWithCovariance())}
+    assert rows["/covariance"].is_branch and rows["/covariance"].elements == 36
+    assert (rows["/covariance[35]"].name, rows["/covariance[35]"].type) == ("[35]", "double")
+    assert not field_rows(Float64MultiArray(data=[0.0] * 101))[-1].is_branch
+
+
+def test_a_whole_array_takes_the_place_of_what_was_typed_for_its_elements() -> None:
+    form, _ = _filled(Float64MultiArray, data="[1, 2]")
+    form.set("/data[1]", "5")
+    assert list(form.message(NAMES).data) == [1.0, 5.0]
+    form.set("/data", "[7, 8, 9]")
+    assert list(form.message(NAMES).data) == [7.0, 8.0, 9.0]
+    form.set("/data[2]", "1")
+    form.set("/data", "[7]")
+    assert list(form.message(NAMES).data) == [7.0] and form.problems == {}
+
+
+def test_one_message_many_times_is_many_messages() -> None:
+    form, _ = _filled(Float64MultiArray, layout__dim="[std_msgs.msg.MultiArrayDimension()] * 2")
+    form.set("/layout/dim[0]/size", "4")
+    assert [each.size for each in form.message(NAMES).layout.dim] == [4, 0]

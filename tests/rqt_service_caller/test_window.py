@@ -259,3 +259,16 @@ def test_in_ascii_nothing_else_is_drawn() -> None:
         assert window.text.isascii() and "- /spawn" in window.text
 
     use(act, glyphs="ascii")
+
+
+def test_in_a_narrow_window_the_type_is_in_its_column_and_where_it_is_cut_below() -> None:
+    async def act(window: _Window) -> None:
+        assert window.line("theta").split() == ["theta", "float", "0.0"]
+        assert window.line("name").split() == ["name", "string", "''"]
+        await window.press("home")
+        assert "turtlesim/srv/Spawn" in screen_lines(window.app)[-2]
+        window.model.be("", service="/a_robot/with_a_long_name/spawn")
+        await window.draw()
+        assert window.line("name").split() == ["name", "string", "''"]
+
+    use(act, (38, 20))

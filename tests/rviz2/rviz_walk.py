@@ -84,7 +84,7 @@ def mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl:
     return kind(pane, x, y, 0, 0, button, shift, False, ctrl, x, y)
 
 
-async def drag(at: Walk, *places: tuple[int, int], button: int = 1) -> None:
+async def drag(at: Walk, *places: tuple[int, int], button: int = 1, shift: bool = False, ctrl: bool = False) -> None:
     """Press at the first place (cells of the view), move through the others, let go at the last."""
     from textual import events
 
@@ -92,6 +92,6 @@ async def drag(at: Walk, *places: tuple[int, int], button: int = 1) -> None:
     kinds = [events.MouseDown, *[events.MouseMove] * (len(places) - 1), events.MouseUp]
     for kind, (x, y) in zip(kinds, [*places, places[-1]], strict=True):
         left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
-        pane.post_message(mouse(pane, kind, left + x, top + y, button, False, False))
+        pane.post_message(mouse(pane, kind, left + x, top + y, button, shift, ctrl))
         await at.settle()
     await at.settle()  # what the window asked for is done by the program now

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from day6_tui.core.ros.programs.rviz2.model.scene import BOX, Lines, Scene, Shape
+from day6_tui.core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
 from day6_tui.core.ros.programs.rviz2.model.views import Orbit, TopDownOrtho
 from day6_tui.tui.canvas import PIXELS_PER_CELL
 from day6_tui.tui.render.cells import cells_of, pixel_aspect
@@ -116,3 +116,13 @@ def test_any_camera_is_good_enough(grid: Lines) -> None:
         picture = pictured(grid, camera, 40, 20, chance.choice(["half", "ascii"]))
         assert np.isfinite(picture.colour).all() and picture.colour.max() <= 1.0
         cells_of(picture, "half")
+
+
+@pytest.mark.parametrize("place", [(0.0, 3.0), (3.0, 3.0), (-2.0, 1.0), (0.5, 2.0), (-4.0, -4.0)])
+@pytest.mark.parametrize("mode", ["half", "braille", "ascii"])
+def test_a_point_on_a_line_of_the_grid_is_seen(grid: Lines, mode: str, place: tuple[float, float]) -> None:
+    across, down = PIXELS_PER_CELL[mode]
+    red = Points([(*place, 0.0)], [(1.0, 0.0, 0.0, 1.0)], 0.01)
+    scene = Scene(lines=[grid], points=[red])
+    picture = paint(scene, orbit(14.0), 73 * across, 34 * down, pixel_aspect(mode), QUALITIES["High"])
+    assert ((picture.colour[..., 0] > 0.9) & (picture.colour[..., 1] < 0.1)).any()

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from screens import UTF8, make_look, screen_lines, screen_text
+from screens import UTF8, make_look, screen_lines, screen_text, step
 
 from day6_tui.core.shell.desk import Desk
 from day6_tui.tui.app import Day6App
@@ -170,3 +170,20 @@ async def test_a_mistake_is_answered_in_the_tools_words_and_the_prompt_comes_bac
         await until(app, pilot, _shows(app, answer))
         await until(app, pilot, lambda: app.terminals.panes[0].view.at_prompt)
         assert app.desktop.panes == {}
+
+
+@pytest.mark.parametrize("command", ["rqt", "rqt_graph", "rqt --standalone rqt_topic", "ros2 run rqt_msg rqt_msg"])
+async def test_a_window_of_rqt_has_the_keyboard_unless_one_goes_on_typing(tmp_path, command: str) -> None:
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, _shows(app, "student@day6:~$"))
+        terminal = app.terminals.current
+        _type(app, f"{command} &\r")
+        await until(app, pilot, lambda: len(app.desktop.panes) == 1 and app.desktop.panes[1].extent.width)
+        for _ in range(5):
+            await step(app, pilot)
+        assert app.desktop.focused_pane is terminal
+        _type(app, f"clear; {command}\r")
+        await until(app, pilot, lambda: len(app.desktop.panes) == 2)
+        window = app.desktop.panes[max(app.desktop.panes)]
+        await until(app, pilot, lambda: app.desktop.focused_pane is window)
+        assert app.desktop.is_shown(window)

@@ -74,8 +74,10 @@ def test_without_results_there_is_nothing_to_tell(workshop: Workshop) -> None:
 def test_the_tests_of_a_new_package_find_its_slips(workshop: Workshop) -> None:
     folder = workshop.create("hello", "--node-name hi")
     done = workshop.run(
-        "colcon build > /dev/null\ncolcon test --event-handlers console_stderr-\ncolcon test-result --all"
+        "colcon build > /dev/null\ncolcon test --event-handlers console_direct+ console_stderr-\n"
+        "colcon test-result --all"
     )
+    assert "PytestUnknownMarkWarning" not in done.out
     assert "3 tests, 0 errors, 0 failures, 1 skipped" in done.out, done
     (folder / "hello" / "hi.py").write_text(
         "import math \n\n\ndef main():\n    '''says hello'''\n    print('Hi')\n", encoding="utf-8"
@@ -150,6 +152,69 @@ def test_the_pytest_tests_of_a_cmake_package_run(workshop: Workshop) -> None:
     done = workshop.run("colcon test\ncolcon test-result --all")
     assert "1 package had test failures: mixed" in done.out
     assert "1 test, 0 errors, 1 failure, 0 skipped" in done.out and done.status == 1
+
+
+LAUNCH_TEST = """\
+import os
+import sys
+import unittest
+
+import launch
+import launch.actions
+import launch_testing.actions
+
+
+def generate_test_description():
+    program = launch.actions.ExecuteProcess(cmd=[sys.executable, '-c', 'print("up"); input()'], output='screen')
+    return launch.LaunchDescription([program, launch_testing.actions.ReadyToTest()])
+
+
+class TestIt(unittest.TestCase):
+
+    def test_domain(self, test_args):
+        self.assertEqual(test_args['colour'], 'red')
+        self.assertEqual(os.environ['MOOD'], 'good')
+        self.assertIn(int(os.environ['ROS_DOMAIN_ID']), {domains})
+"""
+ISOLATED = """
+find_package(ament_cmake_ros REQUIRED)
+find_package(launch_testing_ament_cmake REQUIRED)
+function(add_ros_isolated_launch_test path)
+  set(RUNNER "${ament_cmake_ros_DIR}/run_test_isolated.py")
+  add_launch_test("${path}" RUNNER "${RUNNER}" ${ARGN})
+endfunction()
+add_ros_isolated_launch_test(test/test_launch.py TIMEOUT 30 ARGS colour:=red ENV MOOD=good)
+"""
+
+
+def test_the_launch_tests_of_a_cmake_package_run_isolated(workshop: Workshop) -> None:
+    """The official page "Writing Basic Integration Tests with launch_testing" adds its test in this way."""
+    cmake_package(workshop, ISOLATED)
+    file = workshop.workspace / "src" / "mixed" / "test" / "test_launch.py"
+    file.write_text(LAUNCH_TEST.format(domains="range(1, 102)"), encoding="utf-8")
+    done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
+    assert "build/mixed/test_results/mixed/test_test_launch.py.xunit.xml: 1 test, 0 errors, 0 failures" in done.out, (
+        done
+    )
+    assert (done.status, done.err) == (0, "")
+    file.write_text(LAUNCH_TEST.format(domains="()"), encoding="utf-8")
+    done = workshop.run("colcon test\ncolcon test-result --all")
+    assert "1 package had test failures: mixed" in done.out and "1 test, 0 errors, 1 failure" in done.out
+    file.write_text("import nothing\n", encoding="utf-8")
+    done = workshop.run("colcon test\ncolcon test-result --all")
+    assert "1 package had test failures: mixed" in done.out and "1 test, 1 error, 0 failures" in done.out
+
+
+def test_xml_files_are_looked_at(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from ament_xmllint.main import main as xmllint
+
+    assert xmllint([str(tmp_path)]) == 1 and capsys.readouterr().err == "No files found\n"
+    file = tmp_path / "package.xml"
+    file.write_text("<package>\n</package>\n", encoding="utf-8")
+    assert xmllint([str(tmp_path)]) == 0 and capsys.readouterr().out.endswith("is valid\n\nNo problems found\n")
+    file.write_text("<package>\n</pakage>\n", encoding="utf-8")
+    assert xmllint([str(tmp_path)]) == 1
+    assert f"{file}:2: parser error : mismatched tag" in capsys.readouterr().err
 
 
 def test_tests_that_cannot_run_here_are_named_and_counted_as_skipped(workshop: Workshop) -> None:

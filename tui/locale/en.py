@@ -221,6 +221,7 @@ TEXTS = {
     "sliders.conflict": "{nodes} publishes the same joints: the robot jitters between two commands. One of the two has to stop.",
     "sliders.degrees": "degrees",
     "sliders.move": "move",
+    "sliders.finest": "move as little as possible",
     "sliders.value": "number",
     "sliders.zero": "zero",
     "sliders.accept": "accept",
@@ -354,6 +355,8 @@ TEXTS = {
     "fields.leave": "old value",
     "fields.next": "next field, while typing",
     "fields.default": "default value",
+    "fields.in_force": "in force: {text}",
+    "fields.elements": "one element more, less",
     # service_caller
     "service.call": "Call",
     "service.cancel": "Cancel",
@@ -372,6 +375,7 @@ TEXTS = {
     "publisher.columns.type": "Type",
     "publisher.columns.rate": "Rate",
     "publisher.columns.expression": "Expression",
+    "publisher.columns.both": "Rate, expression",
     "publisher.add": "Add",
     "publisher.once": "Publish once",
     "publisher.remove": "Remove",
@@ -431,6 +435,14 @@ TEXTS = {
     "rviz.key.place": "place",
     "rviz.key.click": "click",
     "rviz.key.leave_tool": "leave the tool",
+    "rviz.key.control": "grasp a control",
+    "rviz.key.next_control": "next control",
+    "rviz.key.grasp": "hold it",
+    "rviz.key.let_go": "let go",
+    "rviz.key.move": "move",
+    "rviz.key.away": "away, nearer",
+    "rviz.key.roll": "roll",
+    "rviz.key.menu": "menu",
     "rviz.loading": "reading {what}",
     "rviz.hint.topic": "No topic yet. Enter on {name} lets you choose: {options}",
     "rviz.hint.no_topic": "No topic yet, and nobody publishes one for {name}: is the node running?",
@@ -469,6 +481,7 @@ TEXTS = {
     "rviz.unsaved": "the view of RViz (^S in its window saves it)",
     "rviz.quality": "quality: {name}",
     "rviz.nothing_to_focus": "there is nothing to look at yet",
+    "rviz.no_controls": "There is no interactive marker: add the display InteractiveMarkers and start a server",
     "rviz.tool.bad_topic": "{topic} is no name for a topic; the tool sends nothing",
     "rviz.type.Axes": "the axes of a frame",
     "rviz.type.Grid": "lines on the ground",
@@ -664,12 +677,6 @@ TEXTS = {
     "console.none": "No log message yet: they come from /rosout.",
     "console.filtered": "All messages are left out; a shows them.",
     "console.newest": "follow the newest",
-    "console.exclude": "Exclude",
-    "console.containing": "Exclude messages containing",
-    "console.containing.note": "Messages with this text are left out; an empty line shows them again.",
-    "console.highlighted": "Highlight messages containing",
-    "console.highlighted.note": "Messages with this text stand out; an empty line turns this off.",
-    "console.nodes": "without",
     "console.count": "{count} messages",
     "console.shown": "{count} of {total} messages",
     "console.paused": "paused",
@@ -684,6 +691,53 @@ TEXTS = {
     "console.reverse": "sort the other way",
     "console.read": "read",
     "console.done": "apply",
+    "console.excludes": "Exclude",
+    "console.excludes.also": "also",
+    "console.highlights.also": "highlight",
+    "console.excludes.add": "Exclude messages …",
+    "console.highlights.add": "Highlight messages …",
+    "console.kind.message": "...containing",
+    "console.kind.severity": "...with severities",
+    "console.kind.node": "...from node",
+    "console.kind.time": "...from time range",
+    "console.kind.location": "...from location",
+    "console.kind.custom": "Custom",
+    "console.excludes.this.node": "Exclude this node",
+    "console.excludes.this.severity": "Exclude this severity",
+    "console.excludes.this.message": "Exclude this message",
+    "console.highlights.this.node": "Highlight this node",
+    "console.highlights.this.severity": "Highlight this severity",
+    "console.highlights.this.message": "Highlight this message",
+    "console.only": "Show highlighted messages only",
+    "console.only.short": "highlighted only",
+    "console.text": "Text",
+    "console.text.note": "Takes effect while it is typed; an empty line turns it off.",
+    "console.regexp": "Regex",
+    "console.as_text": "plain text",
+    "console.enabled": "Enabled",
+    "console.remove": "Remove this filter",
+    "console.start_ns": "From",
+    "console.stop_ns": "Until",
+    "console.no_end": "no end",
+    "console.start_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05.",
+    "console.stop_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05; an empty line: no end.",
+    "console.wrong_time": "This is no time, like 14:05:01.250.",
+    "console.filters": "filters",
+    "console.files": "save, load",
+    "console.save": "Save to File",
+    "console.load": "Load from File",
+    "console.excludes.kind.message": "Exclude messages containing",
+    "console.excludes.kind.severity": "Exclude messages with severities",
+    "console.excludes.kind.node": "Exclude messages from nodes",
+    "console.excludes.kind.time": "Exclude messages from a time range",
+    "console.excludes.kind.location": "Exclude messages from a location",
+    "console.excludes.kind.custom": "Exclude messages: custom",
+    "console.highlights.kind.message": "Highlight messages containing",
+    "console.highlights.kind.severity": "Highlight messages with severities",
+    "console.highlights.kind.node": "Highlight messages from nodes",
+    "console.highlights.kind.time": "Highlight messages from a time range",
+    "console.highlights.kind.location": "Highlight messages from a location",
+    "console.highlights.kind.custom": "Highlight messages: custom",
     "console.undone": "as it was",
     # rqt_plot
     "bag.none": "No bag is open: o opens one.",
@@ -770,6 +824,8 @@ TEXTS = {
     # help
     "help.title": "Help",
     "help.keys": "↑ ↓ scroll   Tab next page   Esc back",
+    "log.keys": "↑ ↓ ← → scroll   c copy   Esc back",
+    "log.copied": "copied   Esc back",
     "list.head": "{name}: ",
     "help.everywhere": "Keys that work everywhere",
     "help.desk": (
@@ -930,8 +986,8 @@ TEXTS = {
     "help.joint_state_publisher": (
         "A slider for every joint that can move. What you set here goes to /joint_states ten times a second; "
         "robot_state_publisher turns it into the poses of the links.\n\n"
-        "Up and down choose a joint, left and right move it (with Shift: finely), PageUp and PageDown move it far, Home and "
-        "End go to its limits, z to zero. A digit, Enter or a click on a number begins an exact one. "
+        "Up and down choose a joint, left and right move it, with Shift ten times as far, with Ctrl as little as possible, Home "
+        "and End go to its limits, z to zero. A digit, Enter or a click on a number begins an exact one. "
         "r is Randomize, c is Center, d changes between radians and degrees. With the mouse: drag the knob.\n\n"
         "If another node publishes the same joints, the robot jitters: both send commands, and the last one counts."
     ),
@@ -945,11 +1001,17 @@ TEXTS = {
     ),
     "help.rqt_console": (
         "The log messages of all nodes, from the topic /rosout, the newest at the end. The arrow keys or a click choose one: "
-        "it is shown below the table, and Enter or a double click shows all of it. Esc follows the newest again.\n\n"
-        "A click on a column's name sorts by it, a second one the other way round; s and S do the same. "
-        "/ leaves out messages that contain a text, h highlights them: what you type takes effect at once, Enter keeps it, Esc "
-        "takes it back.\n\nThe letters, or a click on a box, leave out severities: d Debug, i Info, w Warn, e Error, f Fatal. "
-        "What a node does not log at all is decided by its level: see --log-level, and the logger services."
+        "it is shown below the table, and Enter or a double click shows all of it. Esc follows the newest again. "
+        "A click on a column's name sorts by it, a second one the other way round; s and S do the same.\n\n"
+        "/ leaves out messages that contain a text, h highlights them: what you type takes effect at once, Tab makes a regular "
+        "expression of it, Enter keeps it, Esc takes it back. The capital letters, or a click on a box, leave out severities: "
+        "D, I, W, E, F. n leaves out the node of the chosen message, a shows everything again. f lists all filters, those that "
+        "leave out and those that highlight, as below the table of the real window: Enter changes one, Del removes it.\n\n"
+        "Space pauses: what comes meanwhile is lost, as in the real one. c clears. w saves what is shown to a file, o loads one; "
+        "such files go to and from the real rqt_console.\n\n"
+        "What a node does not log at all is decided by its level: see --log-level, and the logger services. The location is the "
+        "file, function and line that logs: of a Python node a whole path, of a C++ node, as in a binary installation, from its "
+        "package's folder on; it is that of the program that runs here, which is not written in C++."
     ),
     "help.rqt_bag": (
         "A bag on a timeline: a line for each topic, with higher bars where there are more messages. The red line is the "

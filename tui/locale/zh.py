@@ -256,6 +256,7 @@ TEXTS = {
     "sliders.conflict": "{nodes} 也在发布这些关节：两边各说各的，机器人就会抖动。同一时刻只留一个发布者。",
     "sliders.degrees": "角度制",
     "sliders.move": "拖动",
+    "sliders.finest": "最细的一步",
     "sliders.value": "输入数值",
     "sliders.zero": "归零",
     "sliders.accept": "确定",
@@ -538,6 +539,8 @@ TEXTS = {
     "fields.leave": "保留原值",
     "fields.next": "输入时跳到下一个字段",
     "fields.default": "默认值",
+    "fields.in_force": "生效的是：{text}",
+    "fields.elements": "列表加、减一项",
     # service_caller
     "service.call": "调用",
     "service.cancel": "取消",
@@ -556,6 +559,7 @@ TEXTS = {
     "publisher.columns.type": "类型",
     "publisher.columns.rate": "频率",
     "publisher.columns.expression": "表达式",
+    "publisher.columns.both": "频率、表达式",
     "publisher.add": "添加",
     "publisher.once": "发布一次",
     "publisher.remove": "删除",
@@ -615,6 +619,14 @@ TEXTS = {
     "rviz.key.place": "定位置",
     "rviz.key.click": "点击",
     "rviz.key.leave_tool": "退出工具",
+    "rviz.key.control": "选控件",
+    "rviz.key.next_control": "下一个控件",
+    "rviz.key.grasp": "抓住",
+    "rviz.key.let_go": "松开",
+    "rviz.key.move": "移动",
+    "rviz.key.away": "推远、拉近",
+    "rviz.key.roll": "侧转",
+    "rviz.key.menu": "菜单",
     "rviz.loading": "正在读取 {what}",
     "rviz.hint.topic": "还没有话题。在 {name} 上按 Enter 来选：{options}",
     "rviz.hint.no_topic": "还没有话题，也没有合适的可选：先启动节点，再设置 {name}",
@@ -653,6 +665,7 @@ TEXTS = {
     "rviz.unsaved": "RViz 的画面设置（在它的窗口里按 ^S 保存）",
     "rviz.quality": "画质：{name}",
     "rviz.nothing_to_focus": "现在还没有可以对准的东西",
+    "rviz.no_controls": "没有交互标记：先添加 InteractiveMarkers 显示项，再运行一个服务器",
     "rviz.tool.bad_topic": "{topic} 不能作话题名，这个工具发不出消息",
     "rviz.type.Axes": "一个坐标系的坐标轴",
     "rviz.type.Grid": "地面网格",
@@ -848,12 +861,6 @@ TEXTS = {
     "console.none": "还没有日志。日志来自 /rosout。",
     "console.filtered": "所有日志都被排除了，按 a 全部显示。",
     "console.newest": "跟着最新的消息",
-    "console.exclude": "排除",
-    "console.containing": "排除含有这些字的消息",
-    "console.containing.note": "含有这段文字的消息不再显示；留空就重新显示。",
-    "console.highlighted": "突出显示含有这些字的消息",
-    "console.highlighted.note": "含有这段文字的消息会更醒目；留空就取消。",
-    "console.nodes": "不看",
     "console.count": "{count} 条消息",
     "console.shown": "{total} 条中的 {count} 条",
     "console.paused": "已暂停",
@@ -868,6 +875,53 @@ TEXTS = {
     "console.reverse": "反过来排",
     "console.read": "看全文",
     "console.done": "确定",
+    "console.excludes": "排除",
+    "console.excludes.also": "另外",
+    "console.highlights.also": "突出显示",
+    "console.excludes.add": "排除这样的消息……",
+    "console.highlights.add": "突出显示这样的消息……",
+    "console.kind.message": "含有文字",
+    "console.kind.severity": "按级别",
+    "console.kind.node": "按节点",
+    "console.kind.time": "按时间段",
+    "console.kind.location": "按位置",
+    "console.kind.custom": "组合条件",
+    "console.excludes.this.node": "排除这个节点",
+    "console.excludes.this.severity": "排除这个级别",
+    "console.excludes.this.message": "排除这条消息",
+    "console.highlights.this.node": "突出显示这个节点",
+    "console.highlights.this.severity": "突出显示这个级别",
+    "console.highlights.this.message": "突出显示这条消息",
+    "console.only": "只看突出显示的消息",
+    "console.only.short": "只看突出显示的",
+    "console.text": "文字",
+    "console.text.note": "边输入边生效；留空就取消。",
+    "console.regexp": "正则表达式",
+    "console.as_text": "普通文字",
+    "console.enabled": "启用",
+    "console.remove": "删除这个过滤器",
+    "console.start_ns": "从",
+    "console.stop_ns": "到",
+    "console.no_end": "不限",
+    "console.start_ns.note": "例如 14:05:01.250 或 2026-01-31 14:05。",
+    "console.stop_ns.note": "例如 14:05:01.250 或 2026-01-31 14:05；留空：不限。",
+    "console.wrong_time": "不是时间。例如 14:05:01.250。",
+    "console.filters": "过滤器",
+    "console.files": "保存、打开文件",
+    "console.save": "保存到文件",
+    "console.load": "打开文件",
+    "console.excludes.kind.message": "排除含有这些字的消息",
+    "console.excludes.kind.severity": "排除这些级别的消息",
+    "console.excludes.kind.node": "排除这些节点的消息",
+    "console.excludes.kind.time": "排除这段时间的消息",
+    "console.excludes.kind.location": "排除这个位置的消息",
+    "console.excludes.kind.custom": "排除符合组合条件的消息",
+    "console.highlights.kind.message": "突出显示含有这些字的消息",
+    "console.highlights.kind.severity": "突出显示这些级别的消息",
+    "console.highlights.kind.node": "突出显示这些节点的消息",
+    "console.highlights.kind.time": "突出显示这段时间的消息",
+    "console.highlights.kind.location": "突出显示这个位置的消息",
+    "console.highlights.kind.custom": "突出显示符合组合条件的消息",
     "console.undone": "还原",
     # rqt_plot
     "bag.none": "没有打开的 bag：按 o 打开一个。",
@@ -954,6 +1008,8 @@ TEXTS = {
     # help
     "help.title": "帮助",
     "help.keys": "↑ ↓ 滚动   Tab 下一页   Esc 返回",
+    "log.keys": "↑ ↓ ← → 滚动   c 复制   Esc 返回",
+    "log.copied": "已复制   Esc 返回",
     "list.head": "{name}：",
     "help.everywhere": "到处都能用的按键",
     "help.desk": (
@@ -1095,7 +1151,7 @@ TEXTS = {
     "help.joint_state_publisher": (
         "每个能动的关节一根滑条。你在这里设的角度，每秒十次发到 /joint_states；robot_state_publisher 再把它变成"
         "各个 link 的位置。\n\n"
-        "↑ ↓ 选关节，← → 拖动（按住 Shift 更细），PageUp、PageDown 大步走，Home、End 到极限，z 回到零位。"
+        "↑ ↓ 选关节，← → 拖动，按住 Shift 一次十步，按住 Ctrl 最细，Home、End 到极限，z 回到零位。"
         "按数字键、Enter，或者点一下数值，就可以输入准确的值。"
         "r 是 Randomize（随机），c 是 Center（居中），d 在弧度和角度之间切换。也可以用鼠标拖。\n\n"
         "如果还有别的节点发布同样的关节，机器人就会抖动：两边都在下命令，谁最后说就听谁的。"
@@ -1108,10 +1164,14 @@ TEXTS = {
     ),
     "help.rqt_console": (
         "所有节点的日志，来自话题 /rosout，最新的在最后。用方向键或鼠标选一条，表格下面就显示它；按 Enter 或双击看全文。"
-        "Esc 回到最新的一条。\n\n"
-        "点列名按这一列排序，再点一下反过来；s 和 S 也一样。/ 排除含有某段文字的消息，h 把它们突出显示：边打字边生效，"
-        "Enter 确定，Esc 还原。\n\n字母键或点方框排除某个级别：d Debug，i Info，w Warn，e Error，f Fatal。"
-        "节点根本不输出哪些日志，由它自己的级别决定：看看 --log-level 和 logger 的服务。"
+        "Esc 回到最新的一条。点列名按这一列排序，再点一下反过来；s 和 S 也一样。\n\n"
+        "/ 排除含有某段文字的消息，h 把它们突出显示：边打字边生效，Tab 当作正则表达式，Enter 确定，Esc 还原。"
+        "大写字母键或点方框排除某个级别：D、I、W、E、F。n 排除选中消息的节点，a 全部重新显示。"
+        "f 列出所有过滤器，和真正的窗口表格下面的一样，有的排除，有的突出显示：Enter 修改，Del 删除。\n\n"
+        "空格暂停：这期间来的消息不保留，和真的一样。c 清空。w 把显示的消息保存到文件，o 打开这种文件；"
+        "真正的 rqt_console 也能读写。\n\n"
+        "节点根本不输出哪些日志，由它自己的级别决定：看看 --log-level 和 logger 的服务。位置是输出日志的文件、函数和行号："
+        "Python 节点是完整路径，C++ 节点和二进制安装时一样，从软件包的文件夹写起；那是这里运行的程序，它不是用 C++ 写的。"
     ),
     "help.rqt_bag": (
         "时间线上的 bag：每个话题一行，消息越多，柱越高。红线是播放头。\n\n"

@@ -12,7 +12,7 @@ from rich.style import Style
 
 from day6_tui.tui.canvas import JOIN_GAP, PIXELS_PER_CELL, Span
 from day6_tui.tui.colours import pixel_style
-from day6_tui.tui.render.label_places import label_places
+from day6_tui.tui.render.label_places import LabelPlaces
 from day6_tui.tui.render.picture import EMPTY, LINE, SURFACE, Array, Picture
 
 RAMP = ".:-=+*#%@"
@@ -78,9 +78,9 @@ class Cells:
         if before is None or before.size != self.size:
             return [(row, 0, columns) for row in range(rows)]
         different = (self.chars != before.chars) | (self.front != before.front) | (self.back != before.back)
-        for row in {row for row in (*self.labels, *before.labels) if self.labels.get(row) != before.labels.get(row)}:
-            if 0 <= row < rows:
-                different[row] = True
+        for row in self.labels.keys() | before.labels.keys():
+            for column, text, _ in {*self.labels.get(row, ())} ^ {*before.labels.get(row, ())}:
+                different[row, column : column + cell_len(text)] = True
         spans: list[Span] = []
         for row in np.flatnonzero(different.any(axis=1)).tolist():
             for column in np.flatnonzero(different[row]).tolist():
@@ -116,8 +116,10 @@ def _cut_after(segments: list[Segment], start: int) -> list[Segment]:
     return right
 
 
-def cells_of(picture: Picture, mode: str, step: int = 4, *, colourless: bool = False) -> Cells:
-    """Convert a picture with `PIXELS_PER_CELL[mode]` pixels per cell to cells."""
+def cells_of(
+    picture: Picture, mode: str, step: int = 4, *, colourless: bool = False, places: LabelPlaces | None = None
+) -> Cells:
+    """Convert a picture with `PIXELS_PER_CELL[mode]` pixels per cell to cells; `places` remembers where texts stood."""
     across, down = PIXELS_PER_CELL[mode]
     columns, rows = picture.width // across, picture.height // down
     if colourless:
@@ -126,10 +128,11 @@ def cells_of(picture: Picture, mode: str, step: int = 4, *, colourless: bool = F
         chars, front, back = _MODES[mode](picture, picture.rgb(step).astype(np.int64), columns, rows)
     labels: dict[int, list[tuple[int, str, int]]] = {}
     texts = [(x / across, y / down, text) for x, y, text, _ in picture.labels]
-    for place, (_, _, text, (red, green, blue)) in zip(label_places(texts, columns, rows), picture.labels, strict=True):
-        if place is not None:
-            colour = PLAIN if colourless else red << 16 | green << 8 | blue
-            labels.setdefault(place.row, []).append((place.column, text, colour))
+    places = places or LabelPlaces(unicode=mode != "ascii")
+    for pieces, (_, _, _, (red, green, blue)) in zip(places.place(texts, columns, rows), picture.labels, strict=True):
+        colour = PLAIN if colourless else red << 16 | green << 8 | blue
+        for column, row, text in pieces:
+            labels.setdefault(row, []).append((column, text, colour))
     return Cells(chars, front, back, labels)
 
 

@@ -1,47 +1,151 @@
-"""Where texts stand in a picture of cells: at their points, or close by where another text is in the way."""
+"""Where texts stand in a picture of cells: at their points, or close by where another text is in the way, with a leader."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from day6_tui.tui.cells import cell_len
 
-ROWS = (0, 1, -1, 2, -2, 3, -3)
+ROWS = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
 """How far a text may be moved down or up, in the order in which that is tried."""
 
+CENTRED, RIGHT, LEFT = range(3)
+"""Over its point, or beside it."""
 
-class Place(NamedTuple):
-    """The first cell of a text."""
+STAYS = 0.75
+"""Cells that a point may be away from the middle of a cell it was in: one on an edge would go to and fro."""
+
+_UNICODE = {"down": "│", "aside": "─", (RIGHT, 1): "╰", (RIGHT, -1): "╭", (LEFT, 1): "╯", (LEFT, -1): "╮"}
+_ASCII = {"down": "|", "aside": "-", (RIGHT, 1): "`", (RIGHT, -1): ",", (LEFT, 1): "'", (LEFT, -1): "."}
+
+
+class Piece(NamedTuple):
+    """A text, or a part of its leader: its first cell."""
 
     column: int
     row: int
+    text: str
 
 
-def label_places(texts: Sequence[tuple[float, float, str]], columns: int, rows: int) -> list[Place | None]:
-    """Places of texts that shall stand above the cells (x, y); None for one that there is no room for.
+class Spot(NamedTuple):
+    """A way to stand at a point."""
 
-    The earlier text has the better place. A text is centred, or as near to that as the edges allow. Of all rows close by the
-    nearest in which it touches no other is taken; if there is none, it stands to the right of its point, or to the left.
+    side: int
+    down: int
+
+
+HOME = Spot(CENTRED, 0)
+SPOTS = tuple(Spot(side, down) for side in (CENTRED, RIGHT, LEFT) for down in ROWS)
+
+
+class _Label(NamedTuple):
+    """A text at a point and a spot."""
+
+    x: int
+    y: int
+    words: str
+    spot: Spot
+
+
+class LabelPlaces:
+    """Remembers from picture to picture where each text stood: it keeps its place at its point until it must move.
+
+    It goes home, that is over its point, once there is room to spare. Of texts that say the same, the first is the first again.
     """
-    taken: dict[int, list[tuple[int, int]]] = {}
-    places: list[Place | None] = []
-    for x, y, text in texts:
-        width = cell_len(text)
-        place = _place(int(x), int(y), width, columns, rows, taken) if 0 < width <= columns else None
-        if place is not None:
-            taken.setdefault(place.row, []).append((place.column, place.column + width))
-        places.append(place)
-    return places
+
+    def __init__(self, *, unicode: bool = True) -> None:
+        self._signs = _UNICODE if unicode else _ASCII
+        self._size = (0, 0)
+        self._kept: dict[tuple[str, int], _Label] = {}
+
+    def place(self, texts: Sequence[tuple[float, float, str]], columns: int, rows: int) -> list[list[Piece]]:
+        """The pieces of texts that shall stand above the cells (x, y); none of one that there is no room for.
+
+        The earlier text has the better place. A text is centred, or as near to that as the edges allow. Of all rows close by the
+        nearest in which it touches no other is taken; if there is none, it stands to the right of its point, or to the left.
+        """
+        if self._size != (columns, rows):
+            self._size, self._kept = (columns, rows), {}
+        taken = _Taken(columns, rows)
+        kept: dict[tuple[str, int], _Label] = {}
+        found: list[tuple[_Label, Piece] | None] = []
+        numbers: Counter[str] = Counter()
+        for x, y, words in texts:
+            key = words, numbers[words]
+            numbers[words] += 1
+            placed = self._placed(x, y, words, self._kept.get(key), taken)
+            found.append(placed)
+            if placed is not None:
+                kept[key] = placed[0]
+                taken.add(placed[1])
+        self._kept = kept
+        return [[] if each is None else [each[1], *self._strokes(each[0], taken)] for each in found]
+
+    def _placed(
+        self, x: float, y: float, words: str, before: _Label | None, taken: _Taken
+    ) -> tuple[_Label, Piece] | None:
+        column, row = (_steady(x, before.x), _steady(y, before.y)) if before is not None else (int(x), int(y))
+        spots = SPOTS
+        if before is not None and before.spot != HOME:
+            home = self._piece(_Label(column, row, words, HOME), taken)
+            if not taken.is_free(home, margin=1):
+                spots = (before.spot, *sorted(SPOTS, key=lambda spot: _apart(spot, before.spot)))
+        for spot in spots:
+            label = _Label(column, row, words, spot)
+            piece = self._piece(label, taken)
+            if taken.is_free(piece):
+                return label, piece
+        return None
+
+    def _piece(self, label: _Label, taken: _Taken) -> Piece:
+        """The text, and what of its leader is in its row."""
+        x, y, words, (side, down) = label
+        if side == CENTRED:
+            width = cell_len(words)
+            return Piece(max(0, min(x - width // 2, taken.columns - width)), y + down, words)
+        hook = self._signs["aside"]
+        if down:
+            corner = self._signs[side, 1 if down > 0 else -1]
+            hook = corner + hook if side == RIGHT else hook + corner
+        if side == RIGHT:
+            return Piece(x if down else x + 1, y + down, hook + words)
+        text = words + hook
+        return Piece((x + 1 if down else x) - cell_len(text), y + down, text)
+
+    def _strokes(self, label: _Label, taken: _Taken) -> Iterator[Piece]:
+        """The upright part of the leader, where nothing stands."""
+        step = 1 if label.spot.down > 0 else -1
+        for row in range(label.y + step, label.y + label.spot.down, step):
+            stroke = Piece(label.x, row, self._signs["down"])
+            if taken.is_free(stroke):
+                yield stroke
 
 
-def _place(
-    x: int, y: int, width: int, columns: int, rows: int, taken: dict[int, list[tuple[int, int]]]
-) -> Place | None:
-    for first in (x - width // 2, x + 2, x - width - 1):
-        column = max(0, min(first, columns - width))
-        for step in ROWS:
-            others = taken.get(y + step, ())
-            if 0 <= y + step < rows and all(column > end or left > column + width for left, end in others):
-                return Place(column, y + step)
-    return None
+class _Taken:
+    """The cells in which something stands, of `columns` x `rows`."""
+
+    def __init__(self, columns: int, rows: int) -> None:
+        self.columns, self.rows = columns, rows
+        self._spans: dict[int, list[tuple[int, int]]] = {}
+
+    def add(self, piece: Piece) -> None:
+        self._spans.setdefault(piece.row, []).append((piece.column, piece.column + cell_len(piece.text)))
+
+    def is_free(self, piece: Piece, margin: int = 0) -> bool:
+        """Whether it is inside and touches nothing, nor anything in `margin` rows above and below it."""
+        left, width = piece.column, cell_len(piece.text)
+        if not (width and 0 <= left <= self.columns - width and 0 <= piece.row < self.rows):
+            return False
+        rows = range(piece.row - margin, piece.row + margin + 1)
+        return all(left > end or first > left + width for row in rows for first, end in self._spans.get(row, ()))
+
+
+def _steady(place: float, before: int) -> int:
+    return before if abs(place - before - 0.5) < STAYS else int(place)
+
+
+def _apart(spot: Spot, before: Spot) -> tuple[bool, int, int]:
+    """How far a text jumps from one spot to the other, and how far it is from its point then."""
+    return spot.side != before.side, abs(spot.down - before.down), abs(spot.down)

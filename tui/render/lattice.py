@@ -84,8 +84,9 @@ def _put(picture: Picture, lines: Lines, place: Array, cover: Array, z: Array, k
     np.maximum.at(covered, place, cover)
     shades = np.round(covered * SHADES) / SHADES
     pixels = np.flatnonzero(shades)
-    depth, kind = buffer.copy(), picture.kind.reshape(-1).copy()
-    np.minimum.at(depth, place, z * (1 - BIAS))
+    # The far end of what a pixel shows of a line: a point that lies in the plane of the grid, there, is not behind it.
+    depth, kind = np.zeros(len(buffer)), picture.kind.reshape(-1).copy()
+    np.maximum.at(depth, place, z * (1 - BIAS))
     kind[place[kinds != EMPTY]] = kinds[kinds != EMPTY]
     red, green, blue, alpha = lines.colours[0]
     alphas = (alpha * shades[pixels]).astype(np.float32)

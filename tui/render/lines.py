@@ -207,4 +207,4 @@ def paint_points(picture: Picture, points: Points) -> None:
             flats.append((py * picture.width + px)[inside])
             depths.append(seen[inside, 2])
             tints.append(colours[inside])
-    _write(picture, np.concatenate(flats), np.concatenate(depths), np.concatenate(tints), SURFACE, BIAS)
+    _write(picture, np.concatenate(flats), np.concatenate(depths), np.concatenate(tints), SURFACE, 2 * BIAS)

@@ -12,7 +12,7 @@ import numpy as np
 
 from day6_tui.core.ros.programs.rviz2.model.scene import Mark, Scene
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Hit, Pointer
-from day6_tui.core.ros.programs.rviz2.model.views import Camera
+from day6_tui.core.ros.programs.rviz2.model.views import NOMINAL_HEIGHT, Camera
 from day6_tui.tui.render.lines import Segments, paint_points
 from day6_tui.tui.render.picture import FAR, Array, Picture
 from day6_tui.tui.render.solids import paint_solids
@@ -61,7 +61,8 @@ def point_at(scene: Scene, screen: Screen, x: float, y: float, *, search: bool) 
     """What a place in the view points to; `search` also for things, which takes longer."""
     start, along = screen.ray(x, y)
     hit = _nearest(scene, screen, int(x), int(y)) if search else None
-    return Pointer(_vector(start), _vector(along), hit)
+    height = NOMINAL_HEIGHT / max(1, screen.rows)
+    return Pointer(_vector(start), _vector(along), hit, (x * height / 2, y * height))
 
 
 def _nearest(scene: Scene, screen: Screen, column: int, row: int) -> Hit | None:

@@ -9,8 +9,8 @@ from textual import events
 
 from day6_tui.core.session.display import Window
 from day6_tui.tui.look import Look
+from day6_tui.tui.windows.buttons import Button
 from day6_tui.tui.windows.field_list import FieldLine
-from day6_tui.tui.windows.field_pane import Button
 from day6_tui.tui.windows.field_rows import lines_of
 from day6_tui.tui.windows.type_browser import BrowsingPane
 
@@ -96,6 +96,10 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
     def take(self, line: FieldLine, text: str) -> None:
         name, _, path = line.key.removeprefix(ACTION).partition(REQUEST)
         self.model.set_expression(name, path, text)
+
+    def resize(self, line: FieldLine, step: int) -> None:
+        name, _, path = line.key.removeprefix(ACTION).partition(REQUEST)
+        self.model.resize(name, path, step)
 
     # -- opening -------------------------------------------------------------------------------------------------------
 

@@ -10,8 +10,34 @@ from day6_tui.tui.look import Look
 
 Cell = tuple[str, Style]
 
+MOST_PAINTED = 64
+"""Images that are kept painted."""
+
 RAMP = " .:-=+*#%@"
 """From dark to bright."""
+
+
+class Paintings:
+    """The cells of images; those of the last ones are kept."""
+
+    def __init__(self, look: Look) -> None:
+        self._look = look
+        self._cells: dict[int, tuple[Picture, list[list[Cell]]]] = {}
+        """By the identity of the image, which is kept with them."""
+
+    def of(self, found: Picture | None) -> list[list[Cell]]:
+        """The lines of an image, none for None."""
+        if found is None:
+            return []
+        if id(found) not in self._cells:
+            if len(self._cells) >= MOST_PAINTED:
+                self._cells.pop(next(iter(self._cells)))
+            self._cells[id(found)] = (found, paint(found, self._look))
+        return self._cells[id(found)][1]
+
+    def forget(self) -> None:
+        """Paint anew: colours have changed."""
+        self._cells.clear()
 
 
 def paint(picture: Picture, look: Look) -> list[list[Cell]]:

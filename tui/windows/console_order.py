@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 from itertools import takewhile
 from typing import Any, NamedTuple
 
-from day6_tui.core.ros.programs.rqt_console.model import Choice, Record
+from day6_tui.core.ros.programs.rqt_console.filters import Choice
+from day6_tui.core.ros.programs.rqt_console.model import Record
 
 Key = Callable[[Record], tuple[Any, int]]
 

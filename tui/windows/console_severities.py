@@ -12,13 +12,15 @@ from textual.geometry import Size
 from textual.message import Message
 from textual.widgets import Checkbox, Static
 
-from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES, Choice
-from day6_tui.tui.cells import clip
+from day6_tui.core.ros.programs.rqt_console.filters import SIDES, Choice
+from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES
+from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.modal import plain
 from day6_tui.tui.survival import PersonMessage, survive
+from day6_tui.tui.windows.console_filters import brief
 
-IN_FULL_FROM = 58
+IN_FULL = sum(len(severity) + 5 for severity in SEVERITIES.values())
 """Columns that the boxes need with the severities in full; in fewer they have their letters."""
 
 
@@ -76,24 +78,29 @@ class Severities(Horizontal):
 
     def show(self, choice: Choice, width: int) -> None:
         """Show what is left out, in so many cells."""
-        self._title.update(plain(" " + self._heading("exclude").rstrip() + " "))
-        for box in self._boxes:
-            box.name_it(in_full=width >= IN_FULL_FROM)
-            with box.prevent(Checkbox.Changed):
-                box.value = box.level in choice.levels
+        title = " " + self._heading("excludes").rstrip() + " "
+        self._title.update(plain(title))
+        first = choice.first("excludes", "severity")
         others = list(self._told(choice))
+        taken = cell_len(title) + sum(each.cell_length for each in others)
+        for box in self._boxes:
+            box.name_it(in_full=width >= IN_FULL + taken)
+            with box.prevent(Checkbox.Changed):
+                box.value = first.enabled and box.level in first.levels
         self._others.display = bool(others)
         self._others.update(Content("").join(others))
 
     def _told(self, choice: Choice) -> Iterator[Content]:
-        dots = self._look.glyphs.ellipsis
-        for key, text in (
-            ("leave_out", clip(choice.text, 20, dots)),
-            ("nodes", clip(", ".join(sorted(choice.nodes)), 30, dots)),
-            ("highlight", clip(choice.highlight, 20, dots)),
-        ):
-            if text:
-                yield Content.assemble((" " + self._heading(key), "$muted"), (text, "bold $primary"))
+        dots, boxes = self._look.glyphs.ellipsis, choice.first("excludes", "severity")
+        for side in SIDES:
+            said = [
+                clip(brief(each), 30, dots) for each in getattr(choice, side) if each.is_active and each is not boxes
+            ]
+            if said:
+                heading = self._heading(f"{side}.also")
+                yield Content.assemble((f" {heading}", "$muted"), (", ".join(said), "bold $primary"))
+        if choice.only_highlighted:
+            yield Content.assemble((f" {self._look.texts('console.only.short')}", "bold $primary"))
 
     def _heading(self, key: str) -> str:
         return self._look.texts("list.head", name=self._look.texts(f"console.{key}"))

@@ -22,7 +22,8 @@ from textual.scrollbar import ScrollBar
 from textual.strip import Strip
 from textual.widget import Widget
 
-from day6_tui.core.ros.programs.rqt_console.model import Choice, Record
+from day6_tui.core.ros.programs.rqt_console.filters import Choice
+from day6_tui.core.ros.programs.rqt_console.model import Record
 from day6_tui.tui.cells import cell_len, clip, fit, harmless
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import in_ascii
@@ -113,6 +114,10 @@ class ConsoleTable(ScrollView, can_focus=True):
     def current(self) -> Record | None:
         """The message with the cursor: the chosen one, or of those that are shown the next one to it."""
         return self._records[self._cursor] if self._records else None
+
+    def in_order(self) -> list[Record]:
+        """All messages that are shown, from the first line on."""
+        return [self._records[index] for index in range(len(self._records))]
 
     def follow(self) -> None:
         """Choose no message, and show the newest."""
@@ -273,7 +278,7 @@ class ConsoleTable(ScrollView, can_focus=True):
         colours, dots = self._look.colours, self._look.glyphs.ellipsis
         if has_cursor and self.has_focus:
             style = colours.choice
-        elif self._choice.highlights(record):
+        elif self._choice.is_highlighted(record):
             style = colours.hint
         else:
             style = style_of(record, self._look)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import takewhile
+from typing import Any, NamedTuple
 
 from rich.segment import Segment
 from rich.style import Style as RichStyle
@@ -18,7 +19,7 @@ from textual.widgets.option_list import Option
 
 from day6_tui.core.elide import elide
 from day6_tui.core.session.harmless import one_line
-from day6_tui.tui.cells import cell_len, clip, fit
+from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import in_ascii
 from day6_tui.tui.survival import PersonMessage
@@ -30,7 +31,15 @@ INDENT = 2
 OPENER, BOX = 2, 4
 """Cells of the mark of what can be opened, and of a check box behind it."""
 
-Columns = Callable[[int], Sequence[int]]
+
+class Needs(NamedTuple):
+    """Cells that the longest name with its mark takes, and the longest type without its package."""
+
+    name: int = 0
+    type: int = 0
+
+
+Columns = Callable[[int, Needs], Sequence[int]]
 """The widths of the columns in a list of some width; 0 for one for which there is no room. One cell lies between them."""
 
 
@@ -51,6 +60,8 @@ class FieldLine:
     is_head: bool = False
     problem: str = ""
     """What is wrong with what was typed: a line that warns."""
+    begins_closed: bool = False
+    """Whether a branch is closed until somebody opens it."""
 
 
 class FieldList(PaneList):
@@ -69,6 +80,7 @@ class FieldList(PaneList):
     def __init__(self, look: Look, columns: Columns) -> None:
         super().__init__(look)
         self._columns = columns
+        self._needs = Needs()
         self._all: Sequence[FieldLine] = ()
         self.lines_shown: list[FieldLine] = []
         self._toggled: set[str] = set()
@@ -86,11 +98,14 @@ class FieldList(PaneList):
     def show(self, lines: Sequence[FieldLine], *, anew: bool = False) -> None:
         """Show these lines, and draw only those that differ. `anew`: they are about something else than before."""
         self._all = lines
+        needs, self._needs = self._needs, needs_of(lines)
         if anew:
             self._toggled.clear()
             self.lines_shown, self.highlighted = [], None
         before, shown = self.lines_shown, self._open_lines(lines)
         if before == shown:
+            if needs != self._needs:
+                self.refresh()
             return
         at, chosen, offset = self.highlighted, self.chosen, self.scroll_offset.y
         self.lines_shown = shown
@@ -118,25 +133,61 @@ class FieldList(PaneList):
             if hidden_below is not None and line.key and line.depth > hidden_below:
                 continue
             hidden_below = line.depth if line.is_branch and not self.is_open(line) else None
-            shown.append(line)
+            shown += [line] if len(line.cells) > 1 else self._wrapped(line)
+            if line.edited is not None and line.problem and not self._fits(line):
+                shown += self._wrapped(
+                    FieldLine("", (f"{self.look.glyphs.warning} {line.problem}",), problem=line.problem)
+                )
         return shown
+
+    def _fits(self, line: FieldLine) -> bool:
+        """Whether what is wrong with a cell has room behind it; otherwise it is told below."""
+        assert line.edited is not None
+        return cell_len(self._with_problem(line)) <= self.widths[line.edited]
+
+    def _with_problem(self, line: FieldLine) -> str:
+        assert line.edited is not None
+        return f"{line.cells[line.edited]}  {self.look.glyphs.warning} {' '.join(line.problem.split())}"
+
+    def _wrapped(self, remark: FieldLine) -> Iterator[FieldLine]:
+        """A remark as so many lines as it needs."""
+        for text in wrap(remark.cells[0], max(10, self.scrollable_content_region.width - 2)):
+            yield replace(remark, cells=(text,))
 
     def is_open(self, line: FieldLine) -> bool:
         """Whether the fields of a branch are shown."""
-        return (line.key in self._toggled) is not self.wants_open(line)
+        return (line.key in self._toggled) is not (self.wants_open(line) and not line.begins_closed)
 
     def toggle(self, line: FieldLine) -> None:
         """Open a branch, or close it."""
         self._toggled ^= {line.key}
         self.show(self._all)
         # The mark of the line itself is not part of it.
-        self.replace_option_prompt_at_index(self.lines_shown.index(line), _Drawn(self, self.lines_shown.index(line)))
+        at = self.lines_shown.index(line)
+        self.replace_option_prompt_at_index(at, _Drawn(self, at))
+        self.call_after_refresh(self.show_branch, line.key)
+
+    def show_branch(self, key: str) -> None:
+        """Scroll down as far as is needed to see what is below a line, but not beyond the line itself."""
+        at = next((at for at, line in enumerate(self.lines_shown) if line.key == key), None)
+        if at is not None:
+            depth = self.lines_shown[at].depth
+            end = at + len(list(takewhile(lambda line: line.depth > depth, self.lines_shown[at + 1 :])))
+            top = min(at, end + 1 - self.size.height)
+            if top > self.scroll_offset.y:
+                self.scroll_to(y=top, animate=False)
 
     def choose(self, key: str) -> None:
         """Put the cursor on a line, if it is shown."""
         keys = [line.key for line in self.lines_shown]
         if key in keys:
             self.highlighted = keys.index(key)
+
+    def choose_parent(self) -> None:
+        """Put the cursor on the branch to which its line belongs."""
+        if (line := self.chosen) is not None and self.highlighted is not None:
+            above = [each for each in self.lines_shown[: self.highlighted] if each.key and each.depth < line.depth]
+            self.choose(above[-1].key if above else "")
 
     def show_end(self) -> None:
         """Bring the last lines into sight; the cursor stays where it is."""
@@ -155,7 +206,11 @@ class FieldList(PaneList):
     @property
     def widths(self) -> Sequence[int]:
         """Of the columns, now."""
-        return self._columns(max(10, self.scrollable_content_region.width))
+        return self._columns(max(10, self.scrollable_content_region.width), self._needs)
+
+    def hides_type(self, line: FieldLine) -> bool:
+        """Whether a line has no room for its whole type."""
+        return len(line.cells) > 1 and cell_len(line.cells[1]) > self.widths[1]
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
 
@@ -221,7 +276,8 @@ class FieldList(PaneList):
                 cell = elide(one_line(cell), max(1, width), dots) if "/" in cell else cell
                 style = colours.strong if line.is_head else colours.node if line.depth else colours.topic
             elif line.problem and column == line.edited:
-                cell, style = f"{cell}  {self.look.glyphs.warning} {' '.join(line.problem.split())}", colours.warning
+                cell = self._with_problem(line) if self._fits(line) else f"{self.look.glyphs.warning} {cell}"
+                style = colours.warning
             elif column == 1 and cell_len(cell) > width:
                 cell = without_package(cell)
             segments.append(Segment(fit(cell, width, dots), on or style))
@@ -236,6 +292,20 @@ class FieldList(PaneList):
         elif line.is_branch:
             lead = "- " if self.is_open(line) else "+ "
         return lead + ("" if line.ticked is None else "[x] " if line.ticked else "[ ] ")
+
+
+def needs_of(lines: Sequence[FieldLine]) -> Needs:
+    """What the columns of these lines need; the names of services and messages above their fields may be cut."""
+    columns = [line for line in lines if len(line.cells) > 1]
+    names = (
+        line.depth * INDENT
+        + (1 if line.is_head else OPENER)
+        + (BOX if line.ticked is not None else 0)
+        + cell_len(line.cells[0])
+        for line in columns
+        if line.is_head or line.depth or line.ticked is not None
+    )
+    return Needs(max(names, default=0), max((cell_len(without_package(line.cells[1])) for line in columns), default=0))
 
 
 def without_package(type_name: str) -> str:

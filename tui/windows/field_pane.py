@@ -5,16 +5,17 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Iterable, Sequence
 from functools import partial
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 from rich.segment import Segment
 from textual import events, on
 from textual.widget import Widget
 
+from day6_tui.core.ros.programs.rqt_py_common.message_form import SEQUENCE
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Action, Piece
+from day6_tui.tui.windows.buttons import Button, button_line
 from day6_tui.tui.windows.field_entry import FieldEntry
 from day6_tui.tui.windows.field_list import Columns, FieldLine, FieldList
 from day6_tui.tui.windows.pane_list import ListPane
@@ -28,14 +29,6 @@ BOOLEAN = "boolean"
 """The type of a field that a key switches."""
 
 
-class Button(NamedTuple):
-    """Something on the first line of the window that can be clicked, with the key that does the same."""
-
-    key: str
-    text: str
-    action: Action
-
-
 class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     """Draws its first line and the frame. A subclass says what the lines are, and what becomes of what is typed there."""
 
@@ -43,6 +36,8 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     FieldPane { layers: list entry; layout: vertical; }
     FieldPane > FieldList, FieldPane > FieldList:focus { layer: list; margin: 2 1 1 1; }
     """
+
+    key_weight = 3  # one more of its keys where there is no room for F8, too
 
     def __init__(self, window: Window[Model], look: Look, columns: Columns) -> None:
         super().__init__(window, look, FieldList(look, columns))
@@ -77,6 +72,9 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         """The keys for the key bar while nothing is typed."""
         return []
 
+    def resize(self, line: FieldLine, step: int) -> None:
+        """Give a sequence one element more (1) or less (-1)."""
+
     def tick(self, line: FieldLine) -> None:
         """The check box of a line was clicked."""
 
@@ -108,25 +106,16 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         return False
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if y:
-            return []
-        colours, segments, x = self.look.colours, [Segment(" ", self.background)], 1
-        for piece in self.bar():
-            if isinstance(piece, Segment):
-                segments.append(piece)
-            else:
-                text = clip(f" {piece.text} ", width - x, self.look.glyphs.ellipsis)
-                self.add_hit(1, x + self.inner_offset, x + self.inner_offset + cell_len(text), piece.action)
-                keyed = f" {piece.key} " if piece.key else " "
-                segments += [Segment(text, colours.key), Segment(keyed, colours.muted)]
-            x = sum(cell_len(segment.text) for segment in segments)
-        return segments
+        return [] if y else button_line(self, y, self.bar(), width)
 
     def status(self) -> list[Piece]:
-        chosen = self.list.chosen
-        if chosen is None or not chosen.problem:
-            return []
-        return [Piece(f" {self.look.glyphs.warning} {' '.join(chosen.problem.split())} ", self.look.colours.warning)]
+        chosen, colours = self.list.chosen, self.look.colours
+        if chosen is not None and chosen.problem:
+            return [Piece(f" {self.look.glyphs.warning} {' '.join(chosen.problem.split())} ", colours.warning)]
+        if chosen is not None and self.list.hides_type(chosen):
+            name = self.look.texts("list.head", name=chosen.cells[0].rpartition("/")[2] or chosen.cells[0])
+            return [Piece(f" {name}{chosen.cells[1]} ", colours.muted)]
+        return []
 
     @on(FieldList.Moved)
     def show_problem(self, event: FieldList.Moved) -> None:
@@ -219,10 +208,14 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         elif event.key in ("left", "right"):
             if line.is_branch and self.list.is_open(line) is not (event.key == "right"):
                 self.toggle(line)
+            elif event.key == "left":
+                self.list.choose_parent()
         elif event.key == "delete" and line.edited is not None:
             self.take(line, "")
         elif event.key == "space" and line.edited is not None and line.cells[1] == BOOLEAN:
             self.take(line, str(line.typed != "True"))
+        elif event.character in ("+", "-") and line.edited is not None and line.cells[1].startswith(SEQUENCE):
+            self.resize(line, 1 if event.character == "+" else -1)
         elif event.character in BEGINS and line.edited is not None:
             self.type_over(line, event.character)
         else:

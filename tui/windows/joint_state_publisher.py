@@ -19,6 +19,7 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows.joint_names import shortened
 from day6_tui.tui.windows.lines_pane import Line, LinesPane
+from day6_tui.tui.windows.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, list_steps
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider, SliderModel
@@ -33,17 +34,8 @@ NARROW, NARROWEST_LINE = 58, 30
 BUTTONS = (("randomize", "Randomize", "r"), ("center", "Center", "c"))
 """The requests they make, their names in the original, their keys."""
 
-STEPS = {
-    "right": 100,
-    "left": -100,
-    "shift+right": 1,
-    "shift+left": -1,
-    "plus": 1,
-    "minus": -1,
-    "pagedown": -1000,
-    "pageup": 1000,
-}
-"""Keys that move the chosen slider, by how many of its 10000 steps."""
+STEP = RANGE // 100
+"""Of a slider's 10000 steps so many are one key's."""
 
 
 class SlidersPane(LinesPane["SliderModel"]):
@@ -225,6 +217,16 @@ class SlidersPane(LinesPane["SliderModel"]):
             ("c", "Center"),
         ]
 
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        arrows = "← →" if self.look.glyphs.unicode else "<- ->"
+        return [
+            (f"Shift {arrows}", texts("reconfigure.far")),
+            (f"Ctrl {arrows}", texts("sliders.finest")),
+            ("Home End", texts("reconfigure.ends")),
+            ("d", texts("sliders.degrees")),
+        ]
+
     def on_key(self, event: events.Key) -> None:
         if self._press(event.key, event.character or ""):
             event.stop()
@@ -238,19 +240,20 @@ class SlidersPane(LinesPane["SliderModel"]):
             return False
         if self._typed is not None:
             return self._type(key, character, slider)
-        if key in STEPS:
-            self._request("step", slider.name, slider.step + STEPS[key])
+        if key in SLIDER_STEPS or key in SLIDER_FINEST:
+            moved = STEP * SLIDER_STEPS[key] if key in SLIDER_STEPS else SLIDER_FINEST[key]
+            self._request("step", slider.name, slider.step + moved)
         elif key in ("home", "end"):
             self._request("value", slider.name, slider.minimum if key == "home" else slider.maximum)
-        elif key in ("up", "down"):
-            self._choose(self._index() + (1 if key == "down" else -1))
+        elif (steps := list_steps(key, self.inner_height // self._lines_each, ends=False)) is not None:
+            self._choose(self._index() + steps)
         elif character == "z":
             self._request("zero", slider.name)
         elif character == "d":
             self._toggle_degrees()
         elif character in ("r", "c"):
             self._request("randomize" if character == "r" else "center")
-        elif key == "enter" or (character and character in "0123456789."):
+        elif key == "enter" or character in BEGINS_NUMBER:
             self._typed = "" if key == "enter" else character
         else:
             return False

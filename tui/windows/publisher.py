@@ -12,8 +12,10 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
-from day6_tui.tui.windows.field_list import FieldLine
-from day6_tui.tui.windows.field_pane import BOOLEAN, Button, FieldPane
+from day6_tui.tui.windows.buttons import Button
+from day6_tui.tui.windows.field_list import FieldLine, Needs
+from day6_tui.tui.windows.field_pane import BOOLEAN, FieldPane
+from day6_tui.tui.windows.field_rows import NARROW, is_long, narrow_columns, problem_of
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_publisher.model import MessagePublisher, Shown
@@ -22,11 +24,13 @@ RATE, EXPRESSION = 2, 3
 """Columns."""
 
 
-def columns_in(width: int) -> tuple[int, int, int, int]:
-    """Widths of topic, type, rate and expression."""
-    kind = 0 if width < 52 else max(9, width // 5)
-    name = max(16, width * (3 if kind else 5) // 10)
-    return name, kind, 7, max(1, width - name - kind - (10 if kind else 9))
+def columns_in(width: int, needs: Needs) -> tuple[int, int, int, int]:
+    """Widths of topic, type, rate and expression; 0 for the rate in a narrow window, where it is in the column of expressions."""
+    if width < NARROW:
+        name, kind = narrow_columns(width, needs)
+        return name, kind, 0, max(1, width - name - kind - (2 if kind else 1))
+    name, kind = max(16, width * 3 // 10), max(9, width // 5)
+    return name, kind, 7, max(1, width - name - kind - 10)
 
 
 class PublisherPane(FieldPane["MessagePublisher"]):
@@ -66,15 +70,25 @@ class PublisherPane(FieldPane["MessagePublisher"]):
     def lines(self) -> list[FieldLine]:
         texts, model = self.look.texts, self.model
         self._publishers = model.shown()
-        columns = ("topic", "type", "rate", "expression")
+        is_narrow = not self.list.widths[RATE]
+        rate_column = EXPRESSION if is_narrow else RATE
+        columns = ("topic", "type", "rate", "both" if is_narrow else "expression")
         lines = [FieldLine("", tuple(texts(f"publisher.columns.{each}") for each in columns), is_head=True)]
         for each in self._publishers:
             key = f"{each.number}:"
-            cells = (each.topic, each.type, f"{each.rate:.2f}", "")
+            rate = f"{each.rate:.2f}"
+            cells = (each.topic, each.type, "", f"{rate} Hz") if is_narrow else (each.topic, each.type, rate, "")
             problem = each.problem
             lines.append(
                 FieldLine(
-                    key, cells, 0, RATE, f"{each.rate:g}", each.enabled, is_branch=bool(each.rows), problem=problem
+                    key,
+                    cells,
+                    0,
+                    rate_column,
+                    f"{each.rate:g}",
+                    each.enabled,
+                    is_branch=bool(each.rows),
+                    problem=problem,
                 )
             )
             lines += [
@@ -85,7 +99,8 @@ class PublisherPane(FieldPane["MessagePublisher"]):
                     EXPRESSION if row.path else None,
                     row.text,
                     is_branch=row.is_branch,
-                    problem=row.problem,
+                    problem=problem_of(row, texts),
+                    begins_closed=is_long(row),
                 )
                 for row in each.rows
             ]
@@ -102,6 +117,10 @@ class PublisherPane(FieldPane["MessagePublisher"]):
         else:
             self.model.set_expression(int(number), path, text)
 
+    def resize(self, line: FieldLine, step: int) -> None:
+        number, _, path = line.key.partition(":")
+        self.model.resize(int(number), path, step)
+
     def tick(self, line: FieldLine) -> None:
         publisher = self._of(line)
         if publisher is not None:
@@ -109,10 +128,12 @@ class PublisherPane(FieldPane["MessagePublisher"]):
 
     def status(self) -> list[Piece]:
         publisher, colours = self._chosen(), self.look.colours
+        pieces = super().status()
         if publisher is None or (self.list.chosen is not None and self.list.chosen.problem):
-            return super().status()
+            return pieces
         topic = clip(publisher.topic, max(8, self.inner_width // 2), self.look.glyphs.ellipsis)
-        return [Piece(f" {topic}  i = {self.model.count_of(publisher.number)} ", colours.muted)]
+        head = f"{topic}  " if not pieces else ""
+        return [*pieces, Piece(f" {head}i = {self.model.count_of(publisher.number)} ", colours.muted)]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
@@ -130,6 +151,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
             ("Tab", texts("fields.next")),
             ("Del", texts("fields.default")),
             (arrows, texts("topics.open")),
+            ("+ -", texts("fields.elements")),
             ("n", texts("publisher.new")),
             ("d", texts("publisher.remove")),
             ("C", texts("publisher.clear")),
@@ -147,7 +169,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
             return False
         elif event.character == "o":
             self._publish_once()
-        elif event.character == "d" or (event.key == "delete" and line.edited == RATE):
+        elif event.character == "d" or (event.key == "delete" and line.ticked is not None):
             self._remove()
         elif event.key == "space" and line.cells[1] != BOOLEAN:
             self.tick(line)

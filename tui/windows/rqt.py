@@ -93,8 +93,6 @@ class PluginList(PaneList):
 class RqtPane(ListPane[Rqt, PluginList]):
     """Keeps which entry the cursor is on."""
 
-    takes_focus = covers_keyboard = True  # without keys it shows nothing
-
     def __init__(self, window: Window[Rqt], look: Look) -> None:
         super().__init__(window, look, PluginList(window.model, look))
         self._shown: tuple[object, ...] = ()

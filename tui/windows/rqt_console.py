@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from rich.segment import Segment
@@ -11,13 +12,16 @@ from textual.app import ComposeResult
 from textual.message import Message
 from textual.widget import Widget
 
+from day6_tui.core.ros.programs.rqt_console.filters import SIDES, Filter
 from day6_tui.core.ros.programs.rqt_console.model import Console, Record
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, clip, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.survival import survive
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.console_filters import FilterMenus
 from day6_tui.tui.windows.console_line import ConsoleLine
 from day6_tui.tui.windows.console_severities import Severities
 from day6_tui.tui.windows.console_table import LONGEST, ConsoleTable, end_of, style_of, time_of_day, whole_time
@@ -25,13 +29,15 @@ from day6_tui.tui.windows.console_table import LONGEST, ConsoleTable, end_of, st
 DETAIL_LINES = 4
 """Lines for the chosen message in a window that is high enough; in a lower one it has one line."""
 
-_LEVEL_OF_KEY = {"d": 10, "i": 20, "w": 30, "e": 40, "f": 50}
+_LEVEL_OF_KEY = {"D": 10, "I": 20, "W": 30, "E": 40, "F": 50}
 
 Line = list[Segment]
 
 
 class RqtConsolePane(WindowPane[Console]):
     """Draws the frame and the chosen message; the table, the boxes and the line to type in are widgets of their own."""
+
+    key_weight = 3  # one more of its keys where there is no room for F8, too
 
     DEFAULT_CSS = Path(__file__).with_suffix(".tcss").read_text(encoding="utf-8")
 
@@ -41,6 +47,7 @@ class RqtConsolePane(WindowPane[Console]):
         self.table = ConsoleTable(look)
         self.severities = Severities(look)
         self.line = ConsoleLine(look)
+        self._filters = FilterMenus(look, self.console, self.lay_over, self._type_text)
         self._details: list[Line] = []
         self._shown: tuple[object, ...] = ()
         """What was last shown: a frame in which it is the same costs nothing."""
@@ -125,12 +132,14 @@ class RqtConsolePane(WindowPane[Console]):
             Segment(f" #{record.number} ", colours.strong),
             Segment(f"{record.severity} ", style_of(record, self.look)),
             Segment(f"{record.node}  ", colours.node),
-            Segment((whole_time if width >= 70 else time_of_day)(record.stamp_ns), colours.muted),
         ]
+        title = f"  {texts('console.location')} " if record.location else ""
         used = sum(cell_len(segment.text) for segment in head)
-        if record.location:
-            title = f"  {texts('console.location')} "
-            head.append(Segment(title + end_of(record.location, width - used - cell_len(title), dots), colours.muted))
+        stamp = whole_time(record.stamp_ns)
+        if used + cell_len(stamp + title + record.location) > width:
+            stamp = time_of_day(record.stamp_ns)  # the place says more than the date
+        room = width - used - cell_len(stamp + title)
+        head.append(Segment(stamp + title + end_of(record.location, room, dots), colours.muted))
         room = height - 2
         lines = wrap(record.text[: 4 * room * width], width - 2)  # a message may be a megabyte long
         if len(lines) > room:
@@ -152,6 +161,13 @@ class RqtConsolePane(WindowPane[Console]):
         pieces = [Piece(f" {text} ", colours.muted)]
         if self.console.paused:
             pieces.append(Piece(f" {self.look.glyphs.paused} {texts('console.paused')} ", colours.hint))
+        problem = next(
+            (each.problem for side in SIDES for each in getattr(self.console.choice, side) if each.problem), ""
+        )
+        if problem:
+            pieces.append(Piece(f" {self.look.glyphs.warning} {problem} ", colours.warning))
+        elif self.console.message:
+            pieces.append(Piece(f" {self.console.message} ", colours.hint))
         return pieces
 
     @on(ConsoleTable.Chosen)
@@ -173,22 +189,25 @@ class RqtConsolePane(WindowPane[Console]):
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         if self.line.display:
-            return [("Enter", texts("console.done")), ("Esc", texts("console.undone"))]
+            kind = texts("console.as_text" if self.line.is_regex else "console.regexp")
+            return [("Enter", texts("console.done")), ("Tab", kind), ("Esc", texts("console.undone"))]
         return [
-            ("p", texts("console.resume" if self.console.paused else "console.pause")),
-            ("c", texts("console.clear")),
+            ("Space", texts("console.resume" if self.console.paused else "console.pause")),
+            ("f", texts("console.filters")),
             ("/", texts("console.leave_out")),
             ("h", texts("console.highlight")),
+            ("c", texts("console.clear")),
             ("s", texts("console.sort")),
-            ("a", texts("console.all")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         return [
-            (" ".join(_LEVEL_OF_KEY), texts("console.exclude")),
+            (" ".join(_LEVEL_OF_KEY), texts("console.excludes")),
             ("n", texts("console.node_out")),
+            ("a", texts("console.all")),
             ("Enter", texts("console.read")),
+            ("w o", texts("console.files")),
             ("S", texts("console.reverse")),
             ("Esc", texts("console.newest")),
         ]
@@ -204,8 +223,8 @@ class RqtConsolePane(WindowPane[Console]):
         key = event.key
         if self.table.press(event):
             pass
-        elif key in _LEVEL_OF_KEY:
-            self.console.toggle_level(_LEVEL_OF_KEY[key])
+        elif event.character in _LEVEL_OF_KEY:
+            self.console.toggle_level(_LEVEL_OF_KEY[event.character])
         elif key in ("p", "space"):
             self.console.toggle_paused()
         elif key == "c":
@@ -216,10 +235,15 @@ class RqtConsolePane(WindowPane[Console]):
         elif key == "n":
             if (record := self.table.current) is not None:
                 self.console.toggle_node(record.node)
-        elif key == "slash":
-            self._ask("containing", self.console.choice.text)
-        elif key == "h":
-            self._ask("highlighted", self.console.choice.highlight)
+        elif key == "f":
+            self._filters.open(self.table.current)
+        elif key in ("slash", "h"):
+            side = "excludes" if key == "slash" else "highlights"
+            self._type_text(side, self.console.choice.place_of(side, "message"))
+        elif key in ("w", "ctrl+s"):
+            self._ask_file(saving=True)
+        elif key in ("o", "ctrl+o"):
+            self._ask_file(saving=False)
         else:
             return False
         return True
@@ -230,21 +254,42 @@ class RqtConsolePane(WindowPane[Console]):
         self.console.toggle_level(event.level)
         self.look.wake()
 
-    def _ask(self, purpose: str, text: str) -> None:
-        texts, key = self.look.texts, f"console.{purpose}"
+    def _type_text(self, side: str, at: int) -> None:
+        """Let the text of a filter be typed; behind the last one, that of a new one."""
+        texts, filters = self.look.texts, getattr(self.console.choice, side)
+        each = filters[at] if at < len(filters) else Filter("message")
+        name = texts(f"console.{side}.kind.{each.kind}")
+        names = (name, f"{name} ({texts('console.regexp')})")
+        titles = (texts("list.head", name=names[0]).rstrip(), texts("list.head", name=names[1]).rstrip())
         self.severities.display = False
-        self.line.open(purpose, texts("list.head", name=texts(key)).rstrip(), texts(f"{key}.note"), text)
+        self.line.open((side, at), titles, texts("console.text.note"), each.text, is_regex=each.is_regex)
 
     @on(ConsoleLine.Typed)
     def take_text(self, event: ConsoleLine.Typed) -> None:
         """Leave messages out, or highlight them, while the text is typed."""
         event.stop()
-        if event.line.purpose == "containing":
-            self.console.exclude_text(event.text)
-        else:
-            self.console.highlight(event.text)
+        side, at = event.line.purpose
+        filters = getattr(self.console.choice, side)
+        each = filters[at] if at < len(filters) else Filter("message")
+        self.console.set_filter(side, at, replace(each, text=event.text, is_regex=event.is_regex, enabled=True))
         if event.done:
             self.severities.display = True
             if self.screen.focused in (event.line.field, None):
                 self.screen.set_focus(self.table, scroll_visible=False)
         self.look.wake()
+
+    def _ask_file(self, *, saving: bool) -> None:
+        texts, console = self.look.texts, self.console
+
+        def save(text: str) -> str | None:
+            try:
+                console.tell(texts("reconfigure.saved", file=str(console.save(text, self.table.in_order()))))
+            except OSError as error:
+                return error.strerror or str(error)
+            return None
+
+        def load(text: str) -> None:
+            console.load(text)
+
+        taken = before_replacing(self.look, console.path, save) if saving else load
+        self.ask(texts("console.save" if saving else "console.load"), "rqt_console.csv", taken)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -33,16 +33,8 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.rqt_graph_options import (
-    GROUP,
-    HIDE,
-    NAMESPACES,
-    SWITCHES,
-    VIEW,
-    Control,
-    flowing,
-    switched,
-)
+from day6_tui.tui.windows.buttons import Button, button_line, in_lines
+from day6_tui.tui.windows.rqt_graph_options import GROUP, HIDE, NAMESPACES, SWITCHES, VIEW, Switch, switched, text_of
 from day6_tui.tui.windows.rqt_graph_view import View
 
 if TYPE_CHECKING:
@@ -97,7 +89,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         self._counts: dict[str, int] = {}
         self._counted = 0.0
         self._pulses: dict[Route, float] = {}
-        self._controls: list[list[Control]] = []
+        self._controls: list[list[Segment | Button]] = []
         self._controls_for: object = None
         self._chosen = ""
         """Key of the box whose edges are highlighted, '' for none."""
@@ -110,7 +102,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
     def title(self) -> list[Piece]:
         options = self.graph.options
         text = self.graph.loaded or f"{options.graph_type.value} {self.look.glyphs.chevron}"
-        return [*super().title(), Piece(f" {text}", self.look.colours.muted, lambda: self._switch("t"))]
+        return [*super().title(), Piece(f" {text} ", self.look.colours.muted, lambda: self._switch("t"))]
 
     def status(self) -> list[Piece]:
         if self.graph.loaded:
@@ -311,18 +303,29 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         """Lines for the check boxes: those that hide and, if there is room, those that group."""
         return len(self._switch_lines(self.inner_width))
 
-    def _switch_lines(self, width: int) -> list[list[Control]]:
+    def _switch_lines(self, width: int) -> list[list[Segment | Button]]:
         """The check boxes as they flow into lines, at most a fifth of the window."""
         texts, most = self.look.texts, max(1, self.inner_height // 5)
         state = (self.graph.options, width, most, texts.language)
         if state == self._controls_for:
             return self._controls
-        lines = flowing(texts("list.head", name=texts("rqt.hide")), HIDE, self.graph.options, width)
-        group = texts("list.head", name=texts("rqt.group"))
-        more = flowing(group, (NAMESPACES, *GROUP, *VIEW), self.graph.options, width)
+        lines = self._flowing("rqt.hide", HIDE, width)
+        more = self._flowing("rqt.group", (NAMESPACES, *GROUP, *VIEW), width)
         self._controls_for = state
         self._controls = [*lines, *more] if len(lines) + len(more) <= most else lines[:most]
         return self._controls
+
+    def _flowing(self, head: str, switches: Sequence[Switch], width: int) -> list[list[Segment | Button]]:
+        """Controls behind their head, in as many lines as they need."""
+        title = self.look.texts("list.head", name=self.look.texts(head))
+        buttons = []
+        for switch in switches:
+            label, on = text_of(switch, self.graph.options)
+            buttons.append(Button(switch.key, label, partial(self._switch, switch.key), on))
+        size = cell_len(title) + 1
+        heads = [f"{title} ", *[" " * size] * len(buttons)]
+        lines = in_lines(buttons, width - size - 1)
+        return [[Segment(text, self.look.colours.text), *line] for text, line in zip(heads, lines, strict=False)]
 
     def _switch_line(self, row: int, y: int, width: int) -> list[Segment]:
         """Trouble with QoS or types first, else the check boxes; a click on one is its key."""
@@ -332,15 +335,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             topic = self._chosen if self._chosen in trouble else next(iter(trouble))
             text = f"{self.look.glyphs.warning} {topic.strip()}: {' '.join(trouble[topic])}"
             return [Segment(clip(text, width, self.look.glyphs.ellipsis), colours.warning)]
-        segments = []
-        x = 1
-        for control in self._switch_lines(width)[row]:
-            end = x + cell_len(control.text)
-            if control.key:
-                self.add_hit(y + 1, x, end, partial(self._switch, control.key))
-            segments.append(Segment(control.text, colours.text if control.on else colours.muted))
-            x = end
-        return segments
+        return button_line(self, y, self._switch_lines(width)[row], width)
 
     def _about_chosen(self) -> str:
         """Describe in one line the edges of the chosen box."""

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from day6_tui.core.ros.programs.rqt_graph.model.content import GraphType, Options
-from day6_tui.tui.cells import cell_len
 
 DEEPEST = 4
 """Namespace boxes nest up to this; the key then begins again at none."""
@@ -56,26 +54,8 @@ def switched(options: Options, key: str) -> Options:
     return replace(options, **changed)  # type: ignore[arg-type]
 
 
-class Control(NamedTuple):
-    """A piece of a line of controls: its text, the key it stands for ('' for none), and whether it is on."""
-
-    text: str
-    key: str = ""
-    on: bool = False
-
-
-def flowing(head: str, switches: Sequence[Switch], options: Options, width: int) -> list[list[Control]]:
-    """The controls behind `head`, in as many lines of at most `width` cells as they need, each ready to be drawn."""
-    indent = " " * cell_len(head)
-    lines = [[Control(head)]]
-    room = width - len(indent)
-    for switch in switches:
-        value = getattr(options, switch.option)
-        box = str(value) if switch is NAMESPACES else f"[{'x' if value else ' '}]"
-        text = f"{box} {switch.label}({switch.key})"
-        if room < len(text) and len(lines[-1]) > 1:
-            lines.append([Control(indent)])
-            room = width - len(indent)
-        lines[-1] += [Control(text, switch.key, bool(value)), Control("  ")]
-        room -= len(text) + 2
-    return lines
+def text_of(switch: Switch, options: Options) -> tuple[str, bool | None]:
+    """The label of a control, and whether its box is ticked; None for the number of namespaces."""
+    if switch is NAMESPACES:
+        return f"{options.namespaces} {switch.label}", None
+    return switch.label, getattr(options, switch.option)

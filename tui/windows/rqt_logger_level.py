@@ -14,6 +14,7 @@ from day6_tui.tui.cells import fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows.lines_pane import Line, LinesPane
+from day6_tui.tui.windows.list_keys import first_seen, list_steps
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_logger_level.model import LoggerLevels
@@ -27,6 +28,8 @@ Entry = tuple[str, Style]
 
 class LoggerLevelPane(LinesPane["LoggerLevels"]):
     """Draws three lists; keeps which of them the keys mean, and the chosen line of each."""
+
+    key_weight = 3  # one more of its keys where there is no room for F8, too
 
     def __init__(self, window: Window[LoggerLevels], look: Look) -> None:
         super().__init__(window, look)
@@ -64,8 +67,7 @@ class LoggerLevelPane(LinesPane["LoggerLevels"]):
         for column, found in enumerate(entries):
             self._at[column] = max(0, min(self._at[column], len(found) - 1))
             at = self._at[column]
-            first = min(max(self._first[column], at - room + 1), at)
-            self._first[column] = max(0, min(first, len(found) - room))
+            self._first[column] = first_seen(self._first[column], at, room, len(found))
         heads = [
             Segment(fit(f" {self.look.texts(key)}", size), colours.muted)
             for key, size in zip(COLUMNS, widths, strict=True)
@@ -139,10 +141,8 @@ class LoggerLevelPane(LinesPane["LoggerLevels"]):
             self.look.wake()
 
     def _press(self, key: str, character: str) -> bool:
-        page = max(1, self.inner_height - 3)
-        moves = {"up": -1, "down": 1, "pageup": -page, "pagedown": page, "home": -(10**6), "end": 10**6}
-        if key in moves:
-            self._at[self._column] = max(0, self._at[self._column] + moves[key])
+        if (steps := list_steps(key, self.inner_height - 2)) is not None:
+            self._at[self._column] = max(0, self._at[self._column] + steps)
         elif key in ("left", "right", "tab", "shift+tab"):
             self._column = (self._column + (1 if key in ("right", "tab") else -1)) % 3
         elif key in ("enter", "space"):

@@ -60,6 +60,8 @@ class _View(NamedTuple):
 class RqtPlotPane(WindowPane[Plot]):
     """Draws `Plot.curves`; keeps which curve is chosen, and how finely it draws."""
 
+    key_weight = 3  # one more of its keys where there is no room for F8, too
+
     def __init__(self, window: Window[Plot], look: Look) -> None:
         super().__init__(window, look)
         self.plot = window.model

@@ -17,6 +17,7 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows.lines_pane import Line, LinesPane
+from day6_tui.tui.windows.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, first_seen, list_steps
 from day6_tui.tui.windows.node_tree import NodeLine, node_lines
 from day6_tui.tui.windows.rqt_reconfigure_rows import Editors, Key, Row, rows_of
 
@@ -30,12 +31,11 @@ NARROW = 56
 DETAILS = 3
 """Lines below the parameters that describe the chosen one."""
 
-STEPS = {"right": 1, "left": -1, "shift+right": 10, "shift+left": -10}
-"""Keys that move a slider, by how many of its steps."""
-
 
 class ReconfigurePane(LinesPane["Reconfigure"]):
     """Draws the model; keeps the chosen lines, what is folded, the filter of parameters and what the mouse drags."""
+
+    key_weight = 3  # one more of its keys where there is no room for F8, too
 
     def __init__(self, window: Window[Reconfigure], look: Look) -> None:
         super().__init__(window, look)
@@ -93,7 +93,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             return (lines + [[Segment(" " * width, self.background)]] * height)[:height]
         opened = {node.name for node in self.model.opened}
         at = self._node_at()
-        self._first_node = _scrolled(self._first_node, at, height, len(self._tree))
+        self._first_node = first_seen(self._first_node, at, height, len(self._tree))
         lines = []
         for index in range(self._first_node, self._first_node + height):
             if index >= len(self._tree):
@@ -120,7 +120,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             lines = [[Segment(f" {line}", colours.muted)] for line in wrap(text, width - 2)]
             return (lines + [[]] * height)[:height]
         room, at = self._list_height(height), self._row_at()
-        self._first_row = _scrolled(self._first_row, at, room, len(self._rows))
+        self._first_row = first_seen(self._first_row, at, room, len(self._rows))
         rows = self._rows[self._first_row : self._first_row + room]
         self._editors.begin(rows, width)
         focused = self.has_focus and not self._on_nodes
@@ -199,8 +199,9 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
+        arrows = "← →" if self.look.glyphs.unicode else "<- ->"
         return [
-            ("Shift ← →", texts("reconfigure.far")),
+            (f"Shift {arrows}", texts("reconfigure.far")),
             ("Home End", texts("reconfigure.ends")),
             ("Esc", texts("reconfigure.cancel")),
             ("r", texts("reconfigure.read")),
@@ -216,10 +217,11 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             self.look.wake()
 
     def _press(self, key: str, character: str) -> bool:
-        page = max(1, self._list_height(self.inner_height) - 1)
-        moves = {"up": -1, "down": 1, "pageup": -page, "pagedown": page}
-        if key in moves:
-            self._choose(moves[key])
+        row = None if self._on_nodes else self._row
+        slides = row is not None and row.parameter is not None and row.parameter.range is not None
+        steps = list_steps(key, self._list_height(self.inner_height), ends=not slides)
+        if steps is not None:
+            self._choose(steps)
         elif key in ("tab", "shift+tab"):
             self._on_nodes = not self._on_nodes or not self._rows
         elif character == "/":
@@ -253,8 +255,6 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             self._fold(line, fold=line.path not in self._folded)
         elif key in ("left", "right"):
             self._fold(line, fold=key == "left")
-        elif key in ("home", "end"):
-            self._choose(-len(self._tree) if key == "home" else len(self._tree))
         else:
             return False
         return True
@@ -285,8 +285,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             self._ask_file(node, saving=key in ("ctrl+s", "w"))
         elif parameter is None:
             return False
-        elif key in STEPS:
-            self.model.move(node, parameter.name, STEPS[key])
+        elif key in SLIDER_STEPS or key in SLIDER_FINEST:
+            self.model.move(node, parameter.name, SLIDER_STEPS.get(key) or SLIDER_FINEST[key])
         elif key in ("home", "end") and parameter.range is not None:
             limits = parameter.range
             self.model.set(node, parameter.name, limits.minimum if key == "home" else limits.maximum)
@@ -294,7 +294,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             self.model.set(node, parameter.name, not parameter.value)
         elif key == "enter":
             self._ask_value(node, parameter, text_of(parameter.value))
-        elif character and character in "0123456789.-" and isinstance(parameter.value, (int, float)):
+        elif character and character in BEGINS_NUMBER and isinstance(parameter.value, (int, float)):
             self._ask_value(node, parameter, character)
         else:
             return False
@@ -424,9 +424,3 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         self._choose(step)
         self._show()
         self.look.wake()
-
-
-def _scrolled(first: int, at: int, height: int, count: int) -> int:
-    """The first line of a list of `count` that is shown, so that `at` is in sight and as little as possible moves."""
-    first = min(max(first, at - height + 1), at)
-    return max(0, min(first, count - height))

@@ -19,6 +19,7 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.buttons import Button, button_line
 
 INDENT = 3
 """Cells of a level of the tree."""
@@ -75,6 +76,9 @@ class RqtTfTreePane(WindowPane[TfTree]):
             pieces.append(self._warning(texts("tf_tree.old", count=old)))
         if name and not why:
             pieces.append(Piece(f" {texts('tf_tree.saved', name=one_line(name))} ", colours.muted))
+        if self._lines:
+            chosen = one_line(self._lines[self._chosen].name)  # in the tree there may be no room for all of it
+            pieces.append(Piece(f"{chosen} ", colours.text))
         return pieces
 
     def _warning(self, text: str) -> Piece:
@@ -86,11 +90,10 @@ class RqtTfTreePane(WindowPane[TfTree]):
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        return [
-            ("r", texts("tf_tree.refresh")),
-            ("w", texts("tf_tree.save")),
-            ("← →" if self.look.glyphs.unicode else "<- ->", texts("tf_tree.sideways")),
-        ]
+        hints = [("r", texts("tf_tree.refresh")), ("w", texts("tf_tree.save"))]
+        if self._widest > self._names_width:
+            hints.append(("← →" if self.look.glyphs.unicode else "<- ->", texts("tf_tree.sideways")))
+        return hints
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
@@ -142,7 +145,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         if y == 0:
-            return self._controls(width)
+            return button_line(self, y, self._buttons(), width)
         if y == 1:
             return self._heads()
         if y >= HEAD + self._rows:
@@ -156,24 +159,15 @@ class RqtTfTreePane(WindowPane[TfTree]):
             return [Segment(clip(f" {self.look.texts('tf_tree.none')}", width), self.look.colours.muted)]
         return []
 
-    def _controls(self, width: int) -> list[Segment]:
-        """What the buttons of the original do; a click on one is its key."""
-        texts, colours, x = self.look.texts, self.look.colours, 1
-        segments = [Segment(" ", colours.text)]
-        for key, name, action in (
-            ("r", texts("tf_tree.refresh"), self.model.request_refresh),
-            ("c", texts("tf_tree.clear"), self.model.request_clear),
-            ("a", texts("tf_tree.auto"), self._switch_auto),
-            ("w", texts("tf_tree.save"), self._ask_file),
-        ):
-            box = ("[x] " if self.model.auto_refresh else "[ ] ") if key == "a" else ""
-            text = f"{box}{name}({key})"
-            if x + cell_len(text) > width:
-                break
-            self.add_hit(1, x + 1, x + 1 + cell_len(text), action)
-            segments.append(Segment(f"{text}  ", colours.text))
-            x += cell_len(text) + 2
-        return segments
+    def _buttons(self) -> list[Button]:
+        """What the buttons of the original do."""
+        texts = self.look.texts
+        return [
+            Button("r", texts("tf_tree.refresh"), self.model.request_refresh),
+            Button("c", texts("tf_tree.clear"), self.model.request_clear),
+            Button("a", texts("tf_tree.auto"), self._switch_auto, self.model.auto_refresh),
+            Button("w", texts("tf_tree.save"), self._ask_file),
+        ]
 
     def _heads(self) -> list[Segment]:
         texts, muted = self.look.texts, self.look.colours.muted
@@ -198,10 +192,11 @@ class RqtTfTreePane(WindowPane[TfTree]):
         """A line of the tree as far as it is in sight; where its name is not, the name at the side where it lies."""
         width, begin = self._names_width, self._before(line)
         name = self._told(line)
+        mark = self.look.glyphs.ellipsis
         if self._left < begin + cell_len(name) and begin < self._left + width:
+            name = clip(name, self._left + width - begin, mark)
             shown = Strip([Segment(" " + self._guides(line), guides), Segment(name, named)]).crop(self._left)
             return shown.adjust_cell_length(width, blank)
-        mark = self.look.glyphs.ellipsis
         text = clip(name, width // 2, mark)
         if begin >= self._left + width:
             pad = " " * (width - cell_len(text) - 2)

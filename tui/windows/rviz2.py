@@ -23,8 +23,7 @@ from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import QUALITIES, RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, STATUS, BadValue, Property
 from day6_tui.core.ros.programs.rviz2.model.status import OK, Status, StatusList
-from day6_tui.core.ros.programs.rviz2.model.tools.pose import PoseTool
-from day6_tui.core.ros.programs.rviz2.model.tools.tool import GROUND, Tool
+from day6_tui.core.ros.programs.rviz2.model.tools.tool import Tool
 from day6_tui.core.ros.programs.rviz2.model.views import VIEWS
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, fit
@@ -33,10 +32,12 @@ from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.rviz import dialogs
 from day6_tui.tui.windows.rviz.buttons import LABELS, PanelButton
+from day6_tui.tui.windows.rviz.control_keys import ControlKeys
 from day6_tui.tui.windows.rviz.displays import DisplaysPanel
 from day6_tui.tui.windows.rviz.dragging import Dragging
 from day6_tui.tui.windows.rviz.extent import extent
 from day6_tui.tui.windows.rviz.hand import Hand
+from day6_tui.tui.windows.rviz.hints import ARROWS, panel_hints, view_hints
 from day6_tui.tui.windows.rviz.offer import Offer
 from day6_tui.tui.windows.rviz.sizes import NARROW, Division, divide
 from day6_tui.tui.windows.rviz.status_bar import StatusBar, in_ascii
@@ -81,6 +82,7 @@ class RVizPane(WindowPane[RViz]):
         self.offer = Offer(self.rviz)
         self._dragging = Dragging(self.view)
         self._hand = Hand(self.rviz, self.view)
+        self._control_keys = ControlKeys(self.rviz)
         self._seen_tool: object = None
         only_grid = all(display.type == "Grid" for display in self.rviz.displays)
         self._panel_open = {"wide": True, "narrow": only_grid}
@@ -225,6 +227,8 @@ class RVizPane(WindowPane[RViz]):
         tools = self.rviz.tools
         if (seen := (tools.current, tuple(tools.tools))) != self._seen_tool:
             self._seen_tool, self.view.cursor = seen, None
+            if tools.current is not tools.interact:
+                self._control_keys.forget()
             if self.top:
                 self.touch_lines([0])
 
@@ -481,28 +485,11 @@ class RVizPane(WindowPane[RViz]):
         texts = self.look.texts
         if self.panel.value_line is not None:
             return [("Enter", texts("rviz.key.edit")), ("Esc", texts("question.back"))]
-        hints = [("Tab", texts("rviz.key.view" if self.on_panel else "rviz.key.panel"))]
-        if self.on_panel:
-            hints += [("Enter", texts("rviz.key.edit")), ("^N", texts("rviz.key.add")), ("f", texts("rviz.key.focus"))]
-        elif self._hand.tool is not None:
-            hints = self._tool_hints(self._hand.tool)
-        else:
-            arrows = "←↑↓→" if self.look.glyphs.unicode else "arrows"
-            hints += [(arrows, texts("rviz.key.turn")), ("+ -", texts("rviz.key.zoom"))]
-            hints += [("f", texts("rviz.key.focus")), ("4", texts("rviz.key.above"))]
-        return hints if self.look.glyphs.unicode else [(key, in_ascii(text)) for key, text in hints]
-
-    def _tool_hints(self, tool: Tool) -> list[tuple[str, str]]:
-        texts = self.look.texts
-        arrows = "←↑↓→" if self.look.glyphs.unicode else "arrows"
-        turning = isinstance(tool, PoseTool) and tool.placed
-        enter = "rviz.key.send" if turning else "rviz.key.place" if tool.arrows == GROUND else "rviz.key.click"
-        return [
-            (arrows, texts("rviz.key.direction" if turning else "rviz.key.cursor")),
-            ("Shift", texts("rviz.key.fine")),
-            ("Enter", texts(enter)),
-            ("Esc", texts("rviz.key.leave_tool")),
-        ]
+        hints = panel_hints() if self.on_panel else view_hints(self.rviz, self._control_keys)
+        unicode = self.look.glyphs.unicode
+        arrows = "←↑↓→" if unicode else ARROWS
+        named = [(arrows if key == ARROWS else key, texts(words)) for key, words in hints]
+        return named if unicode else [(key, in_ascii(text)) for key, text in named]
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
@@ -662,26 +649,36 @@ class RVizPane(WindowPane[RViz]):
             self._panel_keys = True
 
     def _view_key(self, key: str) -> bool:
-        view = self.rviz.view
         self._used = True
-        shifted, _, arrow = key.rpartition("+")
-        if arrow in _ARROWS and shifted in ("", "shift"):
-            right, down = _ARROWS[arrow]
-            if self._hand.arrow(right, down, fine=bool(shifted)):
-                pass
-            elif shifted:
-                view.pan(right * SHIFT, down * SHIFT)
-            else:
-                view.rotate(right * TURN, down * TURN)
-        elif key in ("pageup", "pagedown"):
-            self._zoom(1 if key == "pageup" else -1)
+        shifted, _, plain = key.rpartition("+")
+        if plain in _ARROWS and shifted in ("", "shift"):
+            self._arrow_key(*_ARROWS[plain], bool(shifted))
+        elif plain in ("pageup", "pagedown"):
+            nearer = 1 if plain == "pageup" else -1
+            if not self._control_keys.step(0, 0, nearer, fine=bool(shifted)):
+                self._zoom(nearer)
         elif key == "home":
-            view.zero()
+            self.rviz.view.zero()
         elif key == "escape":
-            self._leave_tool()
+            if not self._control_keys.leave():
+                self._leave_tool()
+        elif key in ("x", "X"):
+            if not self._control_keys.next(1 if key == "x" else -1):
+                self.show_message(self.look.texts("rviz.no_controls"))
+        elif key == "enter":
+            return self._control_keys.enter() or self._hand.enter()
         else:
-            return key == "enter" and self._hand.enter()
+            return key == "space" and self._control_keys.space()
         return True
+
+    def _arrow_key(self, right: int, down: int, shift: bool) -> None:
+        view = self.rviz.view
+        if self._control_keys.step(right, -down, 0, fine=shift) or self._hand.arrow(right, down, fine=shift):
+            return
+        if shift:
+            view.pan(right * SHIFT, down * SHIFT)
+        else:
+            view.rotate(right * TURN, down * TURN)
 
     def _leave_tool(self) -> None:
         """Back to the default tool; from there to the panel."""
@@ -747,7 +744,7 @@ class RVizPane(WindowPane[RViz]):
 
     def _scroll(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        if self._in_view(event):
+        if self._in_view(event) and not self._hand.wheel(notches):
             self.rviz.view.wheel(notches, bool(event.shift))
         self.look.wake()
 

@@ -12,8 +12,9 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows.buttons import Button, beyond_of
 from day6_tui.tui.windows.field_list import FieldLine
-from day6_tui.tui.windows.field_pane import Button, FieldPane
+from day6_tui.tui.windows.field_pane import FieldPane
 from day6_tui.tui.windows.field_rows import columns_in, head_line, lines_of
 
 if TYPE_CHECKING:
@@ -49,17 +50,19 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
         return self.model.service
 
     def bar(self) -> Sequence[Segment | Button]:
-        texts, colours = self.look.texts, self.look.colours
+        texts = self.look.texts
         call = (
             Button("x", texts("service.cancel"), self.ask_action("cancel"))
             if self.model.is_waiting
             else Button("c", texts("service.call"), self._call)
         )
         buttons = [call, Button("r", texts("service.refresh"), self.ask_action("refresh"))]
-        taken = sum(cell_len(button.text) + 5 for button in buttons) + 6
-        name = clip(self.model.service or texts("service.none"), self.inner_width - taken, self.look.glyphs.ellipsis)
         mark = " ▾" if self.look.glyphs.chinese else " v"
-        return [Button("s", name + mark, self.choose_service), *buttons, Segment("", colours.text)]
+        name = self.model.service or texts("service.none")
+        choice = Button("s", name + mark, self.choose_service)
+        if (beyond := beyond_of([choice, *buttons], self.inner_width)) > 0:
+            choice = choice._replace(text=clip(name, cell_len(name) - beyond, self.look.glyphs.ellipsis) + mark)
+        return [choice, *buttons]
 
     def lines(self) -> list[FieldLine]:
         texts, model = self.look.texts, self.model
@@ -82,12 +85,15 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
     def take(self, line: FieldLine, text: str) -> None:
         self.model.set_expression(line.key.removeprefix(REQUEST), text)
 
+    def resize(self, line: FieldLine, step: int) -> None:
+        self.model.resize(line.key.removeprefix(REQUEST), step)
+
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def usual_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         call = ("x", texts("service.cancel")) if self.model.is_waiting else ("c", texts("service.call"))
-        return [call, ("s", texts("service.choose")), ("Enter", texts("fields.edit"))]
+        return [("Enter", texts("fields.edit")), call, ("s", texts("service.choose"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
@@ -96,6 +102,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
             ("Tab", texts("fields.next")),
             ("Del", texts("fields.default")),
             (arrows, texts("topics.open")),
+            ("+ -", texts("fields.elements")),
             ("r", texts("service.refresh")),
         ]
 
@@ -129,6 +136,5 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
         self.look.wake()
 
     def status(self) -> list[Piece]:
-        return super().status() or [
-            Piece(f" {self.look.texts('service.count', count=len(self.model.services))} ", self.look.colours.muted)
-        ]
+        count = self.look.texts("service.count", count=len(self.model.services))
+        return super().status() or [Piece(f" {count} ", self.look.colours.muted)]

@@ -11,8 +11,9 @@ from textual import events
 from day6_tui.core.session.display import Window
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows.buttons import Button
 from day6_tui.tui.windows.field_list import FieldLine
-from day6_tui.tui.windows.field_pane import Button, FieldPane, Model
+from day6_tui.tui.windows.field_pane import FieldPane, Model
 from day6_tui.tui.windows.field_rows import columns_in
 
 if TYPE_CHECKING:
@@ -27,6 +28,16 @@ class BrowsingPane(FieldPane[Model]):
 
     def __init__(self, window: Window[Model], look: Look) -> None:
         super().__init__(window, look, columns_in)
+        self._sought: int | None = None
+        """The tree that was just added: the cursor goes there."""
+
+    def pull(self, now: float) -> bool:
+        again = super().pull(now)
+        if self._sought is not None:
+            key, self._sought = f"{TREE}{self._sought}", None
+            self.list.choose(key)
+            self.call_after_refresh(self.list.show_branch, key)
+        return again
 
     @property
     def browser(self) -> TypeBrowser:
@@ -66,9 +77,11 @@ class BrowsingPane(FieldPane[Model]):
 
     def status(self) -> list[Piece]:
         chosen = self.list.chosen
-        if chosen is None or not chosen.key.startswith(TREE):
+        if chosen is None or chosen.problem or not chosen.key:
             return super().status()
-        return [Piece(f" {chosen.cells[2]} ", self.look.colours.muted)]
+        # The path of a field, or the name of what is above the types; in its column there may not be room for all of it.
+        name = chosen.cells[2 if chosen.key.startswith(TREE) else 0]
+        return [Piece(f" {name} ", self.look.colours.text), Piece(f"{chosen.cells[1]} ", self.look.colours.muted)]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
@@ -104,10 +117,13 @@ class BrowsingPane(FieldPane[Model]):
             self.show_text(line)
 
     def show_text(self, line: FieldLine) -> None:
-        """Show the text of the type of a line."""
+        """Show the text of the type of a line; of a plain field that of the type which has it."""
         from day6_tui.tui.message import LogModal
 
         kind = line.cells[1]
+        if "/" not in kind:
+            parent = line.key.rpartition("/")[0]
+            kind = next((each.cells[1] for each in self.list.lines_shown if each.key == parent), kind)
         self.lay_over(LogModal(self.look, kind, self.browser.text(kind).splitlines()))
 
     def choose_package(self) -> None:
@@ -128,7 +144,9 @@ class BrowsingPane(FieldPane[Model]):
         from day6_tui.tui.menu import Entry, Menu
 
         def chosen(name: str) -> None:
+            before = {tree.number for tree in self.browser.trees}
             self.browser.add(name)
+            self._sought = next((tree.number for tree in self.browser.trees if tree.number not in before), None)
             self.look.wake()
 
         entries = [Entry(name, "", lambda name=name: chosen(name)) for name in self.browser.types()]  # type: ignore[misc]

@@ -28,8 +28,14 @@ BAYER = {
     "bayer_grbg8": (0, 1),
     "bayer_gbrg8": (1, 0),
     "bayer_bggr8": (1, 1),
+    "bayer_rggb16": (0, 0),
+    "bayer_grbg16": (0, 1),
+    "bayer_gbrg16": (1, 0),
+    "bayer_bggr16": (1, 1),
 }
 """Row and column of the red pixel in every square of four; the blue one is opposite, the others are green."""
+DEEP = {"rgb16": (3, (0, 1, 2)), "bgr16": (3, (2, 1, 0)), "rgba16": (4, (0, 1, 2)), "bgra16": (4, (2, 1, 0))}
+"""As `COLOURED`, with two bytes for each colour."""
 
 Pixels = Any
 """An array of numpy: rows x columns x channels."""
@@ -53,6 +59,12 @@ def colours(message: Any, rows: Any, columns: Any) -> Pixels | None:
     return None
 
 
+def deep_colours(message: Any, rows: Any, columns: Any) -> Pixels:
+    """Pixels x 3 of one of `DEEP`, as `colours`. Raises ValueError for too few data."""
+    size, order = DEEP[message.encoding]
+    return _bytes_of(_at(packed(message, "u2", size), rows, columns)[..., list(order)])
+
+
 def greys(message: Any, rows: Any, columns: Any) -> Pixels:
     """Pixels x 3 of an image with one byte for each, as greys. Raises ValueError for too few data."""
     import numpy as np
@@ -64,7 +76,8 @@ def demosaiced(message: Any, rows: Any, columns: Any) -> Pixels:
     """Pixels x 3 of one of `BAYER`, each with the colours of its square of four. Raises ValueError for too few data."""
     import numpy as np
 
-    data = packed(message, "u1", 1)[..., 0]
+    deep = message.encoding.endswith("16")
+    data = packed(message, "u2" if deep else "u1", 1)[..., 0]
     down, across = BAYER[message.encoding]
     top = np.clip(rows // 2 * 2, 0, max(0, message.height - 2))[:, None]
     left = np.clip(columns // 2 * 2, 0, max(0, message.width - 2))[None, :]
@@ -73,8 +86,9 @@ def demosaiced(message: Any, rows: Any, columns: Any) -> Pixels:
     def part(row: int, column: int) -> Any:
         return data[np.minimum(top + row, last_row), np.minimum(left + column, last_column)]
 
-    green = (part(down, 1 - across).astype(np.uint16) + part(1 - down, across)) // 2
-    return np.stack([part(down, across), green.astype(np.uint8), part(1 - down, 1 - across)], axis=2)
+    green = (part(down, 1 - across).astype(np.uint32) + part(1 - down, across)) // 2
+    found = np.stack([part(down, across), green.astype(data.dtype), part(1 - down, 1 - across)], axis=2)
+    return _bytes_of(found) if deep else found
 
 
 def measures(message: Any, rows: Any, columns: Any) -> Pixels:
@@ -97,6 +111,13 @@ def packed(message: Any, format_: str, channels: int) -> Pixels:
         raise ValueError(f"{len(data)} bytes are too few for {message.width}x{message.height} pixels")
     shape, strides = (message.height, message.width, channels), (step, size, kind.itemsize)
     return np.ndarray(shape, kind, data, 0, strides)
+
+
+def _bytes_of(deep: Pixels) -> Pixels:
+    """Numbers of two bytes as those of one (cv_bridge.cpp: times 255 / 65535, to the nearest)."""
+    import numpy as np
+
+    return ((deep.astype(np.uint32) * 255 + 32767) // 65535).astype(np.uint8)
 
 
 def _at(pixels: Pixels, rows: Any, columns: Any) -> Pixels:

@@ -23,6 +23,10 @@ async def pytest(session: Session) -> int:
     return await session.run_python(["-m", "pytest", *session.argv[1:]])
 
 
+async def launch_test(session: Session) -> int:
+    return await session.run_python(["-m", "launch_testing.launch_test", *session.argv[1:]])
+
+
 async def ros2(session: Session) -> int:
     # Not imported at the top: the command tree is large, and most lines of a terminal do without it.
     main: Main = importlib.import_module("day6_tui.core.ros.ros2").main
@@ -87,6 +91,7 @@ COMMANDS: dict[str, Main] = {
     "python3": python3,
     "python": python3,
     "pytest": pytest,
+    "launch_test": launch_test,
     "ros2": asking(ros2, lambda words: ["."] if words[:2] == ["pkg", "create"] else []),
     "colcon": asking(colcon, lambda words: ["."] if words[:1] in (["build"], ["test"]) else []),
     **{name: _program(*place) for name, place in ROS_COMMANDS.items()},

@@ -45,7 +45,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"ros2 bag play", "page: recorded with Dashing; the player of today names its rate and keys"),
     ),
     "Colcon-Tutorial": (
-        (r"colcon test$", "C++; and launch_testing is not part of day6-tui"),
+        (r"colcon test$", "C++: its tests are skipped"),
         (r"^cd ", "page: a picture of folders"),
     ),
     "Creating-A-Workspace": ((r"colcon build", "network: the clone in the mirror has no such branch"),),

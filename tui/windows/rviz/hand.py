@@ -8,7 +8,7 @@ from functools import partial
 from textual import events
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
-from day6_tui.core.ros.programs.rviz2.model.tools.tool import CAMERA, GROUND, Pointer, Tool
+from day6_tui.core.ros.programs.rviz2.model.tools.tool import CAMERA, SCREEN, Pointer, Tool
 from day6_tui.tui.render.picking import things_in
 from day6_tui.tui.windows.rviz.view import View3D
 
@@ -34,7 +34,7 @@ class Hand:
 
     @property
     def tool(self) -> Tool | None:
-        """The one in use, if it takes the left button."""
+        """The one in use, if it takes the left button and the arrow keys."""
         tool = self._rviz.tools.current
         return tool if tool is not None and tool.arrows != CAMERA else None
 
@@ -62,6 +62,7 @@ class Hand:
         if not tool.wants(pointer):
             return False
         self._held = (tool, event.button, (x, y))
+        pointer = pointer._replace(shift=bool(event.shift), control=bool(event.ctrl))
         self._tell(tool, tool.press if event.button == LEFT else tool.menu, pointer)
         return True
 
@@ -102,7 +103,7 @@ class Hand:
         tool, view = self.tool, self._view
         if tool is None:
             return False
-        if tool.arrows == GROUND:
+        if tool.arrows != SCREEN:
             self._request(tool, lambda used: used.arrow_key(right, -down, fine=fine))
             return True
         columns, rows = FINE if fine else COARSE
@@ -118,7 +119,7 @@ class Hand:
         tool = self.tool
         if tool is None:
             return False
-        if tool.arrows == GROUND:
+        if tool.arrows != SCREEN:
             self._request(tool, lambda used: used.enter_key())
         elif self._view.cursor is None:
             return self.arrow(0, 0, fine=False)
@@ -126,6 +127,13 @@ class Hand:
             pointer = self._at_cursor()
             self._tell(tool, tool.press, pointer)
             self._tell(tool, tool.release, pointer)
+        return True
+
+    def wheel(self, notches: float) -> bool:
+        """The wheel; False if it is the view's."""
+        if self._held is None or not self._held[0].grabs:
+            return False
+        self._request(self._held[0], lambda used: used.wheel(notches))
         return True
 
     def _at_cursor(self) -> Pointer:

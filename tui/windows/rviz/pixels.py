@@ -12,7 +12,7 @@ from day6_tui.tui.colours import pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pixels.pictures import Pictures
 from day6_tui.tui.pixels.sheet import Sheet, Text
-from day6_tui.tui.render.label_places import label_places
+from day6_tui.tui.render.label_places import LabelPlaces
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.tui.render.picture import Array, Picture
 
@@ -38,6 +38,7 @@ class PixelView:
     def __init__(self, rviz: RViz, look: Look, columns: int, rows: int) -> None:
         self._rviz, self._look = rviz, look
         self.sheet = Sheet(columns, rows, look.colours.text)
+        self._places = LabelPlaces()
         self.cell = (1, 1)
         self.cursor: tuple[int, int] | None = None
         """The cell in which the keys point at things."""
@@ -103,9 +104,9 @@ class PixelView:
         if self.cursor is not None:
             texts.append((*self.cursor, "╋", pixel_style(CURSOR, ground)))
         wanted = [(x / self.cell[0], y / self.cell[1], text) for x, y, text, _ in picture.labels]
-        for place, (_, _, text, colour) in zip(label_places(wanted, *self._size), picture.labels, strict=True):
-            if place is not None:
-                texts.append((*place, text, pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)))
+        for pieces, (_, _, _, colour) in zip(self._places.place(wanted, *self._size), picture.labels, strict=True):
+            style = pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)
+            texts += [(*piece, style) for piece in pieces]
         return self.sheet.put(texts)
 
 

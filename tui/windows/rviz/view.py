@@ -14,6 +14,7 @@ from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.tui.canvas import PIXELS_PER_CELL, Span
 from day6_tui.tui.look import Look
 from day6_tui.tui.render.cells import Cells, cells_of, pixel_aspect
+from day6_tui.tui.render.label_places import LabelPlaces
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.tui.render.picking import Screen, point_at
 from day6_tui.tui.render.picture import Array
@@ -47,6 +48,7 @@ class View3D:
         self.cells: Cells | None = None
         self._fine: PixelView | None = None
         """The same in real pixels, where the terminal shows them."""
+        self._places = LabelPlaces(unicode=look.glyphs.unicode)
         self._painted: tuple[object, ...] = ()
         self._painted_at = -10.0
         self._cost = 0.0
@@ -76,6 +78,7 @@ class View3D:
     def forget(self) -> None:
         """Paint everything anew."""
         self.cells = self._fine = None
+        self._places = LabelPlaces(unicode=self._look.glyphs.unicode)
 
     @property
     def aspect(self) -> float:
@@ -158,7 +161,8 @@ class View3D:
         if self.cursor is not None:
             x, y = (self.cursor[0] + 0.5) * across, (self.cursor[1] + 0.5) * down
             picture.labels.insert(0, (x, y, self._cross, CURSOR))
-        cells = cells_of(picture, mode, quality.step, colourless=self._look.colours.colourless)
+        colourless = self._look.colours.colourless
+        cells = cells_of(picture, mode, quality.step, colourless=colourless, places=self._places)
         self._cost = 0.7 * self._cost + 0.3 * (time.thread_time() - began)
         return cells
 

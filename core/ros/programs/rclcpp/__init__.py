@@ -6,6 +6,7 @@ rclpy and made by `create_node`, so that their parameters, their answers and the
 - `exceptions`: an error that nothing catches ends the program by SIGABRT, in the words of C++;
 - `parameters`: how parameters are declared, set, described and listed, and what refusals say;
 - `qos`: the parameters `qos_overrides.…` of endpoints whose QoS may be changed from outside;
+- `logger`: how a log message names its file;
 - `node`: the rest: the parameters, topics and services that every node has.
 """
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import ParameterEvent
 
 from day6_tui.core.ros.programs.rclcpp.exceptions import CppException, RclcppException, thrown_as_cpp
+from day6_tui.core.ros.programs.rclcpp.logger import CppLogger
 from day6_tui.core.ros.programs.rclcpp.parameters import TYPE_NAMES, CppParameterService, CppParameterStore
 from day6_tui.core.ros.programs.rclcpp.qos import ALL_FOUR, declared_qos, event_qos
 from rclpy._node_entities import profile_of
@@ -68,6 +69,7 @@ class CppNode(Node):
     Raises CppException for what rclcpp throws, as do the methods that make publishers, subscriptions and services.
     """
 
+    _rclpy_logger = CppLogger
     _rclpy_store = CppParameterStore
     _rclpy_parameter_service = CppParameterService
     _rclpy_time_source = _CppTimeSource

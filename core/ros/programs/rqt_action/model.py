@@ -93,6 +93,10 @@ class ActionBrowser(Requests):
         """Give a field of the goal an expression; an empty one gives it back its default."""
         self.post(partial(self._change, action, lambda watched: watched.set_expression(path, text)))
 
+    def resize(self, action: str, path: str, step: int) -> None:
+        """Give a sequence in the goal one element more (1) or less (-1)."""
+        self.post(partial(self._change, action, lambda watched: watched.resize(path, step)))
+
     def send(self, action: str) -> None:
         """Send the goal."""
         self.post(partial(self._change, action, lambda watched: watched.send()))
@@ -196,6 +200,9 @@ class _Watched:
     def set_expression(self, path: str, text: str) -> None:
         self._form.set(path, text)
         self._form.message(REQUEST_NAMES)
+
+    def resize(self, path: str, step: int) -> None:
+        self._form.resize(path, step, REQUEST_NAMES)
 
     def send(self) -> None:
         if not self._client.server_is_ready():

@@ -9,9 +9,10 @@ from functools import partial
 
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
+from day6_tui.core.ros.programs.rqt_bag.model.keeping import read_kept
 from day6_tui.core.ros.programs.rqt_bag.model.loading import is_bag, path_of
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, own_words, run_alone
-from day6_tui.core.session.argument_parser import Parser, ParserExit
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_tui.core.session.argument_parser import Parser
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
 
@@ -22,11 +23,25 @@ class BagPlugin(Plugin[Bags]):
     kind, title = "rqt_bag", "Bag"
 
     def __init__(self, place: Place) -> None:
-        super().__init__(place, Bags(place.session, place.node, publish_clock="--clock" in place.words))
+        super().__init__(place, Bags(place.session, place.node, publish_clock=place.option("clock", False)))
         place.defer(self.model.close)
-        for word in place.words:
-            if not word.startswith("-"):
-                self.model.load(word)
+        self._named: list[str] = place.option("bagfiles", [])
+        if self._named:
+            for name in self._named:
+                self.model.load(name)
+        else:
+            self.model.resume(read_kept(place.settings))
+
+    @staticmethod
+    def add_arguments(parser: Parser) -> None:
+        def bag(name: str) -> str:
+            if not is_bag(path_of(parser.session.cwd, name)):
+                parser.error(f"'{name}' is not a valid rosbag")
+            return name
+
+        group = parser.add_argument_group("Options for rqt_bag plugin")
+        group.add_argument("--clock", action="store_true", help="publish the clock time")
+        group.add_argument("bagfiles", type=bag, nargs="*", default=[], help="Bagfiles to load")
 
     async def run(self) -> None:
         place, model = self.place, self.model
@@ -34,28 +49,23 @@ class BagPlugin(Plugin[Bags]):
             place.spawn(work())
         await model.serve()
 
+    def settings(self) -> Settings:
+        return self.model.kept().settings()
+
     async def without_screen(self) -> int | None:
         session = self.place.session
         if stays(session, self.place.node):
             session.spawn(session.spin(self.place.node))
             await self.run()
-        return await _print(session, [word for word in self.place.words if not word.startswith("-")])
-
-
-def _parser(session: Session) -> Parser:
-    """The options of rqt_bag's plugin (rqt_bag/bag.py); those of every rqt window are not here."""
-    parser = Parser(session, prog="rqt_bag")
-    group = parser.add_argument_group("Options for rqt_bag plugin")
-    group.add_argument("--clock", action="store_true", help="publish the clock time")
-    group.add_argument("bagfiles", nargs="*", default=[], help="Bagfiles to load")
-    return parser
+        return await _print(session, self._named)
 
 
 async def _print(session: Session, names: list[str]) -> int:
     """Print what is in the bags, as `ros2 bag info` does."""
+    from rosbag2_py._console import quiet
     from rosbag2_py._info import Info
 
-    status, info = 0, Info()
+    status, info = 0, Info(quiet)
     for name in names:
         path = str(path_of(session.cwd, name))
         try:
@@ -68,12 +78,4 @@ async def _print(session: Session, names: list[str]) -> int:
 
 async def main(session: Session) -> int | None:
     """Open the window and play until it is closed; without a display print what is in the bags once, or stay."""
-    parser = _parser(session)
-    try:
-        options = parser.parse_args(own_words(session.argv))
-        for name in options.bagfiles:
-            if not is_bag(path_of(session.cwd, name)):
-                parser.error(f"'{name}' is not a valid rosbag")
-    except ParserExit as end:
-        return end.status
     return await run_alone(session, BagPlugin)

@@ -1,10 +1,18 @@
-"""What the console shows: the messages of /rosout, and which of them are left out or stand out."""
+"""What the console shows: the messages of /rosout, and which of them are left out or stand out.
+
+The window runs on another thread: it reads, changes what is shown, and requests what has to do with files.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
+
+from day6_tui.core.ros.programs.rqt_console.filters import Choice, Filter
+from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
+from day6_tui.core.whole_file import replace_file
 
 MOST = 20_000
 """Messages that are kept (rqt_console's own limit)."""
@@ -30,36 +38,22 @@ class Record:
         return SEVERITIES.get(self.level, str(self.level))
 
 
-@dataclass(frozen=True)
-class Choice:
-    """What is left out (levels, texts in the message, nodes), and what stands out. Texts are found anywhere, in any case."""
-
-    levels: frozenset[int] = field(default_factory=frozenset)
-    text: str = ""
-    nodes: frozenset[str] = field(default_factory=frozenset)
-    highlight: str = ""
-
-    def shows(self, record: Record) -> bool:
-        """Whether a message is not left out."""
-        if record.level in self.levels or record.node in self.nodes:
-            return False
-        return not self.text or self.text.casefold() not in record.text.casefold()
-
-    def highlights(self, record: Record) -> bool:
-        """Whether a message is highlighted."""
-        return bool(self.highlight) and self.highlight.casefold() in record.text.casefold()
-
-
-class Console:
+class Console(Requests):
     """The model. The window reads `shown()` and calls the methods of its side; the program calls `receive`."""
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path = Path()) -> None:
+        super().__init__()
+        self._folder = folder
         self._records: list[Record] = []
         self._count = 0
         self.paused = False
         self.choice = Choice()
         self.version = 0
         """Grows with everything that changes the picture."""
+        self.message = ""
+        """What became of the last file."""
+        self.on_load: Callable[[Path], object] | None = None
+        """Called with a file whose messages are to be shown."""
         self._seen: tuple[Choice, list[Record], int, list[Record]] = (self.choice, self._records, 0, [])
 
     # -- the program's side --------------------------------------------------------------------------------------------
@@ -68,15 +62,29 @@ class Console:
         """Store a rcl_interfaces/msg/Log, unless paused."""
         if self.paused:
             return
-        self._count += 1
         stamp = log.stamp.sec * 1_000_000_000 + log.stamp.nanosec
         place = ":".join(part for part in (log.file, log.function, str(log.line) if log.line else "") if part)
-        record = Record(self._count, log.msg, log.level, log.name, stamp, place)
+        self._keep(Record(self._count + 1, log.msg, log.level, log.name, stamp, place))
+        self.version += 1
+
+    def take_loaded(self, records: Iterable[Record]) -> None:
+        """Show messages of a file behind those that are here, and pause, as rqt_console does."""
+        for each in records:
+            self._keep(replace(each, number=self._count + 1))
+        self.paused = True
+        self.version += 1
+
+    def tell(self, message: str) -> None:
+        """Show what became of a file."""
+        self.message = message
+        self.version += 1
+
+    def _keep(self, record: Record) -> None:
+        self._count = record.number
         if len(self._records) >= 2 * MOST:
             # A new list, because the window may be going through the old one.
             self._records = self._records[-MOST:]
         self._records.append(record)
-        self.version += 1
 
     # -- the window's side ---------------------------------------------------------------------------------------------
 
@@ -96,29 +104,37 @@ class Console:
         self._seen = (choice, records, count, found)
         return found if len(found) <= MOST else found[-MOST:]
 
+    def nodes(self) -> set[str]:
+        """The names of the nodes of all messages."""
+        return {record.node for record in list(self._records)}
+
+    def set_filter(self, side: str, at: int, each: Filter | None) -> None:
+        """Put a filter in this place of the excluding or highlighting ones; None takes away the one that is there."""
+        self._choose(self.choice.with_filter(side, at, each))
+
     def toggle_level(self, level: int) -> None:
         """Leave out a severity, or show it again."""
-        self._choose(levels=self.choice.levels ^ {level})
-
-    def exclude_text(self, text: str) -> None:
-        """Leave out messages that contain a text; '' shows them again."""
-        self._choose(text=text)
+        self._change("excludes", "severity", levels=self.choice.first("excludes", "severity").levels ^ {level})
 
     def toggle_node(self, node: str) -> None:
         """Leave out the messages of a node, or show them again."""
-        self._choose(nodes=self.choice.nodes ^ {node})
+        self._change("excludes", "node", nodes=self.choice.first("excludes", "node").nodes ^ {node})
 
-    def highlight(self, text: str) -> None:
-        """Let messages that contain a text stand out; '' none."""
-        self._choose(highlight=text)
+    def _change(self, side: str, kind: str, **changes: Any) -> None:
+        """Change the first filter of a kind, which is added if there is none."""
+        at = self.choice.place_of(side, kind)
+        self.set_filter(side, at, replace(self.choice.first(side, kind), enabled=True, **changes))
+
+    def show_highlighted_only(self, only: bool) -> None:
+        """Leave out all that does not stand out, or no longer."""
+        self._choose(replace(self.choice, only_highlighted=only))
 
     def show_everything(self) -> None:
         """Leave nothing out."""
-        self.choice = Choice(highlight=self.choice.highlight)
-        self.version += 1
+        self._choose(Choice(highlights=self.choice.highlights))
 
-    def _choose(self, **changes: Any) -> None:
-        self.choice = replace(self.choice, **changes)
+    def _choose(self, choice: Choice) -> None:
+        self.choice = choice
         self.version += 1
 
     def toggle_paused(self) -> None:
@@ -130,3 +146,22 @@ class Console:
         """Forget all messages."""
         self._records = []
         self.version += 1
+
+    def path(self, name: str) -> Path:
+        """The file that a user of this program means; without an ending it gets that of such files."""
+        path = self._folder / Path(name.strip()).expanduser()
+        return path if path.suffix else path.with_name(f"{path.name}.csv")
+
+    def save(self, name: str, records: Iterable[Record]) -> Path:
+        """Write messages to a file. Raises OSError."""
+        from day6_tui.core.ros.programs.rqt_console.files import written
+
+        path = self.path(name)
+        replace_file(path, written(records).encode("utf-8", "surrogateescape"))
+        return path
+
+    def load(self, name: str) -> None:
+        """Show the messages of a file."""
+        if self.on_load is not None:
+            path, on_load = self.path(name), self.on_load
+            self.post(lambda: on_load(path))

@@ -5,10 +5,13 @@ Without a screen it prints what comes (see `programs/_without_screen.py`).
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from rcl_interfaces.msg import Log
 
+from day6_tui.core.ros.programs.rqt_console.kept import kept_settings, take_settings
 from day6_tui.core.ros.programs.rqt_console.model import Console
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
 
@@ -21,11 +24,32 @@ class ConsolePlugin(Plugin[Console]):
     kind, title = "rqt_console", "Console"
 
     def __init__(self, place: Place) -> None:
-        super().__init__(place, Console())
+        super().__init__(place, Console(place.session.cwd))
+        self.model.on_load = lambda path: place.spawn(self._load(path))
+        take_settings(self.model, place.settings)
         self._subscription = place.node.create_subscription(Log, "/rosout", self.model.receive, DEPTH)
 
     async def run(self) -> None:
+        self.place.serve(self.model)
         await self.place.session.wait(Signal())  # it only listens
+
+    async def _load(self, path: Path) -> None:
+        from day6_tui.core.ros.programs.rqt_console.files import SKIPPED, loaded
+
+        try:
+            records, skipped = await loaded(path)
+        except (OSError, ValueError) as error:
+            self.model.tell((error.strerror if isinstance(error, OSError) else None) or str(error))
+            return
+        self.model.take_loaded(records)
+        self.model.tell(str(path))
+        if skipped:
+            message = SKIPPED.format(count=len(skipped), reasons="\n- ".join(skipped[:10]))
+            self.place.session.print_error(message)
+            self.model.tell(" ".join(message.split()))
+
+    def settings(self) -> Settings:
+        return kept_settings(self.model)
 
     def close(self) -> None:
         self.place.node.destroy_subscription(self._subscription)

@@ -40,6 +40,7 @@ class Rqt:
         """Why the last request failed, in words of the system or of rqt; '' if it did not."""
         self.version = 0
         self.requests: list[Request] = []
+        """What is to be done and what is being done, the oldest first."""
         self._folder = folder
         self._wake = wake
 

@@ -10,9 +10,12 @@ import ast
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.whole_file import replace_file
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
 
 SUFFIX = ".perspective"
 DEFAULT = "Default"
@@ -100,12 +103,16 @@ def _member(value: object, *path: str) -> dict[str, Any]:
     return value
 
 
+def folder_of(session: Session) -> Path:
+    """`~/.config/ros.org/rqt_gui`; the real rqt keeps all perspectives in one file `rqt_gui.ini` beside it."""
+    return Path(session.env.get("HOME", session.cwd), ".config", "ros.org", "rqt_gui")
+
+
 class Perspectives:
     """The perspectives that a user has, one file each in a folder. All methods wait for the disk."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        """`~/.config/ros.org/rqt_gui`; the real rqt keeps all of them in one file `rqt_gui.ini` beside it."""
 
     def names(self) -> list[str]:
         """Return their names, sorted; the default one is always among them."""

@@ -24,13 +24,21 @@ and named in `catalogue.KNOWN`. Its module has the name of its package's executa
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Coroutine, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
+from collections.abc import Callable, Coroutine, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, TypeVar
 
+from day6_tui.core.ros.programs.rqt_gui.command_line import own_words, plugin_parser
+from day6_tui.core.ros.programs.rqt_gui.perspectives import Perspectives, folder_of
+from day6_tui.core.session.argument_parser import ParserExit
 from day6_tui.core.session.task import Signal
+from day6_tui.core.session.threads import in_thread
 
 if TYPE_CHECKING:
+    from argparse import Namespace
+
     from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
+    from day6_tui.core.session.argument_parser import Parser
     from day6_tui.core.session.session import Session
     from day6_tui.core.session.task import Task
     from rclpy.node import Node
@@ -45,19 +53,22 @@ class Place:
     """Where one plugin runs: what it gets from its program, and what ends with it."""
 
     def __init__(
-        self, session: Session, node: Node, words: Sequence[str] = (), settings: Settings | None = None
+        self, session: Session, node: Node, options: Namespace | None = None, settings: Settings | None = None
     ) -> None:
         self.session = session
         self.node = node
         """The node of the program, `/rqt_gui_py_node_<pid>`: every plugin of it creates its endpoints there."""
-        self.words = list(words)
-        """The plugin's own command line, without ROS's arguments."""
         self.settings: Settings = settings or {}
         """What `Plugin.settings` returned when the perspective was kept; of a file, so of any shape."""
+        self._options = options
         self._woken = Signal()
         self._tasks: list[Task] = []
         self._deferred: list[Callable[[], object]] = []
         self._follows_graph = False
+
+    def option(self, name: str, default: Any) -> Any:
+        """What the command line says for an argument of `Plugin.add_arguments`; the container's plugins have none."""
+        return getattr(self._options, name, default)
 
     def wake(self) -> None:
         """Have `follow` work again (any thread)."""
@@ -123,6 +134,10 @@ class Plugin(ABC, Generic[Model]):
         self.place = place
         self.model = model
 
+    @staticmethod
+    def add_arguments(parser: Parser) -> None:
+        """Add what the plugin's own program takes on its command line; the plugin asks for it by `Place.option`."""
+
     @abstractmethod
     async def run(self) -> None:
         """Serve the window until the plugin is closed, which cancels this; the node is spun by the program."""
@@ -146,28 +161,50 @@ class Plugin(ABC, Generic[Model]):
         return 0
 
 
+class PluginType(Protocol):
+    """A class of plugins that makes its own model."""
+
+    @property
+    def in_cpp(self) -> bool: ...
+
+    def add_arguments(self, parser: Parser, /) -> None: ...
+
+    def __call__(self, place: Place, /) -> Plugin[Any]: ...
+
+
 def create_node(session: Session, *, in_cpp: bool = False) -> Node:
     """Return the node of a program of rqt (rqt_gui_py's ros_py_plugin_provider.py, rqt_gui_cpp's ros_cpp_plugin_provider)."""
     return session.create_node(f"rqt_gui_{'cpp' if in_cpp else 'py'}_node_{session.pid}")
 
 
-def own_words(argv: Sequence[str]) -> list[str]:
-    """The words of a command line that are neither the program's name nor ROS's arguments."""
-    words = list(argv[1:])
-    return words[: words.index("--ros-args")] if "--ros-args" in words else words
+def open_first(session: Session, kind: str, title: str, model: object) -> None:
+    """Open the window with which a program of rqt begins.
+
+    It gets the keyboard, as on a real desktop; not from somebody who has started it with `&` to go on typing.
+    """
+    assert session.display is not None
+    session.display.open(kind, title, model, chosen=not session.background)
 
 
-async def run_alone(
-    session: Session, plugin_type: Callable[[Place], Plugin[Any]], *, in_cpp: bool = False
-) -> int | None:
+async def run_alone(session: Session, plugin_type: PluginType) -> int | None:
     """Run one plugin as a program of its own, `ros2 run rqt_graph rqt_graph`, until its window is closed."""
-    node = create_node(session, in_cpp=in_cpp)
-    place = Place(session, node, own_words(session.argv))
+    parser = plugin_parser(session, Path(session.argv[0]).name, plugin_type.add_arguments)
+    try:
+        options = parser.parse_args(own_words(session.argv))
+    except ParserExit as end:
+        return end.status
+    if options.clear_config:
+        try:
+            await in_thread(Perspectives(folder_of(session)).clear)
+        except OSError as error:
+            session.print_error(f"{error.filename}: {error.strerror}")
+    node = create_node(session, in_cpp=plugin_type.in_cpp)
+    place = Place(session, node, options)
     plugin = plugin_type(place)
     session.defer(place.end)
     if session.display is None:
         return await plugin.without_screen()
-    session.display.open(plugin.kind, plugin.title, plugin.model)
+    open_first(session, plugin.kind, plugin.title, plugin.model)
     session.spawn(session.spin(node))
     await plugin.run()
     return 0

@@ -9,14 +9,16 @@ from __future__ import annotations
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rqt_gui import perspectives
 from day6_tui.core.ros.programs.rqt_gui.catalogue import Entry, matching, plugins
+from day6_tui.core.ros.programs.rqt_gui.command_line import container_parser, own_words
 from day6_tui.core.ros.programs.rqt_gui.model import Open, Rqt
-from day6_tui.core.ros.programs.rqt_gui.perspectives import DEFAULT, Instance, Perspectives
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, create_node, own_words
-from day6_tui.core.session.argument_parser import Parser, ParserExit
+from day6_tui.core.ros.programs.rqt_gui.perspectives import DEFAULT, Instance, Perspectives, folder_of
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, create_node, open_first
+from day6_tui.core.session.argument_parser import ParserExit
 from day6_tui.core.session.session import Session, Terminated
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
@@ -33,10 +35,10 @@ async def main(session: Session) -> int | None:
     words = own_words(session.argv)
     at = words.index("--args") if "--args" in words else len(words)
     try:
-        options = _parser(session).parse_args(words[:at])
+        options = container_parser(session).parse_args(words[:at])
     except ParserExit as end:
         return end.status
-    store = Perspectives(Path(session.env.get("HOME", session.cwd), ".config", "ros.org", "rqt_gui"))
+    store = Perspectives(folder_of(session))
     if at < len(words) and options.standalone is None:
         # The sentences of qt_gui's main.py.
         session.print(
@@ -45,6 +47,10 @@ async def main(session: Session) -> int | None:
         return 1
     if options.perspective is not None and options.perspective_file is not None:
         session.print("Only one --perspective-* option can be used at a time")
+        return 1
+    file = options.perspective_file
+    if file is not None and not await in_thread(Path(session.cwd, file).expanduser().is_file):
+        session.print("Option --perspective-file must reference existing file")
         return 1
     if options.list_perspectives:
         session.print("\n".join(await in_thread(store.names)))
@@ -55,24 +61,6 @@ async def main(session: Session) -> int | None:
         session.print("\n".join(sorted(entry.type for entry in plugins())))
         return 0
     return await Container(session, store).run(options)
-
-
-def _parser(session: Session) -> Parser:
-    parser = Parser(session, prog="rqt", add_help=False)
-    group = parser.add_argument_group("Options for GUI instance")
-    group.add_argument("--clear-config", action="store_true",
-                       help="clear the configuration (including all perspectives and plugin settings)")  # fmt: skip
-    group.add_argument("-h", "--help", action="help", help="show this help message and exit")
-    group.add_argument("-p", "--perspective", metavar="PERSPECTIVE", help="start with this named perspective")
-    group.add_argument("--perspective-file", metavar="PERSPECTIVE_FILE",
-                       help="start with a perspective loaded from a file")  # fmt: skip
-    group.add_argument("-s", "--standalone", metavar="PLUGIN",
-                       help="start only this plugin (implies -l). To pass arguments to the plugin use --args")  # fmt: skip
-    group.add_argument("--force-discover", action="store_true", help="force a rediscover of plugins")
-    group = parser.add_argument_group("Options to query information without starting a GUI instance")
-    group.add_argument("--list-perspectives", action="store_true", help="list available perspectives")
-    group.add_argument("--list-plugins", action="store_true", help="list available plugins")
-    return parser
 
 
 async def _standalone(session: Session, name: str, words: list[str]) -> int | None:
@@ -114,11 +102,14 @@ class Container:
         """Of the perspective: plugins that are not here. They stay in it."""
         self._kept = True
         """Whether the perspective is written when something changes: not over one that could not be read."""
+        self._writing = Lock()
+        self._turn = 0
+        """Counts what was to be written."""
         self.model = Rqt(plugins(), session.cwd, self._woken.set)
 
     async def run(self, options: argparse.Namespace) -> int:
         """Open the window and work off its requests until the program is ended, as by closing it."""
-        self._display.open("rqt", "rqt", self.model)
+        open_first(self._session, "rqt", "rqt", self.model)
         self._session.defer(self._end_all)
         if options.clear_config:
             await self._try(self._store.clear)
@@ -131,10 +122,11 @@ class Container:
                 await self._session.wait(self._woken)
                 self._woken.clear()
                 while self.model.requests:
-                    deed, subject = self.model.requests.pop(0)
+                    deed, subject = self.model.requests[0]
                     self.model.trouble = ""
                     await getattr(self, deed)(subject)
                     self.model.version += 1
+                    self.model.requests.pop(0)
         except (KeyboardInterrupt, Terminated) as end:
             await self._keep()  # settings have changed since the last plugin was opened
             if isinstance(end, Terminated):
@@ -211,7 +203,7 @@ class Container:
     def _begin(self, opened: Open, settings: Settings, *, chosen: bool = False) -> None:
         module = import_module(f"day6_tui.core.ros.programs.{opened.entry.package}.{opened.entry.package}")
         plugin_type = getattr(module, opened.entry.class_name)
-        place = Place(self._session, self._node(in_cpp=plugin_type.in_cpp), (), settings)
+        place = Place(self._session, self._node(in_cpp=plugin_type.in_cpp), settings=settings)
         plugin: Plugin[Any] = plugin_type(place)
         window = self._display.open(plugin.kind, opened.title, plugin.model, chosen=chosen)
         window.on_close = partial(self.model.stop, opened)
@@ -257,8 +249,15 @@ class Container:
     async def _keep(self) -> None:
         """Write the perspective, so that the next rqt begins with it."""
         if self._kept:
-            await self._try(partial(self._store.save, self.model.perspective, self._instances()))
+            self._turn += 1
+            await self._try(partial(self._write, self._turn, self.model.perspective, self._instances()))
         self._tell_names(await in_thread(self._store.names))
+
+    def _write(self, turn: int, name: str, instances: list[Instance]) -> None:
+        """Write a perspective, on a thread. One that Ctrl-C interrupted goes on there: what is newer must not be lost to it."""
+        with self._writing:
+            if turn == self._turn:
+                self._store.save(name, instances)
 
     async def _try(self, work: Any) -> Any:
         """Return what work at the disk returns; what fails is told in the window, and None returned."""

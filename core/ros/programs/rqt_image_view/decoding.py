@@ -6,6 +6,7 @@ Compressed images go through Pillow, whose decoder of JPEG can leave out most of
 from __future__ import annotations
 
 import io
+import re
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,8 +20,8 @@ MOST_COMPRESSED_PIXELS = 50_000_000
 RANGE_SAMPLES = 256
 """Rows and columns in which the least and the greatest value of an image are looked for."""
 
-NO_COLOURS = ("8UC2", "16UC2", "16UC3", "16UC4", "16SC1", "16SC2", "32SC1", "32FC2", "32FC3", "32FC4", "64FC1", "8SC1")
-"""Encodings that cv_bridge knows, but cannot make colours of (those that rqt_image_view shows all the same are left out)."""
+NUMBERS = re.compile(r"(8|16|32|64)[USF](?:C([0-9]+))?")
+"""Encodings that cv_bridge knows, but cannot make colours of; rqt_image_view shows some of them all the same."""
 
 
 class Undecodable(ValueError):
@@ -109,19 +110,45 @@ def _spread(size: int, count: int) -> Any:
 
 
 def _reader(message: Any, view: View) -> Callable[[Any, Any], Any]:
-    """What reads rows and columns of a message as colours. Raises Undecodable for an encoding that nothing is made of."""
+    """What reads rows and columns of a message as colours. Raises Undecodable for one that nothing is made of."""
     encoding = message.encoding
+    _require_form(message)
     if encoding in image_pixels.BAYER:
         return lambda rows, columns: image_pixels.demosaiced(message, rows, columns)
+    if encoding in image_pixels.DEEP:
+        return lambda rows, columns: image_pixels.deep_colours(message, rows, columns)
     if encoding in ("16UC1", "32FC1", "mono16"):
         return lambda rows, columns: _measured(message, rows, columns, view)
-    if encoding in ("8UC3", "8UC4", "8SC3", "8SC4", *NO_COLOURS):
+    if encoding != "8UC1" and NUMBERS.fullmatch(encoding):
         sense = f"[{encoding}] is not a color format. but [rgb8] is. The conversion does not make sense"
         raise Undecodable(f"ImageView.callback_image() could not convert image from '{encoding}' to 'rgb8' ({sense})")
-    known = encoding in (*image_pixels.COLOURED, *image_pixels.GREY, *image_pixels.VIDEO)
-    if not known:
-        raise _failed(encoding, f"Unrecognized image encoding [{encoding}]")
     return lambda rows, columns: image_pixels.colours(message, rows, columns)
+
+
+def _require_form(message: Any) -> None:
+    """Raise Undecodable for what cv_bridge takes for no image (cv_bridge.cpp, matFromImage)."""
+    encoding = message.encoding
+    depth, channels = _form(encoding)
+    least, whole = message.width * depth * channels, message.height * message.step
+    wrong = "Image is wrongly formed:"
+    if message.step < least:
+        form = f"{message.step} != {message.width} * {depth} * {channels}"
+        raise _failed(encoding, f"{wrong} step < width * byte_depth * num_channels  or  {form}")
+    if whole != len(message.data):
+        form = f"{message.height} * {message.step} != {len(message.data)}"
+        raise _failed(encoding, f"{wrong} height * step != size  or  {form}")
+
+
+def _form(encoding: str) -> tuple[int, int]:
+    """Bytes of a number and numbers of a pixel. Raises Undecodable for an unknown encoding."""
+    if numbers := NUMBERS.fullmatch(encoding):
+        return int(numbers[1]) // 8, int(numbers[2] or 1)
+    if encoding in image_pixels.VIDEO:
+        return 1, 2
+    coloured = image_pixels.COLOURED.get(encoding) or image_pixels.DEEP.get(encoding)
+    if coloured is None and encoding not in ("mono8", "mono16", *image_pixels.BAYER):
+        raise _failed(encoding, f"Unrecognized image encoding [{encoding}]")
+    return 2 if encoding.endswith("16") else 1, coloured[0] if coloured is not None else 1
 
 
 def _failed(encoding: str, reason: str) -> Undecodable:
@@ -137,7 +164,7 @@ def _measured(message: Any, rows: Any, columns: Any, view: View) -> Any:
 
     values = image_pixels.measures(message, rows, columns)
     least, most = 0.0, view.max_range * (1000 if message.encoding == "16UC1" else 1)
-    if message.encoding == "mono16":  # cv_bridge takes the upper byte
+    if message.encoding == "mono16":  # as cv_bridge
         most = 65535.0
     elif view.dynamic_range:
         some = image_pixels.measures(
@@ -149,7 +176,7 @@ def _measured(message: Any, rows: Any, columns: Any, view: View) -> Any:
             least, most = 0.0, 2.0
     with np.errstate(over="ignore", invalid="ignore"):
         part = np.nan_to_num((values - least) / ((most - least) or 1.0), nan=0.0, posinf=1.0, neginf=0.0)
-    return np.repeat((part.clip(0, 1) * 255).astype(np.uint8)[..., None], 3, axis=2)
+    return np.repeat(np.rint(part.clip(0, 1) * 255).astype(np.uint8)[..., None], 3, axis=2)
 
 
 def _compressed(message: Any, view: View) -> Picture:

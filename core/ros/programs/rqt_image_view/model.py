@@ -6,7 +6,7 @@ that there is room for.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -49,6 +49,8 @@ class ImageView(Requests):
         self.publishes_clicks = False
         self.version = 0
         """Grows when anything but the image changes."""
+        self.on_image: Callable[[], object] | None = None
+        """Called (any thread) when an image has come: nothing else may be going on that would have the window drawn anew."""
 
     # -- the window's side ---------------------------------------------------------------------------------------------
 
@@ -146,6 +148,8 @@ class ImageView(Requests):
         """Keep a message; on the thread that received it."""
         self._newest = message
         self.received += 1
+        if self.on_image is not None:
+            self.on_image()
 
     def set_publishing(self, on: bool) -> None:
         """Have a publisher for clicks, or none."""

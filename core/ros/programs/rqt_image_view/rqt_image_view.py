@@ -9,10 +9,15 @@ from day6_tui.core.graph.names import flaw_of_full_topic_name
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.ros.programs.rqt_image_view.decoding import View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
+from day6_tui.core.session.argument_parser import Parser
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.task import Signal
 
 REFRESH_SECONDS = 0.1
 """At most this often is the graph looked at again while it changes."""
+
+IMAGE_SECONDS = 0.1
+"""At most this often does an image have the window drawn anew."""
 
 
 class ImageViewPlugin(Plugin[ImageView]):
@@ -22,13 +27,17 @@ class ImageViewPlugin(Plugin[ImageView]):
 
     def __init__(self, place: Place) -> None:
         super().__init__(place, ImageView(place.node, place.session.cwd))
-        words = [word for word in place.words if not word.startswith("-")]
         kept = place.settings.get("topic")
-        topic = words[0] if words else kept if isinstance(kept, str) else ""
+        topic: str = place.option("topic", None) or (kept if isinstance(kept, str) else "")
         topic = topic if not topic or topic.startswith("/") else f"/{topic}"
         if topic and flaw_of_full_topic_name(topic) is None:
             self.model.topic = topic
         self._restore(place.settings)
+
+    @staticmethod
+    def add_arguments(parser: Parser) -> None:
+        group = parser.add_argument_group("Options for rqt_image_view plugin")
+        group.add_argument("topic", nargs="?", help="The topic name to subscribe to")
 
     def _restore(self, kept: Settings) -> None:
         """Show images as the perspective says."""
@@ -45,7 +54,17 @@ class ImageViewPlugin(Plugin[ImageView]):
 
     async def run(self) -> None:
         self.place.serve(self.model)
+        self.place.spawn(self._wake_window())
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
+
+    async def _wake_window(self) -> None:
+        """Images come on other threads, and a window is drawn when something has run on this one."""
+        session, come = self.place.session, Signal()
+        self.model.on_image = come.set
+        while True:
+            await session.wait(come)
+            come.clear()
+            await session.sleep(IMAGE_SECONDS)
 
     def close(self) -> None:
         self.model.close()
@@ -64,4 +83,4 @@ class ImageViewPlugin(Plugin[ImageView]):
 
 async def main(session: Session) -> int | None:
     """Open the window and listen until interrupted."""
-    return await run_alone(session, ImageViewPlugin, in_cpp=True)
+    return await run_alone(session, ImageViewPlugin)

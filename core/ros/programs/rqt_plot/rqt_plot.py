@@ -5,8 +5,11 @@ Without a screen it prints the newest values (see `programs/_without_screen.py`)
 
 from __future__ import annotations
 
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, own_words, run_alone
+import argparse
+
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.ros.programs.rqt_plot.model.plot import Plot
+from day6_tui.core.session.argument_parser import Parser
 from day6_tui.core.session.session import Session
 
 PRINT_SECONDS = 1.0
@@ -14,8 +17,6 @@ PRINT_SECONDS = 1.0
 
 REFRESH_SECONDS = 0.1
 """At most this often is the graph looked at again while it changes."""
-
-USAGE = "usage: rqt_plot [-h] [-e] [topic_and_field ...]"
 
 
 class PlotPlugin(Plugin[Plot]):
@@ -27,10 +28,19 @@ class PlotPlugin(Plugin[Plot]):
         super().__init__(place, Plot(place.node, place.session.clock.steady_ns))
         self.model.on_request = place.wake
         kept = place.settings.get("topics")
-        words = [word for word in place.words if not word.startswith("-")]
-        self.model.add_now(words or ([str(each) for each in kept] if isinstance(kept, list) else []))
+        named: list[str] = place.option("topics", [])
+        self.model.add_now(named or ([str(each) for each in kept] if isinstance(kept, list) else []))
+        if place.option("start_paused", False):
+            self.model.toggle_paused()
         if self.model.message:
             place.session.print_error(self.model.message)
+
+    @staticmethod
+    def add_arguments(parser: Parser) -> None:
+        group = parser.add_argument_group("Options for rqt_plot plugin")
+        group.add_argument("-P", "--pause", action="store_true", dest="start_paused", help="Start in paused state")
+        group.add_argument("-e", "--empty", action="store_true", help=argparse.SUPPRESS)  # here it begins so always
+        group.add_argument("topics", nargs="*", default=[], help="Topics to plot")
 
     async def run(self) -> None:
         await self.place.follow(self.model.handle_requests, REFRESH_SECONDS)
@@ -59,8 +69,4 @@ class PlotPlugin(Plugin[Plot]):
 
 async def main(session: Session) -> int | None:
     """Open the window and listen until interrupted; without a display print the values once a second."""
-    if {"-h", "--help"} & set(own_words(session.argv)):
-        session.print(f"{USAGE}\n\nPlots fields of topics over time, like /turtle1/pose/x, /turtle1/pose/x:y or ")
-        session.print("/joint_states/position[0]. -e begins without what was plotted the last time (as always here).")
-        return 0
     return await run_alone(session, PlotPlugin)

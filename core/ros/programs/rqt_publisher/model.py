@@ -146,6 +146,10 @@ class MessagePublisher(Requests):
         """Give a field an expression; an empty one gives it back its default."""
         self.post(partial(self._change, number, lambda entry: entry.set_expression(path, text)))
 
+    def resize(self, number: int, path: str, step: int) -> None:
+        """Give a sequence one element more (1) or less (-1)."""
+        self.post(partial(self._change, number, lambda entry: entry.resize(path, step)))
+
     def publish_once(self, number: int) -> None:
         """Publish one message now."""
         self.post(partial(self._change, number, lambda entry: entry.publish()))
@@ -196,7 +200,7 @@ class MessagePublisher(Requests):
             self._fail(str(error))
             return
         entry = _Entry(self, self._number, topic, type_name, rate, form, publisher)
-        for path, text in (expressions or {}).items():
+        for path, text in sorted((expressions or {}).items(), key=lambda pair: pair[0].count("[")):
             entry.set_expression(path, text)
         self._entries[self._number] = entry
         self._number += 1
@@ -321,10 +325,12 @@ class _Entry:
 
     def set_expression(self, path: str, text: str) -> None:
         try:
-            self.form.set(path, text)
+            self.form.set_if_good(path, text, self._model.names(self.count))
         except (LookupError, AttributeError, TypeError):
             return  # a perspective's, of a type that was different then
-        self.form.message(self._model.names(self.count))
+
+    def resize(self, path: str, step: int) -> None:
+        self.form.resize(path, step, self._model.names(self.count))
 
     def _publish_in_turn(self, period: float) -> None:
         if self._rests:
@@ -336,7 +342,7 @@ class _Entry:
         self._rests = int(RESTS * spent / period) if spent > HEAVY_SECONDS else 0
 
     def publish(self) -> None:
-        """Publish one message; a field whose expression is wrong has its default."""
+        """Publish one message; a field whose expression is wrong now, which it was not when it was typed, has its default."""
         before = self.form.problems, self._problem
         self.count += 1
         message = self.form.message(self._model.names(self.count))

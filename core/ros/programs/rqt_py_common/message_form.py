@@ -1,16 +1,18 @@
 """A message as a tree of its fields, each with the expression that gives its value: rqt's request and message trees.
 
-A field is named by its path below the message, as rqt_py_common's trees name it: `/pose/position/x`, `/points[2]/x`.
+A field is named by its path below the message, as rqt_py_common's trees name it: `/pose/position/x`, `/points[2]/x`. Arrays are
+branches whose elements have lines and expressions of their own, as in rqt_publisher; here the array's own line, too.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import deepcopy
 from itertools import islice
 from typing import Any, NamedTuple
 
-from day6_tui.core.interfaces import get_message
+from day6_tui.core.interfaces import get_message, type_name
 from day6_tui.core.interfaces.definition import InvalidSpecification
 from day6_tui.core.interfaces.fields import PRIMITIVES
 from day6_tui.core.ros.programs.rqt_topic.fields import element_type
@@ -21,8 +23,14 @@ MOST_ROWS = 1000
 MOST_ELEMENTS = 500
 """Elements of an array that are written out."""
 
+MOST_LINES = 100
+"""Elements that an array may have to be a branch; of messages more are listed."""
+
 MOST_CHARACTERS = 4000
 """Of a string that are written out."""
+
+SEQUENCE = "sequence<"
+"""With this begins the type of an array that can grow."""
 
 REST = "..."
 """In place of what is not listed or written out."""
@@ -46,9 +54,13 @@ class FieldRow(NamedTuple):
     depth: int
     text: str
     is_branch: bool = False
-    """Whether it has fields below it; its expression is then empty by default."""
+    """Whether it has lines below it; a message's expression is then empty by default."""
     problem: str = ""
     """Why the expression is not taken."""
+    in_force: str = ""
+    """The expression that counts in place of the refused one in `text`."""
+    elements: int = 0
+    """How many lines below it are elements of an array that are no messages."""
 
 
 class FieldKind(NamedTuple):
@@ -88,6 +100,10 @@ def _field(value: Any, path: str, name: str, kind: str, depth: int) -> Iterator[
         yield FieldRow(path, name, kind, depth, "", is_branch=True)
         for index, each in enumerate(value):
             yield from _field(each, f"{path}[{index}]", f"[{index}]", element_type(kind), depth + 1)
+    elif element_type(kind) and 0 < len(value) <= MOST_LINES:
+        yield FieldRow(path, name, kind, depth, value_text(value), is_branch=True, elements=len(value))
+        for index, each in enumerate(value.tolist() if hasattr(value, "tolist") else value):
+            yield FieldRow(f"{path}[{index}]", f"[{index}]", element_type(kind), depth + 1, value_text(each))
     else:
         yield FieldRow(path, name, kind, depth, value_text(value))
 
@@ -114,70 +130,133 @@ class MessageForm:
         """`refusal`: what is said of a value that its field does not take."""
         self._message_class = message_class
         self._convert, self._refusal = convert, refusal
-        self._default = message_class()
+        self._shown = message_class()
+        """The newest message: it says which elements there are."""
         self.expressions: dict[str, str] = {}
         self.problems: dict[str, str] = {}
         """By path, as of the last `message`."""
+        self._refused: dict[str, tuple[str, str]] = {}
+        """What `set_if_good` did not take, and why."""
 
     def rows(self, depth: int = 0) -> list[FieldRow]:
         """The lines of the tree, with what was typed in place of the defaults."""
-        return [
-            row._replace(text=self.expressions.get(row.path, row.text), problem=self.problems.get(row.path, ""))
-            for row in field_rows(self._default, depth)
-        ]
+        return [self._filled(row) for row in field_rows(self._shown, depth)]
+
+    def _filled(self, row: FieldRow) -> FieldRow:
+        text, problem = self._refused.get(row.path, ("", ""))
+        known = self.expressions.get(row.path)
+        if row.elements and known is None and any(path.startswith(f"{row.path}[") for path in tuple(self.expressions)):
+            known = ""
+        shown = row.text if known is None else known
+        if text:
+            return row._replace(text=text, problem=problem, in_force=shown)
+        return row._replace(text=shown, problem=self.problems.get(row.path, ""))
 
     def set(self, path: str, text: str) -> None:
-        """Give a field an expression; an empty one gives it back its default. Raises LookupError for no such field."""
-        self._slot(self._default, path)
+        """Give a field an expression; an empty one gives it back its default. Raises LookupError for no such field.
+
+        An expression for a whole array takes the place of those of its elements.
+        """
+        self._slot(self._shown, path)
+        self._refused.pop(path, None)
+        for below in [each for each in self.expressions if each.startswith(f"{path}[")]:
+            del self.expressions[below]
         if text.strip():
             self.expressions[path] = text
         else:
             self.expressions.pop(path, None)
 
+    def set_if_good(self, path: str, text: str, names: Mapping[str, Any]) -> None:
+        """`set`, unless the expression is wrong now: then the one before counts, as in rqt_publisher."""
+        before = dict(self.expressions)
+        self.set(path, text)
+        self.message(names)
+        if path in self.problems:
+            self._refused[path] = text, self.problems[path]
+            self.expressions = before
+            self.message(names)
+
     def message(self, names: Mapping[str, Any]) -> Any:
         """Return a new message; a field whose expression is wrong keeps its default, and has a problem afterwards."""
         message, self.problems = self._message_class(), {}
-        for path, text in self.expressions.items():
-            if any(path.startswith((f"{other}/", f"{other}[")) for other in self.expressions):
+        for path, text in sorted(self.expressions.items(), key=lambda item: item[0].count("[")):
+            if any(path.startswith(f"{other}/") for other in self.expressions):
                 continue  # what it belongs to has an expression of its own
-            owner, name, kind = self._slot(message, path)
             try:
-                value = self._convert(text, kind, names)
-                if isinstance(name, int):
-                    owner[name] = value
-                else:
-                    self._put(owner, name, value)
+                owner, name, kind = self._slot(message, path)
+            except LookupError:
+                continue  # the array is shorter now
+            try:
+                self._put(owner, name, self._convert(text, kind, names))
             except Rejected as error:
                 self.problems[path] = str(error)
+        self._shown = message
         return message
 
-    def _put(self, message: Any, name: str, value: Any) -> None:
-        try:
-            setattr(message, name, value)
-        except (AssertionError, OverflowError, TypeError, ValueError) as error:
-            raise Rejected(self._refusal.format(name=name, value=value_text(value), error=error)) from None
+    def resize(self, path: str, step: int, names: Mapping[str, Any]) -> None:
+        """Give a sequence one element more (1) or less (-1), if its type allows that. Raises LookupError for no such field."""
+        owner, name, kind = self._slot(self._shown, path)
+        if not kind.name.startswith(SEQUENCE):
+            return
+        kept = {each: text for each, text in self.expressions.items() if each.startswith(f"{path}[")}
+        values = _values(owner, name)
+        values = values[:-1] if step < 0 else [*values, octet(0) if kind.python is bytes else kind.python()]
+        self.set_if_good(path, _array_text(values), names)
+        self.expressions.update(kept)
+        self.message(names)
 
-    def _slot(self, message: Any, path: str) -> tuple[Any, str | int, FieldKind]:
-        """The message or list that a field is in, the field's name or index there, and its kind."""
+    def _put(self, owner: Any, name: tuple[str, int | None], value: Any) -> None:
+        field, index = name
+        if index is not None:
+            value = [value if at == index else each for at, each in enumerate(_values(owner, name))]
+        elif isinstance(value, list) and value and _is_message(value[0]):
+            value = [deepcopy(each) for each in value]  # `[Point()] * 2` is one point
+        try:
+            setattr(owner, field, value)
+        except (AssertionError, OverflowError, TypeError, ValueError) as error:
+            raise Rejected(self._refusal.format(name=field, value=value_text(value), error=error)) from None
+
+    def _slot(self, message: Any, path: str) -> tuple[Any, tuple[str, int | None], FieldKind]:
+        """The message that a field is in, the field's name there, with the index of an element, and its kind."""
         steps: list[str | int] = [name or int(index) for name, index in _STEPS.findall(path)]
-        kind = ""
+        owner, field, kind = None, "", ""
         for at, step in enumerate(steps):
-            kind = element_type(kind) if isinstance(step, int) else message.get_fields_and_field_types()[step]
-            if at == len(steps) - 1:
-                return message, step, kind_of(kind)
-            message = message[step] if isinstance(step, int) else getattr(message, step)
+            if isinstance(step, int):
+                kind = element_type(kind)
+                message[step]  # raises IndexError
+                if at == len(steps) - 1:
+                    return owner, (field, step), kind_of(kind)
+                message = message[step]
+            else:
+                kind = message.get_fields_and_field_types()[step]
+                if at == len(steps) - 1:
+                    return message, (step, None), kind_of(kind)
+                owner, field, message = message, step, getattr(message, step)
         raise LookupError(path)
 
 
-def kind_of(type_name: str) -> FieldKind:
+def _values(owner: Any, name: tuple[str, int | None]) -> list[Any]:
+    values: Any = getattr(owner, name[0])
+    return values.tolist() if hasattr(values, "tolist") else list(values)
+
+
+def _array_text(values: Sequence[Any]) -> str:
+    """An expression for an array; of messages, for as many empty ones."""
+    if not values or not _is_message(values[0]):
+        return value_text(values)
+    empty = f"{type_name(type(values[0])).replace('/', '.')}()"
+    return f"[{', '.join([empty] * len(values))}]"
+
+
+def kind_of(name: str) -> FieldKind:
     """What a field of this type can hold; the type is written as rosidl's classes write it, `sequence<double, 3>`."""
-    base = element_type(type_name) or type_name
+    base = element_type(name) or name
     if "/" in base:
-        package, _, name = base.rpartition("/")
-        python: type[Any] = get_message(f"{package.partition('/')[0]}/msg/{name}")
+        package, _, last = base.rpartition("/")
+        python: type[Any] = get_message(f"{package.partition('/')[0]}/msg/{last}")
     else:
         python = _PYTHON.get(base, str)
-    return FieldKind(type_name, python, base != type_name)
+    return FieldKind(name, python, base != name)
 
 
 def octet(value: Any) -> bytes:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.ros.programs.rqt_reconfigure.model import Reconfigure, read_values
+from day6_tui.core.session.argument_parser import Parser
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
 
@@ -28,12 +29,17 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
     def __init__(self, place: Place) -> None:
         super().__init__(place, Reconfigure(place.node, place.session.clock.steady_ns, place.session.cwd))
         self.model.on_load = lambda node, path: place.spawn(self._load(node, path))
-        self._named = [word for word in place.words if not word.startswith("-")]
+        self._named: list[str] = place.option("node_name", [])
         kept = place.settings.get("selected_nodes")
         selected = [each for each in kept if isinstance(each, str)] if isinstance(kept, list) else []
         self._selected = self._named or selected
         text = place.settings.get("text")
         self.model.filter = text if isinstance(text, str) else ""
+
+    @staticmethod
+    def add_arguments(parser: Parser) -> None:
+        group = parser.add_argument_group("Options for rqt_reconfigure plugin")
+        group.add_argument("node_name", nargs="*", default=[], help="Node(s) to open automatically")
 
     async def run(self) -> None:
         self.place.serve(self.model)

@@ -102,6 +102,10 @@ class ServiceCaller(Requests):
         """Give a field of the request an expression; an empty one gives it back its default."""
         self.post(partial(self._set_expression, path, text))
 
+    def resize(self, path: str, step: int) -> None:
+        """Give a sequence in the request one element more (1) or less (-1)."""
+        self.post(partial(self._resize, path, step))
+
     def call(self) -> None:
         """Send the request."""
         self.post(self._call)
@@ -189,6 +193,11 @@ class ServiceCaller(Requests):
     def _set_expression(self, path: str, text: str) -> None:
         if self._form is not None:
             self._form.set(path, text)
+            self._filled()
+
+    def _resize(self, path: str, step: int) -> None:
+        if self._form is not None:
+            self._form.resize(path, step, REQUEST_NAMES)
             self._filled()
 
     def _call(self) -> None:

@@ -116,6 +116,7 @@ class Node:
     """In real rclpy a name for the types of what declares a parameter."""
 
     # What the nodes of rclcpp replace (core/ros/programs/rclcpp).
+    _rclpy_logger: ClassVar[type[RcutilsLogger]] = RcutilsLogger
     _rclpy_store: ClassVar[type[ParameterStore]] = ParameterStore
     _rclpy_parameter_service: ClassVar[type[ParameterService]] = ParameterService
     _rclpy_time_source: ClassVar[type[TimeSource]] = TimeSource
@@ -217,7 +218,7 @@ class Node:
         context._join_link()
         enclave = context._arguments.enclave if context._arguments is not None else "/"
         graph_node = context._graph.create_node(node_name, namespace, enclave=enclave)
-        self._logger = RcutilsLogger._of_node(full_name[1:].replace("/", "."), context._logging)
+        self._logger = self._rclpy_logger._of_node(full_name[1:].replace("/", "."), context._logging)
         self.__node = NodeHandle(context, graph_node, rules, self._logger, Scope())
         return {name: Parameter(name, value=value) for name, value in values.items()}
 

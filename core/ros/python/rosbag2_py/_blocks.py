@@ -43,8 +43,13 @@ class Block:
 class BlockFile(Protocol):
     """One file of either storage. Only one thread at a time may use it. All methods raise RuntimeError for damaged files."""
 
-    is_complete: bool
-    """Whether the file goes on to its regular end, as far as `blocks` has come."""
+    @property
+    def is_complete(self) -> bool:
+        """Whether the file goes on to its regular end, as far as `blocks` has come."""
+
+    @property
+    def passed(self) -> float:
+        """Which part of the file `blocks` has gone through, 0 to 1."""
 
     def blocks(self) -> Iterator[Block]:
         """Yield the blocks in the order of the file."""
@@ -66,22 +71,22 @@ class BlockFile(Protocol):
 
 def open_blocks(path: Path, storage_id: str = "") -> BlockFile:
     """Open one file. Raises RuntimeError with the reason."""
-    storage = storage_of(path, storage_id)
-    try:
-        with reading(path):
-            if storage == "mcap":
-                from rosbag2_py._mcap_blocks import McapBlocks
+    with reading(path):
+        if storage_of(path, storage_id) == "mcap":
+            from rosbag2_py._mcap_blocks import McapBlocks
 
-                return McapBlocks(path)
-            from rosbag2_py._sqlite_blocks import SqliteBlocks
+            return McapBlocks(path)
+        from rosbag2_py._sqlite_blocks import SqliteBlocks
 
-            return SqliteBlocks(path)
-    except OSError as error:
-        raise RuntimeError(f"{error.strerror}: {path}") from None
+        return SqliteBlocks(path)
 
 
-def entries_of(found: dict[str, list[tuple[int, int]]]) -> dict[str, Entries]:
-    """Pack (time, key) pairs, sorted by time; messages of the same time stay in the order of the file."""
+Pairs = dict[str, list[tuple[int, int]]]
+"""The time and the key of messages, by topic."""
+
+
+def entries_of(found: Pairs) -> dict[str, Entries]:
+    """Pack them, sorted by time; messages of the same time stay in the order of the file."""
     return {topic: _packed(sorted(pairs)) for topic, pairs in found.items()}
 
 

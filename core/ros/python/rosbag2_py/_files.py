@@ -5,11 +5,11 @@ from __future__ import annotations
 import struct
 import zlib
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
-from rclpy._logging_settings import PROCESS, LoggingSettings
+from rosbag2_py._console import Log, quiet
 from rosbag2_py._storage import (
     MCAP_MAGIC,
     BadBag,
@@ -32,6 +32,7 @@ MCAP_PRESETS = {
 MINIMUM_SPLIT = {"mcap": 1024, "sqlite3": 86016}
 """The smallest allowed size limit of a file, in bytes (rosbag2_storage_mcap, rosbag2_storage_sqlite3)."""
 
+_LOGGER = "rosbag2_storage"
 NO_STORAGE = "No storage could be initialized from the inputs."
 
 
@@ -39,7 +40,10 @@ class BagReader(Protocol):
     """The reader of one file, of either storage."""
 
     storage_id: str
-    is_complete: bool
+
+    @property
+    def has_time_order(self) -> bool:
+        """Whether its messages can be read by time."""
 
     def metadata(self) -> BagMetadata: ...
 
@@ -75,9 +79,11 @@ class BagWriter(Protocol):
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn the errors that damaged bytes cause into a BadBag that names the file."""
+    """Turn the errors that damaged bytes and files out of reach cause into a BadBag that names the file."""
     try:
         yield
+    except OSError as error:
+        raise BadBag(f"{error.strerror}: {path}") from None
     except (struct.error, zlib.error, LookupError, TypeError, ValueError, ArithmeticError, MemoryError) as error:
         raise BadBag(f"{path.name} is damaged: {error or type(error).__name__}") from error
 
@@ -112,57 +118,47 @@ def storage_of(path: Path, storage_id: str = "") -> str:
         if storage_id not in SUFFIXES:
             raise RuntimeError(NO_STORAGE)
         return storage_id
-    for name, suffix in SUFFIXES.items():
-        if path.suffix == suffix:
-            return name
-    try:
-        with path.open("rb") as file:
-            first = file.read(16)
-    except OSError:
-        raise RuntimeError(NO_STORAGE) from None
+    with path.open("rb") as file:
+        first = file.read(16)
     if first.startswith(MCAP_MAGIC):
         return "mcap"
     if first.startswith(b"SQLite format 3\0"):
         return "sqlite3"
+    for name, suffix in SUFFIXES.items():
+        if path.suffix == suffix:
+            return name
     raise RuntimeError(NO_STORAGE)
 
 
-class OpeningLog(NamedTuple):
-    """Logs that a file of SQLite was opened, as SqliteStorage::open does (MCAP's does not).
-
-    `settings` are those of a context. Paths are told from `folder` (of a context; "": the process's), as they mostly are typed.
-    """
-
-    settings: LoggingSettings = PROCESS
-    folder: str = ""
-
-    def tell(self, file: BagReader | BagWriter, path: Path, how: str) -> None:
-        if file.storage_id != "sqlite3":
-            return
-        from rclpy.impl.rcutils_logger import RcutilsLogger
-
-        with suppress(OSError, ValueError):
-            path = path.relative_to(self.folder or Path.cwd())
-        RcutilsLogger._of_node("rosbag2_storage", self.settings).info(f"Opened database '{path}' for {how}.")
-
-
-def open_file(path: Path, storage_id: str = "") -> BagReader:
-    """Open one file for reading. Raises RuntimeError with the reason."""
-    storage = storage_of(path, storage_id)
+def open_file(path: Path, storage_id: str, log: Log) -> BagReader | None:
+    """Open one file for reading; None if that can't be: the reason is logged (rosbag2_storage, StorageFactory)."""
     try:
-        with reading(path):
-            if storage == "mcap":
-                from rosbag2_py._mcap_read import McapReader
+        file = _open(path, storage_id)
+    except RuntimeError as error:
+        if not storage_id:
+            log("ERROR", _LOGGER, "No storage id specified, and no plugin found that could open URI")
+            return None
+        if storage_id in SUFFIXES:
+            log("ERROR", _LOGGER, f"Could not open '{path}' with '{storage_id}'. Error: {error}")
+        log("ERROR", _LOGGER, f"Could not load/open plugin with storage id '{storage_id}'")
+        return None
+    if file.storage_id == "sqlite3":
+        log("INFO", _LOGGER, f"Opened database '{path}' for READ_ONLY.")
+    return file
 
-                return McapReader(path)
-            from rosbag2_py._sqlite import SqliteReader
 
-            return SqliteReader(path)
-    except OSError as error:
-        raise RuntimeError(f"{error.strerror}: {path}") from None
+def _open(path: Path, storage_id: str) -> BagReader:
+    with reading(path):
+        if storage_of(path, storage_id) == "mcap":
+            from rosbag2_py._mcap_read import McapReader
+
+            return McapReader(path)
+        from rosbag2_py._sqlite import SqliteReader
+
+        return SqliteReader(path)
 
 
-def create_file(path: Path, storage_id: str, preset: str, distro: str) -> BagWriter:
+def create_file(path: Path, storage_id: str, preset: str, distro: str, log: Log = quiet) -> BagWriter:
     """Create a new file. Raises RuntimeError for an unknown storage or preset."""
     if (storage_id or get_default_storage_id()) == "mcap":
         from rosbag2_py._mcap_write import McapWriter
@@ -170,4 +166,6 @@ def create_file(path: Path, storage_id: str, preset: str, distro: str) -> BagWri
         return McapWriter(path, preset)
     from rosbag2_py._sqlite import SqliteWriter
 
-    return SqliteWriter(path, preset, distro)
+    writer = SqliteWriter(path, preset, distro)
+    log("INFO", _LOGGER, f"Opened database '{path}' for READ_WRITE.")
+    return writer

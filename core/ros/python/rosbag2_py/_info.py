@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from day6_tui.core.ros.differences import value
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._files import open_file, reading
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import EVENT_SUFFIX, BagMetadata, StorageOptions, TopicInformation, nanoseconds_of
@@ -26,6 +27,9 @@ _TOPICS = "Topic information: "
 class Info:
     """Reads and prints a bag's metadata; `text`, `verbose_text` and `topic_names` return it instead."""
 
+    def __init__(self, log: Log = to_console) -> None:
+        self._log = log
+
     def read_metadata(self, uri: str, storage_id: str = "") -> BagMetadata:
         """Return the metadata of a bag's folder or of one of its files. Raises RuntimeError if there is none."""
         path = Path(uri)
@@ -35,7 +39,9 @@ class Info:
             return MetadataIo().read_metadata(uri)
         if path.is_dir():
             raise RuntimeError(f"Could not find metadata in bag directory {uri}")
-        file = open_file(path, storage_id)
+        file = open_file(path, storage_id, self._log)
+        if file is None:
+            raise RuntimeError(f"No plugin detected that could open file {uri}")
         try:
             with reading(path):
                 return file.metadata()
@@ -78,9 +84,9 @@ class Info:
 
     def verbose_text(self, uri: str, metadata: BagMetadata, sorting_method: str = "name") -> str:
         """Return the output of `ros2 bag info -v BAG`."""
-        sizes = message_sizes(uri, metadata)
+        sizes = message_sizes(uri, metadata, self._log)
         services = _services(metadata, sorting_method)
-        calls = _calls(uri, metadata) if services else {}
+        calls = _calls(uri, metadata, self._log) if services else {}
         about = [
             f"Service: {service.name} | Type: {service.type} | Request Count: {calls.get(service.name, (0, 0))[0]} | "
             f"Response Count: {calls.get(service.name, (0, 0))[1]} | "
@@ -189,18 +195,18 @@ def _moment(nanoseconds: int) -> str:
     return f"{day} {clock} ({_seconds(nanoseconds)})"
 
 
-def message_sizes(uri: str, metadata: BagMetadata) -> dict[str, int]:
+def message_sizes(uri: str, metadata: BagMetadata, log: Log = to_console) -> dict[str, int]:
     """Read all messages; returns the sum of their sizes in bytes by topic."""
     sizes: Counter[str] = Counter()
-    for topic, data, _ in _all_messages(uri, metadata):
+    for topic, data, _ in _all_messages(uri, metadata, log):
         sizes[topic] += len(data)
     return dict(sizes)
 
 
-def _all_messages(uri: str, metadata: BagMetadata) -> Any:
+def _all_messages(uri: str, metadata: BagMetadata, log: Log) -> Any:
     from rosbag2_py._reader import SequentialReader
 
-    reader = SequentialReader()
+    reader = SequentialReader(log)
     reader.open(StorageOptions(uri, storage_id=metadata.storage_identifier))
     try:
         while reader.has_next():
@@ -209,7 +215,7 @@ def _all_messages(uri: str, metadata: BagMetadata) -> Any:
         reader.close()
 
 
-def _calls(uri: str, metadata: BagMetadata) -> dict[str, tuple[int, int]]:
+def _calls(uri: str, metadata: BagMetadata, log: Log) -> dict[str, tuple[int, int]]:
     """Return the numbers of different requests and responses in the events of each service."""
     from day6_tui.core.interfaces import deserialize, get_interface
 
@@ -219,7 +225,7 @@ def _calls(uri: str, metadata: BagMetadata) -> dict[str, tuple[int, int]]:
         if is_service_event(each.topic_metadata.name, each.topic_metadata.type)
     }
     seen: dict[str, tuple[set[Any], set[Any]]] = {topic: (set(), set()) for topic in kinds}
-    for topic, data, _ in _all_messages(uri, metadata):
+    for topic, data, _ in _all_messages(uri, metadata, log):
         if topic in kinds:
             event = deserialize(data, kinds[topic]).info
             key = (bytes(event.client_gid), event.sequence_number)

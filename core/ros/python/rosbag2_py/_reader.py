@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from rosbag2_py._compression import decompress
-from rosbag2_py._files import NO_STORAGE, BagReader, OpeningLog, get_registered_readers, open_file, reading
+from rosbag2_py._console import Log, to_console
+from rosbag2_py._files import NO_STORAGE, BagReader, get_registered_readers, open_file, reading
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import (
     BagMetadata,
@@ -27,12 +28,14 @@ from rosbag2_py._storage import (
 __all__ = ["SequentialCompressionReader", "SequentialReader", "get_registered_readers"]
 
 _LAST = 2**63 - 1
+_LOGGER = "rosbag2_cpp"
 
 
 class SequentialReader:
     """Reads the messages of a bag (its folder, or one file of it) by time. Raises RuntimeError for anything else."""
 
-    def __init__(self) -> None:
+    def __init__(self, log: Log = to_console) -> None:
+        self._log = log
         self._metadata: BagMetadata | None = None
         self._folder = Path()
         self._files: list[Path] = []
@@ -45,7 +48,6 @@ class SequentialReader:
         self._stream: Iterator[Message] | None = None
         self._next: Message | None = None
         self._unpacked: Path | None = None
-        self._log = OpeningLog()
 
     def open_uri(self, uri: str) -> None:
         """Open a bag; its storage is detected."""
@@ -61,18 +63,22 @@ class SequentialReader:
             self._metadata = metadata = io.read_metadata(str(self._folder))
             self._storage = self._storage or metadata.storage_identifier
             self._files = [self._find(path) for path in metadata.relative_file_paths]
-        elif self._folder.is_file():
+            if not self._files:
+                self._log("WARN", _LOGGER, "No file paths were found in metadata.")
+                return
+            self._is_in_order(self._reader(self._files[0]))
+        else:
             self._files = [self._folder]
-            file = self._reader(self._folder)
+            file = self._reader(self._folder, NO_STORAGE)
             with reading(self._folder):
                 self._metadata = file.metadata()
-        else:
-            raise RuntimeError(NO_STORAGE)
+            if not self._is_in_order(file):
+                self._log("WARN", _LOGGER, "Could not set read order on open(), falling back to file order")
+        if not self._metadata.topics_with_message_count:
+            self._log("WARN", _LOGGER, "No topics were listed in metadata.")
         if storage_options.start_time_ns >= 0:
             self._start_ns = storage_options.start_time_ns
         self._end_ns = storage_options.end_time_ns if storage_options.end_time_ns >= 0 else _LAST
-        if self._files:
-            self._reader(self._files[0])
 
     def _find(self, name: str) -> Path:
         """Return the path of a file; early versions list files with the bag's folder in front."""
@@ -89,13 +95,22 @@ class SequentialReader:
         self._metadata = None
         self._start_ns = None
 
-    def _reader(self, path: Path) -> BagReader:
+    def _is_in_order(self, file: BagReader) -> bool:
+        """Whether a file can be read by time; otherwise it is read as it was written."""
+        if not file.has_time_order:
+            text = "attempted to read in receive timestamp order with no message index"
+            self._log("WARN", "rosbag2_storage_mcap", text)
+        return file.has_time_order
+
+    def _reader(self, path: Path, problem: str = "No storage could be initialized. Abort") -> BagReader:
         found = self._open.get(path)
         if found is None:
             mode = self._metadata.compression_mode if self._metadata is not None else ""
             packed = mode.upper() == "FILE" and path.suffix == ".zstd"
-            found = self._open[path] = open_file(self._unpack(path) if packed else path, self._storage)
-            self._log.tell(found, path, "READ_ONLY")
+            found = open_file(self._unpack(path) if packed else path, self._storage, self._log)
+            if found is None:
+                raise RuntimeError(problem)
+            self._open[path] = found
         return found
 
     def _unpack(self, path: Path) -> Path:
@@ -154,6 +169,9 @@ class SequentialReader:
             return False
         if read_order.sort_by == ReadOrderSortBy.File and read_order.reverse:
             return False
+        by_time = read_order.sort_by == ReadOrderSortBy.ReceivedTimestamp
+        if by_time and self._files and not self._is_in_order(self._reader(self._files[0])):
+            return False
         self._order = read_order
         self._restart()
         return True
@@ -192,9 +210,9 @@ class SequentialReader:
         unpack = metadata.compression_mode.upper() == "MESSAGE"
         # After a split the order of the names is the order of time.
         for path in reversed(self._files) if reverse else self._files:
-            stream = self._reader(path).messages(
-                start, self._filter.allows, reverse=reverse, by_file=self._order.sort_by == ReadOrderSortBy.File
-            )
+            file = self._reader(path)
+            by_file = self._order.sort_by == ReadOrderSortBy.File or not file.has_time_order
+            stream = file.messages(start, self._filter.allows, reverse=reverse, by_file=by_file)
             with reading(path):
                 for message in stream:
                     if message.received_ns > self._end_ns:

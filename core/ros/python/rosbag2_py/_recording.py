@@ -12,7 +12,7 @@ from day6_tui.core.interfaces import type_name
 from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
-from rosbag2_py._files import OpeningLog
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._qos import from_rclpy
 from rosbag2_py._storage import ConverterOptions, StorageOptions, TopicMetadata
@@ -52,6 +52,7 @@ class Recording:
         *,
         keyboard: bool,
         host: RecordingHost | None = None,
+        log: Log = to_console,
     ) -> None:
         self._node = node
         self._host = host
@@ -77,7 +78,7 @@ class Recording:
         if keyboard:
             self._log.info("Press SPACE for pausing/resuming")
         self._writer = self._make_writer()
-        self._writer._log = OpeningLog(node.context._logging, node.context._folder)
+        self._writer._log = log
 
     def _full(self, topic: str) -> str:
         from rclpy.expand_topic_name import expand_topic_name

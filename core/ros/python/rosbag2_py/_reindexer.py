@@ -1,18 +1,17 @@
-"""Rebuilds metadata.yaml from the files of a bag, and completes files that were cut off."""
+"""Rebuilds metadata.yaml from the files of a bag; the files themselves stay as they are, even those that were cut off."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from pathlib import Path
 
-from rosbag2_py._files import create_file, open_file
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._metadata import MetadataIo
+from rosbag2_py._reader import SequentialReader
 from rosbag2_py._storage import (
     BagMetadata,
     BagTime,
     Duration,
-    MessageDefinition,
     StorageOptions,
     TopicInformation,
     nanoseconds_of,
@@ -23,15 +22,15 @@ _FILE = re.compile(r"(\d+)_.+_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.[a-zA-Z0-9]+|.+_(\
 
 
 class Reindexer:
-    """Rebuilds the metadata of bags; `log(text)` gets the real one's log lines."""
+    """Rebuilds the metadata of bags."""
 
-    def __init__(self, log: Callable[[str], None] | None = None) -> None:
-        self._log = log or (lambda text: None)
+    def __init__(self, log: Log = to_console) -> None:
+        self._log = log
 
     def reindex(self, storage_options: StorageOptions) -> None:
         """Write metadata.yaml for the folder `uri`. Raises RuntimeError if files are missing or unreadable."""
         folder = Path(storage_options.uri)
-        self._log(f"Beginning reindexing bag in directory: {storage_options.uri}")
+        self._log("INFO", "rosbag2_cpp", f"Beginning reindexing bag in directory: {storage_options.uri}")
         if not any(folder.iterdir()):
             raise RuntimeError("Empty directory.")
         found = [(match, path) for path in folder.iterdir() if (match := _FILE.fullmatch(path.name))]
@@ -40,36 +39,18 @@ class Reindexer:
             raise RuntimeError("No storage files found for reindexing. Abort")
         parts = [self._metadata_of(path, storage_options.storage_id) for path in files]
         MetadataIo().write_metadata(str(folder), _merged(parts))
-        self._log("Reindexing complete.")
+        self._log("INFO", "rosbag2_cpp", "Reindexing complete.")
 
     def _metadata_of(self, path: Path, storage_id: str) -> BagMetadata:
-        file = open_file(path, storage_id)
-        try:
-            metadata = file.metadata()
-            if file.is_complete:
-                return metadata
-            definitions = {each.topic_type: each for each in file.definitions()}
-            repaired = path.with_name(f".{path.name}.repaired")
-            repaired.unlink(missing_ok=True)
-            writer = create_file(repaired, file.storage_id, "", metadata.ros_distro)
-            for each in metadata.topics_with_message_count:
-                topic = each.topic_metadata
-                empty = MessageDefinition(topic.type, "unknown", "", "")
-                writer.create_topic(topic, definitions.get(topic.type, empty))
-            for message in file.messages(0, lambda topic: True, by_file=True):
-                writer.write(message.topic, message.data, message.received_ns, message.sent_ns)
-            writer.metadata = metadata
-            writer.close()
-        finally:
-            file.close()
-        repaired.replace(path)
-        self._log(
-            f"{path.name} was cut off; it is complete now, with the {metadata.message_count} messages that are in it."
-        )
+        reader = SequentialReader(self._log)
+        reader.open(StorageOptions(str(path), storage_id))
+        metadata = reader.get_metadata()
+        reader.close()
         return metadata
 
 
 def _merged(parts: list[BagMetadata]) -> BagMetadata:
+    """The metadata of all files; as in rosbag2_cpp the durations are added up, and `files` stays empty."""
     topics: dict[str, TopicInformation] = {}
     for part in parts:
         for each in part.topics_with_message_count:
@@ -78,17 +59,13 @@ def _merged(parts: list[BagMetadata]) -> BagMetadata:
                 topics[each.topic_metadata.name] = each
             else:
                 known.message_count += each.message_count
-    written = [part for part in parts if part.message_count]
-    start = min((nanoseconds_of(part.starting_time) for part in written), default=0)
-    end = max((nanoseconds_of(part.starting_time) + nanoseconds_of(part.duration) for part in written), default=start)
     return BagMetadata(
-        storage_identifier=parts[0].storage_identifier,
+        storage_identifier=parts[-1].storage_identifier,
         relative_file_paths=[path for part in parts for path in part.relative_file_paths],
-        files=[file for part in parts for file in part.files],
-        duration=Duration(0, end - start),
-        starting_time=BagTime(start),
+        duration=Duration(0, sum(nanoseconds_of(part.duration) for part in parts)),
+        starting_time=BagTime(min(nanoseconds_of(part.starting_time) for part in parts)),
         message_count=sum(part.message_count for part in parts),
         topics_with_message_count=sorted(topics.values(), key=lambda each: each.topic_metadata.name),
-        custom_data=parts[-1].custom_data,
-        ros_distro=parts[-1].ros_distro,
+        custom_data=next((part.custom_data for part in reversed(parts) if part.custom_data), {}),
+        ros_distro=next((part.ros_distro for part in reversed(parts) if part.ros_distro), ""),
     )

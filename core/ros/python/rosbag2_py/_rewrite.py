@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._playing import _messages
 from rosbag2_py._reader import SequentialReader
@@ -30,14 +31,16 @@ def bag_rewrite(input_options: list[StorageOptions], output_config_file: str) ->
         pass
 
 
-def rewrite(input_options: list[StorageOptions], output_config_file: str, folder: Path) -> Iterator[None]:
+def rewrite(
+    input_options: list[StorageOptions], output_config_file: str, folder: Path, log: Log = to_console
+) -> Iterator[None]:
     """Like `bag_rewrite`, in steps; the paths of output bags are relative to `folder`."""
     outputs = _outputs(output_config_file)
     for storage, _ in outputs:
         storage.uri = str(folder / storage.uri)
     readers = []
     for options in input_options:
-        reader = SequentialReader()
+        reader = SequentialReader(log)
         reader.open(options)
         readers.append(reader)
     topics: dict[str, TopicMetadata] = {}

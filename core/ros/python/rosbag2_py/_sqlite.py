@@ -161,7 +161,7 @@ class SqliteReader:
     """One file. Raises RuntimeError if it isn't a bag."""
 
     storage_id = "sqlite3"
-    is_complete = True
+    has_time_order = True
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -176,10 +176,13 @@ class SqliteReader:
             }
         except sqlite3.DatabaseError as error:
             self._database.close()
-            raise BadBag(f"Failed to setup storage. Error: {path.name}: {error}") from None
-        if not self._columns["topics"] or not self._columns["messages"]:
-            self._database.close()
-            raise BadBag(f"Failed to setup storage. Error: {path.name}: it has no tables of a bag")
+            # Python 3.10 doesn't tell the code; 11 is SQLITE_CORRUPT.
+            about = f"SQLite error ({getattr(error, 'sqlite_errorcode', 11)}): {error}"
+            raise BadBag(f"Failed to setup storage. Error: Error when processing SQL statement. {about}") from None
+        for table in ("topics", "messages"):
+            if not self._columns[table]:
+                self._database.close()
+                raise BadBag(f"field_exists(..) failed. Table `{table}` doesn't exist!")
 
     def close(self) -> None:
         self._database.close()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from rosbag2_py._blocks import Block, Entries, entries_of
+from rosbag2_py._blocks import Block, Entries, Pairs, entries_of
 from rosbag2_py._files import reading
 from rosbag2_py._sqlite import SqliteReader
 from rosbag2_py._storage import BadBag, Message, MessageDefinition, TopicMetadata
@@ -23,6 +23,7 @@ class SqliteBlocks:
     def __init__(self, path: Path) -> None:
         self._path = path
         self._file = SqliteReader(path)
+        self.passed = 0.0
         try:
             self._names = {id_: topic.name for id_, topic in self._file.topics().items()}
         except BaseException:
@@ -54,10 +55,11 @@ class SqliteBlocks:
                 before, after = after, max(row[4] for row in found)
                 counts = {self._names[row[0]]: row[1] for row in found if row[0] in self._names}
                 start, end = min(row[2] for row in found), max(row[3] for row in found)
+                self.passed = (after - least) / (most - least) if most > least else 1.0
                 yield Block(int(start), int(end), counts, (before + 1, after))
 
     def entries(self, block: Block) -> dict[str, Entries]:
-        found: dict[str, list[tuple[int, int]]] = {}
+        found: Pairs = {}
         with reading(self._path):
             assert isinstance(block.place, tuple)
             query = "SELECT id, topic_id, timestamp FROM messages WHERE id BETWEEN ? AND ?"

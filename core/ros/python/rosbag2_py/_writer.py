@@ -14,12 +14,12 @@ from pathlib import Path
 from day6_tui.core.ros.differences import value
 from day6_tui.core.whole_file import replace_file
 from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_compress
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._definitions import LocalMessageDefinitionSource
 from rosbag2_py._files import (
     MINIMUM_SPLIT,
     SUFFIXES,
     BagWriter,
-    OpeningLog,
     create_file,
     get_registered_serializers,
     get_registered_writers,
@@ -65,7 +65,7 @@ class SequentialWriter:
     def __init__(self) -> None:
         self._options = CompressionOptions()
         self._bag: _Bag | None = None
-        self._log: OpeningLog | None = OpeningLog()
+        self._log: Log = to_console
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
         """Create the folder and the first file. Raises RuntimeError if the folder exists."""
@@ -129,7 +129,7 @@ def _file_name(bag: str, index: int) -> str:
 class _Bag:
     """The state of a bag that is being written. `on_split(closed, opened)` gets the paths after each split."""
 
-    def __init__(self, options: StorageOptions, compression: CompressionOptions, log: OpeningLog | None) -> None:
+    def __init__(self, options: StorageOptions, compression: CompressionOptions, log: Log) -> None:
         self._log = log
         self.folder = Path(options.uri)
         self.storage = options.storage_id or get_default_storage_id()
@@ -190,9 +190,9 @@ class _Bag:
         self._distro = os.environ.get("ROS_DISTRO", current())
         name = _file_name(self.folder.name, len(self._files)) + SUFFIXES[self.storage]
         self._path = self.folder / name
-        self._file: BagWriter = create_file(self._path, self.storage, self.options.storage_preset_profile, self._distro)
-        if self._log is not None:
-            self._log.tell(self._file, self._path, "READ_WRITE")
+        self._file: BagWriter = create_file(
+            self._path, self.storage, self.options.storage_preset_profile, self._distro, self._log
+        )
         self._files.append(FileInformation(name, BagTime(), Duration(), 0))
         for topic, definition in self.topics.values():
             self._file.create_topic(topic, definition)

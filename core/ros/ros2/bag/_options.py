@@ -11,6 +11,8 @@ from day6_tui.core.ros.ros2.cli.completion import CompletionContext
 from day6_tui.core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
+    from rosbag2_py._console import Log
+
     from day6_tui.core.session.session import Session
     from rclpy.node import Node
     from rclpy.qos import QoSProfile
@@ -74,6 +76,18 @@ def regular_expression(text: str) -> str:
     except re.error as problem:
         raise ArgumentTypeError(f"'{text}' is not a regular expression: {problem}") from None
     return text
+
+
+def console(session: Session, *paths: str) -> Log:
+    """Return what prints the log lines of rosbag2's libraries, with the paths as the user has typed them."""
+
+    def log(level: str, logger: str, text: str) -> None:
+        for path in paths:
+            text = text.replace(str(Path(session.cwd, path)), path)
+        seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
+        session.print_error(f"[{level}] [{seconds}.{nanoseconds:09d}] [{logger}]: {text}")
+
+    return log
 
 
 def set_log_level(node: Node, level: str) -> None:

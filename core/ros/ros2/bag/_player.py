@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.bag._keyboard import keyboard, listen
-from day6_tui.core.ros.ros2.bag._options import error, qos_overrides, set_log_level
+from day6_tui.core.ros.ros2.bag._options import console, error, qos_overrides, set_log_level
 from day6_tui.core.session.task import Signal, wait_for
 
 if TYPE_CHECKING:
@@ -47,12 +47,10 @@ async def play(
 
 
 def _open(session: Session, path: str, storage: str = "") -> SequentialReader:
-    from rosbag2_py._files import OpeningLog
     from rosbag2_py._reader import SequentialReader
     from rosbag2_py._storage import StorageOptions
 
-    reader = SequentialReader()
-    reader._log = OpeningLog(session.context._logging, str(session.cwd))
+    reader = SequentialReader(console(session, path))
     reader.open(StorageOptions(str(Path(session.cwd, path)), storage_id=storage))
     return reader
 

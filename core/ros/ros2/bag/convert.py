@@ -7,6 +7,8 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.ros2.bag._options import console
+
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
@@ -36,10 +38,10 @@ async def main(session: Session, args: Namespace) -> None:
     from rosbag2_py._rewrite import rewrite
     from rosbag2_py._storage import StorageOptions
 
-    inputs = []
+    inputs, log = [], console(session, *(bag[0] for bag in args.input))
     for bag in args.input:
         if len(bag) > 2:
             raise RuntimeError(f"--input expects 1 or 2 arguments, {len(bag)} provided")
         inputs.append(StorageOptions(str(Path(session.cwd, bag[0])), storage_id=bag[1] if len(bag) > 1 else ""))
-    for _ in rewrite(inputs, os.path.join(session.cwd, args.output_options), session.cwd):
+    for _ in rewrite(inputs, os.path.join(session.cwd, args.output_options), session.cwd, log):
         await session.sleep(0)  # a large bag must not hold up other programs

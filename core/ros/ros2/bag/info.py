@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.ros2.bag._options import add_bag_path
+from day6_tui.core.ros.ros2.bag._options import add_bag_path, console
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -33,7 +33,7 @@ async def main(session: Session, args: Namespace) -> None:
 
     if args.topic_name and args.verbose:
         session.print("Warning! You have set both the '-t' and '-v' parameters. The '-t' parameter will be ignored.")
-    info = Info()
+    info = Info(console(session, args.bag_path))
     path = str(Path(session.cwd, args.bag_path))
     try:
         metadata = info.read_metadata(path, args.storage)

@@ -12,6 +12,7 @@ from day6_tui.core.ros.ros2.bag._options import (
     LOG_LEVELS,
     STORAGES,
     add_qos_overrides,
+    console,
     error,
     event_topics,
     qos_overrides,
@@ -367,7 +368,8 @@ async def _record(session: Session, args: Namespace, folder: Path, overrides: di
     set_log_level(node, args.log_level)
     with keyboard(session, disabled=args.disable_keyboard_controls):
         with_keys = not args.disable_keyboard_controls
-        recording = Recording(node, _storage(args, folder), _options(args, overrides), keyboard=with_keys)
+        log = console(session, args.output)
+        recording = Recording(node, _storage(args, folder), _options(args, overrides), keyboard=with_keys, log=log)
         try:
             recording.start()
             session.spawn(session.spin(node))

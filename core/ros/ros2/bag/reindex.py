@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.ros2.bag._options import add_bag_path, error
+from day6_tui.core.ros.ros2.bag._options import add_bag_path, console, error
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -25,11 +25,5 @@ async def main(session: Session, args: Namespace) -> str | None:
     path = Path(session.cwd, args.bag_path)
     if not path.is_dir():
         return error("Must specify a bag directory")
-
-    def log(text: str) -> None:
-        seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
-        shown = text.replace(str(path), args.bag_path)
-        session.print_error(f"[INFO] [{seconds}.{nanoseconds:09d}] [rosbag2_cpp]: {shown}")
-
-    Reindexer(log).reindex(StorageOptions(str(path), storage_id=args.storage))
+    Reindexer(console(session, args.bag_path)).reindex(StorageOptions(str(path), storage_id=args.storage))
     return None

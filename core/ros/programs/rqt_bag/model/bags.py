@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.interfaces import DeserializationError, UnknownInterfaceError, deserialize, get_interface
 from day6_tui.core.ros.programs.rqt_bag.model.exporting import ExportError, export
+from day6_tui.core.ros.programs.rqt_bag.model.keeping import Kept
 from day6_tui.core.ros.programs.rqt_bag.model.loading import OpenBag, index_bag, is_bag, open_bag, path_of
 from day6_tui.core.ros.programs.rqt_bag.model.pictures import IMAGE, NoPicture, Picture, picture
 from day6_tui.core.ros.programs.rqt_bag.model.player import Player
 from day6_tui.core.ros.programs.rqt_bag.model.recorder import POLL_SECONDS, Recorder
 from day6_tui.core.ros.programs.rqt_bag.model.timeline import Timeline
+from day6_tui.core.ros.programs.rqt_bag.model.view import View
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 
@@ -59,6 +61,12 @@ class Bags:
         self.failed = False
         """Whether `status` tells what went wrong."""
         self.loading = False
+        self.view: View | None = None
+        """What part of the timeline is seen; None for everything, however the bags grow."""
+        self.thumbnails = False
+        """Whether images are shown along the line of their topic."""
+        self._resumed = Kept()
+        """How bags that are still to be loaded were looked at."""
         self._version = 0
         self._requests: deque[Callable[[], object]] = deque()
         self._wanted, self._loads, self._looks = Signal(), Signal(), Signal()
@@ -89,9 +97,41 @@ class Bags:
 
     @property
     def indexed(self) -> int | None:
-        """Per cent of the bags' messages that are in the index while one is loaded; None if that isn't known."""
-        count = sum(bag.count for bag in self.bags)
-        return min(100, 100 * self.timeline.messages // count) if self.loading and count else None
+        """Per cent of the bag that is loaded that are in the index; None while none is."""
+        return int(100 * self.bags[-1].passed) if self.loading and self.bags else None
+
+    # -- perspectives --------------------------------------------------------------------------------------------------
+
+    def kept(self) -> Kept:
+        """What is open, and how it is looked at."""
+        if not self.bags or self._resumed.bags:
+            return self._resumed._replace(thumbnails=self.thumbnails)
+        player = self.player
+        return Kept(
+            tuple(str(bag.path) for bag in self.bags),
+            tuple(sorted(player.publishing)),
+            player.now(),
+            player.region,
+            self.view,
+            self.thumbnails,
+        )
+
+    def resume(self, kept: Kept) -> None:
+        """Open the bags of a perspective, and look at them as they were looked at."""
+        self._resumed, self.thumbnails = kept, kept.thumbnails
+        for path in kept.bags:
+            self.load(path)
+
+    def _look_as_before(self) -> None:
+        kept, self._resumed = self._resumed, Kept()
+        if not any(str(bag.path) in kept.bags for bag in self.bags):
+            return  # it was not there any more, and the user has opened another one
+        self.view = kept.view
+        if kept.region is not None:
+            self.player.select(kept.region)
+        self._publish([topic for topic in kept.publishing if topic in self.topics], True)
+        if kept.playhead is not None and self.timeline.start_ns is not None and self.timeline.end_ns is not None:
+            self.player.jump(max(self.timeline.start_ns, min(self.timeline.end_ns, kept.playhead)))
 
     # -- the window's side ---------------------------------------------------------------------------------------------
 
@@ -162,8 +202,13 @@ class Bags:
         """Copy the messages of topics in the selected region, or all of them, to a new bag."""
         self.request(lambda: self._export(path, topics))
 
-    def cancel_export(self) -> None:
-        """Stop copying."""
+    @property
+    def is_busy(self) -> bool:
+        """Whether a bag is loaded or copied."""
+        return self.loading or self.exporting is not None
+
+    def cancel(self) -> None:
+        """Stop copying, or loading: then the bag is shown as far as it is read."""
         self._cancelled = True
 
     def graph_topics(self) -> list[str]:
@@ -212,6 +257,8 @@ class Bags:
             self._loads.clear()
             while self._to_load:
                 await self._load(*self._to_load.popleft())
+            if self._resumed.bags and self.bags:
+                self._look_as_before()
 
     async def serve_looks(self) -> None:
         """Look up the messages in sight, for ever."""
@@ -229,7 +276,7 @@ class Bags:
     async def _load(self, name: str, problem: str) -> None:
         path = path_of(self._session.cwd, name)
         self.tell(f"Loading '{name}' ...")
-        self.loading = True
+        self.loading, self._cancelled = True, False
         try:
             bag = await in_thread(lambda: open_bag(path))
             self._add(bag)
@@ -238,7 +285,8 @@ class Bags:
             rates = await in_thread(lambda: {topic: self.timeline.rate(topic) for topic in bag.topics})
             self.rates = {**self.rates, **rates}
             cut = "" if bag.is_complete else f"'{name}' is not complete: it is shown as far as it goes"
-            self.tell(problem or cut, failed=bool(problem))
+            stopped = f"Cancelled: '{name}' is shown as far as it was read" if self._cancelled else ""
+            self.tell(problem or stopped or cut, failed=bool(problem))
         except (RuntimeError, OSError) as error:
             self.tell(f"Loading '{name}' failed due to: {_reason(error)}", failed=True)
         finally:
@@ -261,7 +309,7 @@ class Bags:
         if not self._closed and bag.topics.keys() - self.topics.keys():
             self.request(self._refresh)
             self.request(self._began)
-        return self._closed
+        return self._closed or self._cancelled
 
     def _began(self) -> None:
         """The playhead of the first bag is at its beginning."""
@@ -289,6 +337,7 @@ class Bags:
             bag.close()
         self._version += self.timeline.version + self.player.version
         self.timeline, self.bags, self.rates, self._has_begun = Timeline(), (), {}, False
+        self.view, self._resumed = None, Kept()
         self._pictures.clear()
         self._shown.clear()
         self.player.forget(self.timeline)

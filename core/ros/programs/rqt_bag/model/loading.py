@@ -27,8 +27,6 @@ class OpenBag:
     path: Path
     size: int = 0
     """Bytes on the disk."""
-    count: int = 0
-    """Messages, by metadata.yaml; 0 for a file without one."""
     start_ns: int | None = None
     end_ns: int | None = None
     topics: dict[str, TopicMetadata] = field(default_factory=dict)
@@ -39,6 +37,11 @@ class OpenBag:
     _storage: str = ""
     _compression: tuple[str, str] = ("", "")
     """Mode and format."""
+
+    @property
+    def passed(self) -> float:
+        """Which part of its files is indexed, 0 to 1."""
+        return sum(source.passed for source in self.sources) / max(1, len(self._files))
 
     def close(self) -> None:
         """Close its files."""
@@ -76,7 +79,6 @@ def open_bag(path: Path) -> OpenBag:
     return OpenBag(
         path,
         metadata.bag_size,
-        metadata.message_count,
         start if counted else None,
         last_moment(metadata) if counted else None,
         {each.topic_metadata.name: each.topic_metadata for each in metadata.topics_with_message_count},
@@ -96,7 +98,9 @@ def index_bag(bag: OpenBag, timeline: Timeline, cancelled: Callable[[], bool]) -
     """Add the bag's files to the timeline, block after block, until `cancelled`. Raises RuntimeError and OSError."""
     mode, format_ = bag._compression
     for path in bag._files:
-        plain = _unpack(bag, path) if mode == "FILE" and path.suffix == ".zstd" else path
+        if cancelled():
+            return
+        plain = _unpack(bag, path, cancelled) if mode == "FILE" and path.suffix == ".zstd" else path
         source = Source(open_blocks(plain, bag._storage), format_ if mode == "MESSAGE" else "")
         bag.sources.append(source)
         _add_topics(bag, source.topics())
@@ -115,14 +119,17 @@ def _add_topics(bag: OpenBag, topics: Iterable[TopicMetadata]) -> None:
     bag.topics = {**{topic.name: topic for topic in topics}, **bag.topics}
 
 
-def _unpack(bag: OpenBag, path: Path) -> Path:
-    """Decompress a file into a temporary folder, which is removed with the bag."""
+def _unpack(bag: OpenBag, path: Path, cancelled: Callable[[], bool]) -> Path:
+    """Decompress a file, or its first part, into a temporary folder, which is removed with the bag."""
     folder = Path(tempfile.mkdtemp(prefix="rqt_bag-"))
     weakref.finalize(bag, shutil.rmtree, folder, ignore_errors=True)
     target = folder / path.stem
     try:
         with path.open("rb") as packed, target.open("xb") as plain:
-            zstandard.ZstdDecompressor().copy_stream(packed, plain)
+            for data in zstandard.ZstdDecompressor().read_to_iter(packed, write_size=1 << 20):
+                plain.write(data)
+                if cancelled():
+                    break
     except zstandard.ZstdError as error:
         raise RuntimeError(f"zstd: {error}") from None
     return target

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosbag2_py._blocks import Block, Entries
+from rosbag2_py._console import quiet
 from rosbag2_py._metadata import folder_size
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._recording import Recording
@@ -40,7 +41,7 @@ class Recorder:
         options = RecordOptions(
             all_topics=topics is None, topics=list(topics or ()), rmw_serialization_format="cdr", compression_mode=""
         )
-        self._recording = Recording(node, StorageOptions(str(path)), options, keyboard=False, host=self)
+        self._recording = Recording(node, StorageOptions(str(path)), options, keyboard=False, host=self, log=quiet)
         self._recording.start()
 
     @property
@@ -88,6 +89,7 @@ class _Written:
     """The file of a recording, from which nothing is read while it is written."""
 
     is_complete = True
+    passed = 1.0
 
     def blocks(self) -> Iterator[Block]:
         return iter(())

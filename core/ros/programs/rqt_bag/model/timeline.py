@@ -46,6 +46,11 @@ class Source:
         """Whether the file goes on to its regular end, as far as `blocks` has come."""
         return self._file.is_complete
 
+    @property
+    def passed(self) -> float:
+        """Which part of the file `blocks` has gone through, 0 to 1."""
+        return self._file.passed
+
     def topics(self) -> list[TopicMetadata]:
         """The topics, as far as `blocks` has come. Raises RuntimeError."""
         with self._lock:

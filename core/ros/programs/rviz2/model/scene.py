@@ -7,7 +7,7 @@ are handed on unchanged as long as they look the same, so that a painter may rem
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.urdf.kinematics import IDENTITY, Transform, compose, rotate
@@ -157,6 +157,23 @@ class Scene:
         """Say whose the objects are that are added from now on."""
         self.marks.append(Mark(owner, key, tuple(map(len, self._solid))))
 
+    def lighten(self, amount: float) -> None:
+        """Make what was added since the last mark brighter, and opaque: it is in use."""
+        shapes, lines, points, triangles = self.marks[-1].starts
+
+        def lit(colour: Colour) -> Colour:
+            red, green, blue, _ = colour
+            return min(1.0, red + amount), min(1.0, green + amount), min(1.0, blue + amount), 1.0
+
+        self.shapes[shapes:] = [replace(each, colour=lit(each.colour)) for each in self.shapes[shapes:]]
+        for number, each in enumerate(self.lines[lines:], lines):
+            self.lines[number] = replace(each, colours=[lit(colour) for colour in each.colours])
+        for number, cloud in enumerate(self.points[points:], points):
+            self.points[number] = replace(cloud, colours=[lit(colour) for colour in cloud.colours])
+        for number, mesh in enumerate(self.triangles[triangles:], triangles):
+            colours = mesh.colours + amount if mesh.colours is not None else None
+            self.triangles[number] = replace(mesh, colour=lit(mesh.colour), colours=colours)
+
     def parts(self) -> Iterator[tuple[Mark, Scene]]:
         """What can be picked, each thing as a scene of its own."""
         ends = [mark.starts for mark in self.marks[1:]] + [tuple(map(len, self._solid))]
@@ -165,6 +182,20 @@ class Scene:
                 lists = (each[a:b] for each, a, b in zip(self._solid, mark.starts, end, strict=True))
                 shapes, lines, points, triangles = lists
                 yield mark, Scene(self.background, shapes, lines, points, triangles)
+
+    def some_point(self) -> Vector | None:
+        """A point of the first thing there is."""
+        for shape in self.shapes:
+            return shape.pose.xyz
+        for mesh in self.triangles:
+            x, y, z = (float(part * size) for part, size in zip(mesh.vertices[0], mesh.scale, strict=True))
+            return placed(mesh.pose, (x, y, z))
+        for lines in self.lines:
+            return placed(lines.pose, lines.vertices[0])
+        for points in self.points:
+            x, y, z = map(float, points.xyz[0])
+            return placed(points.pose, (x, y, z))
+        return None
 
     def axes(self, pose: Transform, length: float, radius: float, alpha: float = 1.0, grey: float = 0.0) -> None:
         """The three axes of a frame: x red, y green, z blue; `grey` 1 takes all their colour."""

@@ -212,7 +212,7 @@ class RcutilsLogger:
         """
         if not name:
             raise ValueError("Child logger name must not be empty.")
-        logger = RcutilsLogger._of_node(self.name + "." + name if self.name else name, self._settings)
+        logger = self._of_node(self.name + "." + name if self.name else name, self._settings)
         publisher = self._settings.publishers.get(self.name) if self.name else None
         if publisher is not None and logger.name not in self._settings.publishers:
             self._settings.publishers[logger.name] = publisher
@@ -274,8 +274,13 @@ class RcutilsLogger:
             message = message.decode("utf-8", "replace")
         elif not isinstance(message, str):
             raise TypeError(_wrong_message(severity, name, message, caller))
-        settings.emit(int(severity), name, message, caller.function_name, caller.file_path, caller.line_number)
+        file = self._written(caller.file_path)
+        settings.emit(int(severity), name, message, caller.function_name, file, caller.line_number)
         return True
+
+    def _written(self, path: str) -> str:
+        """How messages name a file, whose path is absolute."""
+        return path
 
     def debug(self, message: str, **kwargs: Unpack[LoggingArgs]) -> bool:
         """Log with level DEBUG; see `log`."""

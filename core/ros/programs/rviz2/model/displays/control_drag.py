@@ -11,13 +11,21 @@ from day6_tui.core.ros.programs.rviz2.model.displays.control_shapes import (
     MOVE_PLANE,
     MOVE_ROTATE,
     MOVE_ROTATE_3D,
+    ROTATE_3D,
     ROTATE_AXIS,
 )
 from day6_tui.urdf.kinematics import Transform, about, multiply, rotate
 from day6_tui.urdf.model import Quaternion, Vector
 
-DRAGGABLE = (MOVE_AXIS, MOVE_PLANE, ROTATE_AXIS, MOVE_ROTATE, MOVE_3D, MOVE_ROTATE_3D)
+FREE = (MOVE_3D, ROTATE_3D, MOVE_ROTATE_3D)
+"""Those that Shift and Ctrl make do something else."""
+DRAGGABLE = (MOVE_AXIS, MOVE_PLANE, ROTATE_AXIS, MOVE_ROTATE, *FREE)
 EPSILON = 1e-6
+
+RADIANS = 2 * 3.14 / 300
+"""What a pixel turns."""
+METRES = 0.001
+"""What a pixel moves away or nearer where the control says nothing else."""
 
 
 class Ray(NamedTuple):
@@ -47,14 +55,35 @@ class Ray(NamedTuple):
         return plus(point, axis, (mixed * dot(self.along, apart) - square * dot(axis, apart)) / bottom)
 
 
+class Eye(NamedTuple):
+    """The camera's axes."""
+
+    right: Vector
+    up: Vector
+    forward: Vector
+
+
 class Grab(NamedTuple):
-    """A control that was taken: the mode, where, its axis, the view's direction and the marker's pose then."""
+    """A control that was taken: the mode, where, its axis, the camera and the marker's pose then."""
 
     mode: int
     point: Vector
     axis: Vector
-    view: Vector
+    eye: Eye
     pose: Transform
+
+    def again(self, ray: Ray, pose: Transform) -> Grab:
+        """The same taken anew where the mouse is, as a key that changes the meaning of dragging went down or up."""
+        point = ray.on_plane(plus(self.point, minus(pose.xyz, self.pose.xyz), 1.0), self.eye.forward)
+        return self._replace(point=point or self.point, pose=pose)
+
+    def metres(self, ray: Ray, lower: Ray, pixels: float) -> float:
+        """What a pixel is in the control's plane, seen from a ray to one that is some pixels lower."""
+        places = [each.on_plane(self.point, self.axis) for each in (ray, lower)]
+        if places[0] is None or places[1] is None:
+            return METRES
+        apart = minus(places[0], places[1])
+        return math.sqrt(dot(apart, apart)) / pixels or METRES
 
     def follow(self, ray: Ray) -> tuple[Transform, float] | None:
         """The marker's new pose and the radians turned about the axis; None where the mouse means nothing."""
@@ -63,7 +92,7 @@ class Grab(NamedTuple):
         if self.mode == MOVE_PLANE:
             return self._moved(ray.on_plane(self.point, self.axis))
         if self.mode in (MOVE_3D, MOVE_ROTATE_3D):
-            return self._moved(ray.on_plane(self.point, self.view))
+            return self._moved(ray.on_plane(self.point, self.eye.forward))
         middle = plus(self.pose.xyz, self.axis, dot(minus(self.point, self.pose.xyz), self.axis))
         place = ray.on_plane(middle, self.axis)
         if place is None:
@@ -83,6 +112,24 @@ class Grab(NamedTuple):
         if place is None:
             return None
         return Transform(plus(self.pose.xyz, minus(place, self.point), 1.0), self.pose.rotation), 0.0
+
+
+def turned(pose: Transform, eye: Eye, dx: float, dy: float) -> Transform:
+    """A pose turned by pixels of the mouse about the camera's axes up and right."""
+    turn = multiply(about(eye.up, dx * RADIANS), about(eye.right, dy * RADIANS))
+    return Transform(pose.xyz, multiply(turn, pose.rotation))
+
+
+def rolled(pose: Transform, eye: Eye, dx: float, dy: float) -> Transform:
+    """A pose turned about the direction in which the camera looks."""
+    pixels = dy if abs(dy) > abs(dx) else dx
+    return Transform(pose.xyz, multiply(about(eye.forward, pixels * RADIANS), pose.rotation))
+
+
+def pushed(pose: Transform, along: Vector, dx: float, dy: float, metres: float) -> Transform:
+    """A pose moved away (up, or to the right) along a ray, `metres` for each pixel."""
+    pixels = dx if abs(dx) > abs(dy) else -dy
+    return Transform(plus(pose.xyz, along, pixels * metres / math.sqrt(dot(along, along))), pose.rotation)
 
 
 def turn_between(a: Vector, b: Vector) -> Quaternion:

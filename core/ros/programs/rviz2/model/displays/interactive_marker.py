@@ -1,12 +1,25 @@
-"""One interactive marker: its pose, what is drawn of it, and what it sends as the mouse takes one of its controls."""
+"""One interactive marker: its pose, what is drawn of it, and what it sends as mouse or keys take one of its controls."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.programs.rviz2.model.displays.control_drag import DRAGGABLE, Grab, Ray, facing
+from day6_tui.core.ros.programs.rviz2.model.displays.control_drag import (
+    DRAGGABLE,
+    FREE,
+    Eye,
+    Grab,
+    Ray,
+    facing,
+    plus,
+    pushed,
+    rolled,
+    turned,
+)
+from day6_tui.core.ros.programs.rviz2.model.displays.control_keys import Axes, Steps, stepped
 from day6_tui.core.ros.programs.rviz2.model.displays.control_shapes import (
     BUTTON,
     FIXED,
@@ -24,10 +37,11 @@ from day6_tui.core.ros.programs.rviz2.model.displays.control_shapes import (
     title_of,
 )
 from day6_tui.core.ros.programs.rviz2.model.displays.marker_shapes import MESH, TEXT, draw_marker
-from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
+from day6_tui.core.ros.programs.rviz2.model.scene import Lines, Scene, placed
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.core.ros.programs.rviz2.model.topics import pose_of, stamp_ns
+from day6_tui.core.ros.programs.rviz2.model.views import FIELD_OF_VIEW, NOMINAL_HEIGHT
 from day6_tui.urdf.kinematics import IDENTITY, Transform, compose, inverse, multiply, rotate
 from day6_tui.urdf.model import Quaternion, Vector
 from rclpy.time import Time
@@ -37,6 +51,7 @@ if TYPE_CHECKING:
 
 POSE_UPDATE, MENU_SELECT, BUTTON_CLICK, MOUSE_DOWN, MOUSE_UP = range(1, 6)
 
+MOVE_Z = "Shift + Left-Click / Left-Click + Wheel: Move Z. "
 WORDS = {
     MENU: "Left-Click: Show menu.",
     BUTTON: "Left-Click: Activate. ",
@@ -44,11 +59,38 @@ WORDS = {
     MOVE_PLANE: "Left-Click: Move. ",
     ROTATE_AXIS: "Left-Click: Rotate. ",
     MOVE_ROTATE: "Left-Click: Move / Rotate. ",
-    MOVE_3D: "Left-Click: Move X/Y. ",
+    MOVE_3D: f"Left-Click: Move X/Y. {MOVE_Z}",
     ROTATE_3D: "Left-Click: Rotate around X/Y. Shift-Left-Click: Rotate around Z. ",
-    MOVE_ROTATE_3D: "Left-Click: Move X/Y. ",
+    MOVE_ROTATE_3D: f"Left-Click: Move X/Y. {MOVE_Z}"
+    "Ctrl + Left-Click: Rotate around X/Y. Ctrl + Shift + Left-Click: Rotate around Z. ",
 }
 """What the status bar says, of what can be done here."""
+
+Y, Z = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+
+LOWER = 10.0
+"""Pixels between the two places by which the scale of a picture is measured."""
+NOTCH = 2.0
+"""Pixels that a notch of the wheel is worth (the original forgets to scale them, and jumps two metres)."""
+AIDED = (MOVE_AXIS, MOVE_ROTATE, ROTATE_AXIS)
+"""Modes of controls that a line shows the axis of."""
+FAR = 10000.0
+"""Metres of the visual aid to both sides."""
+
+
+@dataclass
+class _Held:
+    """A control that mouse or keys have taken."""
+
+    control: Any
+    grab: Grab | None
+    """What follows the mouse; None of a control that does not."""
+    angle: float
+    """The control's angle when it was taken."""
+    pointer: Pointer
+    """Where the mouse was last."""
+    metres: float
+    """What one of the mouse's pixels moves the marker away."""
 
 
 class InteractiveMarker:
@@ -58,8 +100,7 @@ class InteractiveMarker:
         self._display = display
         self._angles: dict[str, float] = {}
         """By control: how far it was turned about its axis."""
-        self._taken: tuple[Any, Grab | None, float] | None = None
-        """The control that is held, what follows the mouse, and its angle when it was taken."""
+        self._held: _Held | None = None
         self._requested: Any = None
         """A pose that came while a control was held."""
         self.reference: Transform | None = None
@@ -76,7 +117,7 @@ class InteractiveMarker:
 
     def take_pose(self, message: Any) -> None:
         """A pose from the server; while the user holds a control, it waits."""
-        if self._taken is not None:
+        if self._held is not None:
             self._requested = message
         else:
             self._set_pose(message)
@@ -109,24 +150,35 @@ class InteractiveMarker:
         )
 
     def draw(self, scene: Scene, interaction: bool, title: bool, axes: bool) -> None:
-        """Add to the scene; without `interaction` only the controls that are always visible."""
+        """Add to the scene; without `interaction` only the control that is held, and those that are always visible."""
         if self.reference is None:
             return
         name = self.message.name
+        held = self._held.control if self._held is not None else None
         for control in self.message.controls:
-            if not interaction and not control.always_visible:
+            if not interaction and not control.always_visible and control is not held:
                 continue
-            touchable = interaction and control.interaction_mode != NONE
+            touchable = (interaction or control is held) and control.interaction_mode != NONE
             scene.begin(self._display if touchable else None, (name, control.name))
             frame = compose(self.reference, Transform(self.pose.xyz, self._markers_turn(control)))
             for marker in control.markers:
                 self._draw_marker(scene, marker, frame)
+            if light := self._display.lights.get((name, control.name)):
+                scene.lighten(light)
         scene.begin(None)
+        if held is not None and self._display.aids.value and held.interaction_mode in AIDED:
+            self._draw_aid(scene, held)
         if title and self.message.description:
             above = self._facing((0.0, 0.0, 0.0, 1.0), 0.0)
             draw_marker(scene, self._title, compose(self.reference, Transform(self.pose.xyz, above)))
         if axes:
             scene.axes(compose(self.reference, self.pose), self.message.scale, self.message.scale * 0.05)
+
+    def _draw_aid(self, scene: Scene, control: Any) -> None:
+        """The line along which a control moves, or about which it turns."""
+        if self.reference is not None and control.orientation_mode != VIEW_FACING:
+            ends = [placed(self.reference, plus(self.pose.xyz, self._axis(control), way)) for way in (FAR, -FAR)]
+            scene.lines.append(Lines(ends, [(1.0, 1.0, 1.0, 1.0)]))
 
     def _draw_marker(self, scene: Scene, marker: Any, frame: Transform) -> None:
         if marker.header.frame_id:
@@ -159,7 +211,7 @@ class InteractiveMarker:
         turn = facing(own, camera.forward, camera.up, angle)
         return multiply(inverse(self.reference or IDENTITY).rotation, turn)
 
-    # -- the mouse -----------------------------------------------------------------------------------------------------
+    # -- mouse and keys ------------------------------------------------------------------------------------------------
 
     def control(self, name: str) -> Any:
         """A control by its name; None if there is none."""
@@ -172,49 +224,108 @@ class InteractiveMarker:
             words += "Right-Click: Show context menu."
         return words.strip()
 
+    def touchable(self) -> list[str]:
+        """The names of the controls that can be used, in their order."""
+        return [each.name for each in self.message.controls if each.interaction_mode != NONE]
+
+    def _axis(self, control: Any, of: Vector = (1.0, 0.0, 0.0)) -> Vector:
+        """An axis of a control, its x by default."""
+        return rotate(multiply(self._turn(control), _orientation(control)), of)
+
+    def _ray(self, start: Vector, along: Vector) -> Ray:
+        back = inverse(self.reference or IDENTITY)
+        return Ray(placed(back, start), rotate(back.rotation, along))
+
+    @property
+    def _eye(self) -> Eye:
+        back, camera = inverse(self.reference or IDENTITY).rotation, self._display.rviz.view.camera()
+        return Eye(*(rotate(back, axis) for axis in (camera.right, camera.up, camera.forward)))
+
     def press(self, name: str, pointer: Pointer) -> None:
         """The left button went down on a control."""
         control = self.control(name)
         if control is None or self.reference is None:
             return
-        grab = None
+        grab, metres = None, 0.0
         if control.interaction_mode in DRAGGABLE:
-            back = inverse(self.reference)
             # What was found under the mouse lies a part of a cell beside it.
-            ray = Ray(placed(back, pointer.start), rotate(back.rotation, pointer.along))
-            point = ray.beside(placed(back, pointer.hit.point)) if pointer.hit is not None else self.pose.xyz
-            axis = rotate(multiply(self._turn(control), _orientation(control)), (1.0, 0.0, 0.0))
-            view = rotate(back.rotation, self._display.rviz.view.camera().forward)
-            grab = Grab(control.interaction_mode, point, axis, view, self.pose)
-        self._taken = control, grab, self._angles.get(name, 0.0)
+            ray = self._ray(pointer.start, pointer.along)
+            point = self.pose.xyz
+            if pointer.hit is not None:
+                point = ray.beside(placed(inverse(self.reference), pointer.hit.point))
+            grab = Grab(control.interaction_mode, point, self._axis(control), self._eye, self.pose)
+            metres = grab.metres(ray, self._lower(pointer), LOWER)
+        self._held = _Held(control, grab, self._angles.get(name, 0.0), pointer, metres)
         self._tell(POSE_UPDATE, name, pointer)
         self._tell(MOUSE_DOWN, name, pointer)
 
+    def _lower(self, pointer: Pointer) -> Ray:
+        """The ray some pixels below the mouse."""
+        camera = self._display.rviz.view.camera()
+        if camera.metres is not None:
+            return self._ray(plus(pointer.start, camera.up, -LOWER * camera.metres / NOMINAL_HEIGHT), pointer.along)
+        depth = sum(a * b for a, b in zip(pointer.along, camera.forward, strict=True))
+        down = depth * LOWER * 2 * math.tan(FIELD_OF_VIEW / 2) / NOMINAL_HEIGHT
+        return self._ray(pointer.start, plus(pointer.along, camera.up, -down))
+
     def drag(self, pointer: Pointer) -> None:
         """The mouse moved with the button down."""
-        if self._taken is None or self.reference is None:
+        held = self._held
+        if held is None or held.grab is None or self.reference is None:
             return
-        control, grab, angle = self._taken
-        back = inverse(self.reference)
-        ray = Ray(placed(back, pointer.start), rotate(back.rotation, pointer.along))
-        found = grab.follow(ray) if grab is not None else None
-        if found is not None:
-            self.pose, turned = found
-            self._angles[control.name] = angle + turned
-            self._tell(POSE_UPDATE, control.name)
+        before, held.pointer = held.pointer, pointer
+        ray, mode = self._ray(pointer.start, pointer.along), held.control.interaction_mode
+        if mode in FREE and (pointer.shift, pointer.control) != (before.shift, before.control):
+            held.grab = held.grab.again(ray, self.pose)
+        turning = mode == ROTATE_3D or (mode == MOVE_ROTATE_3D and pointer.control)
+        dx, dy = pointer.pixel[0] - before.pixel[0], pointer.pixel[1] - before.pixel[1]
+        if mode in FREE and (turning or pointer.shift):
+            if not dx and not dy:
+                return
+            if turning:
+                self.pose = (rolled if pointer.shift else turned)(self.pose, held.grab.eye, dx, dy)
+            else:
+                self.pose = pushed(self.pose, ray.along, dx, dy, held.metres)
+        elif (found := held.grab.follow(ray)) is not None:
+            self.pose, turned_by = found
+            self._angles[held.control.name] = held.angle + turned_by
+        else:
+            return
+        self._tell(POSE_UPDATE, held.control.name)
+
+    def wheel(self, notches: float) -> None:
+        """The wheel was turned with the button down."""
+        held = self._held
+        if held is None or held.grab is None or held.control.interaction_mode not in (MOVE_3D, MOVE_ROTATE_3D):
+            return
+        ray = self._ray(held.pointer.start, held.pointer.along)
+        self.pose = pushed(self.pose, ray.along, 0.0, -notches * NOTCH, held.metres)
+        held.grab = held.grab.again(ray, self.pose)
+        self._tell(POSE_UPDATE, held.control.name)
+
+    def step(self, steps: Steps, turning: bool) -> None:
+        """Keys move or turn the control that is held."""
+        held = self._held
+        if held is None or held.grab is None:
+            return
+        name, mode = held.control.name, held.control.interaction_mode
+        axes = Axes(self._axis(held.control), (self._axis(held.control, Y), self._axis(held.control, Z)))
+        self.pose, angle = stepped(mode, self.pose, axes, self._eye, steps, turning)
+        self._angles[name] = self._angles.get(name, 0.0) + angle
+        self._tell(POSE_UPDATE, name)
 
     def release(self, pointer: Pointer) -> None:
         """The button went up."""
-        if self._taken is None:
+        if self._held is None:
             return
-        control, _, _ = self._taken
+        control = self._held.control
         if control.interaction_mode == BUTTON:
             self._tell(BUTTON_CLICK, control.name, pointer)
         self._tell(POSE_UPDATE, control.name, pointer)
         self._tell(MOUSE_UP, control.name, pointer)
         if control.interaction_mode == MENU:
             self.open_menu(control.name, pointer)
-        self._taken = None
+        self._held = None
         if self._requested is not None:
             requested, self._requested = self._requested, None
             self._set_pose(requested)

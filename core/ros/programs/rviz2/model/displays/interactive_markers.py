@@ -1,4 +1,4 @@
-"""InteractiveMarkers (rviz_default_plugins/displays/interactive_markers): things of a server that the mouse moves.
+"""InteractiveMarkers (rviz_default_plugins/displays/interactive_markers): things of a server that mouse and keys move.
 
 The server's topics are `update` and `feedback` below its namespace, its service is `get_interactive_markers`.
 """
@@ -9,12 +9,15 @@ from typing import Any
 
 from day6_tui.core.ros.programs.rclcpp import CppException
 from day6_tui.core.ros.programs.rviz2.model.display import Display
+from day6_tui.core.ros.programs.rviz2.model.displays.control_keys import Steps
 from day6_tui.core.ros.programs.rviz2.model.displays.interactive_marker import InteractiveMarker
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, TEXT, Property
-from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.core.ros.programs.rviz2.model.topics import all_finite, pose_numbers, stamp_ns
+from day6_tui.urdf.kinematics import IDENTITY
+from day6_tui.urdf.model import Vector
 from rclpy.qos import QoSProfile
 
 CLIENT = "Interactive Marker Client"
@@ -53,6 +56,8 @@ class InteractiveMarkersDisplay(Display):
         self._last_update: int | None = None
         self._meshes: dict[str, Any] = {}
         self._held: InteractiveMarker | None = None
+        self.lights: dict[Any, float] = {}
+        """Marker and control -> how much brighter it is drawn, as one in use."""
 
     def choose_topic(self, topic: str) -> None:
         """Add by topic: the namespace is the first part of `/namespace/update`."""
@@ -275,11 +280,35 @@ class InteractiveMarkersDisplay(Display):
             self.rviz.read_mesh(uri, False, lambda mesh: self._meshes.__setitem__(uri, mesh))
         return self._meshes[uri]
 
+    def mode_of(self, key: Any) -> int | None:
+        """The interaction mode of a control; None if it is gone."""
+        marker = self.markers.get(key[0])
+        control = marker.control(key[1]) if marker is not None else None
+        return int(control.interaction_mode) if control is not None else None
+
+    def has_menu(self, key: Any) -> bool:
+        """Whether the marker of a control has a menu."""
+        marker = self.markers.get(key[0])
+        return marker is not None and bool(marker.choices)
+
     def words_of(self, key: Any) -> str:
         """What the status bar says of a control."""
         marker = self.markers.get(key[0])
         control = marker.control(key[1]) if marker is not None else None
         return marker.words(control) if marker is not None and control is not None else ""
+
+    def controls(self) -> list[tuple[str, str]]:
+        """Marker and name of every control that can be used; any thread."""
+        shown = [(name, marker) for name, marker in list(self.markers.items()) if marker.reference is not None]
+        return [(name, control) for name, marker in shown for control in marker.touchable()]
+
+    def place_of(self, key: Any) -> Vector:
+        """Where a control is seen, in the Fixed Frame: something of it that is drawn, or the marker's origin."""
+        for mark, part in self.rviz.scene.parts():
+            if mark.owner is self and mark.key == key and (point := part.some_point()) is not None:
+                return point
+        marker = self.markers.get(key[0])
+        return placed(marker.reference or IDENTITY, marker.pose.xyz) if marker is not None else (0.0, 0.0, 0.0)
 
     def press(self, key: Any, pointer: Pointer) -> None:
         """The left button went down on a control: marker and name."""
@@ -295,6 +324,14 @@ class InteractiveMarkersDisplay(Display):
     def drag(self, pointer: Pointer) -> None:
         if self._held is not None:
             self._held.drag(pointer)
+
+    def wheel(self, notches: float) -> None:
+        if self._held is not None:
+            self._held.wheel(notches)
+
+    def step(self, steps: Steps, turning: bool) -> None:
+        if self._held is not None:
+            self._held.step(steps, turning)
 
     def release(self, pointer: Pointer) -> None:
         if self._held is not None:

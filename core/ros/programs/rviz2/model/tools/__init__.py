@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rviz2.model.tools.tool import Tool
 
 TYPES: dict[str, tuple[str, str]] = {
-    "Interact": ("camera", "Interact"),
+    "Interact": ("interact", "Interact"),
     "MoveCamera": ("camera", "MoveCamera"),
     "Select": ("select", "Select"),
     "FocusCamera": ("picking", "FocusCamera"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from day6_tui.core.ros.programs.rviz2.model.key_steps import FINE, FINE_TURN, TURN, step_at
 from day6_tui.core.ros.programs.rviz2.model.properties import floats, number_text
 from day6_tui.core.ros.programs.rviz2.model.scene import Colour, Lines, Scene
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import GROUND, Pointer, Tool, ToolTopic
@@ -14,12 +15,6 @@ from day6_tui.urdf.model import Quaternion, Vector
 GREEN: Colour = (0.0, 1.0, 0.0, 1.0)
 SHAFT, SHAFT_DIAMETER, HEAD, HEAD_DIAMETER = 2.0, 0.2, 0.5, 0.35
 """Of the arrow (pose_tool.cpp)."""
-
-TURN, FINE_TURN = math.radians(15), math.radians(1)
-"""What an arrow key turns the direction, without and with Shift."""
-
-STEPS = 20
-"""How many steps of an arrow key the view is far away, about."""
 
 CROSS = 3
 """Arms of the cursor, in steps of the arrow keys."""
@@ -96,7 +91,7 @@ class PoseTool(Tool):
         elif self._cursor is None:
             self._to_middle()
         else:
-            step = self._step / 10 if fine else self._step
+            step = self._step * FINE if fine else self._step
             ahead = self._ahead()
             x = self._cursor[0] + step * (up * ahead[0] + right * ahead[1])
             y = self._cursor[1] + step * (up * ahead[1] - right * ahead[0])
@@ -107,8 +102,7 @@ class PoseTool(Tool):
         """Begin in the middle of the view, with steps that fit its distance."""
         camera = self.rviz.view.camera()
         middle = Pointer(camera.position, camera.forward).ground or (0.0, 0.0, 0.0)
-        away = camera.metres or math.dist(camera.position, middle)
-        self._step = _round_step(away / STEPS)
+        self._step = step_at(camera, middle)
         self._cursor = _rounded(middle[0], self._step), _rounded(middle[1], self._step), 0.0
 
     def _ahead(self) -> tuple[int, int]:
@@ -198,12 +192,6 @@ class SetGoal(PoseTool):
 def about_z(angle: float) -> Quaternion:
     """A rotation by radians about the z axis."""
     return 0.0, 0.0, math.sin(angle / 2), math.cos(angle / 2)
-
-
-def _round_step(metres: float) -> float:
-    """The nearest of …, 0.1, 0.2, 0.5, 1, 2, 5, …"""
-    power = 10.0 ** math.floor(math.log10(max(metres, 1e-6)))
-    return min((power * factor for factor in (1, 2, 5, 10)), key=lambda step: abs(step - metres))
 
 
 def _rounded(metres: float, step: float) -> float:

@@ -36,6 +36,8 @@ class Pointer(NamedTuple):
     along: Vector
     """Its direction."""
     hit: Hit | None = None
+    pixel: tuple[float, float] = (0.0, 0.0)
+    """Where that is in a picture of the nominal height."""
     inside: tuple[tuple[Any, Any], ...] = ()
     """Owners and keys of all things in the rectangle that was dragged, nearest first."""
     shift: bool = False
@@ -118,6 +120,10 @@ class Tool(Property):
 
     def drag(self, pointer: Pointer) -> bool:
         """The mouse moved with the button down."""
+        return False
+
+    def wheel(self, notches: float) -> bool:
+        """The wheel was turned with the button down."""
         return False
 
     def release(self, pointer: Pointer) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rviz2.model.properties import GROUP, Property
 from day6_tui.core.ros.programs.rviz2.model.tools import TYPES, tool_class
+from day6_tui.core.ros.programs.rviz2.model.tools.interact import Interact
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import FailedTool, Tool
 
 if TYPE_CHECKING:
@@ -67,6 +68,11 @@ class Toolbox:
             tool.close()
             self.properties.remove(tool)
         self.tools = []
+
+    @property
+    def interact(self) -> Interact | None:
+        """The tool for interactive markers, if there is one."""
+        return next((tool for tool in self.tools if isinstance(tool, Interact)), None)
 
     # -- choosing ------------------------------------------------------------------------------------------------------
 

@@ -1,0 +1,1 @@
+"""The check of XML files that the tests of a package run."""

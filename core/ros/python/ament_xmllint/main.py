@@ -1,0 +1,54 @@
+"""Checks that XML files are well-formed. (The schemas that a file names are on the network; they are not fetched.)"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from xml.parsers import expat
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Check the given files and folders (by default the current one); returns 1 if one is invalid or there is none."""
+    files = list(xml_files(sys.argv[1:] if argv is None else argv))
+    if not files:
+        print("No files found", file=sys.stderr)
+        return 1
+    invalid = 0
+    for path in files:
+        error = _error_in(path)
+        name = os.path.relpath(path)
+        if error:
+            print(f"File '{name}' is invalid:\n{error}\n", file=sys.stderr)
+            invalid += 1
+        else:
+            print(f"File '{name}' is valid\n")
+    if invalid:
+        print(f"{invalid} files are invalid", file=sys.stderr)
+        return 1
+    print("No problems found")
+    return 0
+
+
+def xml_files(paths: list[str]) -> Iterator[str]:
+    """Yield the XML files at and below some paths, except in folders that begin with . or _ and those with AMENT_IGNORE."""
+    for path in paths or ["."]:
+        if os.path.isfile(path):
+            yield path
+        for folder, folders, files in os.walk(path):
+            if "AMENT_IGNORE" in files or "AMENT_IGNORE" in folders:
+                folders[:] = []
+                continue
+            folders[:] = sorted(name for name in folders if not name.startswith((".", "_")))
+            yield from (os.path.join(folder, name) for name in sorted(files) if name.endswith(".xml"))
+
+
+def _error_in(path: str) -> str:
+    parser = expat.ParserCreate()
+    parser.DefaultHandler = lambda text: None  # with one, entities are not expanded
+    try:
+        with open(path, "rb") as file:
+            parser.ParseFile(file)
+    except expat.ExpatError as error:
+        return f"{os.path.abspath(path)}:{error.lineno}: parser error : {expat.ErrorString(error.code)}"
+    return ""

@@ -1,0 +1,22 @@
+"""Runs tests of pytest."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from launch.some_substitutions_type import SomeSubstitutionsType
+
+from launch_testing.actions.test import Test
+
+
+class PyTest(Test):
+    """Runs pytest on `path`; the rest is as in `Test` and `launch.actions.ExecuteProcess`."""
+
+    def __init__(self, *, path: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(cmd=[sys.executable, "-m", "pytest", path], **kwargs)
+        self.__path = path
+
+    @property
+    def path(self) -> SomeSubstitutionsType:
+        return self.__path
