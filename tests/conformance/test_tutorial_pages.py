@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 from tutorial_pages.commands import is_form, opens_window, runs_on, split
-from tutorial_pages.documentation import Documentation
+from tutorial_pages.documentation import Documentation, as_of_today
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.player import Row, as_of_today, is_from_home, put_right, starts_the_same
+from tutorial_pages.player import Row, is_from_home, put_right, starts_the_same
 from tutorial_pages.table import TABLE, Table, digest
 
 from day6_tui.core.ros import distribution
@@ -183,11 +183,11 @@ def test_a_reader_puts_right_what_todays_recorder_refuses() -> None:
 
 
 def test_a_file_of_the_mirror_imports_the_interfaces_of_today(monkeypatch: pytest.MonkeyPatch) -> None:
-    text = b"from turtlesim.msg import Pose\nimport turtlesim.srv\n# turtlesim\n"
+    text = "from turtlesim.msg import Pose\nimport turtlesim.srv\n# turtlesim\n"
     monkeypatch.setattr(distribution, "_current", "jazzy")
     assert as_of_today(text) == text
     monkeypatch.setattr(distribution, "_current", "rolling")
-    assert as_of_today(text) == b"from turtlesim_msgs.msg import Pose\nimport turtlesim_msgs.srv\n# turtlesim\n"
+    assert as_of_today(text) == "from turtlesim_msgs.msg import Pose\nimport turtlesim_msgs.srv\n# turtlesim\n"
 
 
 def test_a_row_that_differs_otherwise_than_before_is_noticed(

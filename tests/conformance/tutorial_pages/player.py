@@ -8,11 +8,10 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from day6_tui.core.ros.differences import value
 from day6_tui.core.shell.runs import Run
 from day6_tui.core.shell.terminal import Terminal
 from tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
-from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation
+from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation, as_of_today
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
 from tutorial_pages.pages import HANDS, Hand, Page
@@ -334,7 +333,9 @@ class Player:
         )
         if done.returncode:
             return "failed", "network: not in the mirror"
-        (terminal.shell.cwd / (name or path.rpartition("/")[2])).write_bytes(as_of_today(done.stdout))
+        (terminal.shell.cwd / (name or path.rpartition("/")[2])).write_text(
+            as_of_today(done.stdout.decode()), encoding="utf-8"
+        )
         return "run", "given from the mirror"
 
     def _newest_bag(self) -> str:
@@ -424,11 +425,6 @@ def is_from_home(command: str, cwd: Path, home: Path) -> bool:
     """Say whether a command names a path that is not there where it is typed, but is from the home folder."""
     words = [word for word in command.split() if "/" in word and not word.startswith(("/", "~", "'", '"', "$"))]
     return any((home / word).exists() and not (cwd / word).exists() for word in words)
-
-
-def as_of_today(file: bytes) -> bytes:
-    """Return a file of the mirror with turtlesim's interfaces where they are now: the copies are older than Kilted."""
-    return re.sub(rb"\bturtlesim(?=\.(?:msg|srv)\b)", str(value("turtlesim.interfaces")).encode(), file)
 
 
 def _body(text: str) -> str:
