@@ -17,6 +17,8 @@ from day6_tui.core.advice.matching import card_for, cards_in
 from day6_tui.core.advice.texts import TEXTS
 from day6_tui.core.advice.typed import CLOSE, CLOSE_AMONG_FEW, PUNCTUATION, chinese_sign, near_choice, slip_of_command
 from day6_tui.core.advice.wording import filled_in
+from day6_tui.core.ros import differences
+from day6_tui.core.ros.distribution import current
 from day6_tui.urdf.explain import Hint, hints_wanted, language_of
 
 _FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
@@ -210,6 +212,9 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
         return _say("module.near", language, name=whole, near=f"{outer}.{near[0]}") if near else ""
     if text := _of_the_workspace(whole, around, language):
         return text
+    turtlesim = differences.value("turtlesim.interfaces")
+    if whole in differences.VALUES["turtlesim.interfaces"][0] and whole != turtlesim:
+        return _say("module.moved", language, name=whole, distro=current(), now=turtlesim)
     if whole in _PIP:
         return _say("module.pip", language, name=whole, package=_PIP[whole])
     near = get_close_matches(whole, known.modules(around.variables), 1, CLOSE)

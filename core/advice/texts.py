@@ -161,6 +161,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "there is no module {name}; did you mean {near}?",
         "没有叫 {name} 的模块，是不是想写 {near}？",
     ),
+    "module.moved": (
+        "in {distro} the interfaces of turtlesim are in {now}: write {now} for {name}, in package.xml too",
+        "在 {distro} 里，turtlesim 的接口在 {now} 里：把 {name} 写成 {now}，package.xml 里也一样",
+    ),
     "module.pip": (
         "the Python package for {name} is not installed. Run: pip3 install {package}",
         "还没有安装 {name} 用的 Python 包。可以运行：pip3 install {package}",
