@@ -230,7 +230,8 @@ def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
         return _say("not_sourced", language, name=package, setup=built / "setup.bash")
     source = known.source_package(package, around.variables, around.cwd)
     if source is not None:
-        return _say("not_built", language, name=package, folder=source[0], workspace=source[1])
+        key = "build_failed" if known.build_failed(package, source[1]) else "not_built"
+        return _say(key, language, name=package, folder=source[0], workspace=source[1])
     return ""
 
 

@@ -30,6 +30,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is in {folder}, but it has not been built yet. Run: cd {workspace}; colcon build; source install/setup.bash",
         "{name} 在 {folder} 里，但还没有编译。先运行：cd {workspace}; colcon build; source install/setup.bash",
     ),
+    "build_failed": (
+        "{name} is in {folder}, but its last build failed. See why: cd {workspace}; colcon build --packages-select {name}",
+        "{name} 在 {folder} 里，但上一次编译失败了。看看为什么：cd {workspace}; colcon build --packages-select {name}",
+    ),
     "command.near": (
         "there is no command {name}; did you mean {near}?",
         "没有叫 {name} 的命令，是不是想写 {near}？",
@@ -211,6 +215,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "package.not_built": (
         "{name} lies in {folder}, but it has not been built yet",
         "{name} 在 {folder} 里，可是还没有编译",
+    ),
+    "package.build_failed": (
+        "{name} lies in {folder}, but its last build failed: what colcon build prints says why",
+        "{name} 在 {folder} 里，可是上一次编译失败了：colcon build 的输出说明了原因",
     ),
     "package.now_known": (
         "{name} is known now. It was not when the command was run: run it again",

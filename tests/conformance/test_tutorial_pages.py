@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from tutorial_pages.commands import is_form, opens_window, runs_on, split
-from tutorial_pages.documentation import Documentation, as_of_today
+from tutorial_pages.documentation import Block, Documentation, as_of_today
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
 from tutorial_pages.player import Row, is_from_home, put_right, starts_the_same
@@ -157,6 +157,21 @@ def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
     manifest = (folder / "package.xml").read_text()
     assert "<license>MIT</license>" in manifest and manifest.index("rclpy") < manifest.index("<export>")
     assert (folder / "car/drive.py").read_text() == "def main():\n    return 1\n    pass\n"
+
+
+def test_lines_for_cmakelists_are_known_by_what_they_say(tmp_path: Path) -> None:
+    lists = tmp_path / "ros2_ws/src/car/CMakeLists.txt"
+    lists.parent.mkdir(parents=True)
+    lists.write_text("project(car)\n\nament_package()\n")
+    workspace = Workspace(tmp_path)
+    workspace.package = "car"
+    added = "add_executable(drive src/drive.cpp)\nament_target_dependencies(drive rclcpp)"
+    assert workspace.heed(Block("console", added, "", "", 1, "", "")) == ["ros2_ws/src/car/CMakeLists.txt"]
+    assert lists.read_text() == f"project(car)\n\n{added}\n\nament_package()\n"
+    whole = "cmake_minimum_required(VERSION 3.5)\nproject(car)\n\nament_package()"
+    assert workspace.heed(Block("console", whole, "", "", 1, "", ""))
+    assert lists.read_text() == whole + "\n"
+    assert workspace.heed(Block("console", "[INFO] [drive]: add_executable(drive)", "", "", 1, "", "")) == []
 
 
 def test_a_path_that_is_there_only_from_home_is_typed_at_home(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ _ENTRY = re.compile(r"^\s*(?P<quote>['\"])(?P<name>[\w.-]+)\s*=\s*(?P<module>[\w
 _DATA = re.compile(r"^\s*\(\s*(?:os\.path\.join\(\s*['\"]share['\"]|['\"]share/?).*", re.M)
 _BROKEN = re.compile(r",[ \t]*\n\s+(?=glob\()")
 """Between a target and its files, which some pages write in two lines."""
+_CMAKE = re.compile(r"\s*(?:cmake_minimum_required|find_package|add_executable|add_library|install|ament_\w+)\(")
 _CREATED = re.compile(r"ros2 pkg create\b(?P<rest>.*)")
 
 
@@ -114,7 +115,7 @@ class Workspace:
             and "<package" not in text
         ):
             return self._manifest(package / "package.xml", text)
-        if language == "cmake" and self.package and (package / "CMakeLists.txt").is_file():
+        if (language == "cmake" or _CMAKE.match(text)) and self.package and (package / "CMakeLists.txt").is_file():
             return self._cmake(package / "CMakeLists.txt", text)
         if not files or not self._is_whole(text, language, files[0]):
             return []
