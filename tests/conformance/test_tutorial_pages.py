@@ -10,7 +10,7 @@ from tutorial_pages.commands import is_form, opens_window, runs_on, split
 from tutorial_pages.documentation import Block, Documentation, as_of_today
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.player import Row, is_from_home, put_right, starts_the_same
+from tutorial_pages.player import Row, is_from_home, put_right, starts_the_same, takes_arrows
 from tutorial_pages.table import TABLE, Table, digest
 
 from day6_tui.core.ros import distribution
@@ -189,6 +189,17 @@ def test_a_launch_with_other_arguments_takes_the_place_of_the_one_before() -> No
     assert not starts_the_same("ros2 launch car drive.py", "ros2 launch car park.py")
     assert not starts_the_same("ros2 run car drive", "ros2 run car drive --ros-args -r __ns:=/a")
     assert not starts_the_same("ros2 run turtlesim turtle_teleop_key", "ros2 run turtlesim turtle_teleop_key")
+
+
+def test_what_comes_of_ctrl_c_is_no_failure_of_the_program_even_where_its_beginning_is_forgotten() -> None:
+    died = "[ERROR] [a-1]: process has died [pid 1, exit code -2]"
+    assert Row("ros2 launch a b", 1, output=f"ready\n^C{died}", interrupted=True).by_itself == "ready\n"
+    assert Row("ros2 launch a b", 1, output=died, interrupted=True, before_ctrl_c="ready\n").by_itself == "ready\n"
+    assert Row("ros2 launch a b", 1, output=died).by_itself == died
+
+
+def test_only_what_steers_a_turtle_is_given_the_arrows() -> None:
+    assert takes_arrows("ros2 run turtlesim turtle_teleop_key") and not takes_arrows("ros2 bag play subset")
 
 
 def test_a_reader_puts_right_what_todays_recorder_refuses() -> None:

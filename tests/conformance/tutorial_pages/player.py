@@ -75,8 +75,17 @@ class Row:
     run: Run | None = None
     interrupted: bool = False
     """Whether the reader ended it by Ctrl-C."""
+    before_ctrl_c: str = ""
+    """Its output until then: a terminal forgets most of what an older command printed."""
     opened: bool = False
     """Whether a window came while it started."""
+
+    @property
+    def by_itself(self) -> str:
+        """What it printed before the reader ended it."""
+        if not self.interrupted:
+            return self.output
+        return self.before_ctrl_c or self.output.partition("^C")[0]
 
 
 class Player:
@@ -165,7 +174,8 @@ class Player:
             self._press_ctrl_c(sentence)
         if _ARROWS.search(words):
             for terminal in self._machine.terminals:
-                if terminal.busy and terminal.reading_keys:
+                run = terminal.runs.running
+                if run is not None and terminal.reading_keys and takes_arrows(run.source):
                     for key in (UP, UP, LEFT, UP):
                         terminal.send(key)
                         self._machine.wait(lambda: False, 0.3)
@@ -196,7 +206,7 @@ class Player:
     def _interrupt(self, terminal: Terminal) -> None:
         for row in self.rows:
             if row.run is not None and row.run is terminal.runs.running:
-                row.interrupted = True
+                row.interrupted, row.before_ctrl_c = True, row.run.output
         self._machine.interrupt(terminal)
 
     # -- a command -----------------------------------------------------------------------------------------------------
@@ -393,15 +403,19 @@ class Player:
         status = row.run.status
         shown = row.kind not in ("", Verdict.DIFFERS.value)
         hangs = row.interrupted and not runs_on(row.command)
-        said = row.output.partition("^C")[0] if row.interrupted else row.output
         if opens_window(row.command):
             row.verdict, hangs = "window", not row.opened
-        if ((status not in (0, None) and not row.interrupted) or hangs or _FAILED.search(said)) and not shown:
+        if ((status not in (0, None) and not row.interrupted) or hangs or _FAILED.search(row.by_itself)) and not shown:
             row.verdict = "failed"
         if row.verdict == "failed" and not row.reason and _CPP_NAME.search(self._page.name):
             row.reason = "C++"
         if row.verdict == "failed" and not row.reason and _NO_COMPILER.search(row.output):
             row.reason = "C++"
+
+
+def takes_arrows(command: str) -> bool:
+    """Return whether the arrow keys that a page speaks of are for this program."""
+    return "teleop" in command
 
 
 def put_right(command: str, output: str) -> str:
