@@ -32,7 +32,7 @@ class Hand:
     `file`: the block belongs there (or to several, between spaces), `how` says in which way (see `Workspace.write`). `at`: the
     folder in which to type it. `instead`: pairs of a pattern and what to type for it. `interrupt`: a pattern of running commands
     that get Ctrl-C before, `before`: commands that are typed before. `of`: the command whose output the block is.
-    `skip`: why it is not played.
+    `skip`: why it is not played. `lasts`: for how many seconds a reader lets it run before going on.
     """
 
     block: str
@@ -46,6 +46,7 @@ class Hand:
     before: Sequence[str] = ()
     of: str = ""
     skip: str = ""
+    lasts: float = 0.0
 
     def fits(self, block: Block) -> bool:
         return (
@@ -256,9 +257,16 @@ HANDS: dict[str, tuple[Hand, ...]] = {
             ),
         ),
     ),
+    "Quality-of-Service": (
+        Hand(
+            r"tc qdisc",
+            skip="system: would disturb the network of the machine that plays, which messages do not use here",
+        ),
+    ),
     "dummy-robot-demo": (
         Hand(r"process started with pid", of="ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.py"),
     ),
+    "Recording-A-Bag-From-Your-Own-Node-Py": (Hand(r"data_generator_node$", lasts=12.0),),
     "Recording-And-Playing-Back-Data": (
         Hand(
             r"ros2 bag (info|play) .*<bag_file_name>",

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rosgraph_msgs.msg import Clock
 
 from day6_tui.core.interfaces import get_interface
+from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._bag_clock import BagClock
 from rosbag2_py._options import PlayOptions
@@ -160,7 +161,8 @@ class Playing:
 
     def begin(self) -> None:
         """Log the start, and start."""
-        self._log.info(f"Playback until timestamp: {self.until_ns}")
+        if value("bag.player_logs_end"):
+            self._log.info(f"Playback until timestamp: {self.until_ns}")
         self._begin_round()
 
     def _begin_round(self) -> None:
@@ -308,6 +310,8 @@ class Playing:
         if not self.clock.paused:
             self._log.warning("Called play next, but not in paused state.")
             return False
+        if value("bag.player_logs_next"):
+            self._log.info("Playing next message.")
         return self._step()
 
     def _step(self) -> bool:
@@ -344,7 +348,8 @@ class Playing:
     def stop(self) -> None:
         """End the playback."""
         if not self.finished:
-            self._log.info("Stopping playback.")
+            if value("bag.player_logs_stop"):
+                self._log.info("Stopping playback.")
             self.finished = True
             self._wake()
 

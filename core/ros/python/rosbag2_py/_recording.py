@@ -113,7 +113,8 @@ class Recording:
             self._subscribe()
         if self._options.is_discovery_disabled:
             self._discovering = False
-        self._log.info("Wait for recording: Press SPACE to start." if self.paused else "Recording...")
+        waits = f"{value('bag.recorder_waits')}: Press SPACE to start."
+        self._log.info(waits if self.paused else "Recording...")
         self._flushed = time.monotonic()
 
     def _offer_services(self, node: Node) -> None:
@@ -146,7 +147,9 @@ class Recording:
         if not self.recording:
             return
         self.recording = False
-        self.pause()
+        if value("bag.recorder_logs_pause_at_end"):
+            self.pause()
+        self.paused = True
         for subscription in self._subscriptions.values():
             self._node.destroy_subscription(subscription)
         self._subscriptions.clear()

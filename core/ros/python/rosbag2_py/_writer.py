@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import time
 import weakref
 from collections import deque
@@ -10,6 +11,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.whole_file import replace_file
 from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_compress
 from rosbag2_py._console import Log, to_console
@@ -52,6 +54,9 @@ SLOWER_PER_PIECE = 0.001
 """Seconds that are added for each piece of a file, because each flush rewrites the index of all pieces."""
 
 SECOND = 1_000_000_000
+
+_TIME_AT_END = re.compile(r"_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d$")
+"""What `ros2 bag record` adds to the name of a bag that was given none."""
 
 
 class SequentialWriter:
@@ -112,6 +117,13 @@ class SequentialCompressionWriter(SequentialWriter):
     def __init__(self, compression_options: CompressionOptions | None = None, log: Log = to_console) -> None:
         super().__init__(log)
         self._options = compression_options or CompressionOptions("zstd", CompressionMode.FILE)
+
+
+def _file_name(bag: str, index: int) -> str:
+    """Return the name of a bag's file without its suffix; `bag` is the folder's name."""
+    if value("bag.file_names") == "name_index":
+        return f"{bag}_{index}"
+    return f"{index}_{_TIME_AT_END.sub('', bag)}_{time.strftime('%Y_%m_%d-%H_%M_%S')}"
 
 
 class _Bag:
@@ -176,7 +188,7 @@ class _Bag:
         from day6_tui.core.ros.distribution import current
 
         self._distro = os.environ.get("ROS_DISTRO", current())
-        name = f"{self.folder.name}_{len(self._files)}{SUFFIXES[self.storage]}"
+        name = _file_name(self.folder.name, len(self._files)) + SUFFIXES[self.storage]
         self._path = self.folder / name
         preset = self.options.storage_preset_profile
         self._file: BagWriter = create_file(self._path, self.storage, preset, self._distro, self._log)

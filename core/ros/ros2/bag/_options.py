@@ -118,12 +118,15 @@ def existing_path(parser: Any) -> Callable[[str], str]:
     return check
 
 
-def add_bag_path(parser: ArgumentParser, *, required: bool = True) -> None:
-    """Add the bag to open and its storage format."""
+def add_bag_path(parser: ArgumentParser, *, required: bool = True, storage: bool = True) -> None:
+    """Add the bag to open and, where it can be given, its storage format."""
     bag = parser.add_argument(
         "bag_path", nargs=None if required else "?", type=existing_path(parser), help="Bag to open"
     )
     completed(bag, bag_names)
+    if not storage:
+        parser.set_defaults(storage="")
+        return
     parser.add_argument(
         "-s",
         "--storage",

@@ -53,16 +53,19 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def _add_topics(parser: ArgumentParser) -> None:
     names = parser.add_mutually_exclusive_group()
-    completed(
-        names.add_argument(
-            "topics_positional",
-            default=[],
-            metavar="[Topic ...]",
-            nargs="*",
-            help="Space-delimited list of topics to record. (deprecated)",
-        ),
-        topic_names,
-    )
+    if value("bag.positional_topics") == "removed":
+        parser.set_defaults(topics_positional=[])
+    else:
+        completed(
+            names.add_argument(
+                "topics_positional",
+                default=[],
+                metavar="[Topic ...]",
+                nargs="*",
+                help="Space-delimited list of topics to record. (deprecated)",
+            ),
+            topic_names,
+        )
     completed(
         names.add_argument(
             "--topics", default=[], metavar="Topic", nargs="+", help="Space-delimited list of topics to record."
@@ -276,7 +279,7 @@ def _add_compression(parser: ArgumentParser) -> None:
 def _refusal(session: Session, args: Namespace, folder: Path) -> str | None:
     """Return ros2bag's error for options that contradict each other; warnings are printed."""
     if args.topics_positional:
-        if value("bag.warns_of_positional_topics"):
+        if value("bag.positional_topics") == "deprecated":
             session.print(
                 warning('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
             )
