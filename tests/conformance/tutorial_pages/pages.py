@@ -334,4 +334,15 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         Hand(r"^ros param", skip="page: a misprint, 'ros' for 'ros2'"),
         Hand(r"ros2 param load", before=("ros2 param dump /my_node > my_node.yaml",)),
     ),
+    "Reading-From-A-Bag-File-Python": (
+        Hand(
+            r"simple_bag_reader$",
+            # The bag of an earlier page, of what the page's listener hears, long enough to be heard.
+            before=(
+                "ros2 topic pub -r 100 /chatter std_msgs/msg/String '{data: hello}' > /dev/null 2>&1 &",
+                "timeout -s INT 4 ros2 bag record -o ~/ros2_ws/my_bag --topics /chatter",
+                "kill %1",
+            ),
+        ),
+    ),
 }
