@@ -166,6 +166,8 @@ def pages(paths: Sequence[str]) -> list[Page]:
                 chain = _CHAINED[0]
             if name.startswith("Intermediate/") and ("Action" in name):
                 chain = "Intermediate/Actions"
+            if name == "Advanced/Reading-From-A-Bag-File-Python":
+                chain = "Advanced/Recording-A-Bag-From-Your-Own-Node-Py"  # it reads what that has recorded
             found.append(Page(path, chain))
     return found
 
@@ -333,16 +335,5 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         ),
         Hand(r"^ros param", skip="page: a misprint, 'ros' for 'ros2'"),
         Hand(r"ros2 param load", before=("ros2 param dump /my_node > my_node.yaml",)),
-    ),
-    "Reading-From-A-Bag-File-Python": (
-        Hand(
-            r"simple_bag_reader$",
-            # The bag of an earlier page, of what the page's listener hears, long enough to be heard.
-            before=(
-                "ros2 topic pub -r 100 /chatter std_msgs/msg/String '{data: hello}' > /dev/null 2>&1 &",
-                "timeout -s INT 4 ros2 bag record -o ~/ros2_ws/my_bag --topics /chatter",
-                "kill %1",
-            ),
-        ),
     ),
 }
