@@ -73,7 +73,7 @@ SPREAD = (
 LONG = (
     *(f"tests/e2e/test_{name}.py" for name in ("bad_input", "detach")),
     *("tests/editor/test_window.py", "tests/project/test_spoilt_disks.py", "tests/rviz2/test_window_parts.py"),
-    *("tests/pixels/test_pictures.py", "tests/shell/test_flood.py"),
+    *("tests/pixels/test_pictures.py", "tests/ros2/test_shown_paths.py", "tests/shell/test_flood.py"),
 )
 """Files of long tests of which a run of everything plays a third, another one each day."""
 

@@ -46,6 +46,9 @@ def wrap(text: str, width: int) -> list[str]:
     width = max(2, width)
     lines: list[str] = []
     for paragraph in map(one_line, text.split("\n")):
+        if cell_len(paragraph) <= width:
+            lines.append(paragraph.rstrip())
+            continue
         line, used = "", 0
         for word in _words(paragraph):
             size = cell_len(word)

@@ -164,7 +164,9 @@ def _ros2(words: list[str]) -> int:
     lasting = words[:1] in (["run"], ["launch"], ["daemon"], ["bag"]) or "echo" in words or "hz" in words
     show = _show_window if words[:1] == ["run"] and has_terminal() else None
     main = importlib.import_module("day6_tui.core.ros.ros2").main
-    return run_local(main, ["ros2", *words], one_shot=not lasting, show=show)
+    status = run_local(main, ["ros2", *words], one_shot=not lasting, show=show)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second Ctrl-C comes too late to change how it has ended
+    return status
 
 
 def _show_window(foreground: Foreground) -> None:

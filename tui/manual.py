@@ -31,7 +31,7 @@ LARGEST, LIST_WIDTH = 100, 24
 PAGES = (
     "desk", "welcome", "guide", "terminal", "editor", "turtlesim", "car", "world", "joint_state_publisher", "rviz2",
     "rqt", "rqt_graph", "rqt_console", "rqt_plot", "rqt_bag", "topics", "rqt_tf_tree", "service_caller", "publisher",
-    "action_browser", "type_browser", "rqt_reconfigure", "rqt_logger_level", "rqt_image_view", "rqt_shell",
+    "action_browser", "type_browser", "rqt_reconfigure", "rqt_logger_level", "rqt_image_view", "showimage", "rqt_shell",
     "rqt_py_console", "rqt_robot_steering", "inspector", "kitchen", "lesson", "classroom", "classroom_pupil",
 )  # fmt: skip
 """The texts `help.<page>` in the order of the manual; their titles are the texts `manual.<page>`."""

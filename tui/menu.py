@@ -162,9 +162,12 @@ class Menu(SearchedList):
         Binding("pageup", "page(-1)", show=False),
     ]
 
-    def __init__(self, look: Look, title: str, entries: Sequence[Entry], *, chosen: int = 0) -> None:
+    def __init__(
+        self, look: Look, title: str, entries: Sequence[Entry], *, chosen: int = 0, keys: str = "menu.keys.close"
+    ) -> None:
+        """`keys`: what is said of the keys where entries can be deleted."""
         deletable = any(entry.delete is not None for entry in entries)
-        super().__init__(look, look.texts(title), look.texts("menu.keys.close" if deletable else "menu.keys"), entries)
+        super().__init__(look, look.texts(title), look.texts(keys if deletable else "menu.keys"), entries)
         self._chosen = chosen
 
     def inside(self) -> ComposeResult:

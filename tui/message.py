@@ -8,9 +8,12 @@ from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.widget import Widget
 
-from day6_tui.core.session.harmless import one_line
+from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.modal import Modal, lines_of, plain
+
+FRAME = 3
+"""Columns of a frame and a scroll bar."""
 
 
 class ErrorModal(Modal):
@@ -46,9 +49,10 @@ class LogModal(Modal):
 
     BINDINGS = [Binding("enter,q", "close", show=False), Binding("c", "copy_all", show=False)]
 
-    def __init__(self, look: Look, title: str, lines: Sequence[str]) -> None:
+    def __init__(self, look: Look, title: str, lines: Sequence[str], *, from_top: bool = False) -> None:
         super().__init__(look, title, look.texts("log.keys"))
         self._lines = lines
+        self._from_top = from_top
 
     def action_copy_all(self) -> None:
         """c: all of it goes to the clipboard of the terminal."""
@@ -61,9 +65,14 @@ class LogModal(Modal):
         self._log_view = LogView()
         yield self._log_view
 
-    def on_mount(self) -> None:
-        super().on_mount()
-        self._log_view.write_lines([one_line(line.replace("\t", "    ")) for line in self._lines])
+    def on_resize(self) -> None:
+        """Break the lines at the width that there is now."""
+        view, width = self._log_view, max(10, self.size.width - FRAME)
+        before, new = view.scroll_offset.y, not view.line_count
+        lines = [part or " " for line in self._lines for part in wrap(line.replace("\t", "    "), width)]
+        view.clear().write_lines(lines, scroll_end=new and not self._from_top)
+        if not new:
+            view.scroll_to(y=before, animate=False)
 
     @property
     def keyboard(self) -> Widget:

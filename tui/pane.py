@@ -76,6 +76,9 @@ class Pane(Widget, can_focus=True):
 
     framed = True
 
+    takes_text = False
+    """Whether letters are typed into it rather than being keys."""
+
     keeps_focus = False
     """Whether a terminal that opens by itself leaves it the keyboard."""
 

@@ -39,6 +39,7 @@ WINDOWS = {
     "type_browser": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
     "action_browser": Needs(Extent(36, 9), Extent(60, 18), Extent(100, 30)),
     "rqt_image_view": Needs(Extent(24, 8), Extent(50, 16), Extent(120, 40), 2.0),
+    "showimage": Needs(Extent(24, 8), Extent(50, 16), Extent(120, 40), 2.0),
     "rqt_reconfigure": Needs(Extent(40, 8), Extent(64, 16), Extent(100, 30), 2.0),
     "joint_state_publisher": Needs(Extent(30, 6), Extent(44, 8), Extent(60, 12)),
     "inspector": Needs(Extent(36, 6), Extent(50, 8), Extent(70, 14)),

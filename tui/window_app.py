@@ -68,6 +68,11 @@ MORE_KEYS = (("F3", "next"), ("F6", "glyphs"), ("F7", "language"), ("^Z", "suspe
 """Keys that only the help lists."""
 
 
+def keys_beside(pane: Pane | None) -> tuple[tuple[str, str], ...]:
+    """The keys of `KEYS` while a pane has the keyboard: in one that takes text q is a letter."""
+    return (("^C", "end"), *KEYS[1:]) if pane is not None and pane.takes_text else KEYS
+
+
 class _Stage(Layout):
     """Gives all the space to the last used window."""
 
@@ -279,8 +284,8 @@ class WindowApp(TerminalApp):
     def bottom_pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """The newest line of the log, and the keys; these alone have the whole line, as on the desktop."""
         look = self.look
-        keys = [KeyHint(key, look.texts(f"single.{part}"), self.deeds[part]) for key, part in KEYS]
         pane = self.stage.shown
+        keys = [KeyHint(key, look.texts(f"single.{part}"), self.deeds[part]) for key, part in keys_beside(pane)]
         if len(self.stage.panes) > 1:
             keys.insert(1, KeyHint("F3", look.texts("single.next"), self.deeds["next"]))
         if pane is not None:
@@ -342,7 +347,8 @@ class WindowApp(TerminalApp):
         if isinstance(self.stage.overlay, Manual):
             self.stage.close_overlay()
         elif self.stage.shown is not None:
-            keys = [(key, self.look.texts("help.single." + part)) for key, part in KEYS + MORE_KEYS]
+            named = keys_beside(self.stage.shown) + MORE_KEYS
+            keys = [(key, self.look.texts("help.single." + part)) for key, part in named]
             self.stage.open_overlay(Manual(self.look, self.stage.shown, keys))
 
     def do_log(self) -> None:

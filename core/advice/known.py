@@ -149,6 +149,14 @@ def source_package(name: str, variables: Mapping[str, str], cwd: Path) -> tuple[
     return None
 
 
+def build_failed(name: str, workspace: Path) -> bool:
+    """Return whether colcon noted that it could not build a package the last time."""
+    try:
+        return (workspace / "build" / name / "colcon_build.rc").read_text(encoding="utf-8").strip() != "0"
+    except (OSError, UnicodeError):
+        return False
+
+
 def missing_comma(setup: Path) -> int:
     """Return the line of a setup.py that lacks the comma between two entry points; 0 if none does, or it cannot be read.
 

@@ -65,7 +65,8 @@ def _of_the_workspace(name: str, scene: Scene) -> Found | None:
         return found("package.not_sourced", source, name=name, install=_short(built, scene))
     lies = known.source_package(name, scene.variables, scene.cwd)
     if lies is not None:
-        return found("package.not_built", _build(lies[1], name, scene), name=name, folder=_short(lies[0], scene))
+        key = "package.build_failed" if known.build_failed(name, lies[1]) else "package.not_built"
+        return found(key, _build(lies[1], name, scene), name=name, folder=_short(lies[0], scene))
     return None
 
 

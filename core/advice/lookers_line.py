@@ -8,6 +8,7 @@ import shlex
 from day6_tui.core.advice import known
 from day6_tui.core.advice.looking import Found, Scene, found, looker
 from day6_tui.core.advice.typed import Slip, chinese_sign, near_choice, slip_of_command
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.program_index import executables, packages
 
 _KEYS = {"command.near": "command.meant", "command.blank": "command.blank_here"}
@@ -49,6 +50,17 @@ def choice(scene: Scene) -> Found | None:
     if not near:
         return None
     return found("choice.near", scene.with_word(name, near), name=name, near=near)
+
+
+@looker
+def bag_topics(scene: Scene) -> Found | None:
+    """`ros2 bag record /a /b`, as until Kilted."""
+    words, names = scene.words(), scene.value("names").split()
+    unknown = value("bag.positional_topics") != "removed" or any(name.startswith("-") for name in names)
+    if words[:3] != ["ros2", "bag", "record"] or unknown:
+        return None
+    rest = [word for word in words if word not in names]
+    return found("bag.topics", shlex.join([*rest, "--topics", *names]))
 
 
 @looker

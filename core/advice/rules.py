@@ -17,6 +17,8 @@ from day6_tui.core.advice.matching import card_for, cards_in
 from day6_tui.core.advice.texts import TEXTS
 from day6_tui.core.advice.typed import CLOSE, CLOSE_AMONG_FEW, PUNCTUATION, chinese_sign, near_choice, slip_of_command
 from day6_tui.core.advice.wording import filled_in
+from day6_tui.core.ros import differences
+from day6_tui.core.ros.distribution import current
 from day6_tui.urdf.explain import Hint, hints_wanted, language_of
 
 _FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
@@ -210,6 +212,9 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
         return _say("module.near", language, name=whole, near=f"{outer}.{near[0]}") if near else ""
     if text := _of_the_workspace(whole, around, language):
         return text
+    turtlesim = differences.value("turtlesim.interfaces")
+    if whole in differences.VALUES["turtlesim.interfaces"][0] and whole != turtlesim:
+        return _say("module.moved", language, name=whole, distro=current(), now=turtlesim)
     if whole in _PIP:
         return _say("module.pip", language, name=whole, package=_PIP[whole])
     near = get_close_matches(whole, known.modules(around.variables), 1, CLOSE)
@@ -225,7 +230,8 @@ def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
         return _say("not_sourced", language, name=package, setup=built / "setup.bash")
     source = known.source_package(package, around.variables, around.cwd)
     if source is not None:
-        return _say("not_built", language, name=package, folder=source[0], workspace=source[1])
+        key = "build_failed" if known.build_failed(package, source[1]) else "not_built"
+        return _say(key, language, name=package, folder=source[0], workspace=source[1])
     return ""
 
 

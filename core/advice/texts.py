@@ -30,6 +30,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is in {folder}, but it has not been built yet. Run: cd {workspace}; colcon build; source install/setup.bash",
         "{name} 在 {folder} 里，但还没有编译。先运行：cd {workspace}; colcon build; source install/setup.bash",
     ),
+    "build_failed": (
+        "{name} is in {folder}, but its last build failed. See why: cd {workspace}; colcon build --packages-select {name}",
+        "{name} 在 {folder} 里，但上一次编译失败了。看看为什么：cd {workspace}; colcon build --packages-select {name}",
+    ),
     "command.near": (
         "there is no command {name}; did you mean {near}?",
         "没有叫 {name} 的命令，是不是想写 {near}？",
@@ -161,6 +165,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "there is no module {name}; did you mean {near}?",
         "没有叫 {name} 的模块，是不是想写 {near}？",
     ),
+    "module.moved": (
+        "in {distro} the interfaces of turtlesim are in {now}: write {now} for {name}, in package.xml too",
+        "在 {distro} 里，turtlesim 的接口在 {now} 里：把 {name} 写成 {now}，package.xml 里也一样",
+    ),
     "module.pip": (
         "the Python package for {name} is not installed. Run: pip3 install {package}",
         "还没有安装 {name} 用的 Python 包。可以运行：pip3 install {package}",
@@ -207,6 +215,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "package.not_built": (
         "{name} lies in {folder}, but it has not been built yet",
         "{name} 在 {folder} 里，可是还没有编译",
+    ),
+    "package.build_failed": (
+        "{name} lies in {folder}, but its last build failed: what colcon build prints says why",
+        "{name} 在 {folder} 里，可是上一次编译失败了：colcon build 的输出说明了原因",
     ),
     "package.now_known": (
         "{name} is known now. It was not when the command was run: run it again",
@@ -274,6 +286,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "path.no_folder": (
         "the folder {folder} does not exist; {above} does",
         "没有 {folder} 这个文件夹，它的上一级 {above} 是有的",
+    ),
+    "bag.topics": (
+        "since Lyrical the topics to record stand behind --topics",
+        "从 Lyrical 起，要录的话题写在 --topics 后面",
     ),
     "path.near": ("there is no {name}, but there is {near}", "没有 {name}，不过有 {near}"),
     "path.elsewhere": ("{name} is not in this folder, but here: {place}", "{name} 不在这个文件夹里，它在 {place}"),

@@ -28,9 +28,9 @@ MOST_PAUSE = 60.0
 
 WINDOWS = (
     "turtlesim", "rqt_graph", "rviz2", "editor", "inspector", "rqt_plot", "rqt_console", "rqt", "topics", "car", "world",
-    "rqt_bag", "rqt_tf_tree", "rqt_reconfigure", "rqt_logger_level", "rqt_image_view", "rqt_shell", "rqt_py_console",
-    "rqt_robot_steering", "service_caller", "publisher", "type_browser", "action_browser", "joint_state_publisher", "kitchen",
-    "lesson",
+    "rqt_bag", "rqt_tf_tree", "rqt_reconfigure", "rqt_logger_level", "rqt_image_view", "showimage", "rqt_shell",
+    "rqt_py_console", "rqt_robot_steering", "service_caller", "publisher", "type_browser", "action_browser",
+    "joint_state_publisher", "kitchen", "lesson",
 )  # fmt: skip
 """Kinds of windows."""
 

@@ -22,6 +22,10 @@ def _in_humble(old: Any, usual: Any, source: str) -> tuple[tuple[Any, Any, Any, 
     return (old, usual, usual, usual), source
 
 
+def _in_rolling(usual: Any, new: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
+    return (usual, usual, usual, new), source
+
+
 VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "turtlesim.interfaces": (
         ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
@@ -53,10 +57,33 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
         False, True, "ros2/rclpy: rclpy/type_description_service.py, in branch jazzy and not in humble"
     ),
     "rclpy.init_returns_manager": _in_humble(False, True, "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
+    "rclcpp.signal": (
+        ("SIGINT/SIGTERM", "SIGINT/SIGTERM", "SIGINT/SIGTERM", "signum={number}"),
+        "ros2/rclcpp#2986 (30.1.4), and #3000 for the others (16.0.17, 28.1.15, 29.5.6), which before said what Rolling says",
+    ),
+    "rclcpp.lifecycle_warns": (
+        (False, False, True, True),
+        "ros2/rclcpp: rclcpp_lifecycle/src/lifecycle_node.cpp, branches humble, jazzy and rolling (29.3)",
+    ),
     "ros2.same_names": _in_humble(
         "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
         "WARNING: Be aware that there are nodes in the graph that share an exact name, which can have unintended side effects.",
         "ros2/ros2cli: ros2node/verb/list.py, branches humble and jazzy",
+    ),
+    "pkg.create_licences": _in_humble(
+        "identitifers", "identifiers", "ros2/ros2cli: ros2pkg/verb/create.py, branches humble and jazzy"
+    ),
+    "param.get_arrays": _in_humble(
+        "array", "list", "ros2/ros2cli: ros2param/verb/get.py, branches humble and jazzy (`.tolist()`)"
+    ),
+    "param.dump_to_folder": _in_humble(
+        True, False, "ros2/ros2cli: --output-dir and --print in ros2param/verb/dump.py, branches humble and not jazzy"
+    ),
+    "param.several": _in_rolling(
+        False, True, "ros2/ros2cli#1170, #1174, #1185, #1203, #1204: ros2param/verb; Release-Lyrical-Luth.rst"
+    ),
+    "robot_state_publisher.names_segments": _in_humble(
+        True, False, "ros/robot_state_publisher: setupURDF, branches humble and rolling (`Robot initialized`)"
     ),
     "bag.storage": _in_humble(
         "sqlite3", "mcap", "ros2/rosbag2#1160 (Iron); Release-Iron-Irwini.rst of ros2_documentation"
@@ -67,13 +94,47 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "bag.topics_have_ids": _in_humble(
         False, True, "ros2/rosbag2: rosbag2_py/src/rosbag2_py/_storage.cpp, branches humble and jazzy"
     ),
+    "bag.options_have_old_names": _in_humble(
+        True, False, "ros2/rosbag2: rosbag2_py/src/rosbag2_py/_transport.cpp, branches humble (all, exclude) and jazzy"
+    ),
     "bag.recorder_can_pause": _in_humble(
         False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
     ),
-    "bag.warns_of_positional_topics": (
-        (False, False, True, True),
-        "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling",
+    "bag.info_names_distribution_and_services": _in_humble(
+        False, True, "ros2/rosbag2: rosbag2_py/format_bag_metadata.cpp, branches humble and jazzy"
     ),
+    "bag.recorder_logs_pause_at_end": _in_humble(
+        False, True, "ros2/rosbag2: Recorder::stop in recorder.cpp, branches humble and jazzy"
+    ),
+    "bag.recorder_waits": _in_humble(
+        "Waiting for recording", "Wait for recording", "ros2/rosbag2: recorder.cpp, branches humble and jazzy"
+    ),
+    "bag.player_logs_end": _in_humble(
+        False, True, "ros2/rosbag2: `Playback until timestamp` in player.cpp, branch jazzy and not humble"
+    ),
+    "bag.player_logs_stop": _in_humble(
+        False, True, "ros2/rosbag2: `Stopping playback.` in player.cpp, branch jazzy and not humble"
+    ),
+    "bag.player_logs_next": _in_humble(
+        True, False, "ros2/rosbag2: `Playing next message.` in player.cpp: INFO in branch humble, DEBUG in jazzy"
+    ),
+    "bag.progress_rate": _in_humble(0, 3, "ros2/rosbag2#1836 (after Jazzy, see KEPT)"),
+    "bag.positional_topics": (
+        ("taken", "taken", "deprecated", "removed"),
+        "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling; #2328 (Lyrical)",
+    ),
+    "bag.play_takes_storage": _in_rolling(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
+    "bag.file_names": _in_rolling(
+        "name_index", "index_name_time", "ros2/rosbag2#2265; Release-Lyrical-Luth.rst of ros2_documentation"
+    ),
+    "service.info_verbose": _in_rolling(
+        False,
+        True,
+        "ros2/ros2cli#916, ros2/rclpy#1307; Release-Lyrical-Luth.rst and Understanding-ROS2-Services.rst of "
+        "ros2_documentation, whose rmw_fastrtps has two endpoints for a service",
+    ),
+    "topic.bw_of_several": _in_rolling(False, True, "ros2/ros2cli#1124, #1130: ros2topic/verb/bw.py (Lyrical)"),
+    "topic.hz_of_all": _in_rolling(False, True, "ros2/ros2cli#1122: ros2topic/verb/hz.py (Lyrical)"),
     "rqt_robot_steering.stamped": (
         (False, False, False, True),
         "ros-visualization/rqt_robot_steering#18 (1.0.1: what is not kept is not the text 'true') and #28 (4.0.2, Rolling)",
@@ -257,13 +318,20 @@ KEPT: dict[str, str] = {
 """What deliberately is another one than there, and how."""
 
 UNSETTLED: dict[str, str] = {
-    "Rolling": "has Lyrical's packages and interfaces; rclpy and ros2 are Kilted's, without what Release-Lyrical-Luth.rst "
-    "adds (ros2 param and topic bw of several, service info --verbose, names of bag parts, AsyncNode)",
+    "Rolling": "has Lyrical's packages and interfaces; of its rclpy and ros2 what stands above, else Kilted's",
+    "rclpy of Rolling": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
+    "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510); what #1456 removed as deprecated is there",
+    "ros2 of Rolling": "lacks what doctor --report adds (#1045, #1059, #1076, #1079), "
+    "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
+    "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",
+    "bags of Rolling": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
+    "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150), the newer methods of its classes",
+    "launch of Rolling": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
+    "(rcl#1275), robot_state_publisher use_robot_description_topic (#234)",
+    "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
+    "rclpy#1584): the words are in no source at hand",
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
-    "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
-    "positional topics of ros2 bag record": "were removed in Lyrical (ros2/rosbag2#2328): "
-    "Rolling here still takes them, with Kilted's warning",
     "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",
     "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
     "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",

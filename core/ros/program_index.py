@@ -24,6 +24,9 @@ COMMANDS = {
 }
 """The executables that are also commands, as in ROS's `bin` folder: command -> (package, executable)."""
 
+OTHER_COMMANDS = ("ros2", "launch_test")
+"""What else is in that folder."""
+
 _PREFIX = Path(__file__).resolve().parent
 _PROGRAMS = _PREFIX / "programs"
 _MAIN = re.compile(r"^async def main\(", re.MULTILINE)
@@ -53,4 +56,4 @@ def named_by(path: Path) -> tuple[str, str] | None:
 
 def place_of_command(name: str) -> str:
     """Return the path `which` prints for a command of ROS, `/opt/ros/<distribution>/bin/<name>`; '' for other names."""
-    return f"/opt/ros/{distribution.current()}/bin/{name}" if name == "ros2" or name in COMMANDS else ""
+    return f"/opt/ros/{distribution.current()}/bin/{name}" if name in (*OTHER_COMMANDS, *COMMANDS) else ""

@@ -134,7 +134,6 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
             if program.status is None and display is not None and show is not None:
                 _show(show, Foreground(scheduler, program, display, backlog, ending), (stdout, stderr))
     finally:
-        restore()
         ending.over()
         stdin.restore()
         stdout.flush_quietly()
@@ -143,6 +142,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
 
             for graph in joined:
                 leave(graph, ending=True)
+        restore()
     return program.status or 0
 
 

@@ -75,7 +75,7 @@ class Program:
     async def _run(self, main: Main) -> None:
         try:
             self.status = await _status_of(self.session, main)
-            if self._task.undelivered is not None:
+            if self._task.undelivered is not None and not self.session.stopping:
                 raise self._task.undelivered  # a signal came before the end, and there was no wait to raise it in
         except KeyboardInterrupt:
             self._killed(SIGINT)

@@ -49,6 +49,10 @@ class Terminated(KilledBySignal):
         super().__init__(15)
 
 
+STOPPED = (KeyboardInterrupt, Terminated)
+"""What is raised in a program by the signals at which rclcpp and rclpy shut down: SIGINT and SIGTERM."""
+
+
 class Crash(Exception):
     """An error that, where nothing in the program catches it, ends it as if by the signal `number`: a C++ exception.
 
@@ -101,6 +105,10 @@ class Session:
         """Reports that this program's output could not be written and returns its status; a shell has its own messages."""
         self.on_interrupt: Callable[[], bool] | None = None
         """Called first at Ctrl-C; True means that a command which this program runs was interrupted instead."""
+        self.terminated = False
+        """Whether SIGTERM has come."""
+        self.stopping = False
+        """Whether the program ends by itself because of a signal; another one then changes nothing."""
         self.on_stop: Callable[[bool], None] | None = None
         """Called with True when the program is stopped and with False when it is resumed, to pass that on to its processes."""
         self.task: Task | None = None
@@ -316,6 +324,7 @@ class Session:
 
     def terminate(self) -> None:
         """SIGTERM: `Terminated` is raised in the program where it waits; its `finally` blocks run."""
+        self.terminated = True
         if self.task is not None:
             self.task.throw(Terminated())
 

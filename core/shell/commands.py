@@ -46,7 +46,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "why": "why explain",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
-        "programs": "python3 python pytest ros2 colcon rqt rqt_bag rqt_graph rqt_console rqt_plot rqt_topic rviz2 "
+        "programs": "python3 python pytest launch_test ros2 colcon rqt rqt_bag rqt_graph rqt_console rqt_plot rqt_topic rviz2 "
         "check_urdf urdf_to_graphviz xacro bash sh",
     }.items()
 }

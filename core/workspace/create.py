@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.workspace import templates
 from day6_tui.core.workspace.templates import Plan
 
@@ -67,7 +68,8 @@ def create(plan: Plan, destination: Path, shown: str, print_line: Callable[[str]
     if plan.license not in LICENSES:
         print_line(
             f"\n[WARNING]: Unknown license '{plan.license}'.  This has been set in the package.xml, but no LICENSE file has "
-            "been created.\nIt is recommended to use one of the ament license identifiers:\n" + "\n".join(LICENSES)
+            f"been created.\nIt is recommended to use one of the ament license {value('pkg.create_licences')}:\n"
+            + "\n".join(LICENSES)
         )
 
 

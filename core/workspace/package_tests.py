@@ -25,18 +25,17 @@ _TESTS_FAILED = 1
 _NO_TESTS = 5
 
 _PYTEST = "ament_add_pytest_test"
-_LAUNCH_TEST = "add_launch_test"
+_LAUNCH_TEST, _ROS_TEST = "add_launch_test", "add_ros_test"
 _KEYWORDS = (
     *("APPEND_ENV", "APPEND_LIBRARY_DIRS", "ARGS", "ENV", "LABELS", "PYTHON_EXECUTABLE"),
     *("RUNNER", "TARGET", "TIMEOUT", "WORKING_DIRECTORY"),
 )
-"""The keywords of both commands."""
+"""The keywords of these commands."""
 _ISOLATED = "run_test_isolated.py"
-"""The runner of ament_cmake_ros that gives each test a ROS_DOMAIN_ID of its own."""
+"""The runner of ament_cmake_ros that gives each test a ROS_DOMAIN_ID of its own, as add_ros_test does by itself."""
 _domains = itertools.cycle(range(1, 102))
 _OTHERS = frozenset(
     {
-        "add_ros_test",
         "add_test",
         "ament_add_catch2",
         "ament_add_gmock",
@@ -90,7 +89,9 @@ class _Run:
             return 1
         self._skip([command for command in commands if command.name in _OTHERS])
         statuses = [self._cmake_test(each) for each in commands if each.name == _PYTEST and len(each.words) > 1]
-        statuses += [self._launch_test(each) for each in commands if each.name == _LAUNCH_TEST and each.words]
+        statuses += [
+            self._launch_test(each) for each in commands if each.name in (_LAUNCH_TEST, _ROS_TEST) and each.words
+        ]
         return max(statuses, key=lambda status: (status > _TESTS_FAILED, status), default=0)
 
     def _cmake_test(self, command: Command) -> int:
@@ -98,7 +99,10 @@ class _Run:
         return self._pytest([str(command.folder / path)], self._result_of(name), self._environment_of(command))
 
     def _launch_test(self, command: Command) -> int:
-        """Run a launch test as launch_testing_ament_cmake's add_launch_test does; returns 0 or _TESTS_FAILED."""
+        """Run a launch test as add_launch_test (launch_testing_ament_cmake) does, or add_ros_test (ros_testing).
+
+        Returns 0 or _TESTS_FAILED.
+        """
         path = command.folder / command.words[0]
         target = (command.after("TARGET", *_KEYWORDS) or [os.path.relpath(path, self.package.path)])[0]
         result = self._result_of(target)
@@ -108,10 +112,17 @@ class _Run:
             *(f"--junit-xml={result.as_posix()}", f"--package-name={self.package.name}"),
         ]
         environment = self._environment_of(command)
-        if os.path.basename("".join(command.after("RUNNER", *_KEYWORDS))) == _ISOLATED:
-            environment["ROS_DOMAIN_ID"] = str(next(_domains))
+        runner = os.path.basename("".join(command.after("RUNNER", *_KEYWORDS)))
+        if command.name == _ROS_TEST or runner == _ISOLATED:
+            self._isolate(environment)
         status = self.work.run(words, self.settings.build_base / self.package.name, environment, one_stream=True)
         return _TESTS_FAILED if status else 0
+
+    def _isolate(self, environment: dict[str, str]) -> None:
+        """Choose a domain, unless one is set (run_test_isolated.py); a terminal of day6-tui says 0 where none is."""
+        if environment.get("ROS_DOMAIN_ID", "0") == "0" and "DISABLE_ROS_ISOLATION" not in environment:
+            environment["ROS_DOMAIN_ID"] = str(next(_domains))
+            self.work.stdout(f"Running with ROS_DOMAIN_ID {environment['ROS_DOMAIN_ID']}\n")
 
     def _environment_of(self, command: Command) -> dict[str, str]:
         pairs = (word.partition("=") for word in command.after("ENV", *_KEYWORDS))

@@ -12,6 +12,8 @@ from day6_tui.core.advice.card_files import FOLDER, LANGUAGES, TOPICS, CardError
 from day6_tui.core.advice.explain import LOOKERS, as_text, explain, explanation_of_card, scene_of, wrapped
 from day6_tui.core.advice.matching import Match, card_for, cards_in, forms, plain_lines
 from day6_tui.core.advice.rules import Surroundings
+from day6_tui.core.ros import distribution
+from day6_tui.core.ros.distribution import NAMES
 from day6_tui.core.width import text_width
 
 GOLDEN = Path(__file__).parents[1] / "conformance" / "golden"
@@ -208,6 +210,20 @@ def test_what_is_filled_in_cannot_become_a_command_or_a_control_character() -> N
     assert all(line.isprintable() for line in text.split("\n")) and "^[" in text
     newline = card_for("Cannot echo topic '/a\x0b/b', as it contains more than one type: [a, b]")
     assert newline is not None and explain(newline, scene_of(newline, HERE), "en").next == ""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_topics_to_record_are_put_behind_their_option_where_it_is_needed(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(distribution, "_current", name)
+    match = card_for("ros2: error: unrecognized arguments: /a /b")
+    assert match is not None
+    shown = explain(match, scene_of(match, HERE, command="ros2 bag record -o mine /a /b"), "en")
+    right = "ros2 bag record -o mine --topics /a /b"
+    assert (shown.here, shown.next) == (
+        ("Since Lyrical the topics to record stand behind --topics", right) if name == "rolling" else ("", "")
+    )
 
 
 def test_nobody_says_to_know_a_cause_that_was_not_found(tmp_path: Path) -> None:

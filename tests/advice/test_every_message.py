@@ -14,16 +14,16 @@ from day6_tui.core.advice.matching import card_for
 
 EXEMPT: dict[str, str] = {
     # Place, how and text of what needs none -> why.
-    r"launch/_process/__main__|joint_state_publisher\.py.*Exception: word|listening\.py|reindex\.py": (
+    r"launch/_process/__main__|joint_state_publisher\.py.*Exception: word|listening\.py|bag/_options\.py.*print_error": (
         "carries a text that another place makes, and that is enumerated there"
     ),
     r"packages\.py.*WARNING: word|colcon\.py:\d+: warn: colcon[. ]|results\.py|interpreter\.py.*word: word": "the same",
-    r"workspace/(events|handlers)\.py": "the same",
+    r"workspace/(events|handlers)\.py|print_error: \[word\] \[7\.7\] \[word\]: word$": "the same",
     r"rviz2/model/config\.py": "the same: RViz prints it after the path of the file, and so it has a card",
     r"collada\.py|meshes\.py": "reaches the screen as `could not load` of a mesh",
     r"raise BadValue|raise NoField": "shown beside the line in which the value is typed, in the catalogue's words",
     r"rqt_reconfigure/(model|values)\.py|rqt_image_view/model\.py": "shown below the line in which the value or file is typed",
-    r"rqt_gui/perspectives\.py": "shown on the frame of rqt's window, after the name of the file",
+    r"rqt_gui/perspectives\.py|rqt_console/files\.py": "shown on the frame of the window, about the file just named",
     r"rqt_py_common/expressions\.py": "the reason within the texts of `rqt-expression`",
     r"decoding\.py.*(wordxword pixels|too large)": "the reason within `an exception was thrown`, or it says all itself",
     r"raise NotImplementedError|no shell$|urdf/__init__|properties\.py.*KeyError": "a mistake of ours",

@@ -7,11 +7,13 @@ from pathlib import Path
 
 import pytest
 from tutorial_pages.commands import is_form, opens_window, runs_on, split
-from tutorial_pages.documentation import Documentation
+from tutorial_pages.documentation import Block, Documentation, as_of_today
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.player import Row
+from tutorial_pages.player import Row, is_from_home, put_right, starts_the_same, takes_arrows
 from tutorial_pages.table import TABLE, Table, digest
+
+from day6_tui.core.ros import distribution
 
 PAGE = """\
 A page
@@ -107,6 +109,7 @@ def test_commands_and_what_they_print_are_told_apart() -> None:
         ("Sum: 3", "Sum: 5\n", Verdict.EQUAL),
         ("[INFO] [talker]: Hello 1", "[INFO] [1700000000.123456789] [talker]: Hello 7\n", Verdict.EQUAL),
         ("/a\n...\n/z", "/a\n/b\n/z\n", Verdict.EQUAL),
+        ("(... components of others here)\n/z", "/a\n/z\n", Verdict.EQUAL),
         ("/a\n/b", "/b\n/a\n", Verdict.ORDER),
         ("/a", "/a\n/b\n", Verdict.MORE),
         ("one line that\nis broken", "one line that is broken\n", Verdict.EQUAL),
@@ -138,6 +141,11 @@ def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
         "ros2_ws/src/car/setup.py", "(os.path.join('share', package_name, 'launch'), glob('launch/*')),", "data"
     )
     workspace.write(
+        "ros2_ws/src/car/setup.py",
+        "(os.path.join('share', package_name, 'config'),\n   glob(os.path.join('config', '*.yaml'))),",
+        "data",
+    )
+    workspace.write(
         "ros2_ws/src/car/package.xml", "<license>MIT</license>\n<exec_depend>rclpy</exec_depend>", "manifest"
     )
     workspace.write("ros2_ws/src/car/car/drive.py", "def main():\n    pass", "whole")
@@ -145,9 +153,67 @@ def test_listings_change_the_files_of_a_package(tmp_path: Path) -> None:
     setup = (folder / "setup.py").read_text()
     assert "            'drive = car.drive:main',\n" in setup and setup.startswith("import os\nfrom glob import glob\n")
     assert "(os.path.join('share', package_name, 'launch'), glob('launch/*'))," in setup
+    assert "(os.path.join('share', package_name, 'config'), glob(os.path.join('config', '*.yaml')))," in setup
     manifest = (folder / "package.xml").read_text()
     assert "<license>MIT</license>" in manifest and manifest.index("rclpy") < manifest.index("<export>")
     assert (folder / "car/drive.py").read_text() == "def main():\n    return 1\n    pass\n"
+
+
+def test_lines_for_cmakelists_are_known_by_what_they_say(tmp_path: Path) -> None:
+    lists = tmp_path / "ros2_ws/src/car/CMakeLists.txt"
+    lists.parent.mkdir(parents=True)
+    lists.write_text("project(car)\n\nament_package()\n")
+    workspace = Workspace(tmp_path)
+    workspace.package = "car"
+    added = "add_executable(drive src/drive.cpp)\nament_target_dependencies(drive rclcpp)"
+    assert workspace.heed(Block("console", added, "", "", 1, "", "")) == ["ros2_ws/src/car/CMakeLists.txt"]
+    assert lists.read_text() == f"project(car)\n\n{added}\n\nament_package()\n"
+    whole = "cmake_minimum_required(VERSION 3.5)\nproject(car)\n\nament_package()"
+    assert workspace.heed(Block("console", whole, "", "", 1, "", ""))
+    assert lists.read_text() == whole + "\n"
+    assert workspace.heed(Block("console", "[INFO] [drive]: add_executable(drive)", "", "", 1, "", "")) == []
+
+
+def test_a_path_that_is_there_only_from_home_is_typed_at_home(tmp_path: Path) -> None:
+    (tmp_path / "ws/install").mkdir(parents=True)
+    (tmp_path / "ws/install/r.rviz").write_text("")
+    assert is_from_home("rviz2 -d ws/install/r.rviz", tmp_path / "ws", tmp_path)
+    assert not is_from_home("rviz2 -d ws/install/r.rviz", tmp_path, tmp_path)
+    assert not is_from_home("rviz2 -d install/r.rviz", tmp_path / "ws", tmp_path)
+    assert not is_from_home("ros2 topic pub /a/b c/d/E '{x: 1}'", tmp_path / "ws", tmp_path)
+
+
+def test_a_launch_with_other_arguments_takes_the_place_of_the_one_before() -> None:
+    assert starts_the_same("ros2 launch car drive.py ", "ros2 launch car drive.py speed:=2")
+    assert starts_the_same("ros2 run car drive", "ros2 run car drive")
+    assert not starts_the_same("ros2 launch car drive.py", "ros2 launch car park.py")
+    assert not starts_the_same("ros2 run car drive", "ros2 run car drive --ros-args -r __ns:=/a")
+    assert not starts_the_same("ros2 run turtlesim turtle_teleop_key", "ros2 run turtlesim turtle_teleop_key")
+
+
+def test_what_comes_of_ctrl_c_is_no_failure_of_the_program_even_where_its_beginning_is_forgotten() -> None:
+    died = "[ERROR] [a-1]: process has died [pid 1, exit code -2]"
+    assert Row("ros2 launch a b", 1, output=f"ready\n^C{died}", interrupted=True).by_itself == "ready\n"
+    assert Row("ros2 launch a b", 1, output=died, interrupted=True, before_ctrl_c="ready\n").by_itself == "ready\n"
+    assert Row("ros2 launch a b", 1, output=died).by_itself == died
+
+
+def test_only_what_steers_a_turtle_is_given_the_arrows() -> None:
+    assert takes_arrows("ros2 run turtlesim turtle_teleop_key") and not takes_arrows("ros2 bag play subset")
+
+
+def test_a_reader_puts_right_what_todays_recorder_refuses() -> None:
+    refusal = "ros2: error: unrecognized arguments: /a /b\n"
+    assert put_right("ros2 bag record -o x /a /b", refusal) == "ros2 bag record -o x --topics /a /b"
+    assert put_right("ros2 bag record -o x /a /b", "Recording...") == put_right("ros2 topic info /a /b", refusal) == ""
+
+
+def test_a_file_of_the_mirror_imports_the_interfaces_of_today(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "from turtlesim.msg import Pose\nimport turtlesim.srv\n# turtlesim\n"
+    monkeypatch.setattr(distribution, "_current", "jazzy")
+    assert as_of_today(text) == text
+    monkeypatch.setattr(distribution, "_current", "rolling")
+    assert as_of_today(text) == "from turtlesim_msgs.msg import Pose\nimport turtlesim_msgs.srv\n# turtlesim\n"
 
 
 def test_a_row_that_differs_otherwise_than_before_is_noticed(

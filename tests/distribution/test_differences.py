@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 from rosbags.typesys import Stores, get_typestore
@@ -97,6 +98,25 @@ PARTS = {
     "until ros2 topic list | grep -q pose; do sleep 0.05; done; "
     "ros2 topic type /turtle1/pose; ros2 service type /spawn; ros2 topic info -v /turtle1/pose; ros2 service list; "
     "ros2 param list /turtlesim; kill %1; wait",
+    "parameters": "ros2 run demo_nodes_cpp parameter_blackboard > /dev/null 2>&1 & "
+    "ros2 run demo_nodes_cpp talker > /dev/null 2>&1 & "
+    "until ros2 node list --count-nodes | grep -q 2; do sleep 0.05; done; "
+    "ros2 param set /parameter_blackboard numbers '[1, 2]'; ros2 param set /parameter_blackboard flag true; "
+    "ros2 param get /parameter_blackboard numbers; ros2 param get /parameter_blackboard numbers flag; "
+    "ros2 param get use_sim_time; ros2 param get --hide-type use_sim_time; "
+    "ros2 param get /talker none some; ros2 param get /talker none; "
+    "ros2 param set /parameter_blackboard numbers '[4]' flag false; ros2 param set /parameter_blackboard flag; "
+    "ros2 param set /parameter_blackboard flag true; "
+    "ros2 param set --atomic /parameter_blackboard flag false numbers '[5]'; "
+    "ros2 param list --service-timeout 3 --filter flag /parameter_blackboard; "
+    "mkdir kept; ros2 param dump /parameter_blackboard --print --output-dir kept; grep -A1 numbers kept/*; "
+    "ros2 param dump /parameter_blackboard --output-dir kept; kill %1; kill %2; wait",
+    "service details": "ros2 run demo_nodes_cpp add_two_ints_server > /dev/null 2>&1 & "
+    "until ros2 service list | grep -q two_ints; do sleep 0.05; done; ros2 service info -v /add_two_ints; kill %1; wait",
+    "licence": "ros2 pkg create --build-type ament_cmake unlicensed",
+    "segments": "echo \"<robot name='r'><link name='b'/><link name='a'/><joint name='j' type='fixed'><parent link='b'/>"
+    "<child link='a'/></joint></robot>\" > r.urdf; ros2 run robot_state_publisher robot_state_publisher r.urdf > said.txt 2>&1 & "
+    "until ros2 topic list | grep -q tf_static; do sleep 0.05; done; kill -INT %1; wait; cat said.txt",
     "turtlesim module": "python3 -c 'from turtlesim.srv import Spawn'",
     "turtlesim_msgs module": "python3 -c 'from turtlesim_msgs.srv import Spawn'",
     "action tutorial": "ros2 run action_tutorials_py fibonacci_action_server > /dev/null 2>&1 & "
@@ -112,10 +132,19 @@ PARTS = {
     "action": "ros2 action",
     "bag": "ros2 bag",
     "service": "ros2 service",
-    "record": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
-    "ros2 bag record -o mine /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
+    "record": "test $ROS_DISTRO = rolling && NAMED=--topics; ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
+    "until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
+    "ros2 bag record -o mine $NAMED /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
     "kill -INT %2; wait %2; kill %1; wait; cat said.txt; ls mine; cat mine/metadata.yaml",
+    "info": "ros2 bag info mine",
+    "reindex": "rm mine/metadata.yaml; ros2 bag reindex mine 2>&1 | tail -1; ros2 bag record /chatter > refused.txt 2>&1 & "
+    "until grep -q 'arguments\\|Listening' refused.txt; do sleep 0.05; done; kill -INT %1; wait; cat refused.txt; "
+    "ros2 bag play mine -s mcap > stored.txt 2>&1; cat stored.txt",
+    "bandwidth": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
+    "{ ros2 topic bw /chatter /rosout 2>&1 | head -6; ros2 topic bw --all 2>&1 | head -6; ros2 topic hz -a 2>&1 | head -6; } "
+    "| tr = _; "
+    "kill %1; wait",
     "play": "ros2 bag play -r 100 mine 2>&1 | cat",
     "write": "python3 writer.py; ros2 bag info written",
 }
@@ -229,7 +258,38 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> None:
-    assert "[rosbag2_player]" in played[name]["play"]
+    said, humble = played[name]["play"], name == "humble"
+    assert "[rosbag2_player]: Set rate to 100" in said
+    assert ("Playback until timestamp: -1" in said) != humble
+    assert ("[rosbag2_storage]: Opened database 'mine/mine_0.db3' for READ_ONLY." in said) == humble
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_humble_tells_neither_distribution_nor_services_of_a_bag(played: dict[str, dict[str, str]], name: str) -> None:
+    titles = [line.partition(":")[0] for line in played[name]["info"].splitlines() if line[:1].strip()]
+    later = {"ROS Distro", "Service", "Service information"}
+    assert {*titles} == {
+        "Files", "Bag size", "Storage id", "Duration", "Start", "End", "Messages", "Topic information",
+        *(() if name == "humble" else later),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_humble_has_no_progress_bar(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    from argparse import ArgumentParser
+
+    from day6_tui.core.ros.ros2.bag import play
+
+    monkeypatch.setattr(distribution, "_current", name)
+    play.add_arguments(parser := ArgumentParser())
+    assert parser.get_default("progress_bar_update_rate") == (0 if name == "humble" else 3)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_pausing_and_stepping_are_logged_as_there(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(distribution, "_current", name)
+    said = differences.value("bag.recorder_waits"), differences.value("bag.player_logs_next")
+    assert said == (("Waiting for recording", True) if name == "humble" else ("Wait for recording", False))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -244,11 +304,40 @@ def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["record"], name == "humble"
-    assert ("mine_0.db3" in said, "mine_0.mcap" in said) == (humble, not humble)
+    file = {"humble": r"mine_0\.db3", "rolling": r"0_mine_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.mcap"}.get(
+        name, r"mine_0\.mcap"
+    )
+    assert re.search(rf"^{file}$", said, re.MULTILINE) and re.search(rf'path: "?{file}"?$', said, re.MULTILINE)
     assert f"  version: {5 if humble else 9}\n" in said and (f"ros_distro: {name}" in said) != humble
-    assert ('Positional "topics" argument deprecated' in said) == (name in ("kilted", "rolling"))
+    assert ('Positional "topics" argument deprecated' in said) == (name == "kilted")
     assert ("/rosbag2_recorder/pause" in said) == ("/rosbag2_recorder/split_bagfile" in said) == (not humble)
     assert ('offered_qos_profiles: "- history: 3\\n' in said) == humble
+    assert ("Pausing recording." in said) != humble and "Recording stopped" in said
+    assert ("[rosbag2_storage]: Opened database 'mine/mine_0.db3' for READ_WRITE." in said) == humble
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_lyrical_has_no_positional_topics_and_no_storage_of_a_bag_to_play(
+    played: dict[str, dict[str, str]], name: str
+) -> None:
+    said, rolling = played[name]["reindex"], name == "rolling"
+    assert "Reindexing complete." in said
+    assert ("unrecognized arguments: /chatter" in said) == ("unrecognized arguments: -s mcap" in said) == rolling
+    assert ("Listening for topics..." in said) != rolling
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_bandwidth_of_several_topics_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["bandwidth"]
+    if name != "rolling":
+        assert (
+            "unrecognized arguments: /rosout" in said and said.count("the following arguments are required: topic") == 2
+        )
+        return
+    assert said.startswith("Subscribed to [/chatter]\nSubscribed to [/rosout]\n")
+    assert " topic     bandwidth   window    mean    min     max \n" + "_" * 53 + "\n/chatter   " in said
+    assert re.search(r"^/chatter +\d+ B/s +\d+ +\d+ B +\d+ B +\d+ B *$", said, re.MULTILINE)
+    assert re.search(r"^ *topic +rate +min_delta +max_delta +std_dev +window *$", said, re.MULTILINE)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -317,6 +406,69 @@ def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
         done = day6("ros2", "topic", "echo", "--once", "--timeout", "2", "/chatter", ROS_DISTRO="jazzy")
         assert "data:" not in done.stdout
         assert "data: 'Hello World" in day6("ros2", "topic", "echo", "--once", "/chatter", ROS_DISTRO="humble").stdout
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["parameters"].removeprefix("Set parameter successful\n" * 2)
+    first = "Integer values are: " + ("array('q', [1, 2])" if name == "humble" else "[1, 2]") + "\n"
+    assert said.startswith(first)
+    if name != "rolling":
+        assert "unrecognized arguments: flag" in said and "the following arguments are required: parameter_name" in said
+        assert "Parameter not set\n" in said
+        return
+    assert said.startswith(
+        f"{first}numbers:\n  {first}flag:\n  Boolean value is: True\n"
+        "/parameter_blackboard:\n  Boolean value is: False\n/talker:\n  Boolean value is: False\n"
+        "/parameter_blackboard: False\n/talker: False\n"
+        "Parameter(s) 'none', 'some' not available on node\nParameter(s) 'none' not available on node\n"
+        "numbers: Set parameter successful\nflag: Set parameter successful\n"
+        "Parameters must be provided as name/value pairs: name value [name value ...]. Got 1 argument(s).\n"
+        "Set parameter successful\nSet parameters atomically successful\n  flag\n"
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_details_of_a_service_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["service details"]
+    if name != "rolling":
+        assert ("unrecognized arguments: -v" in said) == (name != "humble")
+        return
+    gid = r"(?:[0-9a-f]{2}\.){15}0"
+    half = "      Reliability: RELIABLE\n      History (Depth): KEEP_LAST (10)\n      Durability: VOLATILE\n"
+    half += "      Lifespan: Infinite\n      Deadline: Infinite\n      Liveliness: AUTOMATIC\n"
+    half = re.escape(half + "      Liveliness lease duration: Infinite\n")
+    assert re.fullmatch(
+        "Type: example_interfaces/srv/AddTwoInts\nClients count: 0\nServices count: 1\nNode name: add_two_ints_server\n"
+        "Node namespace: /\nService type: example_interfaces/srv/AddTwoInts\nService type hash: RIHS01_[0-9a-f]{64}\n"
+        f"Endpoint type: SERVER\nEndpoint count: 2\nGIDs:\n- Request Reader : {gid}4\n- Response Writer : {gid}3\n"
+        f"QoS profiles:\n- Request Reader :\n{half}- Response Writer :\n{half}",
+        said,
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_humble_can_dump_parameters_into_a_folder(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["parameters"]
+    if name != "humble":
+        assert "unrecognized arguments: --print --output-dir kept" in said
+        return
+    file = "kept/parameter_blackboard.yaml"
+    assert (
+        "WARNING: '--print' is deprecated; this utility prints to stdout by default\n"
+        "WARNING: '--output-dir' is deprecated; use redirection to save to a file\n"
+        f"Saving to:  {file}\n    numbers:\n    - 1\n"
+    ) in said
+    assert said.endswith(f"Saving to:  {file}\nFile exists: '{file}'\n")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_texts_that_humble_has(played: dict[str, dict[str, str]], name: str) -> None:
+    humble = name == "humble"
+    assert (f"one of the ament license {'identitifers' if humble else 'identifiers'}:") in played[name]["licence"]
+    lines = [line.partition("[robot_state_publisher]: ")[2] for line in played[name]["segments"].splitlines()]
+    said = [line for line in lines if line and "backwards compatibility" not in line]
+    assert said == (["got segment a", "got segment b"] if humble else ["Robot initialized"])
 
 
 def test_what_is_deliberately_another_is_said() -> None:

@@ -259,7 +259,7 @@ WINDOWS = [
     # what is typed, a word of the window, keys in the window, what is then to be seen
     ("rqt_console", "Console", ["Up"], MARK),
     ("rqt_topic", "Topic Monitor", ["Enter", "Right"], "data: ^[]0;T^G"),
-    ("rqt_plot /chatter/data", "MatPlot", [], "no number"),
+    ("rqt_plot /chatter/data", "MatPlot", [], "cannot be plotted"),
     ("rqt_graph", "rqt_graph", ["t"], "/evil"),
     ("rviz2 -f $'\\e]0;T\\a'", "RViz", ["Down", "Down"], MARK),
     ("ros2 run joint_state_publisher_gui joint_state_publisher_gui soft.urdf", "Joint State", ["Right"], IN_XML_SHOWN),

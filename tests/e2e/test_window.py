@@ -54,6 +54,16 @@ def test_q_ends_it_and_the_terminal_is_as_before_with_what_the_program_wrote(pla
     assert place.nodes() == []
 
 
+def test_where_letters_are_text_q_is_not_named_as_the_end(place: Place) -> None:
+    with place.terminal("ros2", "run", "rqt_shell", "rqt_shell", DAY6_LANG="en") as screen:
+        screen.wait("SimpleShell", "^C  End")
+        assert "q ^C" not in "\n".join(screen.pieces())
+        screen.press("q")
+        screen.wait(">>> q")
+        screen.press("Ctrl-C")
+        assert screen.wait_end() == 0
+
+
 def test_ctrl_c_is_answered_by_the_node(place: Place) -> None:
     with turtlesim(place) as screen:
         screen.press("Ctrl-C")

@@ -34,7 +34,15 @@ def generate_test_description():
 
 
 """
-WAITS = "import time\nprint('first')\nprint('second')\ntry:\n    time.sleep(99)\nexcept KeyboardInterrupt:\n    print('bye')\n"
+WAITS = """\
+import time
+try:
+    print('first')
+    print('second')
+    time.sleep(99)
+except KeyboardInterrupt:
+    print('bye')
+"""
 DIES = "import sys\nprint('on my way')\nsys.exit(3)\n"
 GOOD = """\
 class TestIt(unittest.TestCase):

@@ -665,6 +665,19 @@ def test_every_change_is_an_event(world: Any) -> None:
     assert all(each.stamp.sec > 1_000_000_000 for each in events)
 
 
+def test_undeclaring_is_no_event(world: Any) -> None:
+    """As in rclpy 9.1.2 (node.py) and rclcpp (node_parameters.cpp): only setting publishes."""
+    node, listener = world.node("n"), world.node("listener")
+    events: list[Any] = []
+    listener.create_subscription(ParameterEvent, "/parameter_events", events.append, 10)
+    node.declare_parameter("p", 1, ParameterDescriptor(dynamic_typing=True))
+    world.settle()
+    events.clear()
+    node.undeclare_parameter("p")
+    world.settle()
+    assert not events and not node.has_parameter("p")
+
+
 def test_a_number_that_no_message_can_hold_is_refused(world: Any) -> None:
     node = world.node("n")
     for value in (2**63 - 1, -(2**63)):

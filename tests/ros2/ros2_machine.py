@@ -12,6 +12,7 @@ from day6_tui.core.graph import Graph
 from day6_tui.core.ros import ros2
 from day6_tui.core.ros.programs import load
 from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.display import Display, ProgramDisplay
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Session
@@ -158,9 +159,17 @@ class Machine:
         self.program(main)
         return made[0]
 
-    def run(self, package: str, executable: str, *args: str, stdin: InputStream | None = None) -> Session:
+    def run(
+        self,
+        package: str,
+        executable: str,
+        *args: str,
+        stdin: InputStream | None = None,
+        display: Display | None = None,
+    ) -> Session:
         """Start an executable of ours, as `ros2 run` does; returns its session."""
         session = self.session([executable, *args])
+        session.display = None if display is None else ProgramDisplay(display, session.interrupt)
         if stdin is not None:
             session.stdin = stdin
         Program(session, load(package, executable))

@@ -51,7 +51,8 @@ def test_convert_writes_the_bag_with_another_storage_and_fewer_topics(machine):
         "output_bags:\n- uri: converted\n  storage_id: sqlite3\n  topics: [/count]\n- uri: everything\n  all: true\n"
     )
     result = machine.ros2("bag", "convert", "-i", "bag", "-o", "out.yaml")
-    assert (result.stderr, result.status) == ("", 0)
+    opened = "[INFO] [rosbag2_storage]: Opened database 'converted/converted_0.db3' for READ_WRITE."
+    assert (lines(result.stderr), result.status) == ([opened], 0)
     reader = rosbag2_py.SequentialReader()
     reader.open_uri(str(machine.cwd / "converted"))
     (topic,) = reader.get_metadata().topics_with_message_count

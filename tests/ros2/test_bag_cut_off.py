@@ -139,6 +139,15 @@ def test_an_empty_database_is_no_bag(machine):
     )
 
 
+@pytest.mark.parametrize(("words", "count"), (([], 1), (["--log-level", "warn"], 0)))
+def test_a_database_says_that_it_is_written(machine, words, count):
+    command = machine.start("bag", "record", "-o", "bag", "-s", "sqlite3", "--topics", "/x", *words)
+    command.step(0.2)
+    command.interrupt()
+    opened = "[INFO] [rosbag2_storage]: Opened database 'bag/bag_0.db3' for READ_WRITE."
+    assert lines(command.stderr).count(opened) == count
+
+
 def test_a_database_says_that_it_was_opened(machine):
     write(machine.cwd / "bag", "sqlite3", 10)
     result = machine.ros2("bag", "info", "bag/bag_0.db3")

@@ -164,13 +164,17 @@ def test_wrong_options_leave_no_folder_behind(machine):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_old_style_topics_are_taken_and_warned_of_since_kilted(machine, monkeypatch, name):
+def test_old_style_topics_are_warned_of_in_kilted_and_refused_since_lyrical(machine, monkeypatch, name):
     monkeypatch.setattr(distribution, "_current", name)
+    if name == "rolling":
+        command = machine.ros2("bag", "record", "/count")
+        assert command.status == 2 and "unrecognized arguments: /count" in command.stderr
+        return
     machine.node("counter", counter())
     command = record(machine, "/count", seconds=0.5)
     assert command.stdout.startswith(
         '[WARN] [ros2bag]: Positional "topics" argument deprecated. Please use optional "--topics" argument instead.\n'
-    ) == (name in ("kilted", "rolling"))
+    ) == (name == "kilted")
     assert information(machine)["message_count"] > 2
 
 

@@ -12,6 +12,8 @@ from sensor_msgs.msg import Image, JointState, LaserScan
 from std_msgs.msg import Bool
 
 from day6_tui.core.ros.program_index import executables, packages
+from day6_tui.core.ros.programs.rqt_image_view.decoding import View
+from day6_tui.core.session.display import Display
 from day6_tui.urdf.check import check_text
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
@@ -288,14 +290,57 @@ def test_pictures_of_burgers_are_published_and_told_of(machine):
     camera = machine.run("image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=True", "-p", "width:=200")
     machine.step(0.17)
     assert said(camera)[:2] == [("cam2image", "Publishing image #1"), ("cam2image", "Publishing image #2")]
-    assert said(shown)[:2] == [
+    assert said(shown)[:3] == [
         ("showimage", "Subscribing to topic 'image'"),
+        ("showimage", "There is no screen for the window: the node runs without it"),
         ("showimage", "Received image #camera_frame"),
     ]
     assert "\nReceived image #camera_frame\n" in shown.stderr.text
     first, second = pictures[:2]
     assert (first.width, first.height, first.step, first.encoding) == (200, 240, 600, "bgr8")
     assert len(first.data) == 200 * 240 * 3 and any(first.data) and first.data != second.data
+
+
+@pytest.mark.parametrize(
+    ("words", "title"), [((), "/image"), (("-p", "window_name:=front"), "front"), (("-p", "show_image:=false"), "")]
+)
+def test_the_first_picture_opens_a_window_that_shows_the_newest(machine, words, title):
+    display = Display()
+    shown = machine.run("image_tools", "showimage", *(("--ros-args", *words) if words else ()), display=display)
+    machine.step(0.1)
+    assert display.windows == []
+    machine.run("image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=True")
+    machine.step(0.17)
+    assert [window.title for window in display.windows] == ([title] if title else [])
+    assert ("showimage", "There is no screen for the window: the node runs without it") not in said(shown)
+    if title:
+        (window,) = display.windows
+        assert window.model.received == 5
+        picture = window.model.picture(View(32, 24))
+        assert (picture.image_width, picture.image_height, picture.encoding) == (320, 240, "bgr8")
+        assert picture.pixels.shape == (24, 32, 3) and picture.pixels.any()
+    shown.interrupt()
+    machine.step(0.1)
+    assert display.windows == []
+
+
+def test_closing_its_window_ends_showimage(machine):
+    display = Display()
+    shown = machine.run("image_tools", "showimage", display=display)
+    machine.run("image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=True")
+    machine.step(0.1)
+    display.windows[0].close_by_user()
+    machine.step(0.1)
+    assert [node.name for node in machine.graph.nodes] == ["cam2image"]
+    assert display.windows == [] and "signal_handler" not in shown.stderr.text
+
+
+def test_a_picture_that_opencv_has_no_matrix_for_ends_showimage(machine):
+    shown = machine.run("image_tools", "showimage")
+    pictures = machine.node("camera").create_publisher(Image, "image", 10)
+    pictures.publish(Image(height=2, width=2, encoding="bayer_rggb8", step=2, data=bytes(4)))
+    machine.step(0.1)
+    assert "what():  Unsupported encoding type\n" in shown.stderr.text
 
 
 def test_a_flipped_picture_is_its_mirror_image(machine):

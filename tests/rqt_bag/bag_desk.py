@@ -22,7 +22,13 @@ LATCHED = QoS(1).transient_local()
 
 
 def write_bag(
-    folder: Path, storage: str = "mcap", *, seconds: float = 10.0, preset: str = "", packed: bool = False
+    folder: Path,
+    storage: str = "mcap",
+    *,
+    seconds: float = 10.0,
+    preset: str = "",
+    packed: bool = False,
+    static: bool = True,
 ) -> Path:
     """Write /number with 0, 1, 2 … ten times a second, /word once a second, and /static twice at the beginning.
 
@@ -36,7 +42,7 @@ def write_bag(
         ("/static", "std_msgs/msg/String", [LATCHED, LATCHED]),
     )):  # fmt: skip
         writer.create_topic(rosbag2_py.TopicMetadata(id_, name, kind, "cdr", qos))
-    for word in ("first", "second"):
+    for word in ("first", "second") if static else ():
         writer.write("/static", serialize_message(String(data=word)), START)
     for number in range(round(seconds * 10)):
         at = START + number * SECOND // 10

@@ -7,6 +7,7 @@ from bag_desk import SECOND, START, write_bag
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Float64, String
 
+from day6_tui.core.ros.programs.rqt_bag.model.bags import Note
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.time import Time
 
@@ -272,8 +273,8 @@ def test_loading_can_be_cancelled_and_shows_what_was_read(desk, monkeypatch, pac
     monkeypatch.setattr(bags, "index_bag", watched)
     model.load("bag")
     desk.machine.until(lambda: model.bags and not model.loading)
-    assert "Cancelled: 'bag' is shown as far as it was read" in model.status
-    assert seen[0] == 0 and model.timeline.count("/number") < 20000
+    assert model.status == Note("cancelled", "bag")
+    assert seen[0] == 0 and seen == sorted(seen) and model.timeline.count("/number") < 20000
     desk.jump(1.0)
     assert desk.playhead == 1.0
 
@@ -290,13 +291,20 @@ def test_what_is_no_bag_is_refused_as_rqt_bag_does(desk, word):
     assert f"rqt_bag: error: '{word}' is not a valid rosbag" in running.errors
 
 
+def test_an_empty_bag_says_so(desk):
+    write_bag(desk.folder / "bag", seconds=0.0, static=False)
+    model = desk.open("bag", topics=0)
+    desk.machine.until(lambda: model.bags and not model.loading)
+    assert model.status == Note("empty", "bag") and not model.failed
+
+
 @pytest.mark.parametrize(
     ("damage", "reason"),
     (
         ("metadata", "failed due to: Exception on parsing info file"),
         ("empty", "failed due to: file too small"),
         ("gone", "failed due to: .*No (such file|storage)"),
-        ("cut", "is not complete"),
+        ("cut", r"Note\(kind='cut', name='bag'\)"),
     ),
 )
 def test_a_damaged_bag_is_told_and_the_window_goes_on(desk, damage, reason):
@@ -315,7 +323,8 @@ def test_a_damaged_bag_is_told_and_the_window_goes_on(desk, damage, reason):
         file.unlink()
     model = desk.open("bag", topics=0)
     desk.machine.until(lambda: not model.loading and model.status and model.status != "Loading 'bag' ...")
-    assert re.search(reason, model.status) and model.failed == (damage != "cut")
+    assert re.search(reason, str(model.status)) and model.failed == (damage != "cut")
+    assert bool(model.topics) == (damage == "cut")
     model.load("other")
     desk.machine.until(lambda: not model.status and not model.loading)
     assert model.timeline.count("/number") >= 100 and len(model.topics) == 3

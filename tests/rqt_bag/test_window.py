@@ -76,7 +76,7 @@ def test_keys_choose_publish_and_move_the_playhead(bag):
     async def act(tool):
         await tool.go("enter")
         assert "[x] /number" in tool.text
-        await tool.go("n", "n", "p")
+        await tool.go(".", ".", ",")
         assert [each.data for each in numbers] == [0.0, 1.0, 2.0, 1.0]
         await tool.go("end")
         assert "9.900s" in tool.text and numbers[-1].data == 99.0
@@ -179,7 +179,7 @@ def test_the_message_of_the_chosen_topic_is_shown_and_its_field_can_be_plotted(b
 
 def test_topics_are_chosen_for_a_new_bag(bag):
     async def act(tool):
-        await tool.go("s")
+        await tool.go("w")
         assert "Which topics are exported?" in tool.text and tool.text.count("[x]") == 4
         await tool.go("space", "down", "space", "enter")
         assert "Save selected region" in tool.text
@@ -191,6 +191,30 @@ def test_topics_are_chosen_for_a_new_bag(bag):
         assert '100 messages in "part"' in tool.text
 
     use(bag, act)
+
+
+def test_a_long_reason_is_told_whole_and_gives_way_to_the_topic(bag):
+    async def act(tool):
+        bag.model.tell("Loading 'x' failed due to: " + "a reason that goes on " * 5 + "to its end", failed=True)
+        await tool.settle()
+        assert "to its end" in tool.text
+        await tool.go("down")
+        assert "to its end" not in tool.text and "std_msgs/msg/String" in tool.text
+
+    use(bag, act, size=(80, 24))
+
+
+@pytest.mark.parametrize(("lang", "text"), (("en", "'bag' is not complete"), ("zh", "'bag' 不完整")))
+def test_what_rqt_bag_has_no_words_for_is_told_in_the_users_language(desk, lang, text):
+    file = write_bag(desk.folder / "bag") / "bag_0.mcap"
+    file.write_bytes(file.read_bytes()[:-500])
+    desk.open("bag")
+
+    async def act(tool):
+        await tool.settle()
+        assert text in tool.text
+
+    use(desk, act, lang=lang)
 
 
 def test_without_a_bag_the_window_says_what_to_do(desk):

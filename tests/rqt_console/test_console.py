@@ -121,3 +121,11 @@ def test_without_a_screen_the_messages_are_printed(machine):
     machine.node.get_logger().warning("look out")
     machine.advance(0.1)
     assert running.output == "#1 Warn [watcher]: look out\n"
+
+
+def test_what_was_logged_just_before_is_heard_as_in_the_real_one(machine):
+    machine.start("turtlesim", "turtlesim_node")
+    machine.advance(0.5)
+    machine.start("rqt_console", "rqt_console", screen=True)
+    machine.advance(0.1)
+    assert "Starting turtlesim with node name /turtlesim" in texts(machine.display.windows[0].model)

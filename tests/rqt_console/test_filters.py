@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 from stepped_machine import SteppedMachine
 
-from day6_tui.core.ros.programs.rqt_console import files, kept
+from day6_tui.core.ros.programs.rqt_console import files, kept, model
 from day6_tui.core.ros.programs.rqt_console.filters import Choice, Filter
 from day6_tui.core.ros.programs.rqt_console.model import Console, Record
 
@@ -68,6 +68,18 @@ def test_a_wrong_regular_expression_says_what_is_wrong_and_none_can_hang() -> No
     assert not Filter("message", "(wall").problem
     hard = replace(RECORDS[0], text="a" * 3000)
     assert not Filter("message", "(a|a)*b", is_regex=True).matches(hard)
+
+
+def test_a_costly_expression_is_looked_for_in_slices(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(model, "SLICE_SECONDS", -1.0)
+    console = Console()
+    console.take_loaded(replace(RECORDS[number % 3], number=number) for number in range(1, 301))
+    counts = []
+    while console.is_behind:
+        counts.append(len(console.shown()))
+    assert counts == [100, 200, 300] and not console.is_behind
+    console.toggle_node("talker")
+    assert console.is_behind and len(console.shown()) < 100
 
 
 def test_a_file_is_the_real_ones_and_comes_back() -> None:

@@ -258,9 +258,9 @@ def test_enter_and_a_double_click_show_a_message_in_full(console):
 
 def test_what_programs_write_is_text_and_nothing_else(console):
     console.receive(log("[bold red]\x1b[2J\x07 \u202eabc[/]", 30, "[node]\x1b]0;x\x07"))
-    for keys in ([], ["enter"]):
+    for keys in ([], ["enter"], ["n"], ["f"], ["n", "f", *"exclude messages from", "enter"]):
         text = look(console, keys)
-        assert "[bold red]^[[2J^G" in text and "\x1b" not in text and "\u202e" not in text
+        assert "[bold red]^[[2J^G" in text or ("[node]^[]0;x^G" in text and "\x1b" not in text and "\u202e" not in text)
 
 
 def test_a_click_beside_the_table_leaves_it_the_keyboard(full):
@@ -397,3 +397,15 @@ def test_what_is_shown_is_saved_and_comes_back(console, tmp_path):
     lines = (tmp_path / "rqt_console.csv").read_text(encoding="utf-8").splitlines()
     assert lines[0] == "message;severity;node;stamp;location" and len(lines) == 3
     assert "exists" in look(console, ["w", "enter"])  # nothing is overwritten without being asked
+
+
+def test_what_takes_long_to_filter_comes_into_sight_piece_by_piece(full, monkeypatch):
+    monkeypatch.setattr(model, "SLICE_SECONDS", -1.0)
+    monkeypatch.setattr(model, "SLICE", 20)
+
+    async def drive(app, pilot, pane) -> None:
+        await step_until(app, pilot, lambda: numbers(screen_text(app))[-1] == 60)
+        await pilot.press("I")
+        await step_until(app, pilot, lambda: "40 of 60 messages" in screen_text(app))
+
+    in_the_window(full, drive)

@@ -212,3 +212,48 @@ def test_the_keys_that_save_and_open_are_those_of_the_other_windows(key: str, ti
         assert title in window.text
 
     use(LESSON, act)
+
+
+def test_boxes_keep_their_frames_and_names_where_there_is_room_though_none_for_the_names_of_topics() -> None:
+    names = ["/talker_of_the_robot", "/listener", "/simulator", "/broadcaster1", "/broadcaster2"]
+    talker, listener, simulator, *broadcasters = names
+    facts = Facts(
+        {
+            "/chatter": (talker,),
+            "/tf": tuple(broadcasters),
+            "/turtle2/cmd_vel": (listener,),
+            **{f"/turtle{n}/pose": (simulator,) for n in (1, 2)},
+        },
+        {
+            "/chatter": (listener,),
+            "/tf": (listener,),
+            "/turtle2/cmd_vel": (simulator,),
+            **{f"/turtle{n + 1}/pose": (each,) for n, each in enumerate(broadcasters)},
+        },
+    )
+
+    async def act(window: _Window) -> None:
+        assert all(f"│ {name} │" in window.text for name in names)
+
+    async def with_topics(window: _Window) -> None:
+        assert "/chatter" in window.text and "/tf" in window.text
+
+    use(facts, act, (100, 30))
+    use(facts, with_topics, (120, 40))
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_what_is_hidden_is_named_where_that_fits_and_else_counted(size: tuple[int, int], lang: str) -> None:
+    few = {"/a": ("/one",)}
+    many = {f"/topic_with_a_long_name_{number}": ("/one",) for number in range(9)}
+
+    async def all_named(window: _Window) -> None:
+        assert "Dead sinks" in screen_lines(window.app)[-2] and "/a " in screen_lines(window.app)[-2]
+
+    async def counted(window: _Window) -> None:
+        told = screen_lines(window.app)[-2]
+        assert "Dead sinks 9" in told and "…" not in told
+
+    use(Facts(few, {}), all_named, size, lang=lang)
+    use(Facts(many, {}), counted, size, lang=lang)

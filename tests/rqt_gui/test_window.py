@@ -14,6 +14,7 @@ from screens import ToolWindow, step, use_window
 
 from day6_tui.core.ros.programs.rqt_gui.catalogue import plugins
 from day6_tui.core.ros.programs.rqt_gui.model import Open, Rqt
+from day6_tui.tui.locale import catalogue
 
 
 def play(*keys: str, click: str = "", size: tuple[int, int] = (80, 24), **options: Any) -> tuple[list[Any], str]:
@@ -77,6 +78,33 @@ def test_every_plugin_is_offered_in_one_line(lang: str, size: tuple[int, int]) -
     screen = play(lang=lang, size=size)[1]
     lines = [line for line in screen.split("\n") if any(f" {entry.title} " in line for entry in plugins())]
     assert len(lines) >= len(plugins()) and ("Visualization" in screen) == (size[0] == 80)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("size", [(67, 24), (80, 24), (120, 40)])
+def test_what_a_plugin_is_for_is_told_in_full(lang: str, size: tuple[int, int]) -> None:
+    screen = play(lang=lang, size=size)[1]
+    for entry in plugins():
+        about = catalogue(lang)[f"rqt.about.{entry.package}"]
+        assert f"{about} " in screen or f"{about}┃" in screen
+    assert catalogue(lang)["rqt.about.rqt_action"] in play(lang=lang, size=(40, 24))[1]
+
+
+def test_the_list_of_perspectives_begins_at_the_present_one() -> None:
+    model = Rqt(plugins(), Path("/nowhere"), lambda: None)
+    model.perspective, model.perspectives = "talk", ("Default", "talk", "zoo")
+
+    async def act(window: ToolWindow) -> None:
+        await window.press("p", "down", "enter")
+
+    use_window(("rqt", "rqt", model), act, (80, 24), ToolWindow)
+    assert model.requests == [("switch", "zoo")]
+
+
+def test_close_is_offered_on_a_plugin_that_is_open_only() -> None:
+    wide = (140, 24)
+    assert " close" not in play(size=wide)[1].split("\n")[-1]
+    assert " close" in play(*["down"] * (plugins().index(plot()) + 1), size=wide)[1].split("\n")[-1]
 
 
 def test_what_went_wrong_stands_on_the_frame() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
@@ -14,14 +15,16 @@ from rqt_machine import RqtMachine
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
 
+from day6_tui.core.ros.programs.image_tools.shown_image import ShownImage
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place
 from day6_tui.core.ros.programs.rqt_image_view.decoding import Undecodable, View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
 from day6_tui.core.ros.programs.rqt_image_view.rqt_image_view import ImageViewPlugin
+from day6_tui.tui.locale import catalogue
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from screens import ToolWindow, step, use_window
+from screens import ToolWindow, step, step_until, use_window
 
 
 def image(value: int = 0, width: int = 8, height: int = 6, encoding: str = "mono8") -> Image:
@@ -244,6 +247,34 @@ def test_the_truth_is_told_where_there_is_no_picture(message, topic, told) -> No
     use(model, act, (120, 24))
 
 
+def test_the_last_image_of_a_camera_that_has_gone_is_marked_as_such() -> None:
+    model = Model(halves())
+
+    async def act(window: ToolWindow) -> None:
+        assert "Nobody publishes" not in window.text
+        model.topics = {}
+        model.version += 1
+        await step(window.app, window.pilot)
+        assert "40x40 mono8" in window.text and "Nobody publishes /camera." in window.text
+
+    use(model, act)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_the_controls_stand_above_with_their_keys_also_beside_a_long_name(size: tuple[int, int], lang: str) -> None:
+    model = Model(halves())
+    model.topic = "/robot/sensors/front/left/camera/image_raw/of_great_length"
+
+    async def act(window: ToolWindow) -> None:
+        head = window.text.split("\n")[2]
+        assert "…" in head or size[0] == 120
+        assert all(each in head for each in ("t /robot", "▾", "1 [ ] 1:1", "r 0°", "d [ ]", "m [ ]")) or size[0] == 120
+        assert catalogue(lang)["images.mouse"] in head
+
+    use(model, act, size, lang=lang)
+
+
 def test_without_colours_or_utf8_brightness_is_a_letter() -> None:
     async def act(window: ToolWindow) -> None:
         row = next(line for line in window.text.splitlines() if "@" in line)
@@ -265,3 +296,36 @@ def test_it_is_drawn_at_every_size(size, options) -> None:
         assert "Error" not in window.text
 
     use(Model(halves()), act, size, **options)
+
+
+# -- showimage, which draws in the same way ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_showimage_draws_the_image_from_the_first_line_on(size: tuple[int, int], lang: str) -> None:
+    shown = ShownImage()
+
+    async def act(window: ToolWindow) -> None:
+        assert "▀" not in window.text
+        shown.take(halves())
+        await step_until(window.app, window.pilot, lambda: "40x40 mono8" in window.text)
+        assert "/image" in window.text
+        # All rows inside the frame; the left half is black, the right one white.
+        rows = [line for line in window.pane._lines if line]
+        assert len(rows) == (size[1] - 4) and [segment.cell_length for segment in rows[0]] == [size[1] - 4] * 2
+        await window.pilot.hover(offset=(size[0] // 2, size[1] // 2))
+        await step(window.app, window.pilot)
+        assert re.search(r"x \d+  y \d+", window.text)
+
+    use_window(("showimage", "/image", shown), act, size, ToolWindow, lang=lang)
+
+
+def test_showimage_tells_what_it_cannot_draw() -> None:
+    shown = ShownImage()
+
+    async def act(window: ToolWindow) -> None:
+        shown.take(image(0, encoding="rgb8"))
+        await step_until(window.app, window.pilot, lambda: "┃ Image is wrongly formed: step < width" in window.text)
+
+    use_window(("showimage", "/image", shown), act, (80, 24), ToolWindow)

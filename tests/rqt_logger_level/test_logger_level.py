@@ -143,7 +143,7 @@ def use(
 
 def test_keys_choose_a_node_a_logger_and_set_a_level() -> None:
     async def act(window: ToolWindow) -> None:
-        await window.press("enter", "right", "down", "enter", "down", "down", "enter", "a", "x", "enter")
+        await window.press("enter", "down", "enter", "down", "down", "enter", "a", "x", "enter")
         assert window.model.requests == [("choose", "/open"), ("set", "rcl", 30), ("add", "x")]
 
     use(Model(**CHOSEN), act)

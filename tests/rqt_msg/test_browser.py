@@ -132,6 +132,32 @@ def test_enter_shows_the_text_and_d_removes_the_tree() -> None:
     use(browser("msg", "geometry_msgs/Twist"), act, (120, 40))
 
 
+def test_an_array_is_one_line_until_it_is_opened() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("end")
+        assert window.pane.list.chosen.cells == ("covariance", "double[36]", "nav_msgs/Odometry/twist/covariance")
+        await window.press("right", "end")
+        assert window.pane.list.chosen.cells[2] == "nav_msgs/Odometry/twist/covariance[35]"
+
+    use(browser("msg", "nav_msgs/Odometry"), act, (120, 40))
+
+
+def test_the_text_and_the_removal_have_buttons_where_there_is_a_tree() -> None:
+    async def click(window: _Window, text: str) -> None:
+        line = screen_lines(window.app)[2]
+        await window.pilot.click(offset=(line.index(text), 2))
+        await step(window.app, window.pilot)
+
+    async def act(window: _Window) -> None:
+        await click(window, "view text")
+        assert "Vector3  linear" in window.text
+        await window.press("escape")
+        await click(window, "remove")
+        assert window.line("Msg Root") == "" and "view text" not in screen_lines(window.app)[2]
+
+    use(browser("msg", "geometry_msgs/Twist"), act)
+
+
 def test_a_plain_field_is_explained_by_the_text_of_the_type_that_has_it() -> None:
     async def act(window: _Window) -> None:
         await window.press("end", "v")

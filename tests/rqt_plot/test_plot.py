@@ -43,24 +43,35 @@ def test_the_longest_topic_that_the_path_begins_with_counts():
     ),
 )
 def test_a_path_is_a_number_or_all_the_numbers_inside(type_name, rest, expected):
-    assert plottable(type_name, rest) == expected
+    assert plottable("/t", type_name, rest) == expected
 
 
 @pytest.mark.parametrize(
     ("type_name", "rest", "reason"),
     (
-        ("turtlesim/msg/Pose", "z", "turtlesim/Pose has no field 'z'; it has x, y, theta"),
-        ("sensor_msgs/msg/JointState", "position", r"position is a list: choose one with position\[0\]"),
-        ("std_msgs/msg/String", "data", "data is no number but string"),
-        ("std_msgs/msg/String", "", "no number but std_msgs/String"),
-        ("turtlesim/msg/Pose", "x/y", "x has no fields|float"),
-        ("turtlesim/msg/Pose", "x[0]", "x is no list"),
-        ("turtlesim/msg/Pose", "x[", "has no field"),
+        (
+            "turtlesim/msg/Pose",
+            "z",
+            (
+                "trying to parse field 'z' of topic /t: 'z' is not a field of 'turtlesim/msg/Pose' (x, y, theta, "
+                "linear_velocity, angular_velocity)"
+            ),
+        ),
+        (
+            "sensor_msgs/msg/JointState",
+            "position",
+            "trying to parse field 'position' of topic /t: position is a nested type but no index provided",
+        ),
+        ("std_msgs/msg/String", "data", "'/t/data' is a string, which cannot be plotted"),
+        ("std_msgs/msg/String", "", "/t cannot be plotted"),
+        ("turtlesim/msg/Pose", "x/y", "'x' is a primitive type with no field named 'y'"),
+        ("turtlesim/msg/Pose", "x[0]", "trying to parse field 'x[0]' of topic /t: x is not an array or sequence"),
     ),
 )
 def test_a_path_that_means_no_number_says_why(type_name, rest, reason):
-    with pytest.raises(NoField, match=reason):
-        plottable(type_name, rest)
+    with pytest.raises(NoField) as raised:
+        plottable("/t", type_name, rest)
+    assert str(raised.value) == reason
 
 
 def test_numbers_are_taken_out_of_messages():
@@ -161,7 +172,7 @@ def test_curves_are_added_and_removed_and_their_subscriptions_too(machine):
     plot.add("/turtle1/pose/z")
     machine.advance(0.3)
     assert [curve.path for curve in plot.curves] == ["/turtle1/pose/x", "/turtle1/pose/theta"]
-    assert "no field 'z'" in plot.message
+    assert "'z' is not a field of" in plot.message
     plot.remove(plot.curves[0])
     machine.advance(0.3)
     plot.add("/turtle1/pose/y")
@@ -213,4 +224,4 @@ def test_without_a_screen_the_values_are_printed(machine):
 def test_a_wrong_field_is_told_on_the_command_line(machine):
     machine.node.create_publisher(Pose, "/pose", 10)
     running = machine.start("rqt_plot", "rqt_plot", "/pose/z")
-    assert running.errors.startswith("turtlesim/Pose has no field 'z'")
+    assert running.errors.startswith("trying to parse field 'z' of topic /pose: 'z' is not a field of")

@@ -139,3 +139,9 @@ def test_every_size_language_and_glyph_set_is_drawn(waves, language, size, glyph
     waves.curves = (*waves.curves, waiting, wrong, curve("/huge/data", 4, lambda time: 1e300 * math.sin(time)))
     text = look(waves, ["down", "g", "plus"], width=size[0], height=size[1], lang=language, glyphs=glyphs)
     assert "Error" not in text and "drawn" not in text
+
+
+def test_in_a_low_window_the_other_curves_share_the_line_of_the_chosen_one(waves):
+    text = look(waves, ["down"], width=80, height=12)
+    (line,) = (line for line in text.splitlines() if "/line/data" in line)
+    assert "/wave/data" in line and line.index("/line/data") < line.index("/wave/data")

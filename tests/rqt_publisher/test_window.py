@@ -226,3 +226,16 @@ def test_a_remark_is_never_cut() -> None:
         assert "choose its topic, then tick its box." in said
 
     use(act, size=(38, 20))
+
+
+def test_deep_fields_keep_their_place_and_a_complaint_below_the_last_line_comes_into_sight() -> None:
+    async def act(window: _Window) -> None:
+        form = window.model.publishers[0][4]
+        form.resize("/points", 1, NAMES)
+        window.model.version += 1
+        await window.press("end", "end", *"1+", "enter")
+        lines = screen_lines(window.app)
+        (z,) = (line for line in lines if "1+" in line)
+        assert z.index("z") > 6 and "force: 0.0" in lines[-3]
+
+    use(act, "/area", size=(42, 10))

@@ -15,7 +15,7 @@ from waiting import until
 
 from day6_tui.core.ros.programs.rqt_py_common.command_lines import MOST_LINES, Kind
 from day6_tui.core.ros.programs.rqt_py_console.interpreter import AWAITS, ERROR, PLAIN
-from day6_tui.core.ros.programs.rqt_py_console.model import PyConsole
+from day6_tui.core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
@@ -172,12 +172,23 @@ def test_a_node_made_here_is_seen_in_the_terminals(tmp_path: Path, monkeypatch: 
 def test_where_there_is_no_desktop_it_is_said(tmp_path: Path) -> None:
     machine = RqtMachine("rqt_py_console", tmp_path)
     machine.open()
-    assert "Here is none" in machine.model.lines[-1][1]
+    assert machine.model.lines == [(Kind.REMARK, NO_DESKTOP)]
     assert machine.model.prompt is None and machine.model.status is None and not machine.model.run("1")
     machine.model.begin()
     machine.advance(0.5)
     assert len(machine.model.lines) == 1
     machine.end()
+
+
+@pytest.mark.parametrize(("lang", "told"), [("en", "type python3 in your terminal"), ("zh", "现在没有桌面")])
+def test_why_there_is_no_python_is_said_in_the_users_language(lang: str, told: str) -> None:
+    model = PyConsole()
+    model.take(f"{NO_DESKTOP}\n", Kind.REMARK)
+
+    async def act(window: ToolWindow) -> None:
+        assert told in " ".join(line.strip("┃ ") for line in window.text.splitlines())
+
+    use(model, act, lang=lang)
 
 
 def test_too_many_programs_are_told(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -231,3 +231,51 @@ def test_what_is_asked_about_files_is_asked_in_chinese(key: str, title: str) -> 
         assert title in window.text
 
     use(Model(SIM), act, lang="zh")
+
+
+DURABILITY = Parameter("qos_overrides./parameter_events.publisher.durability", 4, "volatile", read_only=True)
+HISTORY = Parameter("qos_overrides./parameter_events.publisher.history", 4, "keep_last", read_only=True)
+
+
+def test_long_names_keep_their_ends_and_the_chosen_one_is_told_in_full() -> None:
+    async def act(window: _Window) -> None:
+        assert "publisher.durability" in window.line("volatile") and "publisher.history" in window.line("keep_last")
+        await window.press("tab", "down")
+        assert DURABILITY.name in screen_lines(window.app)[-2]
+
+    use(Model(OpenNode("/sim", True, (DURABILITY, HISTORY), True, None)), act, size=(80, 24))
+
+
+def test_in_a_narrow_window_opening_a_node_goes_to_its_parameters_and_closing_back() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("end", "enter")
+        await window.show(SIM)
+        assert "fast" in window.text and "arm" not in window.text
+        await window.press("down", "down", "down")
+        assert "0 .. 255" in screen_lines(window.app)[-2]
+        await window.press("x")
+        await window.show()
+        assert "arm" in window.text
+
+    use(Model(), act, size=(42, 12))
+
+
+def test_a_long_text_is_below_the_list_where_its_line_has_no_room() -> None:
+    async def act(window: _Window) -> None:
+        await window.press("tab", "down")
+        assert "the end of it" in window.text
+
+    text = Parameter("greeting", 4, "hello " * 12 + "the end of it")
+    use(Model(OpenNode("/sim", True, (text,), True, None)), act, size=(80, 24))
+
+
+def test_no_key_is_promised_for_what_cannot_be_changed() -> None:
+    async def act(window: _Window) -> None:
+        for node in (OpenNode("/sim", False, (RED,), True, None), OpenNode("/sim", True, (FRAME,), True, None)):
+            await window.show(node)
+            await window.press("tab", "down", "right", "enter", "5", "home")
+            assert window.model.requests == []
+            assert "value" not in screen_lines(window.app)[-1] and "x close" in screen_lines(window.app)[-1]
+            await window.press("tab")
+
+    use(Model(), act)

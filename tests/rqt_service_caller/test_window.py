@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from std_srvs.srv import Empty
 from turtlesim.srv import Spawn
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
@@ -153,7 +154,7 @@ def test_what_does_not_fit_is_marked_and_explained_below() -> None:
     async def act(window: _Window) -> None:
         await window.press(*"'fast", "enter")
         assert "▲ failed to evaluate" in window.line("x  ")
-        assert "failed to evaluate expression: 'fast" in screen_lines(window.app)[-2]
+        assert "failed to evaluate expression: 'fast" in window.text
 
     use(act, (120, 40))
 
@@ -272,3 +273,15 @@ def test_in_a_narrow_window_the_type_is_in_its_column_and_where_it_is_cut_below(
         assert window.line("name").split() == ["name", "string", "''"]
 
     use(act, (38, 20))
+
+
+def test_the_keys_are_those_of_the_chosen_line() -> None:
+    async def act(window: _Window) -> None:
+        assert "Enter change" in screen_lines(window.app)[-1]
+        await window.press("home")
+        assert "change" not in screen_lines(window.app)[-1]
+        window.model.be("", service="/clear", form=MessageForm(Empty.Request, convert))
+        await window.draw()
+        assert "Enter" not in screen_lines(window.app)[-1]
+
+    use(act)

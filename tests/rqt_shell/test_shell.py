@@ -11,7 +11,7 @@ import pytest
 from rqt_machine import RqtMachine
 
 from day6_tui.core.ros.programs.rqt_py_common.command_lines import MOST_CHARACTERS, MOST_LINES, Kind
-from day6_tui.core.ros.programs.rqt_shell.model import Shell
+from day6_tui.core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
 from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.interpreter import subshell_main
@@ -19,6 +19,7 @@ from day6_tui.core.shell.language.redirection import Streams
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
+from rich.cells import cell_len
 from screens import ToolWindow, use_window
 
 LONGEST = 60.0
@@ -98,8 +99,43 @@ def test_where_there_is_no_desktop_it_is_said(tmp_path: Path) -> None:
     machine = RqtMachine("rqt_shell", tmp_path)
     machine.open()
     machine.do("run", "echo hello")
-    assert "Here is none" in machine.model.lines[-1][1] and not machine.model.running
+    assert machine.model.lines[-1] == (Kind.REMARK, NO_DESKTOP) and not machine.model.running
     machine.end()
+
+
+@pytest.mark.parametrize(("lang", "told"), [("en", "type them into your own terminal"), ("zh", "现在没有桌面")])
+def test_why_no_command_can_be_run_is_said_in_the_users_language(lang: str, told: str) -> None:
+    model = Shell()
+    model.take(f"{NO_DESKTOP}\n", Kind.REMARK)
+
+    async def act(window: ToolWindow) -> None:
+        assert told in " ".join(line.strip("┃ ") for line in window.text.splitlines())
+
+    use_window(("rqt_shell", "SimpleShell", model), act, (80, 24), ToolWindow, lang=lang)
+
+
+def test_what_is_typed_can_be_changed_in_the_middle() -> None:
+    model = Shell()
+
+    async def act(window: ToolWindow) -> None:
+        await window.press(*"ros2 tpic list", *["left"] * 8, "o", "home", "x", "backspace", "end", "!", "backspace")
+        assert ">>> ros2 topic list" in window.text
+        await window.press("home", "delete", "r", "ctrl+e", "ctrl+w", *"echo /a", "ctrl+a", "right", "ctrl+k")
+        assert ">>> r " in window.text and "ros2" not in window.text
+        await window.press(*"os2 node info /海龟/a", *["left"] * 3, "backspace", "车", "enter")
+        assert model.running == "ros2 node info /车龟/a"
+
+    use_window(("rqt_shell", "SimpleShell", model), act, (80, 24), ToolWindow)
+
+
+def test_the_cursor_stays_in_sight_in_a_long_line() -> None:
+    async def act(window: ToolWindow) -> None:
+        await window.press(*["海"] * 60, "z")
+        assert "海z" in window.text.splitlines()[2] and max(map(cell_len, window.text.splitlines())) <= 80
+        await window.press("home", "a")
+        assert ">>> a海" in window.text and max(map(cell_len, window.text.splitlines())) <= 80
+
+    use_window(("rqt_shell", "SimpleShell", Shell()), act, (80, 24), ToolWindow)
 
 
 def test_what_is_kept_is_bounded() -> None:

@@ -174,6 +174,25 @@ def test_what_came_from_two_threads_is_all_counted() -> None:
     assert measure.count == 40_000
 
 
+def test_the_feedback_of_an_action_and_the_events_of_a_service_are_listened_to(world) -> None:
+    from example_interfaces.action import Fibonacci
+    from std_srvs.srv import SetBool
+
+    from rclpy.action import ActionServer
+
+    ActionServer(world.node, Fibonacci, "fibonacci", lambda goal: Fibonacci.Result())
+    feedback = world.node.create_publisher(Fibonacci.Impl.FeedbackMessage, "fibonacci/_action/feedback", 1)
+    events = world.node.create_publisher(SetBool.Event, "switch/_service_event", 1)
+    world.start(world.display)
+    model = world.display.windows[0].model
+    for topic, publisher in (("/fibonacci/_action/feedback", feedback), ("/switch/_service_event", events)):
+        model.toggle(topic)
+        world.scheduler.advance(0.2)
+        assert _topic(model, topic).problem == "" and _topic(model, topic).monitored
+        publisher.publish(publisher.msg_type())
+        assert model.last_message(topic) == publisher.msg_type()
+
+
 def test_topics_that_come_later_appear_by_themselves(world) -> None:
     world.start(world.display)
     model = world.display.windows[0].model

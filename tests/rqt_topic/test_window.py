@@ -351,3 +351,94 @@ def test_a_sequence_in_a_narrow_column_keeps_its_brackets() -> None:
         assert window.line("new_parameters").split()[2].startswith("sequence<Par")
 
     use(model, act, (80, 24))
+
+
+def test_the_feedback_of_an_action_can_be_opened_to_its_fields_with_a_message_and_without() -> None:
+    from example_interfaces.action import Fibonacci
+
+    kind = "example_interfaces/action/Fibonacci_FeedbackMessage"
+    model = Model(topic("/one", kind, monitored=True, count=1), topic("/two", kind))
+    message = Fibonacci.Impl.FeedbackMessage()
+    message.feedback.sequence = [0, 1, 1, 2]
+    model.messages = {"/one": message}
+
+    async def act(window: _Window) -> None:
+        await window.press("end", "right", "down", "down", "right")
+        assert window.line("sequence").split()[:3] == ["┃", "sequence", "sequence<int32>"]
+        await window.press("home", "right", "down", "down", "right")
+        assert "[0, 1, 1, 2]" in window.line("sequence")
+
+    use(model, act)
+
+
+def test_where_names_are_long_they_get_the_room_that_values_can_spare() -> None:
+    async def act(window: _Window) -> None:
+        assert "/fibonacci/_action/status " in window.text and "not monitored" in window.text
+
+    use(Model(topic("/fibonacci/_action/status", "action_msgs/msg/GoalStatusArray")), act, (80, 24))
+
+
+def test_the_full_name_and_type_of_the_chosen_line_are_told_below() -> None:
+    name = "/a_robot/of_the_school/with/a/camera/on/its/left"
+
+    async def act(window: _Window) -> None:
+        assert f"1/1 {name} sensor_msgs/msg/Image" in screen_lines(window.app)[-2]
+        await window.press("right", "down")
+        assert f"{name}/header std_msgs/Header" in screen_lines(window.app)[-2]
+
+    use(Model(topic(name, "sensor_msgs/msg/Image")), act, (80, 24))
+
+
+def test_v_shows_the_whole_value_or_else_what_the_type_is() -> None:
+    text = "千里之行，始于足下。" * 20
+
+    async def act(window: _Window) -> None:
+        copied: list[str] = []
+        window.app.copy_to_clipboard = copied.append  # type: ignore[method-assign]
+        await window.press("v", "c")
+        assert copied[-1].strip() == f"data: {text}"
+        assert sum(line.count("千") for line in screen_lines(window.app)) == 20
+        await window.press("escape", "right", "down", "v", "c")
+        assert copied[-1] == text and "━ /chatter/data ━" in window.text
+        await window.press("escape", "end", "v")
+        assert "━ action_msgs/msg/GoalInfo ━" in window.text and "builtin_interfaces/Time stamp" in window.text
+        await window.press("escape")
+        assert "/quiet" in window.text
+
+    model = Model(topic("/chatter", monitored=True, count=1), topic("/quiet", "action_msgs/msg/GoalInfo"))
+    model.messages = {"/chatter": String(data=text)}
+    use(model, act, (80, 24))
+
+
+@pytest.mark.parametrize("width", [44, 80])
+def test_what_is_opened_on_the_last_line_in_sight_comes_into_sight(width: int) -> None:
+    async def act(window: _Window) -> None:
+        await window.press("end", "right")
+        await step(window.app, window.pilot)
+        assert window.line("data") and window.line("subscriptions")
+
+    use(Model(*(topic(f"/topic{number:02}") for number in range(40))), act, (width, 24))
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+def test_the_mouse_can_do_what_the_keys_can(lang: str, size: tuple[int, int]) -> None:
+    async def act(window: _Window) -> None:
+        texts = window.app.look.texts
+        await window.click(f" {texts('topics.sort')}", into=2)
+        assert window.line("▲").index("▲") > window.line("/chatter").index("/chatter") + 10
+        await window.click(f" {texts('topics.view')}", into=2)
+        assert "data: Hello 7" in window.text
+        await window.press("escape")
+        await window.click(f" {texts('topics.filter')}", into=2)
+        await window.press(*"cmd", "enter")
+        assert window.order() == ["/cmd_vel"]
+
+    use(heard(), act, size, lang=lang)
+
+
+def test_a_low_window_has_its_lines_for_topics() -> None:
+    async def act(window: _Window) -> None:
+        assert "Topic ▲" in screen_lines(window.app)[2] and "/chatter" in screen_lines(window.app)[3]
+
+    use(heard(), act, (80, 10))

@@ -80,11 +80,18 @@ def run(walk: Any) -> None:
     asyncio.run(walk)
 
 
-def mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl: bool) -> Any:
-    return kind(pane, x, y, 0, 0, button, shift, False, ctrl, x, y)
+def mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl: bool, alt: bool = False) -> Any:
+    return kind(pane, x, y, 0, 0, button, shift, alt, ctrl, x, y)
 
 
-async def drag(at: Walk, *places: tuple[int, int], button: int = 1, shift: bool = False, ctrl: bool = False) -> None:
+async def drag(
+    at: Walk,
+    *places: tuple[int, int],
+    button: int = 1,
+    shift: bool = False,
+    ctrl: bool = False,
+    alt: bool = False,
+) -> None:
     """Press at the first place (cells of the view), move through the others, let go at the last."""
     from textual import events
 
@@ -92,6 +99,17 @@ async def drag(at: Walk, *places: tuple[int, int], button: int = 1, shift: bool 
     kinds = [events.MouseDown, *[events.MouseMove] * (len(places) - 1), events.MouseUp]
     for kind, (x, y) in zip(kinds, [*places, places[-1]], strict=True):
         left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
-        pane.post_message(mouse(pane, kind, left + x, top + y, button, shift, ctrl))
+        pane.post_message(mouse(pane, kind, left + x, top + y, button, shift, ctrl, alt))
         await at.settle()
     await at.settle()  # what the window asked for is done by the program now
+
+
+async def hover(at: Walk, place: tuple[int, int]) -> None:
+    """Move the mouse to a cell of the view, with no button down."""
+    from textual import events
+
+    pane = at.pane
+    left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
+    pane.post_message(mouse(pane, events.MouseMove, left + place[0], top + place[1], 0, False, False))
+    await at.settle()
+    await at.settle()

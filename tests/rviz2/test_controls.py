@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from marker_server import Controls, control, upright
 from rviz_machine import RVizMachine
-from rviz_walk import Walk, drag, run, walking
+from rviz_walk import Walk, drag, hover, run, walking
 from visualization_msgs.msg import InteractiveMarkerControl as Modes
 
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Hit, Pointer
@@ -141,6 +141,22 @@ def test_the_mouse_turns_a_ball_in_the_window(machine: RVizMachine) -> None:
             cosine, sine = math.cos(pixels * PIXEL), math.sin(pixels * PIXEL)
             assert table.facing("thing") == (cosine, 0.0, -sine)
             assert table.pose("thing").xyz == (0.0, 0.0, 0.0)
+
+    run(walk())
+
+
+def test_a_control_under_the_mouse_is_lit_and_says_what_it_does(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            await shown(at, control("ball", Modes.ROTATE_3D, cube=4.0))
+            middle = at.pane.view.columns // 2, at.pane.view.rows // 2
+            await hover(at, middle)
+            (cube,) = machine.rviz.scene.shapes
+            assert cube.colour == pytest.approx((0.8, 0.8, 0.8, 1.0))
+            assert "Left-Click: Rotate around X/Y. Shift-Left-Click: Rotate around Z." in at.screen()
+            await hover(at, (1, 1))
+            assert machine.rviz.scene.shapes[0].colour == (0.5, 0.5, 0.5, 1.0)
+            assert "Left-Click: Rotate around X/Y." not in at.screen()
 
     run(walk())
 

@@ -9,6 +9,9 @@ import pytest
 from rviz_machine import RVizMachine, lines
 from sensor_msgs.msg import JointState
 
+from day6_tui.tui.locale import Texts
+from day6_tui.tui.windows.rviz.describing import described
+
 ARM = """<robot name="arm"><link name="base"/><link name="arm"/><link name="wheel"/><link name="free"/>
 <joint name="shoulder" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
 <limit lower="-1" upper="1" effort="10" velocity="1"/></joint>
@@ -77,6 +80,21 @@ def test_what_cannot_be_shown_is_told(machine: RVizMachine, display: Any) -> Non
     assert lines(display)["shoulder"] == ("Error", text)
     machine.describe("<robot/>")
     assert lines(display)["URDF"] == ("Error", "Unable to parse robot model description!")
+
+
+def test_joint_states_without_a_frame_are_dropped_as_by_the_original_and_that_is_told(
+    machine: RVizMachine, display: Any
+) -> None:
+    machine.describe(ARM)
+    message = state(5.0)
+    message.header.frame_id = ""  # as joint_state_publisher sends them
+    machine.publish("/joint_states", message)
+    assert not machine.rviz.scene.lines
+    dropped = (
+        "Message Filter dropping message: frame '' at time 0.000 for reason 'the frame id of the message is empty'"
+    )
+    assert machine.running.errors.count(dropped) == 1
+    assert "Effort: 1 messages without a frame in their header" in described(machine.rviz, Texts("en"))
 
 
 def test_a_joint_that_is_switched_off_stays_so_in_the_file(machine: RVizMachine, display: Any) -> None:

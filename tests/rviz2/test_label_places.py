@@ -10,7 +10,7 @@ import numpy as np
 from day6_tui.core.ros.programs.rviz2.model.scene import BOX, Scene, Shape
 from day6_tui.core.ros.programs.rviz2.model.views import Orbit
 from day6_tui.tui.cells import cell_len
-from day6_tui.tui.render.cells import cells_of, pixel_aspect
+from day6_tui.tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.tui.render.label_places import LabelPlaces, Piece
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.urdf.kinematics import Transform
@@ -74,6 +74,18 @@ def test_a_name_that_has_no_room_over_its_point_stands_beside_with_a_hook() -> N
     assert _pieces([*right, (30, 10, "x"), (30, 10, "frames")])[21] == [(23, 11, "frames─╯")]
 
 
+def test_the_lines_of_a_text_stay_together_and_in_their_order() -> None:
+    (first, second) = _pieces([(30, 10, "Button\n(left click)"), (30, 10, "other\n\nlines")])
+    assert first == [(27, 10, "Button"), (24, 11, "(left click)")]
+    assert second == [(28, 7, "other"), (28, 9, "lines")]
+    # Upwards the last line is the nearest.
+    below = [(30.0, float(row), "b" * 15) for row in range(10, 16)]
+    assert _pieces([*below, (30, 10, "up\nhere")])[6] == [(29, 8, "up"), (28, 9, "here")]
+    assert _pieces([(30, 10, "\n"), (30, 10, "a\n" * 100)]) == [[], []]
+    left = [(24.0, float(row), "b" * 8) for row in range(20)]
+    assert _pieces([*left, (31, 10, "two\nlonger lines")])[20] == [(32, 10, "─two"), (33, 11, "longer lines")]
+
+
 def test_a_name_keeps_its_place_until_it_must_move() -> None:
     places = LabelPlaces()
     both = [(30.5, 10.5, "base_link"), (30.5, 10.5, "base_footprint")]
@@ -120,6 +132,25 @@ def test_only_the_cells_of_a_name_are_sent_again() -> None:
     before = cells_of(picture, "half")
     picture.labels = [(32.0, 20.0, "odom", (255, 255, 255))]
     assert cells_of(picture, "half").changes(before) == [(10, 28, 34)]
+
+
+def test_a_name_has_one_ground_that_it_can_be_read_on() -> None:
+    camera = Orbit(list, lambda: None).camera()
+
+    def cells(under: list[float]) -> Cells:
+        picture = paint(Scene(), camera, 60, 40, pixel_aspect("half"), QUALITIES["High"])
+        picture.labels = [(30.0, 20.0, "odom", (255, 255, 255))]
+        picture.colour[20:22, 28:32] = np.array(under)[None, :, None]
+        picture.kind[20:22, 28:32] = 1
+        return cells_of(picture, "half", step=1)
+
+    before = cells([0.0, 0.0, 0.0, 0.0])
+    # What most of its cells have; where that is as bright as the name, the ground of the view.
+    changed = cells([0.0, 0.0, 0.0, 0.2])
+    assert changed.changes(before) == []
+    assert cells([0.0, 0.2, 0.2, 0.2]).changes(before) == [(10, 28, 32)]
+    assert cells([1.0, 1.0, 1.0, 1.0]).labels[10] == [(28, "odom", 0xFFFFFF, 0x303030)]
+    assert before.labels[10] == [(28, "odom", 0xFFFFFF, 0x000000)]
 
 
 def _brightness(mode: str, across: int, down: int) -> float:

@@ -20,6 +20,8 @@ from rviz_machine import RVizMachine
 from sensor_msgs.msg import FluidPressure, Illuminance, RelativeHumidity, Temperature
 
 from day6_tui.core.ros.programs.rviz2.model.topics import INVALID_FLOATS
+from day6_tui.tui.locale import Texts
+from day6_tui.tui.windows.rviz.describing import described
 
 
 @pytest.fixture
@@ -147,7 +149,27 @@ def test_a_pose_estimate_is_shown_with_its_covariance(world: RVizMachine) -> Non
     message.pose.pose.orientation.w = 1.0
     message.pose.covariance[0] = message.pose.covariance[7] = 0.25
     world.publish("/initialpose", message)
-    assert world.rviz.scene.shapes[-1].size == (1.0, 1.0, 1e-4)
+    assert world.rviz.scene.shapes[-1].size == (1.0, 1.0, 0.001)
     message.pose.covariance[35] = math.nan
     world.publish("/initialpose", message)
     assert display.status("Topic") == ("Error", INVALID_FLOATS)
+
+
+@pytest.mark.parametrize("lang, words", [("en", "DepthCloud is the one display left out"), ("zh", "唯一没有的显示项")])
+def test_the_display_that_is_left_out_is_told_in_plain_words(world: RVizMachine, lang: str, words: str) -> None:
+    text = (
+        "Visualization Manager:\n  Displays:\n    - Class: rviz_default_plugins/DepthCloud\n      Name: Depth\n"
+        "      Enabled: true\n"
+    )
+    world.do(lambda: world.rviz.load_text(text))
+    assert words in described(world.rviz, Texts(lang))
+
+
+def test_messages_that_wait_for_a_transform_are_told_with_their_frame(world: RVizMachine) -> None:
+    world.add("Polygon", "/polygon")
+    message = stamped(PolygonStamped)
+    message.header.frame_id = "nowhere"
+    for _ in range(3):
+        world.publish("/polygon", message)
+    words = described(world.rviz, Texts("en"))
+    assert "Polygon: 3 messages wait for a transform from nowhere to " in words

@@ -176,6 +176,38 @@ def test_select_lists_the_link_and_its_pose(machine: RVizMachine) -> None:
     run(walk())
 
 
+def test_f_looks_at_what_is_selected(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            machine.fix("base_link")
+            machine.transform("base_link", "hand", (3.0, 0.0, 0.0))
+            machine.robot(BOX)
+            frames = machine.add("TF")
+            machine.do(lambda: machine.rviz.selection.replace([(frames, "hand")]))
+            await at.press("f")
+            x, y, z = machine.rviz.view.child("Focal Point").value
+            # The middle of its axes, which are 0.2 m long, and of the arrow to its parent.
+            assert 1.0 < x < 3.2 and (y, z) == (pytest.approx(0.1, abs=0.05), pytest.approx(0.1, abs=0.05))
+            machine.do(lambda: machine.rviz.selection.replace([]))
+            await at.press("f")
+            assert machine.rviz.view.child("Focal Point").value == (0.0, 0.0, 0.0)
+
+    run(walk())
+
+
+def test_alt_leaves_the_mouse_to_the_view_while_a_tool_is_used(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            await at.press("s")
+            yaw = machine.rviz.view.child("Yaw").value
+            await drag(at, (10, 10), (14, 10))
+            assert machine.rviz.view.child("Yaw").value == yaw
+            await drag(at, (10, 10), (14, 10), alt=True)
+            assert machine.rviz.view.child("Yaw").value != yaw
+
+    run(walk())
+
+
 def test_focus_camera_looks_at_what_was_clicked(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:

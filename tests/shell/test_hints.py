@@ -90,6 +90,17 @@ def test_a_package_that_is_not_built_or_not_sourced_is_told_so(machine: Any, sea
     assert "hint:" not in seat.wait_prompt()
 
 
+def test_a_package_whose_build_failed_is_told_so(machine: Any, seat: Any) -> None:
+    assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_cmake --node-name go car").status == 0
+    seat.line("cd ros2_ws; colcon build; source install/setup.bash; clear; ros2 run car go")
+    lines = seat.wait_prompt().replace("\n", "")
+    assert (
+        "hint: car is in" in lines and "its last build failed. See why: cd" in lines and "not been built" not in lines
+    )
+    seat.line("clear; why")
+    assert "its last build failed: what colcon build prints says why" in " ".join(seat.wait_prompt().split())
+
+
 def test_colcon_is_coloured_and_explains_what_failed_on_a_terminal_only(machine: Any, seat: Any) -> None:
     package = machine.desk.home / "ros2_ws" / "src" / "car"
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python car").status == 0

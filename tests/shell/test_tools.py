@@ -139,6 +139,7 @@ def test_rosdep_looks_at_the_packages_and_names_what_nobody_has(machine: Any) ->
         ("liburdfdom-tools", "liburdfdom-tools is already the newest version (check_urdf, urdf_to_graphviz)."),
         ("ros-${ROS_DISTRO}-joint-state-publisher-gui", "joint-state-publisher-gui is already the newest version"),
         ("'~nros-jazzy-rqt*'", "ros-jazzy-rqt* is already the newest version"),
+        ("ros-jazzy-rosbag2", "ros-jazzy-rosbag2 is already the newest version"),
         ("ros-jazzy-nav2-bringup", "ros-jazzy-nav2-bringup: not part of day6-tui"),
         ("cowsay", "cowsay: not needed on this machine"),
     ],

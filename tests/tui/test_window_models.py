@@ -32,6 +32,9 @@ COMMANDS = {
     "type_browser": "ros2 run rqt_msg rqt_msg",
     "action_browser": "ros2 run rqt_action rqt_action",
     "rqt_image_view": "ros2 run rqt_image_view rqt_image_view",
+    "showimage": (
+        "ros2 run image_tools showimage & ros2 run image_tools cam2image --ros-args -p burger_mode:=true > /dev/null 2>&1"
+    ),
     "rqt_shell": "ros2 run rqt_shell rqt_shell",
     "rqt_py_console": "ros2 run rqt_py_console rqt_py_console",
     "rqt_robot_steering": "ros2 run rqt_robot_steering rqt_robot_steering",

@@ -192,11 +192,17 @@ def test_the_launch_tests_of_a_cmake_package_run_isolated(workshop: Workshop) ->
     cmake_package(workshop, ISOLATED)
     file = workshop.workspace / "src" / "mixed" / "test" / "test_launch.py"
     file.write_text(LAUNCH_TEST.format(domains="range(1, 102)"), encoding="utf-8")
+    assert workshop.run("printenv ROS_DOMAIN_ID").out == "0\n"
     done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
     assert "build/mixed/test_results/mixed/test_test_launch.py.xunit.xml: 1 test, 0 errors, 0 failures" in done.out, (
         done
     )
     assert (done.status, done.err) == (0, "")
+    cmake_package(workshop, "add_ros_test(test/test_launch.py ARGS colour:=red ENV MOOD=good)")
+    file.write_text(LAUNCH_TEST.format(domains="(7,)"), encoding="utf-8")
+    done = workshop.run("export ROS_DOMAIN_ID=7\ncolcon build > /dev/null\ncolcon test\ncolcon test-result --all")
+    assert (done.status, done.err) == (0, ""), done
+    assert "test_test_launch.py.xunit.xml: 1 test, 0 errors, 0 failures" in done.out
     file.write_text(LAUNCH_TEST.format(domains="()"), encoding="utf-8")
     done = workshop.run("colcon test\ncolcon test-result --all")
     assert "1 package had test failures: mixed" in done.out and "1 test, 0 errors, 1 failure" in done.out

@@ -229,6 +229,7 @@ TEXTS = {
     # rqt_graph
     "rqt.hidden": "{count} hidden: {reasons}",
     "rqt.hides": "{option} hides {names}",
+    "rqt.hides_some": "{option} {count}",
     "rqt.separator": "; ",
     "rqt.nothing_hidden": "nothing is hidden",
     "rqt.empty": "No node is publishing or subscribing.",
@@ -333,13 +334,14 @@ TEXTS = {
     "topics.subscriptions": "subscriptions",
     "topics.history": "recent rate",
     "topics.quiet": "not monitored",
-    "topics.waiting": "nothing received yet",
+    "topics.waiting": "nothing yet",
     "topics.listen": "listen",
     "topics.stop": "stop",
     "topics.open": "open",
     "topics.sort": "sort",
     "topics.reverse": "sort the other way",
     "topics.filter": "filter",
+    "topics.view": "view",
     "topics.filter_note": "Part of a topic's name or type; nothing shows all.",
     "topics.filtered": "of {count}, filter: {text}",
     "topics.unfilter": "show all",
@@ -481,6 +483,7 @@ TEXTS = {
     "rviz.unsaved": "the view of RViz (^S in its window saves it)",
     "rviz.quality": "quality: {name}",
     "rviz.nothing_to_focus": "there is nothing to look at yet",
+    "rviz.view_saved": "view saved as {name}: its line below Views (Enter) leads back, ^R renames it, ^X removes it",
     "rviz.no_controls": "There is no interactive marker: add the display InteractiveMarkers and start a server",
     "rviz.tool.bad_topic": "{topic} is no name for a topic; the tool sends nothing",
     "rviz.type.Axes": "the axes of a frame",
@@ -534,7 +537,10 @@ TEXTS = {
     "rviz.seen.no_frames": "no frames: nobody publishes /tf",
     "rviz.seen.axes": "the axes of {frame}",
     "rviz.seen.unknown": "{name}: nothing, its class is not here",
+    "rviz.seen.left_out": "{name}: {type} is the one display left out here; PointCloud2 shows clouds of points",
+    "rviz.seen.waiting": "{name}: {count} messages wait for a transform from {frame} to {fixed}",
     "rviz.seen.markers": "{name}: interactive markers: {count}",
+    "rviz.seen.nameless": "{name}: {count} messages without a frame in their header, which cannot be placed",
     "rviz.seen.point": "{name}: {count} point",
     "rviz.seen.points": "{name}: {count} points",
     "rviz.seen.image": "{name}: image of {size} pixels",
@@ -561,8 +567,8 @@ TEXTS = {
     "rqt.export": "Write to a file",
     "rqt.wrong_name": "This cannot be its name.",
     "rqt.name_taken": "There is one of this name.",
-    "rqt.about.rqt_action": "the types of actions, goals and results",
-    "rqt.about.rqt_reconfigure": "change parameters of running nodes",
+    "rqt.about.rqt_action": "the types of actions, their goals",
+    "rqt.about.rqt_reconfigure": "parameters of running nodes",
     "rqt.about.rqt_graph": "who talks to whom",
     "rqt.about.rqt_bag": "record, look at and play bags",
     "rqt.about.rqt_console": "the log messages of all nodes",
@@ -571,9 +577,9 @@ TEXTS = {
     "rqt.about.rqt_py_console": "lines of Python",
     "rqt.about.rqt_robot_steering": "drive a robot by two sliders",
     "rqt.about.rqt_service_caller": "call a service",
-    "rqt.about.rqt_srv": "the types of services, field by field",
+    "rqt.about.rqt_srv": "the types of services",
     "rqt.about.rqt_publisher": "publish messages of your own",
-    "rqt.about.rqt_msg": "the types of messages, field by field",
+    "rqt.about.rqt_msg": "the types of messages",
     "rqt.about.rqt_topic": "topics, their rates and messages",
     "rqt.about.rqt_image_view": "images of a camera",
     "rqt.about.rqt_plot": "numbers over time",
@@ -670,7 +676,9 @@ TEXTS = {
     "shell.history": "earlier lines",
     "shell.stop": "stop",
     "shell.running": "running …",
+    "shell.no_desktop": "This shell runs commands of the desktop (day6-tui). Here is none: type them into your own terminal.",
     # rqt_py_console
+    "py_console.no_desktop": "This console runs Python in the desktop (day6-tui). Here is none: type python3 in your terminal.",
     "py_console.ended": "Python has ended with status {status}. Enter begins a new one.",
     "py_console.begin": "new Python",
     "py_console.indent": "indent",
@@ -737,7 +745,7 @@ TEXTS = {
     "console.highlights.this.severity": "Highlight this severity",
     "console.highlights.this.message": "Highlight this message",
     "console.only": "Show highlighted messages only",
-    "console.only.short": "highlighted only",
+    "console.only.short": "only these",
     "console.text": "Text",
     "console.text.note": "Takes effect while it is typed; an empty line turns it off.",
     "console.regexp": "Regex",
@@ -751,6 +759,7 @@ TEXTS = {
     "console.stop_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05; an empty line: no end.",
     "console.wrong_time": "This is no time, like 14:05:01.250.",
     "console.filters": "filters",
+    "console.filters.title": "Filters",
     "console.files": "save, load",
     "console.save": "Save to File",
     "console.load": "Load from File",
@@ -769,6 +778,9 @@ TEXTS = {
     "console.undone": "as it was",
     # rqt_plot
     "bag.none": "No bag is open: o opens one.",
+    "bag.cut": "'{name}' is not complete: it is shown as far as it goes.",
+    "bag.cancelled": "Cancelled: '{name}' is shown as far as it was read.",
+    "bag.empty": "'{name}' has no messages.",
     "bag.messages": "{count} messages",
     "bag.open": "open",
     "bag.open.title": "Open a bag",
@@ -799,8 +811,8 @@ TEXTS = {
     "bag.record": "record",
     "bag.record.title": "Select name for new rosbag",
     "bag.record.topics": "Select the topics you want to record",
-    "bag.recording": "recording: {count} messages, {size}",
-    "bag.recording_paused": "recording paused: {count} messages, {size}",
+    "bag.recording": "recording: {count} messages, {size}; r stops",
+    "bag.recording_paused": "recording paused: {count} messages, {size}; Space goes on",
     "bag.stop_recording": "stop recording",
     "bag.hold_recording": "pause, go on",
     "bag.save": "export the selected region",
@@ -847,12 +859,13 @@ TEXTS = {
     "menu.none": "nothing by that name",
     "menu.keys": "↑ ↓ choose   Enter go   Esc back",
     "menu.keys.close": "↑ ↓ choose   Enter go   Del close   Esc back",
+    "menu.keys.remove": "↑ ↓ choose   Enter go   Del remove   Esc back",
     "menu.terminal": "terminal",
     "menu.window": "window",
     # help
     "help.title": "Help",
     "help.keys": "↑ ↓ scroll   Tab next page   Esc back",
-    "log.keys": "↑ ↓ ← → scroll   c copy   Esc back",
+    "log.keys": "↑ ↓ scroll   c copy   Esc back",
     "log.copied": "copied   Esc back",
     "list.head": "{name}: ",
     "help.everywhere": "Keys that work everywhere",
@@ -895,13 +908,17 @@ TEXTS = {
         "^N or a\tadd a display, like the button Add at the lower left (↓ below the last line or Shift Tab goes there)\n"
         "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
         "d\thide or show the panel, like the arrow at its edge\n"
-        "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
-        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\nl\tquality: less detail is faster\nr\treset\n"
+        "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot, or at what is selected\n"
+        "4\t45° from above\nz\tview as at the start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS, ThirdPersonFollower\n"
+        "k\tkeep the view: a line below Views leads back\nl\tquality: less detail is faster\nr\treset\n"
         "^S w ^O\tsave, save as, open\ne\tsave a picture\n"
         "m i s … u\tthe tools, in RViz's own letters (a second press or Esc leaves one): m Move Camera, i Interact, s Select, "
         "c Focus Camera, n Measure, p 2D Pose Estimate, g 2D Goal Pose, u Publish Point\n\n"
         "A pose: press where it shall be, drag to where it shall look, let go. With keys: arrows and Enter for the place, arrows "
         "and Enter for the direction; Shift makes finer steps. The other tools: click, or arrows and Enter.\n\n"
+        "Interactive markers: drag their controls; the right button opens their menu. With keys: x goes from one control to the "
+        "next, Enter takes it and lets it go, arrows and Page keys move or turn it, Space opens the menu or changes between "
+        "moving and turning.\n\n"
         "Mouse: drag turns, Shift or Ctrl and drag pans, the wheel zooms."
     ),
     "help.rqt_graph": (
@@ -929,7 +946,8 @@ TEXTS = {
         "newest message are shown. Listening is a subscription, so it counts as one.\n\n"
         "The right arrow key, or a click on the small arrow, opens a topic: the fields of its message, and who publishes and "
         "subscribes. The left one closes it. s sorts by the next column, S the other way round; so does a click on a column's "
-        "name. / filters by part of a name or type, Esc shows all again."
+        "name. / filters by part of a name or type, Esc shows all again.\n\n"
+        "v shows all of a value that has no room on its line, or what the type is while nothing has come; there, c copies it."
     ),
     "help.rqt_tf_tree": (
         "The tree of frames: each stands below its parent. Age is how long ago its newest transform was sent, rate how often "
@@ -947,7 +965,8 @@ TEXTS = {
         "field, Esc leaves the old one, Del brings the default back. Then c, or Call, sends the request, and the response is "
         "shown below.\n\n"
         "An expression is a part of Python: 1.5, 2*pi, sin(0.3), [1, 2], 'text' or, for a text, also without quotes. What does "
-        "not fit its field is marked, and the field is sent with its default, as in the real rqt.\n\n"
+        "not fit its field is marked, and the field is sent with its default, as in the real rqt. + and - on the line of a list "
+        "add an element or take the last one away.\n\n"
         "If nobody answers, the window says for how long, and x waits no longer. What the node thinks of the call stands in its "
         "own terminal: turtlesim, for example, answers an empty name if a turtle of that name exists already."
     ),
@@ -957,11 +976,15 @@ TEXTS = {
         "line changes it, 0 publishes only by hand). o publishes one message, d removes the publisher, C all of them.\n\n"
         "Enter on a field, or a click on its value, types an expression, as in Service Caller. It is computed anew for each "
         "message: i counts the messages, so sin(i/10) swings. now() is the time, for a stamp; random() and uniform(0, 1) change "
-        "every time. A text may stand without quotes. What is wrong is marked, and the field has its default until it is mended."
+        "every time. A text may stand without quotes. What is wrong is marked, and the expression before it counts until it is "
+        "mended, as in the real rqt; one that fails only now and then gives that message the default.\n\n"
+        "An array has a line for each element, which takes an expression, too; + and - on the array's own line add an element or "
+        "take the last one away, and an expression there gives all at once, like [0.5, i, 2*i]."
     ),
     "help.type_browser": (
         "The types of messages or services that there are here, like ros2 interface show. p chooses a package, a adds one of its "
-        "types as a tree of fields. Enter, or v, shows the text that defines the type of the line; d removes the tree."
+        "types as a tree of fields. Enter, or v, shows the text that defines the type of the line, which c "
+        "then copies; d removes the tree."
     ),
     "help.action_browser": (
         "Below, the types of actions, as in the real rqt: p chooses a package, a adds one of its types, Enter shows its text.\n\n"
@@ -997,9 +1020,17 @@ TEXTS = {
         "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
         "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."
     ),
+    "help.showimage": (
+        "The newest image of the topic image, fitted into the window, a few times a second, however many come. The line below "
+        "tells size and encoding, and which pixel the mouse is on. `ros2 run image_tools cam2image --ros-args -p "
+        "burger_mode:=true` publishes images without a camera.\n\n"
+        "In real ROS 2 this is a window of OpenCV, as large as the image. Closing it ends the program; there it would come back "
+        "with the next image."
+    ),
     "help.rqt_shell": (
         "A shell for commands that end by themselves and ask nothing, like ros2 topic list: rqt's SimpleShell, which is the only "
         "one that the real rqt still has. What a command prints is shown above the line. ^C stops one that does not end.\n\n"
+        "Up and Down bring back earlier lines, Page Up shows what was printed before. "
         "Every line has a shell of its own, so cd lasts only to the end of the line. For everything else there are terminals: F2."
     ),
     "help.rqt_py_console": (
@@ -1042,7 +1073,7 @@ TEXTS = {
         "the cross of this window all of them.\n\n"
         "What is open, with its settings, is a perspective: rqt begins with the last one. p switches to another, makes a new "
         "one, and reads or writes a file that the real rqt can read, too. Each window is also a command: "
-        "ros2 run rqt_plot rqt_plot."
+        "ros2 run rqt_plot rqt_plot. It gets the keyboard, unless & stands at the end: then you go on typing."
     ),
     "help.rqt_console": (
         "The log messages of all nodes, from the topic /rosout, the newest at the end. The arrow keys or a click choose one: "
@@ -1067,7 +1098,9 @@ TEXTS = {
         "ruler to select a region, turn the wheel to zoom, drag with the middle button or Shift to move what is seen. Playing "
         "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once.\n\n"
         "v shows the message or image of the chosen topic at the playhead; Tab goes to its fields, where g types the command "
-        "that plots one. s exports the selected region to a new bag, r records a new one in place of what is open."
+        "that plots one. w exports the selected region to a new bag, r records a new one in place of what is open.\n\n"
+        "Keys are the real one's, but for Up and Down: they choose a topic here, there they zoom as Page Up and Page Down do. "
+        "A perspective of rqt keeps the open bags, the ticked topics, the region and what is seen."
     ),
     "help.rqt_plot": (
         "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "
@@ -1131,6 +1164,7 @@ TEXTS = {
     "manual.rqt_reconfigure": "Parameter Reconfigure",
     "manual.rqt_logger_level": "Logger Level",
     "manual.rqt_image_view": "Image View",
+    "manual.showimage": "showimage",
     "manual.rqt_shell": "Shell of rqt",
     "manual.rqt_py_console": "Python Console of rqt",
     "manual.rqt_robot_steering": "Robot Steering",

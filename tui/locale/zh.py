@@ -264,6 +264,7 @@ TEXTS = {
     # rqt_graph
     "rqt.hidden": "藏起了 {count} 个：{reasons}",
     "rqt.hides": "{option} 藏起 {names}",
+    "rqt.hides_some": "{option} {count} 个",
     "rqt.separator": "；",
     "rqt.nothing_hidden": "没有藏起任何东西",
     "rqt.empty": "现在没有节点在发布或订阅。",
@@ -524,6 +525,7 @@ TEXTS = {
     "topics.sort": "排序",
     "topics.reverse": "反过来排",
     "topics.filter": "过滤",
+    "topics.view": "看全部",
     "topics.filter_note": "写话题名或类型的一部分；什么都不写就显示全部。",
     "topics.filtered": "共 {count} 个，过滤：{text}",
     "topics.unfilter": "显示全部",
@@ -665,6 +667,7 @@ TEXTS = {
     "rviz.unsaved": "RViz 的画面设置（在它的窗口里按 ^S 保存）",
     "rviz.quality": "画质：{name}",
     "rviz.nothing_to_focus": "现在还没有可以对准的东西",
+    "rviz.view_saved": "视角已存为 {name}：在 Views 下面它的那一行按 Enter 就能回来，^R 改名，^X 删除",
     "rviz.no_controls": "没有交互标记：先添加 InteractiveMarkers 显示项，再运行一个服务器",
     "rviz.tool.bad_topic": "{topic} 不能作话题名，这个工具发不出消息",
     "rviz.type.Axes": "一个坐标系的坐标轴",
@@ -718,7 +721,10 @@ TEXTS = {
     "rviz.seen.no_frames": "没有坐标系：没有人在发布 /tf",
     "rviz.seen.axes": "{frame} 的坐标轴",
     "rviz.seen.unknown": "{name}：没有内容，这里没有这个类",
+    "rviz.seen.left_out": "{name}：这里唯一没有的显示项就是 {type}；点云请用 PointCloud2",
+    "rviz.seen.waiting": "{name}：{count} 条消息在等从 {frame} 到 {fixed} 的坐标变换",
     "rviz.seen.markers": "{name}：{count} 个交互标记",
+    "rviz.seen.nameless": "{name}：{count} 条消息的 header 里没有 frame_id，不知道该画在哪里",
     "rviz.seen.point": "{name}：{count} 个点",
     "rviz.seen.points": "{name}：{count} 个点",
     "rviz.seen.image": "{name}：{size} 像素的图像",
@@ -854,7 +860,9 @@ TEXTS = {
     "shell.history": "以前的命令",
     "shell.stop": "停止",
     "shell.running": "正在运行…",
+    "shell.no_desktop": "这里的 shell 运行的是桌面（day6-tui）里的命令，现在没有桌面：请在你自己的终端里输入命令。",
     # rqt_py_console
+    "py_console.no_desktop": "这个控制台在桌面（day6-tui）里运行 Python，现在没有桌面：请在你自己的终端里输入 python3。",
     "py_console.ended": "Python 已经结束，状态是 {status}。按 Enter 重新开始。",
     "py_console.begin": "新的 Python",
     "py_console.indent": "缩进",
@@ -921,7 +929,7 @@ TEXTS = {
     "console.highlights.this.severity": "突出显示这个级别",
     "console.highlights.this.message": "突出显示这条消息",
     "console.only": "只看突出显示的消息",
-    "console.only.short": "只看突出显示的",
+    "console.only.short": "只看这些",
     "console.text": "文字",
     "console.text.note": "边输入边生效；留空就取消。",
     "console.regexp": "正则表达式",
@@ -935,6 +943,7 @@ TEXTS = {
     "console.stop_ns.note": "例如 14:05:01.250 或 2026-01-31 14:05；留空：不限。",
     "console.wrong_time": "不是时间。例如 14:05:01.250。",
     "console.filters": "过滤器",
+    "console.filters.title": "过滤器",
     "console.files": "保存、打开文件",
     "console.save": "保存到文件",
     "console.load": "打开文件",
@@ -953,6 +962,9 @@ TEXTS = {
     "console.undone": "还原",
     # rqt_plot
     "bag.none": "没有打开的 bag：按 o 打开一个。",
+    "bag.cut": "'{name}' 不完整：能读到的部分都显示在这里。",
+    "bag.cancelled": "已取消：'{name}' 只显示已经读到的部分。",
+    "bag.empty": "'{name}' 里没有消息。",
     "bag.messages": "{count} 条消息",
     "bag.open": "打开",
     "bag.open.title": "打开 bag",
@@ -983,8 +995,8 @@ TEXTS = {
     "bag.record": "录制",
     "bag.record.title": "新 rosbag 的名字",
     "bag.record.topics": "选择要录制的话题",
-    "bag.recording": "录制中：{count} 条消息，{size}",
-    "bag.recording_paused": "录制已暂停：{count} 条消息，{size}",
+    "bag.recording": "录制中：{count} 条消息，{size}；按 r 停止",
+    "bag.recording_paused": "录制已暂停：{count} 条消息，{size}；按空格继续",
     "bag.stop_recording": "停止录制",
     "bag.hold_recording": "暂停、继续",
     "bag.save": "导出选中的一段",
@@ -1031,12 +1043,13 @@ TEXTS = {
     "menu.none": "没有这个名字",
     "menu.keys": "↑ ↓ 选择   Enter 确定   Esc 返回",
     "menu.keys.close": "↑ ↓ 选择   Enter 确定   Del 关闭   Esc 返回",
+    "menu.keys.remove": "↑ ↓ 选择   Enter 确定   Del 删除   Esc 返回",
     "menu.terminal": "终端",
     "menu.window": "窗口",
     # help
     "help.title": "帮助",
     "help.keys": "↑ ↓ 滚动   Tab 下一页   Esc 返回",
-    "log.keys": "↑ ↓ ← → 滚动   c 复制   Esc 返回",
+    "log.keys": "↑ ↓ 滚动   c 复制   Esc 返回",
     "log.copied": "已复制   Esc 返回",
     "list.head": "{name}：",
     "help.everywhere": "到处都能用的按键",
@@ -1073,13 +1086,17 @@ TEXTS = {
         "Tab\t面板或视图；窗口窄时，用视图就会先收起面板\nEnter\t修改数值，展开一项\n空格\t打勾\n/\t查找属性，收起的也能找到\n"
         "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓，或者按 Shift Tab，也能走到按钮）\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
-        "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
-        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\nl\t画质：细节少一些就快一些\nr\t重置\n"
+        "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人，或选中的东西\n4\t斜上方 45°\nz\t回到开始的视角\n"
+        "v\tOrbit、XYOrbit、TopDownOrtho、FPS、ThirdPersonFollower\n"
+        "k\t留下这个视角：Views 下面多一行，能回来\nl\t画质：细节少一些就快一些\nr\t重置\n"
         "^S w ^O\t保存、另存为、打开\ne\t保存图片\n"
         "m i s … u\t工具，字母和真正的 RViz 一样（再按一次或按 Esc 退出）：m Move Camera、i Interact、s Select、"
         "c Focus Camera、n Measure、p 2D Pose Estimate、g 2D Goal Pose、u Publish Point\n\n"
         "定位姿：在位置上按下鼠标，拖向要面对的方向，松开。用键盘：方向键和回车定位置，再用方向键和回车定方向；"
         "加 Shift 步子更小。其他工具：点一下，或者用方向键和回车。\n\n"
+        "交互标记：拖它的控件，右键打开菜单。用键盘：x 在控件之间走，回车抓住或松开，"
+        "方向键和 PageUp、PageDown 移动或转动它，"
+        "空格打开菜单，抓住时在移动和转动之间切换。\n\n"
         "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
     ),
     "help.rqt_graph": (
@@ -1103,7 +1120,8 @@ TEXTS = {
         "所有的话题和它们的类型。按 Enter，或者点一下方框，就开始听这个话题：会显示带宽、频率和最新的一条消息。"
         "听就是订阅，所以订阅者会多一个。\n\n"
         "按右方向键，或者点一下小箭头，把话题展开：可以看到消息的每个字段，还有谁在发布、谁在订阅。左方向键收起。"
-        "s 换一列排序，S 反过来排，点列名也行。/ 按话题名或类型的一部分过滤，Esc 显示全部。"
+        "s 换一列排序，S 反过来排，点列名也行。/ 按话题名或类型的一部分过滤，Esc 显示全部。\n\n"
+        "值太长、一行放不下，就按 v 看全部；还没有消息时，v 显示这个类型的定义。在那里按 c 复制。"
     ),
     "help.rqt_tf_tree": (
         "坐标系的树：每个坐标系都在它的上级下面。“距今”是最新的变换到现在有多久，“频率”是多久来一次，“缓冲”是存了多少秒。"
@@ -1117,7 +1135,7 @@ TEXTS = {
         "手动调用服务，和 ros2 service call 一样。s 选服务；下面的树是请求的各个字段和默认值。按 Enter，或者点一下值，就能修改；"
         "Enter 确定，Tab 接着改下一个字段，Esc 保留原来的，Del 恢复默认值。然后按 c 或者点“调用”发出请求，响应显示在下面。\n\n"
         "表达式是 Python 的一部分：1.5、2*pi、sin(0.3)、[1, 2]、'文字'；文字也可以不加引号。不适合字段的表达式会被标出来，"
-        "这个字段就用默认值发出去，和真的 rqt 一样。\n\n"
+        "这个字段就用默认值发出去，和真的 rqt 一样。在列表的那一行按 + 和 - 增加一项、去掉最后一项。\n\n"
         "没有人回答时，窗口会告诉你等了多久，按 x 不再等。节点怎么看这次调用，要看它自己的终端："
         "比如已经有同名的海龟时，turtlesim 回答一个空的名字。"
     ),
@@ -1127,11 +1145,14 @@ TEXTS = {
         "o 发布一条，d 删除这个发布者，C 全部删除。\n\n"
         "在字段上按 Enter，或者点一下它的值，就能输入表达式，和服务调用器里一样。每条消息都会重新计算："
         "i 是消息的序号，所以 sin(i/10) 会来回摆动。now() 是现在的时间，用在时间戳上；random() 和 uniform(0, 1) 每次都不同。"
-        "文字可以不加引号。有错的会被标出来，改好以前这个字段用默认值。"
+        "文字可以不加引号。有错的会被标出来，改好以前还是用原来的表达式，和真的 rqt 一样；"
+        "只在某条消息里算不出来的，那一条用默认值。\n\n"
+        "数组的每一项各占一行，也可以填表达式；在数组自己的那一行按 + 和 - 增加一项、去掉最后一项，"
+        "也可以一次写完，例如 [0.5, i, 2*i]。"
     ),
     "help.type_browser": (
         "这里有哪些消息类型或服务类型，和 ros2 interface show 一样。按 p 选包，按 a 把它的一个类型加进来，显示成字段的树。"
-        "按 Enter 或 v 看这一行的类型是怎么定义的；d 删除这棵树。"
+        "按 Enter 或 v 看这一行的类型是怎么定义的，再按 c 复制；d 删除这棵树。"
     ),
     "help.action_browser": (
         "下面是动作的类型，和真的 rqt 一样：按 p 选包，按 a 添加它的一个类型，按 Enter 看它的定义。\n\n"
@@ -1163,10 +1184,15 @@ TEXTS = {
         "距离图像（16UC1、32FC1）是灰色的：黑色是 0，白色是最大距离，按 x 修改。按 d 就用图里最小和最大的距离。"
         "按 m 把点击的位置发布到 <话题>_mouse_left。"
     ),
+    "help.showimage": (
+        "话题 image 上最新的图像，放进窗口里；不管来多少，每秒只显示最新的几张。下面一行是大小、编码和鼠标所在的像素。"
+        "`ros2 run image_tools cam2image --ros-args -p burger_mode:=true` 没有摄像头也能发布图像。\n\n"
+        "真的 ROS 2 里这是 OpenCV 的窗口，和图像一样大。关掉窗口，程序就结束；在那里，下一张图像来了窗口会再出现。"
+    ),
     "help.rqt_shell": (
         "一个简单的 shell，给会自己结束、不用输入的命令，例如 ros2 topic list：就是 rqt 的 SimpleShell，"
         "真的 rqt 现在也只剩这一种。命令输出的内容显示在上面。不会结束的命令用 ^C 停止。\n\n"
-        "每一行都有自己的 shell，所以 cd 只在这一行里有效。其他的事用终端做：F2。"
+        "↑ ↓ 找回以前的命令，PageUp 往回看输出。每一行都有自己的 shell，所以 cd 只在这一行里有效。其他的事用终端做：F2。"
     ),
     "help.rqt_py_console": (
         "一行一行地运行 Python，和终端里的 python3 一样。按 Enter 就运行；以冒号结尾的行后面还有代码块，空行表示代码块结束。"
@@ -1204,6 +1230,7 @@ TEXTS = {
         "但它们都属于同一个程序、同一个节点。x 关闭光标所在的窗口，关掉本窗口就关闭全部。\n\n"
         "打开着的窗口连同设置叫一个窗口组合（perspective），rqt 下次启动时恢复最后一个。按 p 可以切换、新建、"
         "读入或写出文件，真正的 rqt 也能读这种文件。每个窗口也是一条命令：ros2 run rqt_plot rqt_plot。"
+        "这样打开的窗口会拿到键盘；末尾写 &，键盘就留在终端里。"
     ),
     "help.rqt_console": (
         "所有节点的日志，来自话题 /rosout，最新的在最后。用方向键或鼠标选一条，表格下面就显示它；按 Enter 或双击看全文。"
@@ -1224,7 +1251,9 @@ TEXTS = {
         "在时间线上点击或拖动来移动播放头，在标尺上拖动来选择一段，滚轮缩放，按中键或 Shift 拖动来移动视野。"
         "播放在选中的一段里循环，没有选择时在全部里循环。打开 bag 只读索引：很大的也马上打开。\n\n"
         "v 在下面显示选中话题在播放头处的消息或图像；Tab 到它的字段，那里按 g 输入画这个字段的命令。"
-        "s 把选中的一段导出成新的 bag，r 录制新的 bag，打开的会关闭。"
+        "w 把选中的一段导出成新的 bag，r 录制新的 bag，打开的会关闭。\n\n"
+        "按键和真正的 rqt_bag 一样，只有上、下键不同：这里用来选择话题，那里和 Page Up、Page Down 一样是缩放。"
+        "rqt 的窗口组合会记住打开的 bag、勾选的话题、选中的一段和视野。"
     ),
     "help.rqt_plot": (
         "把消息里的数字画成随时间变化的曲线。一条曲线就是一个话题的一个字段，图例里是它的最新值。纵轴会自动适应看得见的"
@@ -1287,6 +1316,7 @@ TEXTS = {
     "manual.rqt_reconfigure": "参数调节",
     "manual.rqt_logger_level": "日志级别",
     "manual.rqt_image_view": "图像",
+    "manual.showimage": "showimage",
     "manual.rqt_shell": "rqt 的 Shell",
     "manual.rqt_py_console": "rqt 的 Python 控制台",
     "manual.rqt_robot_steering": "机器人转向",

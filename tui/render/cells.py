@@ -24,6 +24,9 @@ _DOTS = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])
 
 PLAIN = -1
 
+READABLE = 70
+"""Of 255: how much a text's brightness differs from that of its ground."""
+
 DOTS_LIFT = 1.7
 """How much brighter dots are made than what they show: they cover about so much less of a cell."""
 
@@ -34,6 +37,10 @@ def pixel_aspect(mode: str) -> float:
     return down / across / 2
 
 
+Label = tuple[int, str, int, int]
+"""A text: column, text, its colour and that of the ground."""
+
+
 @dataclass(eq=False)
 class Cells:
     """Characters, each with two colours (0xRRGGBB, -1 for the terminal's own): rows x columns of each."""
@@ -41,8 +48,8 @@ class Cells:
     chars: Array
     front: Array
     back: Array
-    labels: dict[int, list[tuple[int, str, int]]]
-    """By row: column, text, colour."""
+    labels: dict[int, list[Label]]
+    """By row."""
 
     @property
     def size(self) -> tuple[int, int]:
@@ -63,13 +70,12 @@ class Cells:
 
     def _with_labels(self, row: int, segments: list[Segment]) -> list[Segment]:
         columns = self.chars.shape[1]
-        for column, text, colour in self.labels[row]:
+        for column, text, colour, ground in self.labels[row]:
             width = cell_len(text)
             if not 0 <= column <= columns - width:
                 continue
             left, right = _cut(segments, column), _cut_after(segments, column + width)
-            back = int(self.back[row][column])
-            segments = [*left, Segment(text, _style(colour, back)), *right]
+            segments = [*left, Segment(text, _style(colour, ground)), *right]
         return segments
 
     def changes(self, before: Cells | None) -> list[Span]:
@@ -79,8 +85,10 @@ class Cells:
             return [(row, 0, columns) for row in range(rows)]
         different = (self.chars != before.chars) | (self.front != before.front) | (self.back != before.back)
         for row in self.labels.keys() | before.labels.keys():
-            for column, text, _ in {*self.labels.get(row, ())} ^ {*before.labels.get(row, ())}:
-                different[row, column : column + cell_len(text)] = True
+            now, then = {*self.labels.get(row, ())}, {*before.labels.get(row, ())}
+            for same in (True, False):  # what is under a text that stays is not seen
+                for column, text, _, _ in now & then if same else now ^ then:
+                    different[row, column : column + cell_len(text)] = not same
         spans: list[Span] = []
         for row in np.flatnonzero(different.any(axis=1)).tolist():
             for column in np.flatnonzero(different[row]).tolist():
@@ -126,14 +134,29 @@ def cells_of(
         chars, front, back = _plain(picture, mode, columns, rows)
     else:
         chars, front, back = _MODES[mode](picture, picture.rgb(step).astype(np.int64), columns, rows)
-    labels: dict[int, list[tuple[int, str, int]]] = {}
+    labels: dict[int, list[Label]] = {}
     texts = [(x / across, y / down, text) for x, y, text, _ in picture.labels]
     places = places or LabelPlaces(unicode=mode != "ascii")
     for pieces, (_, _, _, (red, green, blue)) in zip(places.place(texts, columns, rows), picture.labels, strict=True):
         colour = PLAIN if colourless else red << 16 | green << 8 | blue
         for column, row, text in pieces:
-            labels.setdefault(row, []).append((column, text, colour))
+            under = back[row, column : column + cell_len(text)]
+            labels.setdefault(row, []).append((column, text, colour, _ground(under, colour, picture.background)))
     return Cells(chars, front, back, labels)
+
+
+def _ground(under: Array, colour: int, background: tuple[int, int, int]) -> int:
+    """What most cells under a text have, or the background of the view where the text could not be read on that."""
+    values = under.tolist()
+    ground: int = max(set(values), key=values.count)
+    if ground == PLAIN or abs(_brightness(ground) - _brightness(colour)) >= READABLE:
+        return ground
+    red, green, blue = background
+    return red << 16 | green << 8 | blue
+
+
+def _brightness(colour: int) -> float:
+    return 0.3 * (colour >> 16) + 0.59 * (colour >> 8 & 0xFF) + 0.11 * (colour & 0xFF)
 
 
 Parts = tuple[Array, Array, Array]

@@ -65,12 +65,13 @@ class LabelPlaces:
 
         The earlier text has the better place. A text is centred, or as near to that as the edges allow. Of all rows close by the
         nearest in which it touches no other is taken; if there is none, it stands to the right of its point, or to the left.
+        The lines of a text stay together.
         """
         if self._size != (columns, rows):
             self._size, self._kept = (columns, rows), {}
         taken = _Taken(columns, rows)
         kept: dict[tuple[str, int], _Label] = {}
-        found: list[tuple[_Label, Piece] | None] = []
+        found: list[tuple[_Label, list[Piece]] | None] = []
         numbers: Counter[str] = Counter()
         for x, y, words in texts:
             key = words, numbers[words]
@@ -81,38 +82,55 @@ class LabelPlaces:
                 kept[key] = placed[0]
                 taken.add(placed[1])
         self._kept = kept
-        return [[] if each is None else [each[1], *self._strokes(each[0], taken)] for each in found]
+        return [[] if each is None else [*each[1], *self._strokes(each[0], taken)] for each in found]
 
     def _placed(
         self, x: float, y: float, words: str, before: _Label | None, taken: _Taken
-    ) -> tuple[_Label, Piece] | None:
+    ) -> tuple[_Label, list[Piece]] | None:
+        if words.count("\n") >= taken.rows:
+            return None
         column, row = (_steady(x, before.x), _steady(y, before.y)) if before is not None else (int(x), int(y))
         spots = SPOTS
         if before is not None and before.spot != HOME:
-            home = self._piece(_Label(column, row, words, HOME), taken)
-            if not taken.is_free(home, margin=1):
+            home = self._lines(_Label(column, row, words, HOME), taken)
+            if not taken.are_free(home, margin=1):
                 spots = (before.spot, *sorted(SPOTS, key=lambda spot: _apart(spot, before.spot)))
         for spot in spots:
             label = _Label(column, row, words, spot)
-            piece = self._piece(label, taken)
-            if taken.is_free(piece):
-                return label, piece
+            lines = self._lines(label, taken)
+            if taken.are_free(lines):
+                return label, lines
         return None
 
-    def _piece(self, label: _Label, taken: _Taken) -> Piece:
-        """The text, and what of its leader is in its row."""
+    def _lines(self, label: _Label, taken: _Taken) -> list[Piece]:
+        """The lines of a text, and what of its leader is beside the one nearest to the point."""
         x, y, words, (side, down) = label
+        lines = words.split("\n")
+        top = y + down - (len(lines) - 1 if down < 0 else 0)
+        hook = self._hook(side, down)
+        pieces = []
+        for row, text in enumerate(lines, top):
+            width = cell_len(text)
+            beside = row == y + down
+            if side == CENTRED:
+                piece = Piece(max(0, min(x - width // 2, taken.columns - width)), row, text)
+            elif side == RIGHT:
+                piece = Piece(x + 2 - (len(hook) if beside else 0), row, hook + text if beside else text)
+            else:
+                piece = Piece(x - 1 - width, row, text + hook if beside else text)
+            if text:
+                pieces.append(piece)
+        return pieces
+
+    def _hook(self, side: int, down: int) -> str:
+        """The last part of a leader to the right or to the left."""
         if side == CENTRED:
-            width = cell_len(words)
-            return Piece(max(0, min(x - width // 2, taken.columns - width)), y + down, words)
-        hook = self._signs["aside"]
-        if down:
-            corner = self._signs[side, 1 if down > 0 else -1]
-            hook = corner + hook if side == RIGHT else hook + corner
-        if side == RIGHT:
-            return Piece(x if down else x + 1, y + down, hook + words)
-        text = words + hook
-        return Piece((x + 1 if down else x) - cell_len(text), y + down, text)
+            return ""
+        aside = self._signs["aside"]
+        if not down:
+            return aside
+        corner = self._signs[side, 1 if down > 0 else -1]
+        return corner + aside if side == RIGHT else aside + corner
 
     def _strokes(self, label: _Label, taken: _Taken) -> Iterator[Piece]:
         """The upright part of the leader, where nothing stands."""
@@ -130,8 +148,13 @@ class _Taken:
         self.columns, self.rows = columns, rows
         self._spans: dict[int, list[tuple[int, int]]] = {}
 
-    def add(self, piece: Piece) -> None:
-        self._spans.setdefault(piece.row, []).append((piece.column, piece.column + cell_len(piece.text)))
+    def add(self, pieces: Sequence[Piece]) -> None:
+        for piece in pieces:
+            self._spans.setdefault(piece.row, []).append((piece.column, piece.column + cell_len(piece.text)))
+
+    def are_free(self, pieces: Sequence[Piece], margin: int = 0) -> bool:
+        """Whether there are pieces, and each is free."""
+        return bool(pieces) and all(self.is_free(piece, margin) for piece in pieces)
 
     def is_free(self, piece: Piece, margin: int = 0) -> bool:
         """Whether it is inside and touches nothing, nor anything in `margin` rows above and below it."""

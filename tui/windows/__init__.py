@@ -33,6 +33,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "type_browser": ("type_browser", "TypeBrowserPane"),
     "action_browser": ("action_browser", "ActionBrowserPane"),
     "rqt_image_view": ("rqt_image_view", "ImageViewPane"),
+    "showimage": ("showimage", "ShowImagePane"),
     "rqt_logger_level": ("rqt_logger_level", "LoggerLevelPane"),
     "rqt_reconfigure": ("rqt_reconfigure", "ReconfigurePane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),

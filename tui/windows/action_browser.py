@@ -66,8 +66,6 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
         lines = [FieldLine(key, (action.name, action.type, ends), is_branch=True)]
         if not action.watched:
             return lines
-        for part, nodes in (("server", action.servers), ("client", action.clients)):
-            lines += [FieldLine(f"{key} {part}{node}", (texts(f"actions.{part}"), "", node), 1) for node in nodes]
         goal_type = f"{action.type}.Goal"
         lines.append(
             FieldLine(f"{key}{REQUEST}", (texts("actions.goal"), goal_type, ""), 1, is_branch=bool(action.request))
@@ -79,6 +77,8 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
             lines.append(FieldLine("", (text,), 1, problem=text if warns else ""))
         for goal in action.goals:
             lines += self._goal(action, goal, f"{key}{GOAL}{goal.id}")
+        for part, nodes in (("server", action.servers), ("client", action.clients)):
+            lines += [FieldLine(f"{key} {part}{node}", (texts(f"actions.{part}"), "", node), 1) for node in nodes]
         return lines
 
     def _goal(self, action: Action, goal: Goal, key: str) -> list[FieldLine]:
@@ -128,7 +128,7 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
             return super().usual_hints()
         if not action.watched:
             return [("Enter", texts("actions.watch")), *super().usual_hints()]
-        return [("g", texts("actions.send")), ("x", texts("actions.cancel")), ("Enter", texts("fields.edit"))]
+        return [*self.line_hints(), ("g", texts("actions.send")), ("x", texts("actions.cancel"))]
 
     def used(self, event: events.Key) -> bool:
         if event.character == "g":

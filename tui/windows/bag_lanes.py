@@ -27,10 +27,9 @@ if TYPE_CHECKING:
 HEAD = 2
 """Lines above the topics: labels and the ruler, in which a region is selected."""
 
-WIDE = 100
-"""From this width on there are columns for count, rate and type."""
+ABOUT_WIDTHS = {160: 60, 100: 40, 0: 0}
+"""Cells of the columns for count, rate and type, by the least width of the window; the first ones have room for packages."""
 
-ABOUT_WIDTH = 34
 LABEL_ROOM = 7
 """Cells from one label of the time axis to the next, at least."""
 
@@ -50,7 +49,17 @@ class Place(NamedTuple):
     columns: int
     about: int
     rows: int
+    told: int
     panel: int
+
+    @property
+    def bottom(self) -> int:
+        """The first line below the topics."""
+        return HEAD + self.rows
+
+    @property
+    def panel_top(self) -> int:
+        return self.bottom + self.told
 
     @property
     def left(self) -> int:
@@ -109,16 +118,17 @@ class BagLanes:
 
     # -- places --------------------------------------------------------------------------------------------------------
 
-    def place(self, width: int, height: int, *, least_panel: int) -> Place:
-        """Where things are in a window; `least_panel` lines are below the topics, 0 for none, and more where there is room."""
+    def place(self, width: int, height: int, *, told: int, least_panel: int) -> Place:
+        """Where things are in a window: below the topics so many lines are told, and there is a panel (0 lines: none) with more
+        lines where there is room."""
         names = min(self._names()[1] + TICK, max(14, width * 2 // 5))
-        about = ABOUT_WIDTH if width >= WIDE else 0
-        rows = max(1, height - HEAD - 1)
+        about = next(about for least, about in ABOUT_WIDTHS.items() if width >= least)
+        rows = max(1, height - HEAD - told)
         panel = 0
         if least_panel:
             needed = sum(map(self._height, range(len(self.topics))))
             panel = rows - max(1, min(needed, rows - max(least_panel, height // 2)))
-        return Place(names, max(1, width - names - 1 - about), about, rows - panel, panel)
+        return Place(names, max(1, width - names - 1 - about), about, rows - panel, told, panel)
 
     def _height(self, index: int) -> int:
         """Lines of a topic."""
@@ -208,7 +218,9 @@ class BagLanes:
             *runs(cells),
         ]
         if place.about:
-            about = f" {model.timeline.count(topic):>9} {self.rate(topic):>10}  {short(model.topics[topic])}"
+            kind = short(model.topics[topic])
+            kind = kind if place.about == max(ABOUT_WIDTHS.values()) else kind.rpartition("/")[2]
+            about = f" {model.timeline.count(topic):>9} {self.rate(topic):>10}  {kind}"
             segments.append(Segment(fit(about, place.about, glyphs.ellipsis), colours.muted))
         return segments
 

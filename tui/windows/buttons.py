@@ -14,6 +14,10 @@ TIGHT = 3
 """Cells by which a button is narrower where there is little room."""
 
 
+LEAST_TEXT = 10
+"""Cells that a text keeps when others need room."""
+
+
 class Button(NamedTuple):
     """What can be clicked, and the key that does the same."""
 
@@ -22,10 +26,13 @@ class Button(NamedTuple):
     action: Action
     on: bool | None = None
     """Whether its check box is ticked; None for one without a box."""
+    mark: str = ""
+    """What stands behind the text, however much of that is cut off: that there is a list."""
 
     @property
     def words(self) -> str:
-        return self.text if self.on is None else f"[{'x' if self.on else ' '}] {self.text}"
+        box = "" if self.on is None else f"[{'x' if self.on else ' '}] "
+        return f"{box}{self.text}{self.mark}"
 
 
 def button_line(pane: Pane, y: int, pieces: Sequence[Segment | Button], width: int) -> list[Segment]:
@@ -57,9 +64,14 @@ def cell_width(piece: Segment | Button) -> int:
     return len(piece.key) + cell_len(piece.words) + 5 if isinstance(piece, Button) else piece.cell_length
 
 
-def beyond_of(buttons: Sequence[Button], width: int) -> int:
-    """How many cells too many buttons have, however narrowly they are drawn; at most 0 if there is room."""
-    return sum(cell_width(button) - TIGHT for button in buttons) + 1 - width
+def shortened(buttons: Sequence[Button], width: int, ellipsis: str) -> list[Button]:
+    """The buttons for a line of `width` cells; of the first one's text only as much as the others leave room for."""
+    first, *others = buttons
+    beyond = 1 + sum(cell_width(button) - TIGHT for button in buttons) - width
+    if beyond > 0:
+        text = clip(first.text, max(LEAST_TEXT, cell_len(first.text) - beyond), ellipsis)
+        first = first._replace(text=text)
+    return [first, *others]
 
 
 def in_lines(buttons: Iterable[Button], width: int) -> list[list[Button]]:

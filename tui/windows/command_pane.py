@@ -24,6 +24,8 @@ Commands = TypeVar("Commands", bound=CommandLines)
 class CommandPane(WindowPane[Commands]):
     """Draws the newest lines; keeps what is typed, and how far it was scrolled back."""
 
+    takes_text = True
+
     def __init__(self, window: Window[Commands], look: Look) -> None:
         super().__init__(window, look)
         self._line = EditLine()
@@ -37,7 +39,7 @@ class CommandPane(WindowPane[Commands]):
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def pull(self, now: float) -> bool:
-        state = (self.model.version, self._line.text, self._line.at, self._back, self.extent)
+        state = (self.model.version, self._line.text, self._line.at, self._back, self.extent, self.look.texts.language)
         if state != self._state:
             self._state = state
             self._wrapped = self._newest(max(1, self.inner_width), max(0, self.inner_height - 1))
@@ -49,7 +51,8 @@ class CommandPane(WindowPane[Commands]):
         """The lines in sight, broken at the width: of thousands only as many are broken."""
         found: list[tuple[Kind, str]] = []
         for kind, line in reversed(self.model.lines):
-            found[:0] = [(kind, part) for part in wrap(line, width)]
+            text = self.look.texts(line) if kind is Kind.REMARK else line
+            found[:0] = [(kind, part) for part in wrap(text, width)]
             if len(found) >= room + self._back:
                 break
         self._back = max(0, min(self._back, len(found) - room))
@@ -59,8 +62,8 @@ class CommandPane(WindowPane[Commands]):
         colours, shown = self.look.colours, self._wrapped
         if y < len(shown):
             kind, text = shown[y]
-            styles = {Kind.COMMAND: colours.strong, Kind.OUTPUT: colours.text, Kind.ERROR: colours.warning}
-            return [Segment(text, styles[kind])]
+            styles = {Kind.COMMAND: colours.strong, Kind.OUTPUT: colours.text}
+            return [Segment(text, styles.get(kind, colours.warning))]
         if y > len(shown):
             return ()
         return self._entry(width)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs.rqt_console.filters import KINDS, MANY, SIDES, Filter
 from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES, Console, Record
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.prompt import Prompt
 from day6_tui.tui.windows.console_table import time_of_day, whole_time
@@ -49,7 +50,7 @@ class FilterMenus:
         if record is not None:
             for side in SIDES:
                 entries += self._of_record(side, record)
-        self._lay_over(Menu(self._look, "console.filters", entries, chosen=chosen))
+        self._lay_over(Menu(self._look, "console.filters.title", entries, chosen=chosen, keys="menu.keys.remove"))
 
     def _of_record(self, side: str, record: Record) -> Iterator[Entry]:
         """What a right click offers in rqt_console."""
@@ -59,7 +60,7 @@ class FilterMenus:
             ("severity", record.severity, {"levels": frozenset((record.level,))}),
             ("message", " ".join(record.text[:LONGEST].split()), {"text": record.text[:LONGEST]}),
         ):
-            yield Entry(texts(f"console.{side}.this.{kind}"), note, partial(self._mean, side, kind, changes))
+            yield Entry(texts(f"console.{side}.this.{kind}"), one_line(note), partial(self._mean, side, kind, changes))
 
     def _mean(self, side: str, kind: str, changes: dict[str, Any]) -> None:
         """Let a filter mean a message, too: of texts each has one of its own."""
@@ -127,7 +128,7 @@ class FilterMenus:
                 lines.append((texts(f"console.{part}"), note, partial(self._ask_time, side, each, part, record)))
         switch(texts("console.enabled"), each.enabled, enabled=not each.enabled)
         lines.append((texts("console.remove"), "", partial(self._change, side, each, None)))
-        entries = [Entry(*line) for line in lines]
+        entries = [Entry(one_line(name), one_line(note), choose) for name, note, choose in lines]
         self._lay_over(Menu(self._look, f"console.{side}.kind.{each.kind}", entries, chosen=chosen))
 
     def _type(self, side: str, each: Filter) -> None:
@@ -168,7 +169,7 @@ def brief(each: Filter) -> str:
     parts = [f"{quote}{' '.join(each.text.split())}{quote}"] if each.text else []
     parts += [", ".join(SEVERITIES.get(level, str(level)) for level in sorted(each.levels))] if each.levels else []
     parts += [", ".join(sorted(each.nodes))] if each.nodes else []
-    return " + ".join(parts)
+    return one_line(" + ".join(parts))
 
 
 def nanoseconds_of(text: str, near_ns: int) -> int | None:

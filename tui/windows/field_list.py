@@ -19,7 +19,7 @@ from textual.widgets.option_list import Option
 
 from day6_tui.core.elide import elide
 from day6_tui.core.session.harmless import one_line
-from day6_tui.tui.cells import cell_len, clip, fit, wrap
+from day6_tui.tui.cells import cell_len, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import in_ascii
 from day6_tui.tui.survival import PersonMessage
@@ -27,6 +27,9 @@ from day6_tui.tui.windows.pane_list import PaneList
 
 INDENT = 2
 """Cells by which a field lies further right than its message."""
+
+LEAST_NAME = 6
+"""Cells that a name keeps, however deep it lies."""
 
 OPENER, BOX = 2, 4
 """Cells of the mark of what can be opened, and of a check box behind it."""
@@ -125,6 +128,7 @@ class FieldList(PaneList):
             self.highlighted = fields[0]
         elif usable:
             self.highlighted = min(usable, key=lambda index: abs(index - (at or 0)))
+        self.call_after_refresh(self._show_complaint)
 
     def _open_lines(self, lines: Sequence[FieldLine]) -> list[FieldLine]:
         shown: list[FieldLine] = []
@@ -175,7 +179,7 @@ class FieldList(PaneList):
             end = at + len(list(takewhile(lambda line: line.depth > depth, self.lines_shown[at + 1 :])))
             top = min(at, end + 1 - self.size.height)
             if top > self.scroll_offset.y:
-                self.scroll_to(y=top, animate=False)
+                self.scroll_to(y=top, animate=False, immediate=True)
 
     def choose(self, key: str) -> None:
         """Put the cursor on a line, if it is shown."""
@@ -216,7 +220,18 @@ class FieldList(PaneList):
 
     def watch_highlighted(self, highlighted: int | None) -> None:
         super().watch_highlighted(highlighted)
+        self.call_after_refresh(self._show_complaint)
         self.post_message(self.Moved())
+
+    def _show_complaint(self) -> None:
+        """Bring what is said below the chosen line into sight, too."""
+        line, at = self.chosen, self.highlighted
+        if line is None or at is None or line.edited is None or not line.problem:
+            return
+        below = list(takewhile(lambda each: len(each.cells) == 1, self.lines_shown[at + 1 :]))
+        first = min(at, at + len(below) - self.size.height + 1)
+        if first > self.scroll_offset.y:
+            self.scroll_to(y=first, animate=False)
 
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
         event.stop()
@@ -233,7 +248,7 @@ class FieldList(PaneList):
         if index is None or index >= len(self.lines_shown) or not (line := self.lines_shown[index]).key:
             return
         self.highlighted = index
-        x = event.x - line.depth * INDENT
+        x = event.x - self._indent(line)
         if line.is_branch and 0 <= x < OPENER:
             part = "opener"
         elif line.ticked is not None and OPENER <= x < OPENER + BOX:
@@ -270,7 +285,7 @@ class FieldList(PaneList):
                 segments.append(Segment(" ", on or colours.text))
             style = colours.muted if line.is_head else colours.accent if column == 1 else colours.text
             if column == 0:
-                lead = clip(" " * (line.depth * INDENT) + self._lead(line), width // 2, "")
+                lead = " " * self._indent(line) + self._lead(line)
                 segments.append(Segment(lead, on or (colours.publisher if line.ticked else colours.muted)))
                 width -= cell_len(lead)
                 cell = elide(one_line(cell), max(1, width), dots) if "/" in cell else cell
@@ -280,8 +295,15 @@ class FieldList(PaneList):
                 style = colours.warning
             elif column == 1 and cell_len(cell) > width:
                 cell = without_package(cell)
+            elif cell.startswith("/"):
+                cell = elide(one_line(cell), max(1, width), dots)
             segments.append(Segment(fit(cell, width, dots), on or style))
         return segments
+
+    def _indent(self, line: FieldLine) -> int:
+        """By how many cells a line lies to the right: by less where its name would have no room."""
+        mark = cell_len(self._lead(line))
+        return max(0, min(line.depth * INDENT, self.widths[0] - mark - min(cell_len(line.cells[0]), LEAST_NAME)))
 
     def _lead(self, line: FieldLine) -> str:
         if line.is_head:
@@ -295,15 +317,14 @@ class FieldList(PaneList):
 
 
 def needs_of(lines: Sequence[FieldLine]) -> Needs:
-    """What the columns of these lines need; the names of services and messages above their fields may be cut."""
+    """What the columns of these lines need; of the names of topics, services and actions their last parts have to stay."""
     columns = [line for line in lines if len(line.cells) > 1]
     names = (
         line.depth * INDENT
         + (1 if line.is_head else OPENER)
         + (BOX if line.ticked is not None else 0)
-        + cell_len(line.cells[0])
+        + min(cell_len(line.cells[0]), cell_len(line.cells[0].rpartition("/")[2]) + 2)
         for line in columns
-        if line.is_head or line.depth or line.ticked is not None
     )
     return Needs(max(names, default=0), max((cell_len(without_package(line.cells[1])) for line in columns), default=0))
 

@@ -75,6 +75,17 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     def resize(self, line: FieldLine, step: int) -> None:
         """Give a sequence one element more (1) or less (-1)."""
 
+    def line_hints(self) -> list[tuple[str, str]]:
+        """The keys for the chosen line."""
+        texts, line = self.look.texts, self.list.chosen
+        if line is None or (line.edited is None and not line.is_branch):
+            return []
+        if line.edited is None:
+            return [("Enter", texts("topics.open"))]
+        if line.cells[1] == BOOLEAN:
+            return [("Space", texts("reconfigure.switch"))]
+        return [("Enter", texts("fields.edit"))]
+
     def tick(self, line: FieldLine) -> None:
         """The check box of a line was clicked."""
 
@@ -110,8 +121,6 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
 
     def status(self) -> list[Piece]:
         chosen, colours = self.list.chosen, self.look.colours
-        if chosen is not None and chosen.problem:
-            return [Piece(f" {self.look.glyphs.warning} {' '.join(chosen.problem.split())} ", colours.warning)]
         if chosen is not None and self.list.hides_type(chosen):
             name = self.look.texts("list.head", name=chosen.cells[0].rpartition("/")[2] or chosen.cells[0])
             return [Piece(f" {name}{chosen.cells[1]} ", colours.muted)]

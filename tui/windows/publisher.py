@@ -29,7 +29,7 @@ def columns_in(width: int, needs: Needs) -> tuple[int, int, int, int]:
     if width < NARROW:
         name, kind = narrow_columns(width, needs)
         return name, kind, 0, max(1, width - name - kind - (2 if kind else 1))
-    name, kind = max(16, width * 3 // 10), max(9, width // 5)
+    name, kind = max(16, width * 3 // 10), max(9, width // 5, min(needs.type, width // 4))
     return name, kind, 7, max(1, width - name - kind - 10)
 
 
@@ -129,7 +129,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
     def status(self) -> list[Piece]:
         publisher, colours = self._chosen(), self.look.colours
         pieces = super().status()
-        if publisher is None or (self.list.chosen is not None and self.list.chosen.problem):
+        if publisher is None:
             return pieces
         topic = clip(publisher.topic, max(8, self.inner_width // 2), self.look.glyphs.ellipsis)
         head = f"{topic}  " if not pieces else ""
@@ -141,7 +141,10 @@ class PublisherPane(FieldPane["MessagePublisher"]):
         texts = self.look.texts
         if not self._publishers:
             return [("a", texts("publisher.add"))]
-        return [("Space", texts("publisher.tick")), ("a", texts("publisher.add")), ("Enter", texts("fields.edit"))]
+        line = self.list.chosen
+        if line is not None and line.ticked is not None:
+            return [("Space", texts("publisher.tick")), ("Enter", texts("publisher.columns.rate"))]
+        return [*self.line_hints(), ("o", texts("publisher.once")), ("a", texts("publisher.add"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts

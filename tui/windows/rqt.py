@@ -22,19 +22,17 @@ from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows.pane_list import ListPane, PaneList, Row
 
-WITH_GROUPS = 64
-"""Cells of a line from which on there is room for the groups' names."""
-
 
 class PluginRow(Row):
-    """One line, cut at the right: the group of the plugin, its title, what it is for."""
+    """One line, cut at the right: the group of the plugin, its title, what it is for; from `least` cells on with the group."""
 
-    def __init__(self, entries: PaneList, index: int, group: str, text: str, style: Style) -> None:
+    def __init__(self, entries: PaneList, index: int, group: str, text: str, style: Style, least: int) -> None:
         super().__init__(entries, index, text, "", style)
         self._group = group
+        self._least = least
 
     def _lines(self, width: int) -> list[tuple[str, Style]]:
-        return [(f" {self._group if width >= WITH_GROUPS else ''}{self._text}", self._style)]
+        return [(f" {self._group if width >= self._least else ''}{self._text}", self._style)]
 
 
 class PluginList(PaneList):
@@ -51,15 +49,17 @@ class PluginList(PaneList):
         chosen, model, texts, colours = self.chosen, self._model, self.look.texts, self.look.colours
         titles = max(cell_len(entry.title) for entry in model.plugins) + 2
         groups = max(cell_len(entry.group) for entry in model.plugins) + 2
+        abouts = {entry: texts(f"rqt.about.{entry.package}") for entry in model.plugins}
+        least = 1 + groups + titles + max(map(cell_len, abouts.values()))
         rows: list[PluginRow] = []
         self._subjects, before = [], ""
 
         def add(subject: Entry | Open, group: str, text: str, style: Style) -> None:
-            rows.append(PluginRow(self, len(rows), f"{group:<{groups}}", text, style))
+            rows.append(PluginRow(self, len(rows), f"{group:<{groups}}", text, style, least))
             self._subjects.append(subject)
 
         for entry in model.plugins:
-            text = f"{entry.title:<{titles}}{texts(f'rqt.about.{entry.package}')}"
+            text = f"{entry.title:<{titles}}{abouts[entry]}"
             add(entry, entry.group if entry.group != before else "", text, colours.text)
             before = entry.group
             for opened in model.open:
@@ -98,7 +98,7 @@ class RqtPane(ListPane[Rqt, PluginList]):
         self._shown: tuple[object, ...] = ()
 
     def pull(self, now: float) -> bool:
-        state = (self.look.texts.language, self.model.version)
+        state = (self.look.texts.language, self.model.version, self.extent)
         if self._shown != state and self.list.is_attached:
             self._shown = state
             self.list.show()
@@ -113,12 +113,25 @@ class RqtPane(ListPane[Rqt, PluginList]):
         colours, texts = self.look.colours, self.look.texts
         if self.model.trouble:
             return [Piece(f" {self.model.trouble} ", colours.warning)]
-        name = texts("rqt.perspective", name=self.model.perspective)
-        return [Piece(f" {name} ", colours.muted, self.choose_perspective)]
+        chosen = self.list.chosen
+        if not isinstance(chosen, Entry):
+            return []
+        return [Piece(f" {texts(f'rqt.about.{chosen.package}')} ", colours.text)]  # its line may be too short for it
+
+    def status_right(self) -> list[Piece]:
+        name = self.look.texts("rqt.perspective", name=self.model.perspective)
+        return [Piece(f" {name} ", self.look.colours.muted, self.choose_perspective)]
+
+    @on(OptionList.OptionHighlighted)
+    def tell_chosen(self, event: OptionList.OptionHighlighted) -> None:
+        """The cursor is on another entry."""
+        event.stop()
+        self.touch_status()
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        return [("Enter", texts("rqt.open")), ("x", texts("rqt.close")), ("p", texts("rqt.perspectives"))]
+        close = [("x", texts("rqt.close"))] if isinstance(self.list.chosen, Open) else []
+        return [("Enter", texts("rqt.open")), *close, ("p", texts("rqt.perspectives"))]
 
     def on_key(self, event: events.Key) -> None:
         """p: perspectives."""
@@ -145,7 +158,8 @@ class RqtPane(ListPane[Rqt, PluginList]):
             MenuEntry(texts("rqt.import"), ".perspective", partial(self._ask_file, "rqt.import", model.load)),
             MenuEntry(texts("rqt.export"), ".perspective", partial(self._ask_file, "rqt.export", model.export)),
         ]
-        self.lay_over(Menu(self.look, "rqt.perspectives", entries))
+        at = model.perspectives.index(model.perspective) if model.perspective in model.perspectives else 0
+        self.lay_over(Menu(self.look, "rqt.perspectives", entries, chosen=at, keys="menu.keys.remove"))
 
     def _ask_name(self) -> None:
         def taken(name: str) -> str | None:

@@ -25,8 +25,7 @@ from day6_tui.core.ros.programs.rqt_bag.model.view import (
     whole,
 )
 from day6_tui.core.session.display import Window
-from day6_tui.core.session.harmless import one_line
-from day6_tui.tui.cells import clip
+from day6_tui.tui.cells import clip, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
@@ -39,6 +38,13 @@ from day6_tui.tui.windows.bag_topics import TopicChoice
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
+
+
+NOTES = {"cut": "bag.cut", "cancelled": "bag.cancelled", "empty": "bag.empty"}
+"""The texts of what the model notes."""
+
+MOST_TOLD = 3
+"""Lines of what went wrong."""
 
 
 class RqtBagPane(WindowPane["Bags"]):
@@ -75,9 +81,8 @@ class RqtBagPane(WindowPane["Bags"]):
         return self.lanes.chosen
 
     def _place(self) -> Place:
-        return self.lanes.place(
-            self.inner_width, self.inner_height, least_panel=LEAST_LINES if self.panel.is_open else 0
-        )
+        panel = LEAST_LINES if self.panel.is_open else 0
+        return self.lanes.place(self.inner_width, self.inner_height, told=len(self._told()[0]), least_panel=panel)
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -149,22 +154,21 @@ class RqtBagPane(WindowPane["Bags"]):
             return self.lanes.labels(view, place)
         if y == 1:
             return self.lanes.ruler(view, place)
-        if y < HEAD + place.rows:
+        if y < place.bottom:
             rows = self.lanes.rows(place)
             if y - HEAD >= len(rows):
                 return ()
             return self.lanes.line(*rows[y - HEAD], view, place, focused=self.has_focus)
-        if y == HEAD + place.rows:
-            return self._about_line(width)
-        return self.panel.line(y - HEAD - place.rows - 1, width, place.panel, focused=self.has_focus)
+        if y < place.panel_top:
+            return self._told_line(y - place.bottom)
+        return self.panel.line(y - place.panel_top, width, place.panel, focused=self.has_focus)
 
     def _empty_line(self, y: int, width: int) -> list[Segment]:
-        model, colours, texts = self.model, self.look.colours, self.look.texts
-        if y == 1 and self.model.recorder is not None:
-            return [Segment(" " + self._recording_text(), colours.warning)]
-        if y == 1 and model.status:
-            return [Segment(" " + clip(model.status, width - 1), colours.warning if model.failed else colours.muted)]
-        return [Segment(" " + clip(texts("bag.none"), width - 1), colours.muted)] if y == 3 else []
+        told = self._told()[0]
+        if 1 <= y <= len(told):
+            return self._told_line(y - 1)
+        none = "" if self.model.bags else self.look.texts("bag.none")
+        return [Segment(" " + clip(none, width - 1), self.look.colours.muted)] if y == len(told) + 2 else []
 
     def _recording_text(self) -> str:
         recorder = self.model.recorder
@@ -173,20 +177,27 @@ class RqtBagPane(WindowPane["Bags"]):
         key = "bag.recording_paused" if recorder.paused else "bag.recording"
         return self.look.texts(key, count=recorder.messages, size=size_text(recorder.size))
 
-    def _about_line(self, width: int) -> list[Segment]:
-        """What is going on or went wrong, or what the chosen topic is."""
-        model, colours, topic = self.model, self.look.colours, self.chosen
+    def _told(self) -> tuple[list[str], bool]:
+        """What is going on or went wrong, or what the chosen topic is: its lines, and whether it warns."""
+        model, topic = self.model, self.chosen
+        status = model.status
+        status = status if isinstance(status, str) else self.look.texts(NOTES[status.kind], name=status.name)
         exporting = f"{model.exporting_to}  {model.exporting} %" if model.exporting is not None else ""
-        loading = f"{model.status} {model.indexed} %" if model.indexed is not None else ""
-        text = self._recording_text() or exporting or loading or model.status or model.player.problem
+        loading = f"{status} {model.indexed} %" if model.indexed is not None else ""
+        text = self._recording_text() or exporting or loading or status or model.player.problem
         failed = bool(model.recorder) or (not exporting and (model.failed or not model.status))
-        if not text and topic:
-            count = self.look.texts("bag.messages", count=model.timeline.count(topic))
-            text, failed = f"{model.topics[topic]}  {count}  {self.lanes.rate(topic)}", False
-        if not text:
-            return []
-        style = colours.warning if failed else colours.muted
-        return [Segment(" " + clip(one_line(text), width - 1, self.look.glyphs.ellipsis), style)]
+        width = max(1, self.inner_width - 2)
+        if text:
+            return wrap(text, width)[:MOST_TOLD], failed
+        if not topic:
+            return [""], False
+        count = self.look.texts("bag.messages", count=model.timeline.count(topic))
+        about = f"{model.topics[topic]}  {count}  {self.lanes.rate(topic)}"
+        return [clip(about, width, self.look.glyphs.ellipsis)], False
+
+    def _told_line(self, number: int) -> list[Segment]:
+        lines, failed = self._told()
+        return [Segment(f" {lines[number]}", self.look.colours.warning if failed else self.look.colours.muted)]
 
     # -- frame ---------------------------------------------------------------------------------------------------------
 
@@ -228,7 +239,7 @@ class RqtBagPane(WindowPane["Bags"]):
             ("Space", texts("bag.pause" if plays else "bag.play")),
             ("Enter", texts("bag.unpublish" if self.chosen in self.model.player.publishing else "bag.publish")),
             ("+ -", texts("bag.speed")),
-            ("p n", texts("bag.step")),
+            (", .", texts("bag.step")),
             ("v", texts("bag.view")),
             ("m", texts("bag.menu")),
         ]
@@ -249,7 +260,7 @@ class RqtBagPane(WindowPane["Bags"]):
             ("t", texts("bag.thumbnails")),
             ("o", texts("bag.open")),
             ("r", texts("bag.record")),
-            ("s", texts("bag.save")),
+            ("w", texts("bag.save")),
         ]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
@@ -278,8 +289,8 @@ class RqtBagPane(WindowPane["Bags"]):
             "enter": self.toggle_publishing,
             "home": lambda: self._go(lambda: self.model.player.play_region[0]),
             "end": lambda: self._go(lambda: self.model.player.play_region[1]),
-            "up": lambda: self.lanes.choose(self.lanes.index - 1),
-            "down": lambda: self.lanes.choose(self.lanes.index + 1),
+            "up": lambda: self._choose(self.lanes.index - 1),
+            "down": lambda: self._choose(self.lanes.index + 1),
             "left": lambda: self._pan(-PAN),
             "right": lambda: self._pan(PAN),
             "shift+left": lambda: self._scrub(-1),
@@ -292,8 +303,9 @@ class RqtBagPane(WindowPane["Bags"]):
             "+": lambda: self._speed(faster),
             "=": lambda: self._speed(faster),
             "-": lambda: self._speed(slower),
-            "p": lambda: self._step(-1),
-            "n": lambda: self._step(1),
+            "p": self._toggle_play,
+            ",": lambda: self._step(-1),
+            ".": lambda: self._step(1),
             "0": self._fit,
             "[": lambda: self._select_end(left=True),
             "]": lambda: self._select_end(left=False),
@@ -302,7 +314,7 @@ class RqtBagPane(WindowPane["Bags"]):
             "v": self.toggle_view,
             "t": self.toggle_thumbnails,
             "r": self._questions.recording,
-            "s": self._questions.export,
+            "w": self._questions.export,
             "m": self._questions.menu,
         }.get(character)
         if action is None:
@@ -327,6 +339,11 @@ class RqtBagPane(WindowPane["Bags"]):
     def toggle_publishing(self) -> None:
         if self.chosen:
             self.model.toggle_publishing(self.chosen)
+
+    def _choose(self, index: int) -> None:
+        """Choose a topic; what was told gives way to it."""
+        self.lanes.choose(index)
+        self.model.dismiss()
 
     def _pan(self, part: float) -> None:
         if self.view is not None:
@@ -365,16 +382,18 @@ class RqtBagPane(WindowPane["Bags"]):
         recorder = self.model.recorder
         if character == "r":
             self.model.stop_recording()
-        elif key == "space" and recorder is not None:
+        elif key in ("space", "p") and recorder is not None:
             self.model.request(recorder.toggle_paused)
         else:
             return False
         return True
 
     def _escape(self) -> None:
-        """Stop copying or loading, close what is below the timeline, or select nothing: what is there, in this order."""
+        """Stop copying or loading, dismiss what is told, close what is below, or select nothing: what is there, in this order."""
         if self.model.is_busy:
             self.model.cancel()
+        elif self.model.status or self.model.player.problem:
+            self.model.dismiss()
         elif self.panel.is_open:
             self.panel.show("")
         else:
@@ -423,15 +442,15 @@ class RqtBagPane(WindowPane["Bags"]):
             return
         rows = self.lanes.rows(place)
         if HEAD <= line < HEAD + len(rows):
-            self.lanes.choose(rows[line - HEAD][0])
+            self._choose(rows[line - HEAD][0])
             if event.button == 3:
                 self._questions.menu()
                 return
             if column < TICK - place.left:
                 self.toggle_publishing()
-        elif line > HEAD + place.rows:
-            self.panel.click(line - HEAD - place.rows - 1)
-        if 0 <= column < place.columns and line < HEAD + place.rows:
+        elif line >= place.panel_top:
+            self.panel.click(line - place.panel_top)
+        if 0 <= column < place.columns and line < place.bottom:
             self._drag = "pan" if event.button == 2 or event.shift else "scrub" if line >= HEAD else "select"
             self._dragged_from = at
             self.capture_mouse()
@@ -469,10 +488,10 @@ class RqtBagPane(WindowPane["Bags"]):
         """Zoom on the timeline; over the names of topics choose one, over the fields of a message go through them."""
         event.stop()
         place = self._place()
-        if event.y - self.inner_offset > HEAD + place.rows:
+        if event.y - self.inner_offset >= place.panel_top:
             self.panel.wheel(notch)
         elif event.x - self.inner_offset < place.left:
-            self.lanes.choose(self.lanes.index + notch)
+            self._choose(self.lanes.index + notch)
         else:
             self._zoom(WHEEL_OUT if notch > 0 else WHEEL_IN)
         self._redraw()

@@ -79,7 +79,7 @@ class RqtConsolePane(WindowPane[Console]):
 
     def pull(self, now: float) -> bool:
         state = (self.console.version, self.extent, self.look.texts.language)
-        if state != self._shown and self.table.is_attached:
+        if (state != self._shown or self.console.is_behind) and self.table.is_attached:
             self._shown = state
             console = self.console
             self.table.remark = self.look.texts("console.filtered" if console.total else "console.none")
@@ -87,7 +87,7 @@ class RqtConsolePane(WindowPane[Console]):
             self._show_switches()
             self._show_details()
             self.touch_status()
-        return False
+        return self.console.is_behind
 
     def _show_switches(self) -> None:
         state = (self.console.choice, self.inner_width, self.look.texts.language)

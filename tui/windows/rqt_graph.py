@@ -113,11 +113,18 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         count = sum(len(each.names) for each in hidden)
         if not count:
             return [Piece(f" {self.look.texts('rqt.nothing_hidden')} ", self.look.colours.muted)]
-        separator = self.look.texts("rqt.separator")
-        reasons = separator.join(
-            self.look.texts("rqt.hides", option=each.option, names=", ".join(each.names)) for each in hidden
+        text = self._told_hidden(count, "rqt.hides")
+        if cell_len(text) + 2 > self.inner_width:  # not all names can be told: rather how many each box hides
+            text = self._told_hidden(count, "rqt.hides_some")
+        return [Piece(f" {text} ", self.look.colours.muted)]
+
+    def _told_hidden(self, count: int, each_told: str) -> str:
+        texts = self.look.texts
+        reasons = texts("rqt.separator").join(
+            texts(each_told, option=each.option, names=", ".join(each.names), count=len(each.names))
+            for each in self.graph.content.hidden
         )
-        return [Piece(f" {self.look.texts('rqt.hidden', count=count, reasons=reasons)} ", self.look.colours.muted)]
+        return texts("rqt.hidden", count=count, reasons=reasons)
 
     def key_hints(self) -> list[tuple[str, str]]:
         return [
@@ -274,7 +281,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         if below >= 0:
             return self._switch_line(below, y, width)
         if not self.graph.content.boxes and y == self.inner_height // 2:
-            text = clip(self.look.texts("rqt.empty"), width, self.look.glyphs.ellipsis)
+            text = clip(f" {self.look.texts('rqt.empty')}", width, self.look.glyphs.ellipsis)
             return [Segment(text, self.look.colours.muted)]
         if self._fine is not None and self.look.pixels is not None:
             return self._fine.sheet.line(y) if y < self._fine.rows else []

@@ -1,63 +1,34 @@
-"""The window of rqt_image_view: the newest image of a topic, in real pixels or characters.
-
-It draws a few pictures a second, however many images come, and fewer where that takes long.
-"""
+"""The window of rqt_image_view: the newest image of a topic, and how it is shown."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
-from rich.style import Style
 from textual import events
-from textual.geometry import Region
 
-from day6_tui.core.ros.programs.rqt_image_view.decoding import Picture, Undecodable, View
-from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import clip, wrap
-from day6_tui.tui.colours import background_of
-from day6_tui.tui.look import Look
+from day6_tui.core.ros.programs.rqt_image_view.decoding import Picture, View
 from day6_tui.tui.menu import Entry, Menu
-from day6_tui.tui.pane import Action, Piece
+from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import before_replacing
-from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.image_cells import in_cells, on_ground, pixels_in_cells
+from day6_tui.tui.windows.buttons import Button, button_line, shortened
+from day6_tui.tui.windows.picture_pane import PicturePane
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
-    from day6_tui.tui.pixels.pictures import Pictures
-
-FRAME_SECONDS = 0.1
-"""Between two pictures."""
-
-RESTS = 6
-"""After a picture that took long, so many times as long passes until the next."""
 
 PAN = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
 PAN_SHARE = 8
 """A key moves the part that is seen by its size divided by this."""
 
 
-class ImageViewPane(WindowPane["ImageView"]):
-    """Draws the newest image as the model's `view` says; keeps where the mouse is."""
+class ImageViewPane(PicturePane["ImageView"]):
+    """Draws the newest image below a line with the topic, and changes the model's `view`."""
 
-    def __init__(self, window: Window[ImageView], look: Look) -> None:
-        super().__init__(window, look)
-        self._picture: Picture | None = None
-        self._problem = ""
-        self._lines: list[list[Segment]] = []
-        self._corner = (0, 0)
-        """The cell (column, row inside) of the picture's upper left corner."""
-        self._cell = (1, 2)
-        """Pixels across and down in a cell."""
-        self._state: tuple[object, ...] = ()
-        self._due = 0.0
-        self._mouse: tuple[int, int] | None = None
-        """The pixel of the image under the mouse."""
+    model: ImageView
+    head_lines = 1
 
     @property
     def _view(self) -> View:
@@ -67,90 +38,8 @@ class ImageViewPane(WindowPane["ImageView"]):
     def _view(self, view: View) -> None:
         self.model.view = view
 
-    # -- frames --------------------------------------------------------------------------------------------------------
-
-    @property
-    def _room(self) -> tuple[int, int]:
-        """Columns and rows for the picture."""
-        return self.inner_width, max(0, self.inner_height - 1)
-
-    def pull(self, now: float) -> bool:
-        state = (self.model.received, self.model.version, self._room, self._view, self.look.glyphs.canvas)
-        if state == self._state:
-            return False
-        if now < self._due and self._state and state[1:] == self._state[1:]:
-            return True
-        began = time.monotonic()
-        self._state = state
-        self._draw()
-        self._due = now + max(FRAME_SECONDS, RESTS * (time.monotonic() - began))
-        self.touch_lines(range(self.inner_height))
-        self.touch_frame()
-        return False
-
-    def restyle(self) -> None:
-        self._state = ()
-        super().restyle()
-
-    def on_resize(self, event: events.Resize) -> None:
-        super().on_resize(event)
-        self._state = ()
-
-    def _draw(self) -> None:
-        columns, rows = self._room
-        pictures = self.look.pixels
-        self._picture, self._lines, self._problem = None, [], ""
-        if columns < 2 or rows < 1:
-            return
-        across, down = (
-            pixels_in_cells(1, 1, self.look.glyphs.canvas) if pictures is None else pictures.cell(columns, rows)
-        )
-        self._cell = across, down
-        # A pixel of a cell without halves is twice as high as wide: of those pixels every second row is left out.
-        thin = 2 if pictures is None and down == 1 else 1
-        view = replace(self._view, width=columns * across, height=rows * down * thin)
-        try:
-            self._picture = self.model.picture(view)
-        except Undecodable as error:
-            self._problem = str(error)
-        if self._picture is None or self._problem:
-            if pictures is not None:
-                pictures.drop(self)
-            return
-        if pictures is not None:
-            self._show_pixels(pictures, self._picture.pixels, columns, rows)
-            return
-        pixels = self._picture.pixels[::thin]
-        self._cell = across, down * thin
-        self._lines = in_cells(pixels, self.look.glyphs.canvas, colourless=self.look.colours.colourless)
-        self._corner = (columns - pixels.shape[1]) // 2, (rows - len(self._lines)) // 2
-
-    def _show_pixels(self, pictures: Pictures, pixels: Any, columns: int, rows: int) -> None:
-        """Draw in real pixels."""
-        ground = max(0, background_of(self.background))
-        whole, self._corner = on_ground(pixels, (columns, rows), self._cell, ground)
-        pictures.show(self, Region(self.inner_offset, self.inner_offset + 1, columns, rows), self._cell, whole)
-
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if y == 0:
-            return self._head(width)
-        colours, row = self.look.colours, y - 1 - self._corner[1]
-        remark = self._remark()
-        if remark:
-            lines = wrap(remark[:2000], width - 2)
-            style = colours.warning if self._problem else colours.muted
-            return [Segment(f" {lines[y - 2]}", style)] if 0 <= y - 2 < len(lines) else ()
-        if 0 <= row < len(self._lines):
-            return [Segment(" " * self._corner[0], self.background), *self._lines[row]]
-        return ()
-
     def _remark(self) -> str:
-        """What is said in place of a picture."""
         model, texts = self.model, self.look.texts
-        if self._problem:
-            return self._problem
-        if self._picture is not None:
-            return ""
         if not model.topic:
             return texts("images.choose" if model.topics else "images.none")
         if model.topic not in model.topics:
@@ -158,44 +47,37 @@ class ImageViewPane(WindowPane["ImageView"]):
         return texts("images.waiting", topic=model.topic)
 
     def _head(self, width: int) -> list[Segment]:
-        colours, view, texts = self.look.colours, self._view, self.look.texts
-        self._hits.pop(1, None)
-        shown: list[tuple[str, Style, Action]] = [
-            (f" {self.model.topic or '-'} ", colours.key, self._choose_topic),
-            (f" {'1:1' if view.zoom_1 else texts('images.fit')} ", colours.text, partial(self._press, "", "1")),
-            (f" {90 * view.rotation}° ", colours.text, partial(self._press, "", "r")),
+        return button_line(self, 0, shortened(self._buttons(), width, self.look.glyphs.ellipsis), width)
+
+    def _buttons(self) -> list[Button]:
+        """The controls of the original; a click on one is its key."""
+        model, view, texts = self.model, self._view, self.look.texts
+        mark = " ▾" if self.look.glyphs.chinese else " v"
+        publishes = model.mouse_topic if model.publishes_clicks else texts("images.mouse")
+        return [
+            Button("t", model.topic or "-", self._choose_topic, mark=mark),
+            Button("1", "1:1", partial(self._press, "", "1"), view.zoom_1),
+            Button("r", f"{90 * view.rotation}°", partial(self._press, "", "r")),
+            Button("d", texts("images.dynamic"), partial(self._press, "", "d"), view.dynamic_range),
+            Button("m", publishes, partial(self._press, "", "m"), model.publishes_clicks),
         ]
-        if view.dynamic_range:
-            shown.append((f" {texts('images.dynamic')} ", colours.text, partial(self._press, "", "d")))
-        if self.model.publishes_clicks:
-            shown.append((f" {self.model.mouse_topic} ", colours.publisher, partial(self._press, "", "m")))
-        segments: list[Segment] = []
-        x = 0
-        for text, style, action in shown:
-            text = clip(text, max(0, width - x), self.look.glyphs.ellipsis)
-            segment = Segment(text, style)
-            self.add_hit(1, x + self.inner_offset, x + self.inner_offset + segment.cell_length, action)
-            x += segment.cell_length
-            segments.append(segment)
-        return segments
 
     def status(self) -> list[Piece]:
-        picture, colours = self._picture, self.look.colours
-        if picture is None:
-            return []
-        text = f" {picture.image_width}x{picture.image_height} {picture.encoding}  {self.model.received} "
-        pieces = [Piece(text, colours.muted)]
-        if self._mouse is not None:
-            pieces.append(Piece(f" x {self._mouse[0]}  y {self._mouse[1]} ", colours.strong))
+        pieces = super().status()
+        if pieces and self.model.topic not in self.model.topics:  # what is seen is the last image
+            text = self.look.texts("images.no_topic", topic=self.model.topic)
+            pieces.insert(1, Piece(f" {self.look.glyphs.warning} {text} ", self.look.colours.warning))
         return pieces
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def key_hints(self) -> list[tuple[str, str]]:
-        texts = self.look.texts
+        texts, zoomed = self.look.texts, self._view.zoom_1
+        arrows = "←↑↓→" if self.look.glyphs.unicode else "arrows"
         return [
             ("t", texts("images.topic")),
-            ("1", texts("images.fit" if self._view.zoom_1 else "images.zoom_1")),
+            ("1", texts("images.fit" if zoomed else "images.zoom_1")),
+            *([(arrows, texts("rqt.pan"))] if zoomed else []),
             ("r", texts("images.rotate")),
             ("w", texts("images.save")),
         ]
@@ -250,7 +132,9 @@ class ImageViewPane(WindowPane["ImageView"]):
             for name, kind in self.model.topics.items()
         ]
         if entries:
-            self.lay_over(Menu(self.look, "images.topic", entries))
+            names = list(self.model.topics)
+            at = names.index(self.model.topic) if self.model.topic in names else 0
+            self.lay_over(Menu(self.look, "topics.columns.topic", entries, chosen=at))
 
     def _ask_range(self) -> None:
         texts = self.look.texts
@@ -282,28 +166,6 @@ class ImageViewPane(WindowPane["ImageView"]):
         self.ask(self.look.texts("images.save_title"), "image.png", sure, note="*.bmp *.jpg *.png *.tiff")
 
     # -- the mouse -----------------------------------------------------------------------------------------------------
-
-    def _pixel_at(self, event: events.MouseEvent) -> tuple[int, int] | None:
-        """The pixel of the shown image (turned, whole) under the mouse."""
-        picture = self._picture
-        if picture is None:
-            return None
-        x = (event.x - self.inner_offset - self._corner[0]) * self._cell[0]
-        y = (event.y - self.inner_offset - 1 - self._corner[1]) * self._cell[1]
-        if not (0 <= x < len(picture.columns) and 0 <= y < len(picture.rows)):
-            return None
-        return int(picture.columns[x]), int(picture.rows[y])
-
-    def on_mouse_move(self, event: events.MouseMove) -> None:
-        at = self._pixel_at(event)
-        if at != self._mouse:
-            self._mouse = at
-            self.touch_status()
-            self.look.wake()
-
-    def on_leave(self) -> None:
-        self._mouse = None
-        self.touch_status()
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         at = self._pixel_at(event)

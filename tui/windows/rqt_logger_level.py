@@ -8,8 +8,10 @@ from rich.segment import Segment
 from rich.style import Style
 from textual import events
 
+from day6_tui.core.elide import elide
 from day6_tui.core.ros.programs.rqt_logger_level.model import LEVELS
 from day6_tui.core.session.display import Window
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.cells import fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
@@ -92,7 +94,11 @@ class LoggerLevelPane(LinesPane["LoggerLevels"]):
         if chosen and column == self._column:
             style = colours.choice if self.has_focus else colours.strong
         mark = self.look.glyphs.news if current else self.look.glyphs.marker if chosen and column == LOGGERS else " "
-        return [Segment(f"{mark} ", colours.accent), Segment(fit(text, width - 2, self.look.glyphs.ellipsis), style)]
+        return [Segment(f"{mark} ", colours.accent), Segment(self._fitted(text, width - 2), style)]
+
+    def _fitted(self, text: str, width: int) -> str:
+        """A name in so many cells; of long ones the end tells them apart."""
+        return fit(elide(one_line(text), max(1, width), self.look.glyphs.ellipsis), width)
 
     def _remarks(self, width: int) -> list[tuple[str, Style]]:
         """What there is to say of the chosen node, below the lists."""
@@ -147,6 +153,8 @@ class LoggerLevelPane(LinesPane["LoggerLevels"]):
             self._column = (self._column + (1 if key in ("right", "tab") else -1)) % 3
         elif key in ("enter", "space"):
             self._use()
+            if self._column == NODES and self.model.nodes.get(self._node_here()):
+                self._column = LOGGERS
         elif character == "a" and self.model.node:
             self.ask(self.look.texts("loggers.name"), "", lambda text: self.model.add(text.strip()))
         elif character == "r":
@@ -157,13 +165,17 @@ class LoggerLevelPane(LinesPane["LoggerLevels"]):
             return False
         return True
 
+    def _node_here(self) -> str:
+        nodes, at = list(self.model.nodes), self._at[NODES]
+        return nodes[at] if at < len(nodes) else ""
+
     def _use(self) -> None:
         """Choose the node, go on to the levels, or set the level."""
         model, at = self.model, self._at[self._column]
         if not self._entries()[self._column]:
             return
         if self._column == NODES:
-            model.choose(list(model.nodes)[at])
+            model.choose(self._node_here())
             self._at[LOGGERS] = 0
         elif self._column == LOGGERS:
             self._column = LEVEL

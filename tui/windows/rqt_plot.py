@@ -43,6 +43,9 @@ MOST_LEGEND = 6
 LOW = 12
 """In a window with fewer lines the legend has one, of the chosen curve: the picture needs the others."""
 
+SHORT = 16
+"""Cells of the name of a curve that shares the line with the chosen one."""
+
 RANGE_WIDTH = 20
 """Columns for the visible range behind a value."""
 
@@ -292,20 +295,40 @@ class RqtPlotPane(WindowPane[Plot]):
         curve = curves[first + line]
         colours, glyphs = self.look.colours, self.look.glyphs
         on = first + line == self._chosen
-        swatch = "━━" if glyphs.unicode and glyphs.canvas != "cell" else SHAPES[curve.number % len(SHAPES)] * 2
-        longest = max(cell_len(each.path) for each in curves)
-        ranged = width >= 56
+        alone = self._legend_rows() == 1 and len(curves) > 1
+        longest = cell_len(curve.path) if alone else max(cell_len(each.path) for each in curves)
+        ranged = width >= 56 and not alone
         name_width = max(8, min(longest, width - 18 - (RANGE_WIDTH if ranged else 0)))
         text, style = self._value_of(curve, ranged)
-        return [
+        segments = [
             Segment(f"{glyphs.marker if on else ' '} ", colours.accent),
-            Segment(swatch, self._curve_style(curve)),
+            Segment(self._swatch(curve), self._curve_style(curve)),
             Segment(
                 " " + fit(elide(one_line(curve.path), name_width, glyphs.ellipsis), name_width),
                 colours.choice if on and self.has_focus else colours.topic,
             ),
             Segment(" " + clip(text, max(0, width - name_width - 7), glyphs.ellipsis), style),
         ]
+        return segments + (self._others(first, width - sum(cell_len(each.text) for each in segments)) if alone else [])
+
+    def _swatch(self, curve: Curve) -> str:
+        glyphs = self.look.glyphs
+        return "━━" if glyphs.unicode and glyphs.canvas != "cell" else SHAPES[curve.number % len(SHAPES)] * 2
+
+    def _others(self, chosen: int, room: int) -> list[Segment]:
+        """Whose the other curves are, as many as have room beside the chosen one."""
+        segments: list[Segment] = []
+        for curve in (*self.plot.curves[chosen + 1 :], *self.plot.curves[:chosen]):
+            name = elide(one_line(curve.path), SHORT, self.look.glyphs.ellipsis)
+            room -= cell_len(name) + 6
+            if room < 0:
+                break
+            segments += [
+                Segment("   ", self.look.colours.text),
+                Segment(self._swatch(curve), self._curve_style(curve)),
+                Segment(f" {name}", self.look.colours.topic),
+            ]
+        return segments
 
     def _value_of(self, curve: Curve, ranged: bool) -> tuple[str, Style]:
         """The text after a curve's name: its newest value, its visible range if there is room, or why there is none."""
@@ -339,7 +362,7 @@ class RqtPlotPane(WindowPane[Plot]):
         if self.plot.curves:
             hints += [
                 ("Del", texts("plot.remove")),
-                ("p", texts("plot.resume" if self.plot.paused_at is not None else "plot.pause")),
+                ("Space", texts("plot.resume" if self.plot.paused_at is not None else "plot.pause")),
                 ("+ -", texts("plot.span")),
                 ("c", texts("plot.clear")),
             ]

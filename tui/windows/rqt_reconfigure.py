@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 from rich.segment import Segment
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, text_of, value_from
+from day6_tui.core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, shown, text_of, value_from
 from day6_tui.core.session.display import Window
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.cells import cell_len, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
@@ -29,7 +30,7 @@ NARROW = 56
 """Columns below which only one half is seen, the one with the keyboard."""
 
 DETAILS = 3
-"""Lines below the parameters that describe the chosen one."""
+"""Lines below the parameters that describe the chosen one, at least."""
 
 
 class ReconfigurePane(LinesPane["Reconfigure"]):
@@ -70,7 +71,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         return left + 1 if 0 < left < self.inner_width else left
 
     def _list_height(self, height: int) -> int:
-        return height - DETAILS - 1 if height >= 4 * DETAILS else height
+        return height - max(DETAILS, height // 4) - 1 if height >= 4 * DETAILS else height
 
     # -- building ------------------------------------------------------------------------------------------------------
 
@@ -132,31 +133,43 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         if room == height:
             return lines
         rule = Segment(self.look.glyphs.border.horizontal * width, colours.frame)
-        return [*lines, [rule], *self._details(self._rows[at], width)]
+        return [*lines, [rule], *self._details(self._rows[at], width, height - room - 1)]
 
-    def _details(self, row: Row, width: int) -> list[Line]:
+    def _details(self, row: Row, width: int, height: int) -> list[Line]:
         """What is known of the chosen parameter."""
         colours, texts, parameter = self.look.colours, self.look.texts, row.parameter
         if parameter is None:
-            return [[]] * DETAILS
+            return [[]] * height
         facts = [name_of(parameter.kind), parameter.limits]
         facts += [texts("reconfigure.read_only")] if parameter.read_only else []
         facts += [texts("reconfigure.sent")] if parameter.sent else []
         lines = [[Segment(" " + fit("   ".join(filter(None, facts)), width - 2), colours.muted)]]
         said = parameter.refusal or " ".join(filter(None, (parameter.description, parameter.constraints)))
-        shown = wrap(said[:LONGEST], width - 2)[: DETAILS - 1] if said else []
         style = colours.warning if parameter.refusal else colours.text
-        lines += [[Segment(f" {line}", style)] for line in shown]
-        return lines + [[]] * (DETAILS - len(lines))
+        lines += [[Segment(f" {line}", style)] for line in wrap(said[:LONGEST], width - 2)] if said else []
+        if self._editors.cuts_value(parameter):
+            lines += [[Segment(f" {line}", colours.strong)] for line in wrap(shown(parameter.value), width - 2)]
+        return (lines + [[]] * height)[:height]
 
     def status(self) -> list[Piece]:
         texts, colours = self.look.texts, self.look.colours
-        pieces = [Piece(f" {texts('reconfigure.nodes', count=len(self.model.nodes))} ", colours.muted)]
+        pieces = [Piece(f" {text} ", colours.muted) for text in self._told_below()]
+        pieces = pieces or [Piece(f" {texts('reconfigure.nodes', count=len(self.model.nodes))} ", colours.muted)]
         for text in filter(None, (self.model.filter, self._text)):
             pieces.append(Piece(f" {texts('reconfigure.filtered', text=text)} ", colours.muted))
         if self.model.message:
             pieces.append(Piece(f" {self.model.message} ", colours.hint))
         return pieces
+
+    def _told_below(self) -> list[str]:
+        """What the list has no room for: the chosen parameter's whole name, and its range where no details are seen."""
+        row = self._row
+        if self._on_nodes or row is None or row.parameter is None:
+            return []
+        told = [one_line(row.parameter.name)] if self._editors.cuts(row.parameter) else []
+        if self._list_height(self.inner_height) == self.inner_height and row.parameter.limits:
+            told.append(row.parameter.limits)
+        return told
 
     # -- what is chosen ------------------------------------------------------------------------------------------------
 
@@ -188,8 +201,9 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         if self._on_nodes or row is None:
             opened = any(node.name == self._node for node in self.model.opened)
             hints = [("Enter", texts("reconfigure.close" if opened else "reconfigure.open"))]
-        elif row.parameter is None:
-            hints = [("x", texts("reconfigure.close")), ("r", texts("reconfigure.read"))]
+        elif row.parameter is None or not row.is_changeable:
+            hints = [("x", texts("reconfigure.close"))]
+            hints += [("r", texts("reconfigure.read"))] if row.node.there else []
         elif isinstance(row.parameter.value, bool):
             hints = [("Enter", texts("reconfigure.switch"))]
         else:
@@ -261,6 +275,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
 
     def _toggle(self, node: str) -> None:
         self._node, self._key = node, (node, "")
+        if self.inner_width < NARROW:  # where only one half is seen
+            self._on_nodes = any(each.name == node for each in self.model.opened)
         self.model.toggle(node)
 
     def _fold(self, line: NodeLine, *, fold: bool) -> None:
@@ -283,7 +299,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             self.model.read(node)
         elif key in ("ctrl+s", "w", "ctrl+o", "o"):
             self._ask_file(node, saving=key in ("ctrl+s", "w"))
-        elif parameter is None:
+        elif parameter is None or not row.is_changeable:
             return False
         elif key in SLIDER_STEPS or key in SLIDER_FINEST:
             self.model.move(node, parameter.name, SLIDER_STEPS.get(key) or SLIDER_FINEST[key])
@@ -312,9 +328,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
                 return texts("reconfigure.unfitting", type=kind)
             return None
 
-        if not parameter.read_only:
-            note = "   ".join(filter(None, (kind, parameter.limits, parameter.description)))
-            self.ask(parameter.name, begun, taken, note=note)
+        note = "   ".join(filter(None, (kind, parameter.limits, parameter.description)))
+        self.ask(parameter.name, begun, taken, note=note)
 
     def _ask_filter(self) -> None:
         def taken(text: str) -> None:
@@ -385,6 +400,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         if parameter is None:
             if x >= self.inner_width - self._right - 4:
                 self._toggle(row.node.name)
+        elif not row.is_changeable:
+            return
         elif row.key in self._editors.tracks and self._drag_to(x):
             self.capture_mouse()
         elif x >= self._editors.value_column:

@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 from rich.segment import Segment
 from rich.style import Style
 
+from day6_tui.core.elide import elide
 from day6_tui.core.ros.programs.rqt_reconfigure.values import shown
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.cells import cell_len, clip, fit
 
 if TYPE_CHECKING:
@@ -35,6 +37,11 @@ class Row:
     parameter: Parameter | None = None
     remark: str = ""
     warns: bool = False
+
+    @property
+    def is_changeable(self) -> bool:
+        """Whether it is a parameter to which another value can be given now."""
+        return self.node.there and self.parameter is not None and not self.parameter.read_only
 
     @property
     def key(self) -> Key | None:
@@ -96,9 +103,18 @@ class Editors:
         """Divide `width` cells for the lines that are in sight."""
         self.tracks = {}
         longest = max((cell_len(row.parameter.name) for row in rows if row.parameter is not None), default=0)
-        self._name = min(longest, max(8, width // 2))
+        self._name = min(longest, max(8, width * 2 // 5))
         self._room = max(0, width - self._name - 5)
         self._limits = self._room >= VALUE_WIDTH + 2 * LIMIT_WIDTH + 12
+
+    def cuts(self, parameter: Parameter) -> bool:
+        """Whether there is no room for the whole name of a parameter."""
+        return cell_len(parameter.name) > self._name
+
+    def cuts_value(self, parameter: Parameter) -> bool:
+        """Whether there is no room for the whole text of a value."""
+        value = parameter.value
+        return not isinstance(value, (bool, int, float)) and cell_len(shown(value)) > self._room
 
     @property
     def value_column(self) -> int:
@@ -122,7 +138,8 @@ class Editors:
                 Segment(fit(row.node.name, width - 5, glyphs.ellipsis), style),
                 Segment(f" {glyphs.close} ", colours.muted),
             ]
-        name = fit(row.parameter.name, self._name, glyphs.ellipsis)
+        # Of long names the end tells them apart.
+        name = fit(elide(one_line(row.parameter.name), self._name, glyphs.ellipsis), self._name)
         style = on or (colours.strong if chosen else colours.topic) if there else on or colours.muted
         return [mark, Segment(" " + name, style), Segment(" ", colours.text), *self._editor(row, dragged)]
 

@@ -24,11 +24,11 @@ from day6_tui.core.ros.programs.rqt_robot_steering.model import (
     Axis,
 )
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip, wrap
+from day6_tui.tui.cells import cell_len, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Action, Piece
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.buttons import Button, beyond_of, button_line
+from day6_tui.tui.windows.buttons import Button, button_line, shortened
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_robot_steering.model import RobotSteering
@@ -128,15 +128,12 @@ class RobotSteeringPane(WindowPane["RobotSteering"]):
 
     def _buttons(self, width: int) -> list[Button]:
         model, texts = self.model, self.look.texts
-        topic = model.topic or texts("steering.no_topic")
         buttons = [
+            Button("t", model.topic or texts("steering.no_topic"), self._ask_topic),
             Button("m", "stamped", self._toggle_stamped, model.stamped),
             Button(texts("steering.space"), texts("steering.stop"), model.stop),
         ]
-        choice = Button("t", topic, self._ask_topic)
-        if (beyond := beyond_of([choice, *buttons], width)) > 0:
-            choice = choice._replace(text=clip(topic, max(4, cell_len(topic) - beyond), self.look.glyphs.ellipsis))
-        return [choice, *buttons]
+        return shortened(buttons, width, self.look.glyphs.ellipsis)
 
     def _upright(self, width: int, height: int) -> dict[int, list[Placed]]:
         """The linear slider upright with its buttons and numbers beside it, the angular one lying below it."""

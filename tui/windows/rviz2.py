@@ -24,7 +24,7 @@ from day6_tui.core.ros.programs.rviz2.model.manager import QUALITIES, RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, STATUS, BadValue, Property
 from day6_tui.core.ros.programs.rviz2.model.status import OK, Status, StatusList
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Tool
-from day6_tui.core.ros.programs.rviz2.model.views import VIEWS
+from day6_tui.core.ros.programs.rviz2.model.views import VIEWS, SavedView
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, fit
 from day6_tui.tui.look import Look
@@ -35,7 +35,7 @@ from day6_tui.tui.windows.rviz.buttons import LABELS, PanelButton
 from day6_tui.tui.windows.rviz.control_keys import ControlKeys
 from day6_tui.tui.windows.rviz.displays import DisplaysPanel
 from day6_tui.tui.windows.rviz.dragging import Dragging
-from day6_tui.tui.windows.rviz.extent import extent
+from day6_tui.tui.windows.rviz.extent import around, extent
 from day6_tui.tui.windows.rviz.hand import Hand
 from day6_tui.tui.windows.rviz.hints import ARROWS, panel_hints, view_hints
 from day6_tui.tui.windows.rviz.offer import Offer
@@ -384,7 +384,9 @@ class RVizPane(WindowPane[RViz]):
         prop = self.panel.properties.prop
         if prop is None:
             return
-        if prop.kind == BOOL and not isinstance(prop, Display):
+        if isinstance(prop, SavedView):
+            self.request(partial(self.rviz.use_view, prop))
+        elif prop.kind == BOOL and not isinstance(prop, Display):
             self.toggle(prop)
         elif prop.kind in (GROUP, STATUS) or prop.read_only or isinstance(prop, Display):
             self.open_branch(prop, not prop.expanded)
@@ -404,14 +406,23 @@ class RVizPane(WindowPane[RViz]):
         self.rviz.request(action)
 
     def next_view(self) -> None:
-        names = list(VIEWS)
-        name = names[(names.index(self.rviz.view.type) + 1) % len(names)]
-        self.request(partial(self.rviz.set_view, name))
+        names, rviz = list(VIEWS), self.rviz
+        # Which one is next is found out when it is done: keys may come faster.
+        self.request(lambda: rviz.set_view(names[(names.index(rviz.view.type) + 1) % len(names)]))
+
+    def save_view(self) -> None:
+        """Keep the view: its line below Views leads back to it."""
+        self.request(self.rviz.save_view)
+        self.show_message(self.look.texts("rviz.view_saved", name=self.rviz.view.type), 8.0)
 
     def next_quality(self) -> None:
-        name = QUALITIES[(QUALITIES.index(self.rviz.quality.value) + 1) % len(QUALITIES)]
-        self.set(self.rviz.quality, name)
-        self.show_message(self.look.texts("rviz.quality", name=name))
+        quality = self.rviz.quality
+
+        def work() -> None:
+            self.rviz.edit(quality, QUALITIES[(QUALITIES.index(quality.value) + 1) % len(QUALITIES)])
+            self.app.call_later(lambda: self.show_message(self.look.texts("rviz.quality", name=quality.value)))
+
+        self.request(work)
 
     def use_tool(self, tool: Tool) -> None:
         """Use a tool, or the default one if it is in use already; the view gets the keys."""
@@ -422,8 +433,8 @@ class RVizPane(WindowPane[RViz]):
     # -- what keys do --------------------------------------------------------------------------------------------------
 
     def focus_robot(self) -> None:
-        """Look at what there is: the robot, or everything solid."""
-        found = extent(self.rviz.scene)
+        """Look at what is selected, else at what there is: the robot, or everything solid."""
+        found = around(self.rviz.selection.bounds(self.rviz.scene)) or extent(self.rviz.scene)
         if found is None:
             self.show_message(self.look.texts("rviz.nothing_to_focus"))
             return
@@ -511,6 +522,7 @@ class RVizPane(WindowPane[RViz]):
             "4": self.from_above,
             "z": self.zero,
             "v": self.next_view,
+            "k": self.save_view,
             "l": self.next_quality,
             "r": lambda: self.request(self.rviz.reset),
             "slash": self._find,
@@ -590,9 +602,10 @@ class RVizPane(WindowPane[RViz]):
             "enter": self.edit,
             "space": partial(self.toggle, prop) if prop.kind == BOOL else lambda: None,
         }
-        if display is not None:
+        if display is not None or isinstance(prop, SavedView):
             names = {label.key: label.name.lower() for label in LABELS}
             actions |= {key: partial(self._press, name) for key, name in {**names, "delete": "remove"}.items()}
+        if display is not None:
             for step, key in ((-1, "shift+up"), (1, "shift+down")):
                 actions[key] = partial(self.request, partial(self.rviz.move_display, display, step))
         return actions
@@ -605,9 +618,14 @@ class RVizPane(WindowPane[RViz]):
 
     def _press(self, name: str) -> None:
         """Do what the button of this name does."""
-        display = self.panel.properties.chosen_display
+        display, prop = self.panel.properties.chosen_display, self.panel.properties.prop
         if name == "add":
             dialogs.add(self)
+        elif isinstance(prop, SavedView):
+            if name == "rename":
+                dialogs.rename(self, prop)
+            elif name == "remove":
+                self.request(partial(self.rviz.remove_view, prop))
         elif display is None:
             pass  # it is gone since
         elif name == "rename":
@@ -675,6 +693,7 @@ class RVizPane(WindowPane[RViz]):
         view = self.rviz.view
         if self._control_keys.step(right, -down, 0, fine=shift) or self._hand.arrow(right, down, fine=shift):
             return
+        self.view.turned()
         if shift:
             view.pan(right * SHIFT, down * SHIFT)
         else:
@@ -688,6 +707,7 @@ class RVizPane(WindowPane[RViz]):
         self.request(tools.to_default)  # a letter pressed just before may not have been worked off yet
 
     def _zoom(self, steps: float) -> None:
+        self.view.turned()
         self.rviz.view.zoom(steps)
 
     # -- the mouse -----------------------------------------------------------------------------------------------------
@@ -720,8 +740,9 @@ class RVizPane(WindowPane[RViz]):
             event.stop()
             self._dragging.move(event, self.rviz.view)
             self.look.wake()
-        elif self._hand.held or (self._in_view(event) and self._hand.tool is not None):
+        elif self._hand.held or (self._in_view(event) and self._hand.hovering is not None):
             event.stop()
+            self._used = True
             self._hand.move(event, *self._place(event))
             self.look.wake()
 

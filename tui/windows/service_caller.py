@@ -9,10 +9,9 @@ from rich.segment import Segment
 from textual import events
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
-from day6_tui.tui.windows.buttons import Button, beyond_of
+from day6_tui.tui.windows.buttons import Button, shortened
 from day6_tui.tui.windows.field_list import FieldLine
 from day6_tui.tui.windows.field_pane import FieldPane
 from day6_tui.tui.windows.field_rows import columns_in, head_line, lines_of
@@ -58,11 +57,8 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
         )
         buttons = [call, Button("r", texts("service.refresh"), self.ask_action("refresh"))]
         mark = " ▾" if self.look.glyphs.chinese else " v"
-        name = self.model.service or texts("service.none")
-        choice = Button("s", name + mark, self.choose_service)
-        if (beyond := beyond_of([choice, *buttons], self.inner_width)) > 0:
-            choice = choice._replace(text=clip(name, cell_len(name) - beyond, self.look.glyphs.ellipsis) + mark)
-        return [choice, *buttons]
+        choice = Button("s", self.model.service or texts("service.none"), self.choose_service, mark=mark)
+        return shortened([choice, *buttons], self.inner_width, self.look.glyphs.ellipsis)
 
     def lines(self) -> list[FieldLine]:
         texts, model = self.look.texts, self.model
@@ -93,7 +89,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
     def usual_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         call = ("x", texts("service.cancel")) if self.model.is_waiting else ("c", texts("service.call"))
-        return [("Enter", texts("fields.edit")), call, ("s", texts("service.choose"))]
+        return [*self.line_hints(), call, ("s", texts("service.choose"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts

@@ -26,6 +26,12 @@ from day6_tui.tui.windows.field_list import without_package
 if TYPE_CHECKING:
     from day6_tui.tui.windows.topics import TopicsPane
 
+BEFORE_NAME = 6
+"""Cells before the name of a topic: the mark of what can be opened, and the check box."""
+
+LONGEST_PART = 17
+"""Cells of the longest name of what is below every topic, with what stands before it."""
+
 INDENT = 2
 """Cells by which a field lies further right than its message."""
 
@@ -64,14 +70,22 @@ class Columns(NamedTuple):
     value: int
 
 
-def columns_in(width: int) -> Columns:
-    """The columns that a window of this width has room for: topic and value come before all others."""
-    bandwidth = 11 if width >= 76 else 0
-    hz = 8 if width >= 34 else 0
+LEAST_VALUE = 13
+"""Cells that long names leave to the values."""
+
+
+def columns_in(width: int, longest: int = 0) -> Columns:
+    """The columns that a window of this width has room for: topic and value come before all others.
+
+    Names of up to `longest` cells, with what stands before them, are shown in full if there is room.
+    """
+    bandwidth = 9 if width >= 76 else 0
+    hz = 6 if width >= 34 else 0
     rest = width - sum(size + 1 for size in (bandwidth, hz) if size)
     kind = rest // 4 if width >= 50 else 0
     rest -= kind + 1 if kind else 0
     topic = max(rest * 11 // 20, min(rest, 14))
+    topic = max(topic, min(longest, rest - 1 - LEAST_VALUE))
     return Columns(topic, kind, bandwidth, hz, max(0, rest - topic - 1))
 
 
@@ -90,6 +104,11 @@ class TopicTree(Tree[Row]):
         super().__init__("")
         self._pane, self._look = pane, look
         self._open: set[Path] = set()
+        self._opened: Path | None = None
+        """What was opened last, until its parts are in sight."""
+        self._names: list[str] = []
+        self._longest = LONGEST_PART
+        """Cells of the longest name of a topic, with what stands before it."""
         self.remark = ""
         """What is shown while there are no lines."""
         self.show_root = self.show_guides = self.auto_expand = False
@@ -117,7 +136,7 @@ class TopicTree(Tree[Row]):
     @property
     def columns(self) -> Columns:
         """The columns that there is room for, beside the scroll bar."""
-        return columns_in(self.scrollable_content_region.width)
+        return columns_in(self.scrollable_content_region.width, self._longest)
 
     @property
     def visible_topics(self) -> set[str]:
@@ -129,7 +148,8 @@ class TopicTree(Tree[Row]):
     def show(self, branches: Sequence[Branch]) -> None:
         """Show these branches, and draw only the lines that differ."""
         line, before = self.cursor_line, self.chosen
-        if bool(branches) != bool(self.root.children):
+        if self._measure([row.path[-1] for row, _ in branches]) or bool(branches) != bool(self.root.children):
+            self._invalidate()
             self.refresh()
         self._fill(self.root, branches)
         if self.last_line >= 0:
@@ -138,6 +158,26 @@ class TopicTree(Tree[Row]):
                 self.move_cursor(self.get_node_at_line(max(0, min(line, self.last_line))))
             elif kept is not self.cursor_node or kept.line != self.cursor_line:
                 self.move_cursor(kept)
+        if self._opened is not None and (opened := self.node_at(self._opened)) is not None:
+            self._opened = None
+            self.call_after_refresh(self._show_parts, opened)
+
+    def _measure(self, names: list[str]) -> bool:
+        """Measure the names of the topics; return whether the columns are other ones now."""
+        if names == self._names:
+            return False
+        before, self._names = self._longest, names
+        self._longest = max([LONGEST_PART, *(BEFORE_NAME + cell_len(one_line(name)) for name in names)])
+        return self._longest != before
+
+    def _show_parts(self, node: TreeNode[Row]) -> None:
+        """Scroll down as far as is needed to see what is below a line, but not beyond the line itself."""
+        last = node
+        while last.is_expanded and last.children:
+            last = last.children[-1]
+        top = min(node.line, last.line + 1 - self.size.height)
+        if top > self.scroll_offset.y:
+            self.scroll_to(y=top, animate=False, immediate=True)
 
     def node_at(self, path: Path) -> TreeNode[Row] | None:
         """The node of a line, if it is shown."""
@@ -165,6 +205,7 @@ class TopicTree(Tree[Row]):
         event.stop()
         if event.node.data is not None:
             self._open.add(event.node.data.path)
+            self._opened = event.node.data.path
             self._pane.refill()
 
     def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[Row]) -> None:

@@ -17,6 +17,7 @@ from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.buttons import Button, button_line
 from day6_tui.tui.windows.topic_tree import Branch, Path, Row, TopicTree
 
 if TYPE_CHECKING:
@@ -26,6 +27,9 @@ SORTS = ("topic", "type", "bandwidth", "hz")
 """The columns by which topics can be sorted."""
 
 BARS_WIDTH = 12
+
+WITH_BUTTONS = 10
+"""Lines of the inside from which on one is for buttons."""
 
 RESTS = 20
 """A message that took long to read is read again after this many times as long: the window stays quick."""
@@ -61,7 +65,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
     # -- frame ---------------------------------------------------------------------------------------------------------
 
     def status(self) -> list[Piece]:
-        texts, chosen = self.look.texts, self.table.chosen
+        texts, colours, chosen = self.look.texts, self.look.colours, self.table.chosen
         if chosen is None and not self._filter:
             return []
         names = [topic.name for topic in self._topics]
@@ -69,10 +73,30 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         text = f" {at}/{len(names)} "
         if self._filter:
             text += f"{texts('topics.filtered', text=self._filter, count=len(self.model.topics))} "
-        return [Piece(text, self.look.colours.muted)]
+        pieces = [Piece(text, colours.muted)]
+        if chosen is not None:  # in their columns there may be no room for all of it
+            path = chosen.path if chosen.type else chosen.path[:1]
+            pieces += [Piece(f"{'/'.join(path)} ", colours.text), Piece(f"{chosen.type} ", colours.muted)]
+        return pieces
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        return self._head() if y == 0 else ()
+        if y < self._bar_rows:
+            return button_line(self, y, self._buttons(), width)
+        return self._head() if y == self._bar_rows else ()
+
+    @property
+    def _bar_rows(self) -> int:
+        """Lines for the buttons, where there are enough for topics."""
+        return 1 if self.inner_height >= WITH_BUTTONS else 0
+
+    def _buttons(self) -> list[Button]:
+        """What has no place of its own to be clicked."""
+        texts = self.look.texts
+        return [
+            Button("/", texts("topics.filter"), self._ask_filter),
+            Button("v", texts("topics.view"), self._view),
+            Button("s", texts("topics.sort"), self._sort_by_next),
+        ]
 
     def _head(self) -> list[Segment]:
         """The names of the columns; a click sorts by one."""
@@ -90,7 +114,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             pad = " " * (width - cell_len(text))
             text = gap + (pad + text if key in ("bandwidth", "hz") else text + pad)
             if key in SORTS:
-                self.add_hit(1, x, x + cell_len(text), partial(self._sort_by, key))
+                self.add_hit(self._bar_rows + 1, x, x + cell_len(text), partial(self._sort_by, key))
             x += cell_len(text)
             segments.append(Segment(text, self.look.colours.strong if key == self._sort else self.look.colours.muted))
         return segments
@@ -101,8 +125,9 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         return [
             ("Enter", texts("topics.stop" if topic is not None and topic.monitored else "topics.listen")),
             ("← →" if unicode else "<- ->", texts("topics.open")),
-            ("s", texts("topics.sort")),
             ("/", texts("topics.filter")),
+            ("v", texts("topics.view")),
+            ("s", texts("topics.sort")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
@@ -115,6 +140,8 @@ class TopicsPane(WindowPane["TopicMonitor"]):
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)
+        self.measure()
+        self.table.styles.margin = (self._bar_rows + 2, 1, 1, 1)
         self.refill()
 
     # -- filling the tree ----------------------------------------------------------------------------------------------
@@ -139,7 +166,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         self._show()
         if self._read(now):  # other topics have come in sight
             self._show()
-        self.touch_lines([0])
+        self.touch_lines(range(self._bar_rows + 1))
         self.touch_frame()
 
     def _show(self) -> None:
@@ -242,11 +269,13 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             if topic is not None:
                 self.tick(topic.name)
         elif event.character == "s":
-            self._sort_by(SORTS[(SORTS.index(self._sort) + 1) % len(SORTS)])
+            self._sort_by_next()
         elif event.character == "S":
             self._sort_by(self._sort)
         elif event.character == "/":
             self._ask_filter()
+        elif event.character == "v":
+            self._view()
         elif event.key == "escape" and self._filter:
             self._filter_by("")
         else:
@@ -258,10 +287,29 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             event.stop()
             event.prevent_default()
 
+    def _view(self) -> None:
+        """Show the whole value of the chosen line, as it is now; of a topic of which nothing has come, what its type is."""
+        from day6_tui.core.ros.programs.rqt_topic.fields import text_of, value_at
+        from day6_tui.tui.message import LogModal
+
+        topic, chosen = self._chosen_topic(), self.table.chosen
+        if topic is None or chosen is None:
+            return
+        message = self._messages.get(topic.name, (0, None))[1]
+        path = chosen.path if (value := value_at(message, chosen.path[1:])) is not None else chosen.path[:1]
+        if message is not None:
+            title, text = "/".join(path), text_of(message if value is None else value)
+        else:
+            title, text = _definition(topic)
+        self.lay_over(LogModal(self.look, title, text.split("\n"), from_top=True))
+
     def tick(self, topic: str) -> None:
         """Listen to a topic, or stop."""
         self.model.toggle(topic)
         self.look.wake()
+
+    def _sort_by_next(self) -> None:
+        self._sort_by(SORTS[(SORTS.index(self._sort) + 1) % len(SORTS)])
 
     def _sort_by(self, column: str) -> None:
         """Sort by a column: the greatest number first; by the same once more: the other way round."""
@@ -280,6 +328,17 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         self.look.wake()
 
 
+def _definition(topic: Topic) -> tuple[str, str]:
+    """The name and the text of the type of a topic; that of its action or service, if it belongs to one."""
+    from day6_tui.core.interfaces import definition_text
+
+    name = topic.types[0] if "/msg/" in topic.types[0] else topic.types[0].partition("_")[0]
+    try:
+        return name, definition_text(name)
+    except (LookupError, OSError, ValueError) as error:
+        return topic.types[0], str(error)
+
+
 def _ends(path: Path, ends: Sequence[Endpoint]) -> list[Branch]:
     return [Branch(Row((*path, f"{end.node}"), value=end.qos)) for end in ends]
 
@@ -293,8 +352,12 @@ def _bandwidth(bandwidth: float | None) -> str:
         return "-"
     for unit, size in (("MB/s", 1e6), ("kB/s", 1e3)):
         if bandwidth >= size:
-            return f"{bandwidth / size:.2f} {unit}"
+            return f"{_three_digits(bandwidth / size)} {unit}"
     return f"{bandwidth:.0f} B/s"
+
+
+def _three_digits(number: float) -> str:
+    return f"{number:.{2 if number < 10 else 1 if number < 100 else 0}f}"
 
 
 def _sparkline(values: Sequence[float], width: int, bars: str) -> str:

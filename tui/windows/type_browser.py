@@ -49,10 +49,16 @@ class BrowsingPane(FieldPane[Model]):
 
     def bar(self) -> Sequence[Segment | Button]:
         texts, mark = self.look.texts, " ▾" if self.look.glyphs.chinese else " v"
-        return [
-            Button("p", (self.browser.package or texts("types.no_package")) + mark, self.choose_package),
+        buttons = [
+            Button("p", self.browser.package or texts("types.no_package"), self.choose_package, mark=mark),
             Button("a", texts("types.add"), self.choose_type),
         ]
+        if self.browser.trees:
+            buttons += [
+                Button("v", texts("types.text"), self._show_chosen),
+                Button("d", texts("types.remove"), self._remove_chosen),
+            ]
+        return buttons
 
     def lines(self) -> list[FieldLine]:
         texts, browser = self.look.texts, self.browser
@@ -64,7 +70,11 @@ class BrowsingPane(FieldPane[Model]):
             lines.append(FieldLine(key, (tree.name, tree.type, tree.type), is_branch=bool(tree.rows)))
             lines += [
                 FieldLine(
-                    key + row.path, (row.name, row.type, tree.type + row.path), row.depth, is_branch=row.is_branch
+                    key + row.path,
+                    (row.name, row.type, tree.type + row.path),
+                    row.depth,
+                    is_branch=row.is_branch,
+                    begins_closed=row.elements > 0,  # all elements are of one type
                 )
                 for row in tree.rows
             ]
@@ -81,7 +91,8 @@ class BrowsingPane(FieldPane[Model]):
             return super().status()
         # The path of a field, or the name of what is above the types; in its column there may not be room for all of it.
         name = chosen.cells[2 if chosen.key.startswith(TREE) else 0]
-        return [Piece(f" {name} ", self.look.colours.text), Piece(f"{chosen.cells[1]} ", self.look.colours.muted)]
+        kind = f"{chosen.cells[1]} " if chosen.cells[1] != name else ""
+        return [Piece(f" {name} ", self.look.colours.text), Piece(kind, self.look.colours.muted)]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
@@ -105,12 +116,23 @@ class BrowsingPane(FieldPane[Model]):
         elif line is None or not line.key.startswith(TREE):
             return False
         elif event.character == "v":
-            self.show_text(line)
+            self._show_chosen()
         elif event.character == "d" or event.key == "delete":
-            self.browser.remove(int(line.key.removeprefix(TREE).partition("/")[0]))
+            self._remove_chosen()
         else:
             return False
         return True
+
+    def _show_chosen(self) -> None:
+        line = self.list.chosen
+        if line is not None and line.key.startswith(TREE):
+            self.show_text(line)
+
+    def _remove_chosen(self) -> None:
+        line = self.list.chosen
+        if line is not None and line.key.startswith(TREE):
+            self.browser.remove(int(line.key.removeprefix(TREE).partition("/")[0]))
+            self.look.wake()
 
     def enter(self, line: FieldLine) -> None:
         if line.key.startswith(TREE):
@@ -124,7 +146,7 @@ class BrowsingPane(FieldPane[Model]):
         if "/" not in kind:
             parent = line.key.rpartition("/")[0]
             kind = next((each.cells[1] for each in self.list.lines_shown if each.key == parent), kind)
-        self.lay_over(LogModal(self.look, kind, self.browser.text(kind).splitlines()))
+        self.lay_over(LogModal(self.look, kind, self.browser.text(kind).splitlines(), from_top=True))
 
     def choose_package(self) -> None:
         """Open the list of packages, then that of the chosen one's types."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -33,7 +33,7 @@ async def spin_cpp(session: Session, *nodes: Node) -> int:
     """Spin as a C++ program does, which logs at Ctrl-C that it was interrupted."""
     try:
         await session.spin(*nodes)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.session.session import STOPPED
 from rclpy.task import Future
 
 if TYPE_CHECKING:
@@ -15,10 +16,10 @@ POLL_SECONDS = 0.02
 
 
 async def spin(session: Session, *nodes: Node) -> int:
-    """Spin until Ctrl-C or shutdown, which is a node's normal end: status 0."""
+    """Spin until SIGINT, SIGTERM or shutdown, which is a node's normal end: status 0."""
     try:
         await session.spin(*nodes)
-    except KeyboardInterrupt:
+    except STOPPED:
         return 0
     return 0
 

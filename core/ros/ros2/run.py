@@ -71,11 +71,13 @@ async def _run_process(session: Session, argv: list[str]) -> int:
 
 async def _run_built_in(session: Session, package: str, executable: Executable, argv: list[str]) -> int:
     from day6_tui.core.ros.programs import load
-    from day6_tui.core.session.session import Crash
+    from day6_tui.core.session.session import Crash, Terminated
     from day6_tui.core.session.streams import WriteError
 
     try:
         status = await session.execute(load(package, executable.name), [str(executable.path), *argv])
+        if session.terminated:
+            raise Terminated  # the node has ended well, but `ros2 run`, which got the signal too, does not
     except KeyboardInterrupt:
         return 0  # a well-written node exits cleanly on Ctrl-C, so nothing is printed here
     except (BrokenPipeError, WriteError):

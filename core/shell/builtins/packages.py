@@ -73,6 +73,13 @@ _COMMANDS_OF = {
 """Packages whose name differs from the commands they provide, all of which exist here."""
 
 
+_GATHERING = {
+    *("desktop", "desktop_full", "ros_base", "ros_core", "common_interfaces", "rqt", "rqt_common_plugins"),
+    *("rosbag2", "rosbag2_storage_mcap", "rosbag2_storage_sqlite3", "rosbag2_transport"),
+}
+"""Packages of ROS that only gather others, or are a part in C++ of what is here."""
+
+
 def _about(name: str, shell: Shell, say: Callable[..., str]) -> str:
     """Return the outcome of `apt install NAME`."""
     from day6_tui.core.ros.distribution import current
@@ -83,7 +90,7 @@ def _about(name: str, shell: Shell, say: Callable[..., str]) -> str:
         return f"{name} is already the newest version ({', '.join(_COMMANDS_OF[name])})."
     if name.startswith("ros-"):
         package = name.split("-", 2)[-1].replace("-", "_")
-        if package in ("desktop", "desktop_full", "ros_base", "ros_core") or fnmatch.filter(_shipped(), package):
+        if package in _GATHERING or fnmatch.filter(_shipped(), package):
             return f"{name} is already the newest version ({say('stands_in', distro=current())})."
         return f"{name}: {say('not_part')}"
     if name.startswith("python3-colcon") or name == "python3-rosdep" or where(name, shell):

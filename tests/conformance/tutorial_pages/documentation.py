@@ -12,6 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+from day6_tui.core.ros.differences import value
+
 ELSEWHERE = ("macos", "windows", "rhel", "fedora", "opensplice", "powershell")
 """Tabs of other systems: nobody reads two."""
 CPLUSPLUS = "c++"
@@ -69,9 +71,9 @@ class Documentation:
         if done.returncode:
             raise FileNotFoundError(done.stderr.decode(errors="replace").strip())
         text = done.stdout.decode("utf-8", "replace").expandtabs(8)
-        for name, value in self.macros.items():
-            text = text.replace(f"{{{name}}}", value)
-        return text
+        for name, macro in self.macros.items():
+            text = text.replace(f"{{{name}}}", macro)
+        return as_of_today(text)
 
     def pages(self, under: str) -> list[str]:
         """Return the pages below a folder, sorted."""
@@ -158,6 +160,14 @@ class _Reader:
         before, since = ("\n".join(words).strip() for words in (self._words, self._since))
         self._words, self._since = [], []
         return Block(language, text, before, self._heading, number, tab, since, option)
+
+
+def as_of_today(text: str) -> str:
+    """Return a page, or a file that it fetches, with turtlesim's interfaces imported from where they are now.
+
+    A clone may be older than what mended that (ros2/ros2_documentation#5526); such a program would fail on a real machine too.
+    """
+    return re.sub(r"\bturtlesim(?=\.(?:msg|srv)\b)", str(value("turtlesim.interfaces")), text)
 
 
 def _end_of_body(lines: list[tuple[int, str]], at: int, indent: int) -> int:

@@ -14,7 +14,15 @@ _DEPEND = re.compile(r"^\s*<(?:\w*depend|member_of_group)\b.*$", re.M)
 _ABOUT = re.compile(r"<(description|maintainer|license)\b[^>]*>.*?</\1>", re.S)
 _ENTRY = re.compile(r"^\s*(?P<quote>['\"])(?P<name>[\w.-]+)\s*=\s*(?P<module>[\w.]+):(?P<main>\w+)(?P=quote)", re.M)
 _DATA = re.compile(r"^\s*\(\s*(?:os\.path\.join\(\s*['\"]share['\"]|['\"]share/?).*", re.M)
+_BROKEN = re.compile(r",[ \t]*\n\s+(?=glob\()")
+"""Between a target and its files, which some pages write in two lines."""
+_CMAKE = re.compile(r"\s*(?:cmake_minimum_required|find_package|add_executable|add_library|install|ament_\w+)\(")
 _CREATED = re.compile(r"ros2 pkg create\b(?P<rest>.*)")
+
+
+def _data_lines(text: str) -> list[str]:
+    """Return the lines that belong into `data_files`."""
+    return _DATA.findall(_BROKEN.sub(", ", text))
 
 
 class Workspace:
@@ -95,11 +103,11 @@ class Workspace:
             target = self.root / "src" / entries[0][2].partition(".")[0] / "setup.py"
             if target.is_file():
                 changed = [self._entry(target, name, module, main) for _, name, module, main in entries]
-                if data := _DATA.findall(text):
+                if data := _data_lines(text):
                     self._data(target, data)
                 return [self._shown(target)] if any(changed) or _DATA.search(text) else []
         if language == "python" and _DATA.search(text) and self.package and "LaunchDescription" not in text:
-            return [self._shown(package / "setup.py")] if self._data(package / "setup.py", _DATA.findall(text)) else []
+            return [self._shown(package / "setup.py")] if self._data(package / "setup.py", _data_lines(text)) else []
         if (
             self.package
             and language in ("xml", "", "python", "console")
@@ -107,7 +115,7 @@ class Workspace:
             and "<package" not in text
         ):
             return self._manifest(package / "package.xml", text)
-        if language == "cmake" and self.package and (package / "CMakeLists.txt").is_file():
+        if (language == "cmake" or _CMAKE.match(text)) and self.package and (package / "CMakeLists.txt").is_file():
             return self._cmake(package / "CMakeLists.txt", text)
         if not files or not self._is_whole(text, language, files[0]):
             return []
@@ -189,7 +197,7 @@ class Workspace:
             for _, program, module, main in _ENTRY.findall(text):
                 self._entry(path, program, module, main)
         elif kind == "data":
-            self._data(path, _DATA.findall(text))
+            self._data(path, _data_lines(text))
         else:
             before = path.read_text(encoding="utf-8")
             match = re.search(pattern, before, re.M)

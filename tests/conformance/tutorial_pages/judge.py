@@ -37,7 +37,7 @@ _MASKS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\s+", " "),
     )
 )
-_ANY = re.compile(r"^(?:<HOME>)?\s*(?:\.\.\.+|…|# ?\.\.\.+|# etc\.|\[\.\.\.\])\s*$")
+_ANY = re.compile(r"^(?:<HOME>)?\s*(?:\.\.\.+|…|# ?\.\.\.+|# etc\.|\[\.\.\.\]|\(\.\.\. .*\))\s*$")
 
 
 class Verdict(str, Enum):

@@ -11,7 +11,7 @@ from pathlib import Path
 from day6_tui.core.shell.runs import Run
 from day6_tui.core.shell.terminal import Terminal
 from tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
-from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation
+from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation, as_of_today
 from tutorial_pages.files import Workspace
 from tutorial_pages.judge import Verdict, compare
 from tutorial_pages.pages import HANDS, Hand, Page
@@ -41,14 +41,17 @@ _MOVES = re.compile(
     re.IGNORECASE,
 )
 _FAILED = re.compile(
-    r"Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found",
+    r"process has died \[pid|Could not load display config|Parameter file path is not a file"
+    r"|Traceback \(most recent call last\)|: command not found|: error: |^Package '.*' not found|No executable found",
     re.M,
 )
+_TOO_EARLY = re.compile(r"^WARNING: topic \[.*\] does not appear to be published yet", re.M)
+"""What a program says that a slower reader would not have seen."""
 _WORKSPACE = re.compile(r"mkdir -p (~/|\./)?(?P<name>[\w/]+)/src\b")
 _DOWNLOAD = re.compile(r":download:`[^`<]*<([^>]+)>`[^`]*``([^`]+)``")
 _IS_FILE = re.compile(r"\.(py|cfg|txt|xml|ya?ml|h|hpp|cpp)$")
 _NO_COMPILER = re.compile(r"no C\+\+ compiler|is a C\+\+ program")
-_OTHER_SYSTEM = re.compile(r"\bon (windows|macos)\W*$", re.IGNORECASE)
+_OTHER_SYSTEM = re.compile(r"\bon (windows|macos)\W*$|^(macos users:|if you are on macos\b)", re.IGNORECASE | re.M)
 _TREE = re.compile(r"[├└]──|^\w+/\n +\w+/", re.M)
 """A picture of folders."""
 _CPP_NAME = re.compile(r"Cpp|CPP|Pluginlib|Composable|Custom-Display")
@@ -72,8 +75,17 @@ class Row:
     run: Run | None = None
     interrupted: bool = False
     """Whether the reader ended it by Ctrl-C."""
+    before_ctrl_c: str = ""
+    """Its output until then: a terminal forgets most of what an older command printed."""
     opened: bool = False
     """Whether a window came while it started."""
+
+    @property
+    def by_itself(self) -> str:
+        """What it printed before the reader ended it."""
+        if not self.interrupted:
+            return self.output
+        return self.before_ctrl_c or self.output.partition("^C")[0]
 
 
 class Player:
@@ -101,6 +113,9 @@ class Player:
         for block in self._documentation.blocks(self._page.path):
             hand = next((each for each in self._hands if each.fits(block)), None)
             self._play_block(block, hand)
+        silent = [row.run for row in self.rows if row.run is not None and row.command.startswith("python3 ")]
+        # A page's program has something to say, sooner or later.
+        self._machine.wait(lambda: all(run.written or run.status is not None for run in silent), GOES_ON_S)
         for terminal in self._machine.terminals:
             if terminal.busy:
                 self._interrupt(terminal)
@@ -159,7 +174,8 @@ class Player:
             self._press_ctrl_c(sentence)
         if _ARROWS.search(words):
             for terminal in self._machine.terminals:
-                if terminal.busy and terminal.reading_keys:
+                run = terminal.runs.running
+                if run is not None and terminal.reading_keys and takes_arrows(run.source):
                     for key in (UP, UP, LEFT, UP):
                         terminal.send(key)
                         self._machine.wait(lambda: False, 0.3)
@@ -190,7 +206,7 @@ class Player:
     def _interrupt(self, terminal: Terminal) -> None:
         for row in self.rows:
             if row.run is not None and row.run is terminal.runs.running:
-                row.interrupted = True
+                row.interrupted, row.before_ctrl_c = True, row.run.output
         self._machine.interrupt(terminal)
 
     # -- a command -----------------------------------------------------------------------------------------------------
@@ -224,13 +240,21 @@ class Player:
         windows = len(self._machine.windows())
         row.run = self._machine.type(terminal, command)
         self._until_settled(row, terminal, windows)
+        if hand is not None and hand.lasts:
+            self._machine.wait(lambda: False, hand.lasts)
+        if row.run.status and _TOO_EARLY.search(row.run.output):
+            self._machine.wait(lambda: False, GOES_ON_S / 2)
+            row.run = self._machine.type(terminal, command)
+            self._until_settled(row, terminal, windows)
+        if right := put_right(command, row.run.output):
+            self._until_settled(Row(right, block.line, run=self._machine.type(terminal, right)), terminal, windows)
         self._workspace.ran(command, terminal.shell.cwd)
         if command.startswith("colcon build"):
             self._unbuilt = False
 
     def _choose(self, command: str, block: Block, hand: Hand | None) -> Terminal:
         for other in self._machine.terminals:
-            if other.busy and other.title.strip() == command.strip() and "turtle_teleop_key" not in command:
+            if other.busy and starts_the_same(other.title, command):
                 self._interrupt(other)
                 self._terminal, self._wants_new = other, False
         if hand is not None and hand.interrupt:
@@ -278,6 +302,8 @@ class Player:
             into = place
         elif self._into:
             into = self._workspace.folder(self._into)
+        elif is_from_home(command, terminal.shell.cwd, self._machine.home):
+            into = self._machine.home
         if into is not None and into.is_dir() and into != terminal.shell.cwd:
             self._machine.settle(terminal, f"cd {shlex.quote(str(into))}")
 
@@ -292,6 +318,7 @@ class Player:
         if opens_window(row.command):
             self._machine.wait(lambda: ended() or len(self._machine.windows()) > windows, OPENS_S)
             row.opened = len(self._machine.windows()) > windows
+            self._machine.wait(ended, QUIET_S)  # what it says once it is there
             return
         self._machine.wait(lambda: ended() or run.written > 0, STARTS_S)
         while not ended():
@@ -316,7 +343,9 @@ class Player:
         )
         if done.returncode:
             return "failed", "network: not in the mirror"
-        (terminal.shell.cwd / (name or path.rpartition("/")[2])).write_bytes(done.stdout)
+        (terminal.shell.cwd / (name or path.rpartition("/")[2])).write_text(
+            as_of_today(done.stdout.decode()), encoding="utf-8"
+        )
         return "run", "given from the mirror"
 
     def _newest_bag(self) -> str:
@@ -376,13 +405,40 @@ class Player:
         hangs = row.interrupted and not runs_on(row.command)
         if opens_window(row.command):
             row.verdict, hangs = "window", not row.opened
-        said = row.output.partition("^C")[0] if row.interrupted else row.output
-        if ((status not in (0, None) and not row.interrupted) or hangs or _FAILED.search(said)) and not shown:
+        if ((status not in (0, None) and not row.interrupted) or hangs or _FAILED.search(row.by_itself)) and not shown:
             row.verdict = "failed"
         if row.verdict == "failed" and not row.reason and _CPP_NAME.search(self._page.name):
             row.reason = "C++"
         if row.verdict == "failed" and not row.reason and _NO_COMPILER.search(row.output):
             row.reason = "C++"
+
+
+def takes_arrows(command: str) -> bool:
+    """Return whether the arrow keys that a page speaks of are for this program."""
+    return "teleop" in command
+
+
+def put_right(command: str, output: str) -> str:
+    """Return what a reader types after a command that today's tool refuses, so that the page goes on; '' for nothing."""
+    refused = re.search(r"unrecognized arguments: (/.*)", output)
+    if refused is None or not command.startswith("ros2 bag record "):
+        return ""
+    topics = refused[1].split()
+    return " ".join([*(word for word in command.split() if word not in topics), "--topics", *topics])
+
+
+def starts_the_same(running: str, command: str) -> bool:
+    """Say whether a reader ends a running program before this command: it is the same, or launches it with other arguments."""
+    if "turtle_teleop_key" in command:
+        return False
+    words, others = command.split(), running.split()
+    return words == others or (words[:2] == ["ros2", "launch"] and words[:4] == others[:4])
+
+
+def is_from_home(command: str, cwd: Path, home: Path) -> bool:
+    """Say whether a command names a path that is not there where it is typed, but is from the home folder."""
+    words = [word for word in command.split() if "/" in word and not word.startswith(("/", "~", "'", '"', "$"))]
+    return any((home / word).exists() and not (cwd / word).exists() for word in words)
 
 
 def _body(text: str) -> str:

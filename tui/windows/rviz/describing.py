@@ -6,9 +6,11 @@ import colorsys
 import math
 
 from day6_tui.core.ros.programs.rviz2.model.display import FailedDisplay
+from day6_tui.core.ros.programs.rviz2.model.displays import LEFT_OUT
 from day6_tui.core.ros.programs.rviz2.model.displays.robot_model import RobotModelDisplay
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import number_text
+from day6_tui.core.ros.programs.rviz2.model.topics import FilteredDisplay
 from day6_tui.tui.locale import Texts
 from day6_tui.urdf.kinematics import compose, inverse
 from day6_tui.urdf.model import Joint
@@ -46,11 +48,19 @@ def described(rviz: RViz, texts: Texts) -> str:
             phrases.append(texts("rviz.seen.frames", count=count) if count else texts("rviz.seen.no_frames"))
         elif display.type == "Axes":
             phrases.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
+        elif isinstance(display, FailedDisplay) and display.class_id in LEFT_OUT:
+            phrases.append(texts("rviz.seen.left_out", name=display.name, type=display.class_id.rpartition("/")[2]))
         elif isinstance(display, FailedDisplay):
             phrases.append(texts("rviz.seen.unknown", name=display.name))
         elif display.type == "InteractiveMarkers":
             count = len(getattr(display, "markers", {}))
             phrases.append(texts("rviz.seen.markers", name=display.name, count=count))
+        elif isinstance(display, FilteredDisplay) and not display.received and display.waiting:
+            frame, fixed = display.waiting_for, rviz.fixed_frame
+            count = display.waiting
+            phrases.append(texts("rviz.seen.waiting", name=display.name, count=count, frame=frame, fixed=fixed))
+        elif isinstance(display, FilteredDisplay) and not display.received and display.nameless:
+            phrases.append(texts("rviz.seen.nameless", name=display.name, count=display.nameless))
         elif count := getattr(display, "points_shown", 0):
             key = "rviz.seen.point" if count == 1 else "rviz.seen.points"
             phrases.append(texts(key, name=display.name, count=count))

@@ -11,6 +11,7 @@ from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, write_con
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
 from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
+from day6_tui.core.ros.programs.rviz2.model.views import SavedView
 from day6_tui.core.whole_file import replace_file
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.prompt import Prompt, before_replacing
@@ -102,16 +103,20 @@ def add(pane: RVizPane) -> None:
     pane.lay_over(Menu(pane.look, "rviz.add.title", entries))
 
 
-def rename(pane: RVizPane, display: Display) -> None:
-    """Give a display another name."""
+def rename(pane: RVizPane, thing: Display | SavedView) -> None:
+    """Give a display or a saved view another name."""
 
     def taken(text: str) -> str | None:
         if not text.strip():
             return pane.look.texts("rviz.bad.name")
-        pane.request(partial(pane.rviz.rename_display, display, text.strip()))
+        rviz, name = pane.rviz, text.strip()
+        if isinstance(thing, SavedView):
+            pane.request(partial(rviz.rename_view, thing, name))
+        else:
+            pane.request(partial(rviz.rename_display, thing, name))
         return None
 
-    pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.rename"), display.name, taken))
+    pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.rename"), thing.name, taken))
 
 
 # -- files -------------------------------------------------------------------------------------------------------------

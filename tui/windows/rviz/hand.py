@@ -8,6 +8,7 @@ from functools import partial
 from textual import events
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
+from day6_tui.core.ros.programs.rviz2.model.tools.interact import Interact
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import CAMERA, SCREEN, Pointer, Tool
 from day6_tui.tui.render.picking import things_in
 from day6_tui.tui.windows.rviz.view import View3D
@@ -38,11 +39,19 @@ class Hand:
         tool = self._rviz.tools.current
         return tool if tool is not None and tool.arrows != CAMERA else None
 
+    @property
+    def hovering(self) -> Tool | None:
+        """The one in use, if it wants to know what the mouse is over."""
+        tool = self._rviz.tools.current
+        return tool if tool is not None and (tool.needs_hit or (isinstance(tool, Interact) and tool.things)) else None
+
     # -- the mouse -----------------------------------------------------------------------------------------------------
 
     def begin(self, event: events.MouseDown, x: float, y: float) -> bool:
         """A button goes down over the view; False if it is the view's."""
         tool = self.tool
+        if event.meta:  # Alt: as with the original's Select
+            return False
         if tool is None and self._grab(event, x, y):
             return True
         if tool is None or event.button not in ((LEFT, RIGHT) if tool.takes_right else (LEFT,)):
@@ -72,9 +81,9 @@ class Hand:
             held, button, _ = self._held
             if button == LEFT:
                 self._tell(held, held.drag, self._pointer(held, event, x, y))
-        elif (tool := self.tool) is not None and tool.needs_hit and (int(x), int(y)) != self._over:
+        elif (tool := self.hovering) is not None and (int(x), int(y)) != self._over:
             self._over = int(x), int(y)
-            self._tell(tool, tool.hover, self._pointer(tool, event, x, y))
+            self._tell(tool, tool.hover, self._view.pointer(x, y, search=True))
 
     def end(self, event: events.MouseUp, x: float, y: float) -> None:
         """The button was released."""

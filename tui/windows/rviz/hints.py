@@ -68,9 +68,9 @@ def _control_hints(keys: ControlKeys, thing: Thing) -> Hints:
             hints.append(("Space", "rviz.key.menu"))
         return [*hints, ("Esc", "question.back")]
     turning = turns(mode, keys.turning)
-    hints = [(ARROWS, "rviz.key.direction" if turning else "rviz.key.move")]
+    hints = [(ARROWS, "rviz.key.direction" if turning else "rviz.key.move"), ("Enter", "rviz.key.let_go")]
     if mode in FREE:
         hints.append(("PgUp PgDn", "rviz.key.roll" if turning else "rviz.key.away"))
     if mode in BOTH:
         hints.append(("Space", "rviz.key.move" if turning else "rviz.key.direction"))
-    return [*hints, ("Shift", "rviz.key.fine"), ("Enter", "rviz.key.let_go")]
+    return [*hints, ("Shift", "rviz.key.fine")]

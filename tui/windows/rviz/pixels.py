@@ -7,6 +7,7 @@ import time
 import numpy as np
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
+from day6_tui.core.ros.programs.rviz2.model.scene import Shape
 from day6_tui.tui.canvas import Span
 from day6_tui.tui.colours import pixel_style
 from day6_tui.tui.look import Look
@@ -40,6 +41,8 @@ class PixelView:
         self.sheet = Sheet(columns, rows, look.colours.text)
         self._places = LabelPlaces()
         self.cell = (1, 1)
+        self.focus: Shape | None = None
+        """What marks the focal point."""
         self.cursor: tuple[int, int] | None = None
         """The cell in which the keys point at things."""
         self.pixels: Array = np.zeros((rows, columns, 3), np.uint8)
@@ -95,7 +98,8 @@ class PixelView:
         columns, rows = self._size
         width, height = columns * cell[0], rows * cell[1]
         quality = QUALITIES[self._rviz.quality.value]
-        return paint(self._rviz.scene, self._rviz.view.camera(), width, height, 1.0, quality, offset)
+        scene = self._rviz.scene.beside(self.focus)
+        return paint(scene, self._rviz.view.camera(), width, height, 1.0, quality, offset)
 
     def _put_labels(self, picture: Picture) -> list[Span]:
         red, green, blue = picture.background

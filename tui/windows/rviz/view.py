@@ -10,6 +10,7 @@ from textual.geometry import Region
 from textual.widget import Widget
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
+from day6_tui.core.ros.programs.rviz2.model.scene import Shape
 from day6_tui.core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.tui.canvas import PIXELS_PER_CELL, Span
 from day6_tui.tui.look import Look
@@ -34,6 +35,9 @@ SHARE = 0.2
 
 SLOWEST_SECONDS = 1.0
 
+FOCUS_SECONDS = 0.6
+"""How long a key shows the focal point."""
+
 CURSOR = (255, 255, 0)
 """Its colour."""
 
@@ -55,6 +59,9 @@ class View3D:
         """Seconds to paint a picture, averaged over the last ones."""
         self._times: list[float] = []
         self.dragging = False
+        self._focus_shown = False
+        self._turned_at = -10.0
+        """When a key moved the camera."""
         self.cursor: tuple[int, int] | None = None
         """The cell in which the keys point at things, while a tool is used with them."""
 
@@ -62,6 +69,11 @@ class View3D:
     def screen(self) -> Screen:
         """The camera and the size, for picking."""
         return Screen(self._rviz.view.camera(), self.columns, self.rows)
+
+    @property
+    def focus(self) -> Shape | None:
+        """What marks the focal point, while the camera is moved."""
+        return self._rviz.view.focal_shape if self._focus_shown else None
 
     def pointer(self, x: float, y: float, *, search: bool) -> Pointer:
         """What a place (in cells, with fractions) points to; `search` for things, too."""
@@ -79,6 +91,10 @@ class View3D:
         """Paint everything anew."""
         self.cells = self._fine = None
         self._places = LabelPlaces(unicode=self._look.glyphs.unicode)
+
+    def turned(self) -> None:
+        """A key moves the camera: its focal point is shown for a moment, as while the mouse does."""
+        self._turned_at = time.monotonic()
 
     @property
     def aspect(self) -> float:
@@ -105,11 +121,14 @@ class View3D:
             return [], False
         rviz = self._rviz
         looks = (rviz.quality.value, self._look.glyphs.name, self._look.colours.name)
-        state = (rviz.version, rviz.view_version, self.cursor, *looks)
+        brief = time.monotonic() - self._turned_at < FOCUS_SECONDS
+        self._focus_shown = brief or self.dragging
+        state = (rviz.version, rviz.view_version, self.cursor, self._focus_shown, *looks)
         if (pictures := self._look.pixels) is not None:
-            return self._pull_pixels(pictures, state, now)
+            spans, due = self._pull_pixels(pictures, state, now)
+            return spans, due or brief
         if self.cells is not None and state == self._painted:
-            return [], False
+            return [], brief
         rviz.pace = self.period
         if self.cells is not None and now - self._painted_at < self.period * 0.9:
             return [], True
@@ -118,7 +137,7 @@ class View3D:
         spans = self.cells.changes(before)
         if spans:
             self._times.append(now)
-        return spans, False
+        return spans, brief
 
     def _pull_pixels(self, pictures: Pictures, state: tuple[object, ...], now: float) -> tuple[list[Span], bool]:
         from day6_tui.tui.windows.rviz.pixels import PixelView
@@ -133,13 +152,11 @@ class View3D:
             return [], True
         self._painted, self._painted_at = state, now
         self._times.append(now)
-        if fine is not None:
-            fine.cursor = self.cursor
-            return fine.draft(pictures, now), True
-        fine = self._fine = PixelView(self._rviz, self._look, self.columns, self.rows)
-        fine.cursor = self.cursor
-        fine.draft(pictures, now)
-        return [(row, 0, self.columns) for row in range(self.rows)], True
+        everything = [(row, 0, self.columns) for row in range(self.rows)] if fine is None else []
+        fine = self._fine = fine or PixelView(self._rviz, self._look, self.columns, self.rows)
+        fine.cursor, fine.focus = self.cursor, self.focus
+        spans = fine.draft(pictures, now)
+        return everything or spans, True
 
     def show(self, pane: Widget, column: int, row: int) -> None:
         """Hand the picture over, if it is one of real pixels: its upper left cell in the pane."""
@@ -157,7 +174,7 @@ class View3D:
         across, down = PIXELS_PER_CELL[mode]
         camera = self._rviz.view.camera()
         width, height = self.columns * across, self.rows * down
-        picture = paint(self._rviz.scene, camera, width, height, pixel_aspect(mode), quality)
+        picture = paint(self._rviz.scene.beside(self.focus), camera, width, height, pixel_aspect(mode), quality)
         if self.cursor is not None:
             x, y = (self.cursor[0] + 0.5) * across, (self.cursor[1] + 0.5) * down
             picture.labels.insert(0, (x, y, self._cross, CURSOR))

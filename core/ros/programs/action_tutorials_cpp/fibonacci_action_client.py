@@ -8,7 +8,7 @@ from action_msgs.msg import GoalStatus
 
 from day6_tui.core.ros.programs._component import ready
 from day6_tui.core.ros.programs.fibonacci_interface import Fibonacci, numbers_in
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ async def main(session: Session) -> int:
             await session.spin()  # the original only ends when it succeeds
             return 0
         logger.info(f"Result received: {_numbers(future.result().result.sequence)}")
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs._component import ready
-from day6_tui.core.ros.programs.rclcpp import log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, log_interrupt
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -18,7 +18,7 @@ async def wait_for_service(session: Session, node: Node, look: Callable[[], bool
     try:
         while not await ready(session, look, 1.0):
             node.get_logger().info("service not available, waiting again...")
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
         node.get_logger().error("Interrupted while waiting for the service. Exiting.")
         return False

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import ParameterEvent
 
 from day6_tui.core.ros.programs.demo_nodes_cpp._calls import wait_for_service
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
 from rclpy.qos import qos_profile_parameter_events
@@ -46,7 +46,7 @@ async def hear_ten(session: Session, name: str) -> int:
         for values in (FIRST, SECOND):
             await session.spin_until(client.set_parameters(_parameters(values)))
         await session.spin_until(heard)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0
 
@@ -69,7 +69,7 @@ async def hear_all(session: Session, name: str) -> int:
                 if not result.successful:
                     node.get_logger().error(f"Failed to set parameter: {result.reason}")
         await session.spin_until(pause, 0.1)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from example_interfaces.srv import AddTwoInts
 
 from day6_tui.core.ros.programs.demo_nodes_cpp._calls import wait_for_service
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -23,7 +23,7 @@ async def ask(session: Session) -> int:
     future: Any = client.call_async(AddTwoInts.Request(a=2, b=3))
     try:
         await session.spin_until(future)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
         node.get_logger().error("Interrupted while waiting for response. Exiting.")
         return 0

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from rclpy.serialization import deserialize_message
 
 if TYPE_CHECKING:
@@ -24,6 +24,6 @@ async def main(session: Session) -> int:
     node.create_subscription(String, "chatter", hear, 10, raw=True)
     try:
         await session.spin(node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

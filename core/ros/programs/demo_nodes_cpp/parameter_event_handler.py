@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import ParameterEvent
 
 from day6_tui.core.ros.programs.demo_nodes_cpp._calls import value_text
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_tui.core.ros.programs.rclcpp.parameters import TYPE_NAMES
 from rclpy.parameter import parameter_value_to_python
 from rclpy.qos import qos_profile_parameter_events
@@ -61,6 +61,6 @@ async def main(session: Session) -> int:
     )
     try:
         await session.spin(node, remote)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

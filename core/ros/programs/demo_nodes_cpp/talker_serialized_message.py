@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from rclpy.qos import QoSProfile
 from rclpy.serialization import serialize_message
 
@@ -31,6 +31,6 @@ async def main(session: Session) -> int:
     node.create_timer(1.0, publish)
     try:
         await session.spin(node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

@@ -10,6 +10,7 @@ from sensor_msgs.msg import Image
 from std_msgs.msg import Bool
 
 from day6_tui.core.ros.programs.image_tools._burgers import Burgers
+from day6_tui.core.ros.programs.rclcpp import CppException
 from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
 
 if TYPE_CHECKING:
@@ -39,18 +40,26 @@ def _profile(node: Node, kind: str) -> QoSProfile:
     return QoSProfile(history=history, depth=depth, reliability=reliability)
 
 
+_ENCODINGS = ("mono8", "bgr8", "mono16", "rgba8", "bgra8", "32FC1", "rgb8", "yuv422")
+"""Those that become an OpenCV matrix (cv_mat_sensor_msgs_image_type_adapter.cpp)."""
+
+Show = Callable[[str, Image], object]
+"""Shows an image in the window of that name."""
+
+
 class Cam2Image:
     """Publishes pictures of burgers on `image`; there is no camera. RuntimeError without `burger_mode`, as without a camera."""
 
     NAME = "cam2image"
     OPTIONS: dict[str, Any] = {}
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: Node, show: Show | None = None) -> None:
         self._node = node
+        self._show = show
         self._logger = node.get_logger()
         qos = _profile(node, "publisher")
         frequency = node.declare_parameter("frequency", 30.0).value
-        node.declare_parameter("show_camera", False)
+        self._shows = node.declare_parameter("show_camera", False).value
         node.declare_parameter("device_id", 0)
         self._width = node.declare_parameter("width", 320).value
         self._height = node.declare_parameter("height", 240).value
@@ -79,28 +88,36 @@ class Cam2Image:
         message.header.stamp = self._node.get_clock().now().to_msg()
         self._count += 1
         self._logger.info(f"Publishing image #{self._count}")
+        if self._shows and self._show is not None:
+            self._show("cam2image", message)
         self._publisher.publish(message)
 
 
 class ShowImage:
-    """Tells of each picture on `image`. `echo` gets what the real one writes beside its log; its window is OpenCV's."""
+    """Tells of each picture on `image` and shows it. `echo` gets what the real one writes beside its log."""
 
     NAME = "showimage"
     OPTIONS: dict[str, Any] = {}
 
-    def __init__(self, node: Node, echo: Callable[[str], object] = lambda text: None) -> None:
+    def __init__(self, node: Node, echo: Callable[[str], object] = lambda text: None, show: Show | None = None) -> None:
         self._logger = node.get_logger()
         self._echo = echo
+        self._show = show
         qos = _profile(node, "subscription")
-        node.declare_parameter("show_image", True)
-        node.declare_parameter("window_name", "")
+        self.shows = node.declare_parameter("show_image", True).value
+        name = node.declare_parameter("window_name", "").value
         self._logger.info("Subscribing to topic 'image'")
-        node.create_subscription(Image, "image", self._take, qos)
+        subscription = node.create_subscription(Image, "image", self._take, qos)
+        self._name = name or subscription.topic_name
 
     def _take(self, message: Image) -> None:
+        if message.encoding not in _ENCODINGS:
+            raise CppException("Unsupported encoding type")
         text = f"Received image #{message.header.frame_id}"
         self._logger.info(text)
         self._echo(text)
+        if self.shows and self._show is not None:
+            self._show(self._name, message)
 
 
 COMPONENTS: dict[str, type[Component]] = {f"image_tools::{kind.__name__}": kind for kind in (Cam2Image, ShowImage)}

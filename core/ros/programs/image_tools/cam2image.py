@@ -35,4 +35,4 @@ Note: try running v4l2-ctl --list-formats-ext to obtain a list of valid values."
 
 
 async def main(session: Session) -> int:
-    return await run(session, USAGE, Cam2Image.NAME, Cam2Image)
+    return await run(session, USAGE, Cam2Image.NAME, lambda node, window: Cam2Image(node, window.show))

@@ -1,14 +1,20 @@
-"""showimage: tells of each picture that comes; there is no window of OpenCV for it."""
+"""showimage: tells of each picture that comes, and shows it in a window.
+
+What it does without a screen is the rule of `programs/_without_screen.py`.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.programs._without_screen import say_there_is_none
 from day6_tui.core.ros.programs.image_tools._components import ShowImage
 from day6_tui.core.ros.programs.image_tools._running import run
 
 if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.image_tools.shown_image import ImageWindow
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 USAGE = """\
 Usage: showimage [-h] [--ros-args [-p param:=value] ...]
@@ -28,4 +34,10 @@ Parameters:
 
 
 async def main(session: Session) -> int:
-    return await run(session, USAGE, ShowImage.NAME, lambda node: ShowImage(node, session.print_error))
+    def component(node: Node, window: ImageWindow) -> ShowImage:
+        made = ShowImage(node, session.print_error, window.show)
+        if made.shows and session.display is None:
+            say_there_is_none(node)
+        return made
+
+    return await run(session, USAGE, ShowImage.NAME, component)

@@ -8,7 +8,7 @@ from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
 
 from day6_tui.core.ros.programs._component import ready
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from rclpy.task import Future
 
 if TYPE_CHECKING:
@@ -77,6 +77,6 @@ async def main(session: Session) -> int:
                 await session.spin_until(Future(), BETWEEN)
             if not (await leader.change_state(transition) and await leader.get_state()):
                 return 0
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_tui.core.ros.programs.rclcpp.lifecycle import CppLifecycleNode
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
@@ -70,9 +70,10 @@ class LifecycleTalker(CppLifecycleNode):
 
 
 async def main(session: Session) -> int:
-    node = create_node(session, "lc_talker", LifecycleTalker)
+    node: Any = create_node(session, "lc_talker", LifecycleTalker)
     try:
         await session.spin(node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
+    node.warn_unless_finalized(session)
     return 0

@@ -8,15 +8,19 @@ rclpy and made by `create_node`, so that their parameters, their answers and the
 - `qos`: the parameters `qos_overrides.…` of endpoints whose QoS may be changed from outside;
 - `logger`: how a log message names its file;
 - `node`: the rest: the parameters, topics and services that every node has.
+
+SIGINT and SIGTERM (`STOPPED`) end such a program with status 0, after a line of `log_interrupt`.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros import differences
 from day6_tui.core.ros.programs.rclcpp.exceptions import CppException as CppException
 from day6_tui.core.ros.programs.rclcpp.exceptions import thrown_as_cpp
 from day6_tui.core.ros.programs.rclcpp.node import CppNode
+from day6_tui.core.session.session import STOPPED as STOPPED
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -43,6 +47,13 @@ def create_node(session: Session, name: str, kind: type[CppNode] = CppNode, **ke
 
 
 def log_interrupt(session: Session) -> None:
-    """Print what rclcpp's signal handler logs at Ctrl-C; that logger belongs to no node, so nothing goes to /rosout."""
+    """Print what rclcpp's signal handler logs when a signal stops the program (rclcpp/signal_handler.cpp)."""
+    session.stopping = True
+    text = differences.value("rclcpp.signal").format(number=15 if session.terminated else 2)
+    log(session, "INFO", "rclcpp", f"signal_handler({text})")
+
+
+def log(session: Session, level: str, logger: str, text: str) -> None:
+    """Print what a logger says that belongs to no node; so nothing of it goes to /rosout."""
     seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
-    session.print_error(f"[INFO] [{seconds}.{nanoseconds:09d}] [rclcpp]: signal_handler(SIGINT/SIGTERM)")
+    session.print_error(f"[{level}] [{seconds}.{nanoseconds:09d}] [{logger}]: {text}")

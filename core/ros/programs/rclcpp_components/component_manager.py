@@ -146,11 +146,11 @@ class ComponentManager:
 
 async def run_container(session: Session) -> int:
     """Run as a container until Ctrl-C."""
-    from day6_tui.core.ros.programs.rclcpp import log_interrupt
+    from day6_tui.core.ros.programs.rclcpp import STOPPED, log_interrupt
 
     manager = ComponentManager(session)
     try:
         await session.spin(manager.node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

@@ -16,7 +16,8 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 
-from day6_tui.core.ros.programs.rclcpp import CppException, create_node, log_interrupt
+from day6_tui.core.ros.differences import value
+from day6_tui.core.ros.programs.rclcpp import STOPPED, CppException, create_node, log_interrupt
 from day6_tui.core.ros.programs.rclcpp.qos import DYNAMIC_TF, STATIC_TF
 from day6_tui.core.ros.programs.robot_state_publisher._segments import FrameTransform, Segments, StaticFrames, Throttle
 from day6_tui.core.session.threads import in_thread
@@ -120,7 +121,12 @@ class RobotStatePublisher:
     def _setup(self, description: str, robot: Robot) -> None:
         self._segments = Segments(robot)
         self._description.publish(String(data=description))
-        self._node.get_logger().info("Robot initialized")
+        log = self._node.get_logger()
+        if value("robot_state_publisher.names_segments"):
+            for name in sorted(link.name for link in robot.links):
+                log.info(f"got segment {name}")
+        else:
+            log.info("Robot initialized")
 
     def _publish_fixed(self) -> None:
         assert self._segments is not None
@@ -245,6 +251,6 @@ async def main(session: Session) -> int:
     publisher.start(description, await _report(description, size))
     try:
         await session.spin(node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

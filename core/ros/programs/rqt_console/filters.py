@@ -21,6 +21,9 @@ KINDS: dict[str, tuple[str, ...]] = {
 }
 """The kinds of filters in the order of rqt_console's menu, and what is asked for each."""
 
+LONGEST = 10_000
+"""Characters of a text in which a regular expression is looked for."""
+
 MANY = ("message", "location")
 """Kinds of which there may be several."""
 
@@ -71,7 +74,7 @@ class Filter:
         if not self.is_regex:
             return self.text in text
         try:
-            return self._pattern().search(text) is not None
+            return self._pattern().search(text[:LONGEST]) is not None
         except re.error:
             return False
 

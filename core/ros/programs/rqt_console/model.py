@@ -5,6 +5,7 @@ The window runs on another thread: it reads, changes what is shown, and requests
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -16,6 +17,9 @@ from day6_tui.core.whole_file import replace_file
 
 MOST = 20_000
 """Messages that are kept (rqt_console's own limit)."""
+
+SLICE, SLICE_SECONDS = 100, 0.05
+"""Messages that are looked at together, and after how much time the rest has to wait: for some regular expressions."""
 
 SEVERITIES: dict[int, str] = {10: "Debug", 20: "Info", 30: "Warn", 40: "Error", 50: "Fatal"}
 """rcl_interfaces/msg/Log, in the words of rqt_console's table."""
@@ -94,15 +98,26 @@ class Console(Requests):
         return min(len(self._records), MOST)
 
     def shown(self) -> Sequence[Record]:
-        """The messages that are not left out, oldest first."""
+        """The messages that are not left out, oldest first; while `is_behind`, as many as have been looked at."""
         records, choice = self._records, self.choice
         count = len(records)
         before, source, done, found = self._seen
         if before is not choice or source is not records:
             done, found = max(0, count - MOST), []
-        found.extend(record for record in records[done:count] if choice.shows(record))
-        self._seen = (choice, records, count, found)
+        end = time.perf_counter() + SLICE_SECONDS
+        while done < count:
+            found.extend(record for record in records[done : min(count, done + SLICE)] if choice.shows(record))
+            done = min(count, done + SLICE)
+            if time.perf_counter() > end:
+                break
+        self._seen = (choice, records, done, found)
         return found if len(found) <= MOST else found[-MOST:]
+
+    @property
+    def is_behind(self) -> bool:
+        """Whether `shown` has not looked at all messages yet."""
+        choice, records, done, _ = self._seen
+        return choice is not self.choice or records is not self._records or done < len(records)
 
     def nodes(self) -> set[str]:
         """The names of the nodes of all messages."""

@@ -14,8 +14,10 @@ from day6_tui.core.ros.programs.rqt_console.model import Console
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
+from rclpy.qos import DurabilityPolicy, QoSProfile
 
-DEPTH = 1000
+EAR = QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+"""As in rqt_console what was logged just before is heard, too; its depth of 10 would lose messages."""
 
 
 class ConsolePlugin(Plugin[Console]):
@@ -27,7 +29,7 @@ class ConsolePlugin(Plugin[Console]):
         super().__init__(place, Console(place.session.cwd))
         self.model.on_load = lambda path: place.spawn(self._load(path))
         take_settings(self.model, place.settings)
-        self._subscription = place.node.create_subscription(Log, "/rosout", self.model.receive, DEPTH)
+        self._subscription = place.node.create_subscription(Log, "/rosout", self.model.receive, EAR)
 
     async def run(self) -> None:
         self.place.serve(self.model)
@@ -63,7 +65,7 @@ class ConsolePlugin(Plugin[Console]):
             record = self.model.shown()[-1]
             session.print(f"#{record.number} {record.severity} [{record.node}]: {record.text}")
 
-        node.create_subscription(Log, "/rosout", show, DEPTH)
+        node.create_subscription(Log, "/rosout", show, EAR)
         await session.spin(node)
         return 0
 

@@ -25,7 +25,14 @@ NUMBERS = re.compile(r"(8|16|32|64)[USF](?:C([0-9]+))?")
 
 
 class Undecodable(ValueError):
-    """An image that cannot be shown, in the words of the real plugin (image_view.cpp, callbackImage) and cv_bridge."""
+    """An image that cannot be shown, in the words of the real plugin (image_view.cpp, callbackImage) and cv_bridge.
+
+    `reason` is without those of the plugin.
+    """
+
+    def __init__(self, text: str, reason: str = "") -> None:
+        super().__init__(text)
+        self.reason = reason or text
 
 
 @dataclass(frozen=True)
@@ -154,7 +161,8 @@ def _form(encoding: str) -> tuple[int, int]:
 def _failed(encoding: str, reason: str) -> Undecodable:
     return Undecodable(
         f"ImageView.callback_image() while trying to convert image from '{encoding}' to 'rgb8' "
-        f"an exception was thrown ({reason})"
+        f"an exception was thrown ({reason})",
+        reason,
     )
 
 

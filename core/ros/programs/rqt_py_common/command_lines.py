@@ -26,6 +26,8 @@ class Kind(Enum):
     COMMAND = "command"
     OUTPUT = "output"
     ERROR = "error"
+    REMARK = "remark"
+    """A sentence of ours, which the window has in the user's language; the line is its name."""
 
 
 class CommandLines(ABC):

@@ -9,6 +9,9 @@ from collections.abc import Callable
 from day6_tui.core.ros.programs.rqt_py_common.command_lines import CommandLines, Kind
 from day6_tui.core.ros.programs.rqt_py_console.interpreter import AWAITS, ERROR, PLAIN
 
+NO_DESKTOP = "py_console.no_desktop"
+"""The remark where Python cannot be run."""
+
 MOST_WAITING = 10_000
 """Lines that were typed or pasted before the interpreter asks for them."""
 

@@ -12,14 +12,12 @@ from pathlib import Path
 
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
 from day6_tui.core.ros.programs.rqt_py_common.command_lines import Kind, Printed
-from day6_tui.core.ros.programs.rqt_py_console.model import PyConsole
+from day6_tui.core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Pipe
 from day6_tui.core.session.task import Signal
 
 INTERPRETER = Path(__file__).with_name("interpreter.py")
-
-NO_PYTHON = "This console runs Python in the desktop (day6-tui). Here is none: type python3 in your own terminal."
 
 
 class PyConsolePlugin(Plugin[PyConsole]):
@@ -44,7 +42,7 @@ class PyConsolePlugin(Plugin[PyConsole]):
         host = session.host
         python = host.command("python3") if host is not None and host.starts_programs else None
         if host is None or python is None:
-            model.take(f"{NO_PYTHON}\n", Kind.ERROR)
+            model.take(f"{NO_DESKTOP}\n", Kind.REMARK)
             return None
         keys, output = Pipe(), Printed(model.take_stream)
         argv = ["python3", "-u", str(INTERPRETER)]

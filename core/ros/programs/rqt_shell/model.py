@@ -13,6 +13,10 @@ PROMPT = ">>> "
 """qt_gui_py_common, console_text_edit.py"""
 
 
+NO_DESKTOP = "shell.no_desktop"
+"""The remark where commands cannot be run."""
+
+
 class Shell(CommandLines):
     """The model of one shell. The window reads `lines`, `prompt`, `version`, and calls `run` and `interrupt`."""
 

@@ -10,12 +10,10 @@ from functools import partial
 
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
 from day6_tui.core.ros.programs.rqt_py_common.command_lines import Kind, Printed
-from day6_tui.core.ros.programs.rqt_shell.model import Shell
+from day6_tui.core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
-
-NO_SHELL = "This shell runs commands of the desktop (day6-tui). Here is none: type them into your own terminal."
 
 
 class ShellPlugin(Plugin[Shell]):
@@ -53,7 +51,7 @@ class ShellPlugin(Plugin[Shell]):
         host = session.host
         bash = host.command("bash") if host is not None and host.starts_programs else None
         if host is None or bash is None:
-            errors.write(f"{NO_SHELL}\n")
+            model.take(f"{NO_DESKTOP}\n", Kind.REMARK)
             return
         try:
             self._program = host.start_beside(

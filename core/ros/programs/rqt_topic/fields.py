@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import Any, NamedTuple
 
-from day6_tui.core.interfaces import get_message
+from day6_tui.core.interfaces import UnknownInterfaceError, get_interface
 
 MOST_ELEMENTS = 100
 """Elements of an array that are told one by one; the last line then stands for the rest."""
+
+MOST_READ = 1_000
+"""Elements or characters of a value that is read as a text of its own."""
 
 
 class Field(NamedTuple):
@@ -34,7 +37,7 @@ def fields(type_name: str, value: Any) -> list[Field]:
         return found
     if "/" not in type_name:
         return []
-    types: dict[str, str] = _message_class(type_name).get_fields_and_field_types()
+    types: dict[str, str] = message_class(type_name).get_fields_and_field_types()
     return [Field(name, kind, None if value is None else getattr(value, name)) for name, kind in types.items()]
 
 
@@ -84,6 +87,47 @@ def element_type(type_name: str) -> str:
     return type_name.rpartition("[")[0] if type_name.endswith("]") else ""
 
 
-def _message_class(type_name: str) -> Any:
+def message_class(type_name: str) -> Any:
+    """The class of a type as topics (`a/msg/B`, `a/action/B_FeedbackMessage`) or fields (`a/B`, `a/B_Feedback`) name it.
+
+    Raises LookupError and ValueError for a type that is unknown here, or no message.
+    """
     package, _, name = type_name.rpartition("/")
-    return get_message(f"{package.partition('/')[0]}/msg/{name}")
+    if "/" in package:
+        found = get_interface(type_name)
+    elif "_" not in name:
+        found = get_interface(f"{package}/msg/{name}")
+    else:  # a part of an action or service
+        try:
+            found = get_interface(f"{package}/action/{name}")
+        except UnknownInterfaceError:
+            found = get_interface(f"{package}/srv/{name}")
+    if not hasattr(found, "get_fields_and_field_types"):
+        raise ValueError(f"'{type_name}' is no message")
+    return found
+
+
+def value_at(message: Any, names: Iterable[str]) -> Any:
+    """The value of the field or element (`[7]`) of a message that these names lead to; None if there is none."""
+    value = message
+    for name in names:
+        if name.startswith("[") and name.endswith("]"):
+            index = name[1:-1]
+            value = value[int(index)] if index.isdecimal() and int(index) < len(value) else None
+        else:
+            value = getattr(value, name, None)
+    return value
+
+
+def text_of(value: Any) -> str:
+    """A value as a text of several lines, as `ros2 topic echo` prints it; very long ones are cut as there."""
+    from rosidl_runtime_py.convert import message_to_yaml
+
+    if hasattr(value, "get_fields_and_field_types"):
+        return message_to_yaml(value, truncate_length=MOST_READ)
+    if isinstance(value, (str, bytes)) or not hasattr(value, "__len__"):
+        return str(value[:MOST_READ] if isinstance(value, (str, bytes)) else value)
+    lines = []
+    for each in islice(value, MOST_READ):
+        lines.append("- " + text_of(each).rstrip("\n").replace("\n", "\n  "))
+    return "\n".join([*lines, *["..."] * (len(value) > MOST_READ)])

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.names import full_name
-from day6_tui.core.interfaces import DeserializationError, deserialize, get_message, serialize
+from day6_tui.core.interfaces import DeserializationError, deserialize, serialize
 from day6_tui.core.ros.programs.rqt_topic._measure import Measure
+from day6_tui.core.ros.programs.rqt_topic.fields import message_class
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 if TYPE_CHECKING:
@@ -171,7 +172,7 @@ class _Monitor:
     """
 
     def __init__(self, node: Node, topic: str, type_name: str, now_ns: Callable[[], int]) -> None:
-        self.type_class = get_message(type_name)
+        self.type_class = message_class(type_name)
         self.measure = Measure()
         self.newest: bytes | None = None
         self.problem = ""

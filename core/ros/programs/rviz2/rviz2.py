@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from day6_tui.core.ros.programs._without_screen import stays
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_tui.core.ros.programs.rviz2.model.config import ConfigError
 from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
@@ -142,7 +142,7 @@ async def main(session: Session) -> int:
             return await _print_panel(session, rviz, changed)
         try:
             await _log(session, rviz, changed)
-        except KeyboardInterrupt:
+        except STOPPED:
             log_interrupt(session)
         return 0
     # The picture needs numpy, whose import would make the desktop stutter.
@@ -151,7 +151,7 @@ async def main(session: Session) -> int:
     window = session.display.open("rviz2", _title(rviz, options.display_title_format), rviz)
     try:
         await _run(session, rviz, changed)
-    except KeyboardInterrupt:
+    except STOPPED:
         if not window.closed:
             log_interrupt(session)
     return 0

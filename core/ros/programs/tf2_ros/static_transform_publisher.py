@@ -12,7 +12,13 @@ from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import ParameterDescriptor
 from tf2_py import _rotation as rot
 
-from day6_tui.core.ros.programs.rclcpp import CppException, create_node, init_and_remove_ros_arguments, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import (
+    STOPPED,
+    CppException,
+    create_node,
+    init_and_remove_ros_arguments,
+    log_interrupt,
+)
 from day6_tui.core.ros.programs.tf2_ros.broadcasting import StaticTransformBroadcaster
 from day6_tui.core.ros.programs.tf2_ros.listening import log_without_node
 from rclpy.parameter import Parameter
@@ -194,6 +200,6 @@ async def main(session: Session) -> int:
     )
     try:
         await session.spin(node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

@@ -9,7 +9,13 @@ from typing import TYPE_CHECKING
 from tf2_py import _rotation as rot
 from tf2_ros import Buffer, TransformException
 
-from day6_tui.core.ros.programs.rclcpp import CppException, create_node, init_and_remove_ros_arguments, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import (
+    STOPPED,
+    CppException,
+    create_node,
+    init_and_remove_ros_arguments,
+    log_interrupt,
+)
 from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from rclpy.time import Time
 
@@ -120,6 +126,6 @@ async def main(session: Session) -> int:
     session.spawn(session.spin(node, listen(session, buffer)))
     try:
         await echo(session, node, buffer, arguments[1], arguments[2], rate)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING
 from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, TransformException
 
-from day6_tui.core.ros.programs.rclcpp import CppException, create_node, init_and_remove_ros_arguments, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import (
+    STOPPED,
+    CppException,
+    create_node,
+    init_and_remove_ros_arguments,
+    log_interrupt,
+)
 from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.time import Time
@@ -162,6 +168,6 @@ async def main(session: Session) -> int:
     session.spawn(session.spin(node, listen(session, buffer)))
     try:
         await Monitor(session, node, buffer, frames).run()
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from geometry_msgs.msg import Twist
 
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_tui.core.ros.programs.turtlesim._qos import TOPIC_QOS
 from day6_tui.core.ros.programs.turtlesim_interfaces import Pose
 
@@ -31,6 +31,6 @@ async def main(session: Session) -> int:
     node.create_subscription(Pose, "input/pose", repeat, TOPIC_QOS)
     try:
         await session.spin(node)
-    except KeyboardInterrupt:
+    except STOPPED:
         log_interrupt(session)
     return 0

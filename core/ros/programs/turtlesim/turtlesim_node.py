@@ -13,7 +13,7 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent
 from std_srvs.srv import Empty
 
 from day6_tui.core.ros.differences import value
-from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_tui.core.ros.programs.turtlesim import model
 from day6_tui.core.ros.programs.turtlesim._turtle_interface import TurtleInterface
 from day6_tui.core.ros.programs.turtlesim_interfaces import Kill, Spawn
@@ -168,7 +168,7 @@ async def main(session: Session) -> int:
                 frame.make_up_for(passed)
                 if len(passed) < patience:  # the graph may have changed
                     looked = -TICKS_BETWEEN_LOOKS
-    except KeyboardInterrupt:
+    except STOPPED:
         # Closing the window ends the node without a word; Ctrl-C is answered by rclcpp.
         if window is None or not window.closed:
             log_interrupt(session)

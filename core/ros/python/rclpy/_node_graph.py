@@ -165,6 +165,13 @@ class NodeGraph:
         """Return the subscriptions of a topic: node, type, GID, QoS."""
         return self._infos(topic_name, no_mangle, EndpointKind.SUBSCRIPTION, "subscriptions")
 
+    def _endpoints_of_service(self, service: str) -> tuple[list[Endpoint], list[Endpoint]]:
+        """Return the clients and the servers of a service."""
+        clients, servers = (
+            self._graph.endpoints(kind, topic=service) for kind in (EndpointKind.CLIENT, EndpointKind.SERVICE)
+        )
+        return list(clients), list(servers)
+
     # -- waiting -------------------------------------------------------------------------------------------------------
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:

@@ -83,7 +83,7 @@ def reading(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise BadBag(f"{error.strerror}: {path}") from None
+        raise BadBag(f"{error.strerror}: {path}") from error
     except (struct.error, zlib.error, LookupError, TypeError, ValueError, ArithmeticError, MemoryError) as error:
         raise BadBag(f"{path.name} is damaged: {error or type(error).__name__}") from error
 
@@ -139,7 +139,8 @@ def open_file(path: Path, storage_id: str, log: Log) -> BagReader | None:
             log("ERROR", _LOGGER, "No storage id specified, and no plugin found that could open URI")
             return None
         if storage_id in SUFFIXES:
-            log("ERROR", _LOGGER, f"Could not open '{path}' with '{storage_id}'. Error: {error}")
+            reason = error.__cause__.strerror if isinstance(error.__cause__, OSError) else error
+            log("ERROR", _LOGGER, f"Could not open '{path}' with '{storage_id}'. Error: {reason}")
         log("ERROR", _LOGGER, f"Could not load/open plugin with storage id '{storage_id}'")
         return None
     if file.storage_id == "sqlite3":
@@ -158,7 +159,7 @@ def _open(path: Path, storage_id: str) -> BagReader:
         return SqliteReader(path)
 
 
-def create_file(path: Path, storage_id: str, preset: str, distro: str) -> BagWriter:
+def create_file(path: Path, storage_id: str, preset: str, distro: str, log: Log) -> BagWriter:
     """Create a new file. Raises RuntimeError for an unknown storage or preset."""
     if (storage_id or get_default_storage_id()) == "mcap":
         from rosbag2_py._mcap_write import McapWriter
@@ -166,4 +167,6 @@ def create_file(path: Path, storage_id: str, preset: str, distro: str) -> BagWri
         return McapWriter(path, preset)
     from rosbag2_py._sqlite import SqliteWriter
 
-    return SqliteWriter(path, preset, distro)
+    file = SqliteWriter(path, preset, distro)
+    log("INFO", _LOGGER, f"Opened database '{path}' for READ_WRITE.")
+    return file

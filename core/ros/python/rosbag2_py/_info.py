@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from day6_tui.core.ros.differences import value
 from rosbag2_py._console import Log, to_console
 from rosbag2_py._files import open_file, reading
 from rosbag2_py._metadata import MetadataIo
@@ -20,7 +21,7 @@ SORTING: dict[str, Callable[[TopicInformation], Any]] = {
     "type": lambda each: each.topic_metadata.type,
     "count": lambda each: each.message_count,
 }
-_INDENT = " " * 19
+_TOPICS = "Topic information: "
 
 
 class Info:
@@ -67,10 +68,17 @@ class Info:
         """Return the names of the topics, except service events."""
         return [each.topic_metadata.name for each in _topics(metadata, sorting_method)]
 
+    def read_metadata_and_output_service_verbose(self, uri: str, storage_id: str = "") -> None:
+        """Print everything, as `ros2 bag info -v` does."""
+        print(self.verbose_text(uri, self.read_metadata(uri, storage_id)))
+
     def text(self, metadata: BagMetadata, sorting_method: str = "name") -> str:
         """Return the output of `ros2 bag info BAG`."""
+        if not value("bag.info_names_distribution_and_services"):
+            about = [_topic_line(each, None) for each in metadata.topics_with_message_count]
+            return "\n".join([*_head(metadata, metadata.message_count), *_column(_TOPICS, about)]) + "\n"
         services = _services(metadata, sorting_method)
-        lines = [*_head(metadata, sorting_method, None), f"Service:           {len(services)}"]
+        lines = _head_and_topics(metadata, sorting_method, None)
         about = [
             f"Service: {service.name} | Type: {service.type} | Event Count: {service.events} | "
             f"Serialization Format: {service.serialization}"
@@ -90,7 +98,7 @@ class Info:
             f"Serialization Format: {service.serialization}"
             for service in services
         ]
-        lines = [*_head(metadata, sorting_method, sizes), f"Service:           {len(services)}"]
+        lines = _head_and_topics(metadata, sorting_method, sizes)
         return "\n".join([*lines, *_column("Service information: ", about)]) + ("\n" if about else "")
 
 
@@ -127,22 +135,30 @@ def _services(metadata: BagMetadata, sorting_method: str) -> list[_Service]:
     ]
 
 
-def _head(metadata: BagMetadata, sorting_method: str, sizes: Mapping[str, int] | None) -> list[str]:
+def _head_and_topics(metadata: BagMetadata, sorting_method: str, sizes: Mapping[str, int] | None) -> list[str]:
+    services = _services(metadata, "name")
+    topics = [_topic_line(each, sizes) for each in _topics(metadata, sorting_method)]
+    return [
+        *_head(metadata, metadata.message_count - sum(service.events for service in services)),
+        *_column(_TOPICS, topics),
+        f"Service:           {len(services)}",
+    ]
+
+
+def _head(metadata: BagMetadata, messages: int) -> list[str]:
     start = nanoseconds_of(metadata.starting_time)
     duration = nanoseconds_of(metadata.duration)
-    events = sum(service.events for service in _services(metadata, "name"))
-    topics = [_topic_line(each, sizes) for each in _topics(metadata, sorting_method)]
+    distribution = value("bag.info_names_distribution_and_services")
     return [
         "",
         *_column("Files:             ", metadata.relative_file_paths),
         f"Bag size:          {file_size(metadata.bag_size)}",
         f"Storage id:        {metadata.storage_identifier}",
-        f"ROS Distro:        {metadata.ros_distro or 'unknown'}",
+        *([f"ROS Distro:        {metadata.ros_distro or 'unknown'}"] if distribution else []),
         f"Duration:          {_seconds(duration)}s",
         f"Start:             {_moment(start)}",
         f"End:               {_moment(start + duration)}",
-        f"Messages:          {metadata.message_count - events}",
-        *_column("Topic information: ", topics),
+        f"Messages:          {messages}",
     ]
 
 
@@ -191,7 +207,7 @@ def message_sizes(uri: str, metadata: BagMetadata, log: Log = to_console) -> dic
     return dict(sizes)
 
 
-def _all_messages(uri: str, metadata: BagMetadata, log: Log) -> Any:
+def _all_messages(uri: str, metadata: BagMetadata, log: Log) -> Iterator[tuple[str, bytes, int]]:
     from rosbag2_py._reader import SequentialReader
 
     reader = SequentialReader(log)

@@ -94,11 +94,11 @@ class McapBlocks:
         with self._file.reading():
             if stretch.chunk is None:
                 return self._file.loose_message(key)
-            offset = stretch.chunk.chunk_start_offset
-            compression, content_at = self._file.content_of(offset)
-            if not compression:
-                return self._file.loose_message(content_at + key)
-            data = self._file.unpack(offset)
+            chunk = stretch.chunk
+            if not chunk.compression:
+                end = chunk.chunk_start_offset + chunk.chunk_length
+                return self._file.loose_message(end - chunk.compressed_size + key)
+            data = self._file.unpack(chunk.chunk_start_offset)
             _, length = RECORD.unpack_from(data, key)
             begin = key + RECORD.size
             _, _, received, sent = MESSAGE_HEAD.unpack_from(data, begin)

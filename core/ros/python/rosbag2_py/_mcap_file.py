@@ -79,7 +79,29 @@ class Stretch:
     places: array[int] = field(default_factory=lambda: array("q"))
     """Times, and offsets of the records, of messages outside of chunks, in the order of the file."""
 
-    def add(self, channel: int, time_ns: int) -> None:
+    def add(self, channel: int, time_ns: int, place: int) -> None:
+        """Add a message outside of chunks."""
+        self.count(channel, time_ns)
+        self.times.append(time_ns)
+        self.places.append(place)
+
+    def add_index(self, channel: int, count: int, place: int, length: int) -> None:
+        """Add the message index of a channel behind the chunk."""
+        assert self.chunk is not None
+        self.chunk.message_index_offsets[channel] = place
+        self.chunk.message_index_length += length
+        self.counts[channel] = count
+
+    def is_long(self, end: int) -> bool:
+        """Whether another one is to begin at `end`."""
+        return len(self.times) >= LOOSE or end - self.offset > _MOST_LOOSE
+
+    def until(self, end: int) -> Stretch:
+        """End it there."""
+        self.end = end
+        return self
+
+    def count(self, channel: int, time_ns: int) -> None:
         """Count a message."""
         self.start_ns = min(self.start_ns, time_ns) if self.counts else time_ns
         self.end_ns = max(self.end_ns, time_ns)
@@ -189,70 +211,51 @@ class McapFile:
     def _walk(self) -> Iterator[Stretch]:
         """Go from one head to the next; ends where the file was cut off or is damaged."""
         has_end, self.is_complete = self.is_complete, False
-        at = begin = len(MCAP_MAGIC)
-        data, piece = b"", _LEAST_PIECE
-        loose = Stretch(offset=at)
-        packed: Stretch | None = None
-        while True:
-            here = at - begin
-            if here + _HEADS > len(data) and begin + len(data) < self.size:
-                piece = min(4 * piece, _MOST_PIECE) if here <= len(data) else _LEAST_PIECE
-                begin, data, here = at, self.read(at, piece), 0
-            self.passed = at
-            opcode, length = RECORD.unpack_from(data, here) if here + RECORD.size <= len(data) else (0, 0)
-            end = at + RECORD.size + length
-            if not opcode or end > self.size or length < _SHORTEST.get(opcode, 0):
-                break
-            if opcode == Opcode.MESSAGE_INDEX and packed is not None and packed.chunk is not None:
-                channel, pairs = INDEX.unpack_from(data, here + RECORD.size)
-                packed.chunk.message_index_offsets[channel] = at
-                packed.chunk.message_index_length += end - at
-                packed.counts[channel] = pairs // PAIR
-                at = end
-                continue
-            if packed is not None:
+        heads, at = _Heads(self), len(MCAP_MAGIC)
+        loose, packed = Stretch(offset=at), None
+        while (head := heads.at(at)) is not None:
+            (opcode, end), self.passed = head, at
+            if packed is not None and opcode != Opcode.MESSAGE_INDEX:
                 if not self._complete(packed):
                     packed = None
                     break
                 yield packed
                 packed = None
             if opcode == Opcode.MESSAGE:
-                channel, _, time_ns, _ = MESSAGE_HEAD.unpack_from(data, here + RECORD.size)
+                channel, _, time_ns, _ = heads.content(MESSAGE_HEAD)
                 if channel in self.channels:
-                    loose.add(channel, time_ns)
-                    loose.times.append(time_ns)
-                    loose.places.append(at)
-                if loose.times and (len(loose.times) >= LOOSE or end - loose.offset > _MOST_LOOSE):
-                    loose.end = end
-                    yield loose
-                    loose = Stretch(offset=end)
-            elif opcode == Opcode.CHUNK:
-                if loose.times:
-                    loose.end = at
-                    yield loose
+                    loose.add(channel, time_ns, at)
+            elif opcode == Opcode.MESSAGE_INDEX and packed is not None:
+                channel, length = heads.content(INDEX)
+                packed.add_index(channel, length // PAIR, at, end - at)
+            elif opcode in (Opcode.SCHEMA, Opcode.CHANNEL, Opcode.METADATA):
+                self._take(opcode, self.read(at + RECORD.size, end - at - RECORD.size))
+            if not loose.times and opcode != Opcode.MESSAGE:
+                loose.offset = end
+            elif loose.times and (opcode in (Opcode.CHUNK, Opcode.DATA_END) or loose.is_long(end)):
+                yield loose.until(end if opcode == Opcode.MESSAGE else at)
                 loose = Stretch(offset=end)
-                packed = self._chunk_at(at, length)
+            if opcode == Opcode.CHUNK:
+                packed, loose = self._chunk_at(at, end - at), Stretch(offset=end)
             elif opcode == Opcode.DATA_END:
                 self.is_complete = has_end
                 break
-            else:
-                self._note(opcode, at)
             at = end
         if packed is not None and self._complete(packed, at_end=True):
             yield packed
         if loose.times:
-            loose.end = at
-            yield loose
+            yield loose.until(at)
         self.passed = self.size
 
     def _chunk_at(self, at: int, length: int) -> Stretch:
+        """The stretch of a chunk whose record has so many bytes, without what the indexes behind it tell."""
         start, end, size, _, name_length = _CHUNK.unpack(self.read(at + RECORD.size, _CHUNK.size))
         if name_length > _LONGEST_NAME:
             raise ValueError("the name of a compression is too long")
         name = self.read(at + RECORD.size + _CHUNK.size, name_length).decode()
         check_compression(name)
-        packed = length - _CHUNK.size - name_length - 8
-        index = ChunkIndex(RECORD.size + length, at, name, packed, end, 0, {}, start, size)
+        packed = length - RECORD.size - _CHUNK.size - name_length - 8
+        index = ChunkIndex(length, at, name, packed, end, 0, {}, start, size)
         return Stretch(start, end, {}, index)
 
     def _complete(self, packed: Stretch, *, at_end: bool = False) -> bool:
@@ -274,14 +277,8 @@ class McapFile:
             packed.counts = {}
             for channel, time_ns, _ in messages_in(data):
                 if channel in self.channels:
-                    packed.add(channel, time_ns)
+                    packed.count(channel, time_ns)
         return True
-
-    def _note(self, opcode: int, at: int) -> None:
-        if opcode in (Opcode.SCHEMA, Opcode.CHANNEL, Opcode.METADATA):
-            head = self.head(at)
-            assert head is not None
-            self._take(opcode, self.read(at + RECORD.size, head[1]))
 
     def _take(self, opcode: int, content: bytes) -> None:
         with self.reading():
@@ -329,12 +326,6 @@ class McapFile:
         channel, _, received, sent = MESSAGE_HEAD.unpack_from(data)
         return Message(received, sent, self.channels[channel].topic, data[MESSAGE_HEAD.size :])
 
-    def content_of(self, offset: int) -> tuple[str, int]:
-        """The compression of a chunk, and the offset of its content in the file."""
-        *_, name_length = _CHUNK.unpack(self.read(offset + RECORD.size, _CHUNK.size))
-        at = offset + RECORD.size + _CHUNK.size
-        return self.read(at, name_length).decode(), at + name_length + 8
-
     def unpack(self, offset: int, *, check: bool = False) -> bytes:
         """The records in a chunk. The last one is kept: messages beside each other are often wanted together."""
         if self._unpacked[0] == offset:
@@ -353,6 +344,33 @@ class McapFile:
             stream, length = get_chunk_data_stream(chunk, validate_crc=check)
             self._unpacked = (offset, stream.read(length))
         return self._unpacked[1]
+
+
+class _Heads:
+    """Reads a file from front to back, skipping what lies between the heads: by small pieces after a jump, then larger ones."""
+
+    def __init__(self, file: McapFile) -> None:
+        self._file = file
+        self._begin = self._content = 0
+        self._data = b""
+        self._piece = _LEAST_PIECE
+
+    def at(self, offset: int) -> tuple[int, int] | None:
+        """The opcode of the record at an offset, and where it ends; None if it isn't complete, or can't be one."""
+        here = offset - self._begin
+        if here + _HEADS > len(self._data) and self._begin + len(self._data) < self._file.size:
+            self._piece = min(4 * self._piece, _MOST_PIECE) if here <= len(self._data) else _LEAST_PIECE
+            self._begin, self._data, here = offset, self._file.read(offset, self._piece), 0
+        self._content = here + RECORD.size
+        if self._content > len(self._data):
+            return None
+        opcode, length = RECORD.unpack_from(self._data, here)
+        end = offset + RECORD.size + length
+        return (opcode, end) if opcode and end <= self._file.size and length >= _SHORTEST.get(opcode, 0) else None
+
+    def content(self, layout: struct.Struct) -> tuple[int, ...]:
+        """The fields with which that record's content begins."""
+        return layout.unpack_from(self._data, self._content)
 
 
 def records(data: bytes) -> Iterator[tuple[int, int, int]]:

@@ -7,6 +7,9 @@ from datetime import timedelta
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros import differences
+from rosbag2_py._storage import Bound
+
 if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
 
@@ -18,8 +21,12 @@ class ServiceRequestsSource(IntEnum):
     CLIENT_INTROSPECTION = 1
 
 
+_OLD_NAMES = {"all": "all_topics", "exclude": "exclude_regex"}
+"""Humble's names and the present ones."""
+
+
 @dataclass
-class RecordOptions:
+class RecordOptions(Bound):
     """The options of a recording. `services` lists event topics, `/name/_service_event`."""
 
     all_topics: bool = False
@@ -49,9 +56,13 @@ class RecordOptions:
     use_sim_time: bool = False
     disable_keyboard_controls: bool = False
 
+    def __setattr__(self, name: str, value: object) -> None:
+        known = name in _OLD_NAMES and differences.value("bag.options_have_old_names")
+        super().__setattr__(_OLD_NAMES[name] if known else name, value)
+
 
 @dataclass
-class PlayOptions:
+class PlayOptions(Bound):
     """The options of a playback. Times are in seconds, `playback_until_timestamp` in nanoseconds since 1970 (-1: to the end)."""
 
     read_ahead_queue_size: int = 1000

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rosgraph_msgs.msg import Clock
 
 from day6_tui.core.interfaces import get_interface
+from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._bag_clock import BagClock
 from rosbag2_py._options import PlayOptions
@@ -21,6 +22,7 @@ from rosbag2_py._topic_filter import is_service_event
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+    from rclpy.publisher import Publisher
 
 NODE_NAME = "rosbag2_player"
 SECOND = 1_000_000_000
@@ -53,14 +55,14 @@ class Playing:
         self._node = node
         self._readers = readers
         self._options = options
-        self._log: Any = node.get_logger()
+        self._log = node.get_logger()
         self._steady_ns = steady_ns
         self._wake = on_wake
         self.finished = False
         self._bursting = False
         self._stream: Iterator[Message] | None = None
         self._next: Message | None = None
-        self._publishers: dict[str, Any] = {}
+        self._publishers: dict[str, Publisher[Any]] = {}
         self._requests: ServiceRequests | None = None
         if options.publish_service_requests:
             self._requests = ServiceRequests(node, options.service_requests_source)
@@ -91,7 +93,7 @@ class Playing:
             exclude_service_events=[self._full(topic) for topic in options.exclude_service_events_to_filter],
             regex_to_exclude=options.exclude_regex_to_filter,
         )
-        self._clock_publisher: Any = None
+        self._clock_publisher: Publisher[Clock] | None = None
         if options.clock_publish_frequency > 0 or options.clock_publish_on_topic_publish:
             self._clock_publisher = self._node.create_publisher(Clock, "/clock", CLOCK_QOS)
         if options.clock_publish_frequency > 0:
@@ -159,7 +161,8 @@ class Playing:
 
     def begin(self) -> None:
         """Log the start, and start."""
-        self._log.info(f"Playback until timestamp: {self.until_ns}")
+        if value("bag.player_logs_end"):
+            self._log.info(f"Playback until timestamp: {self.until_ns}")
         self._begin_round()
 
     def _begin_round(self) -> None:
@@ -267,6 +270,8 @@ class Playing:
         return True
 
     def _publish_clock(self, bag_ns: int | None = None) -> None:
+        if self._clock_publisher is None:
+            return
         seconds, nanoseconds = divmod(self.clock.now() if bag_ns is None else bag_ns, SECOND)
         clock = Clock()
         clock.clock.sec, clock.clock.nanosec = seconds, nanoseconds
@@ -305,6 +310,8 @@ class Playing:
         if not self.clock.paused:
             self._log.warning("Called play next, but not in paused state.")
             return False
+        if value("bag.player_logs_next"):
+            self._log.info("Playing next message.")
         return self._step()
 
     def _step(self) -> bool:
@@ -341,7 +348,8 @@ class Playing:
     def stop(self) -> None:
         """End the playback."""
         if not self.finished:
-            self._log.info("Stopping playback.")
+            if value("bag.player_logs_stop"):
+                self._log.info("Stopping playback.")
             self.finished = True
             self._wake()
 

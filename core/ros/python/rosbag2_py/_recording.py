@@ -12,6 +12,7 @@ from day6_tui.core.interfaces import type_name
 from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._qos import from_rclpy
 from rosbag2_py._storage import ConverterOptions, StorageOptions, TopicMetadata
@@ -19,7 +20,10 @@ from rosbag2_py._topic_filter import TopicFilter
 from rosbag2_py._writer import FLUSH_SECONDS, SequentialCompressionWriter, SequentialWriter
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from rclpy.node import Node
+    from rclpy.subscription import MessageInfo, Subscription
     from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 NODE_NAME = "rosbag2_recorder"
@@ -51,6 +55,7 @@ class Recording:
         *,
         keyboard: bool,
         host: RecordingHost | None = None,
+        log: Log = to_console,
     ) -> None:
         self._node = node
         self._host = host
@@ -58,8 +63,8 @@ class Recording:
         """The types of the recorded topics, by name."""
         self._storage = storage
         self._options = options
-        self._log: Any = node.get_logger()
-        self._subscriptions: dict[str, Any] = {}
+        self._log = node.get_logger()
+        self._subscriptions: dict[str, Subscription[Any]] = {}
         self._warned: set[str] = set()
         self.paused = options.start_paused
         self.recording = False
@@ -75,19 +80,19 @@ class Recording:
         self._filter = TopicFilter(options, node, self._log.warning)
         if keyboard:
             self._log.info("Press SPACE for pausing/resuming")
-        self._writer = self._make_writer()
+        self._writer = self._make_writer(log)
 
     def _full(self, topic: str) -> str:
         from rclpy.expand_topic_name import expand_topic_name
 
         return expand_topic_name(topic, self._node.get_name(), self._node.get_namespace())
 
-    def _make_writer(self) -> SequentialWriter:
+    def _make_writer(self, log: Log) -> SequentialWriter:
         options = self._options
         mode = compression_mode_from_string(options.compression_mode)
         if not mode:
-            return SequentialWriter()
-        return SequentialCompressionWriter(CompressionOptions(options.compression_format or "zstd", mode))
+            return SequentialWriter(log)
+        return SequentialCompressionWriter(CompressionOptions(options.compression_format or "zstd", mode), log)
 
     # -- start and stop ------------------------------------------------------------------------------------------------
 
@@ -108,7 +113,8 @@ class Recording:
             self._subscribe()
         if self._options.is_discovery_disabled:
             self._discovering = False
-        self._log.info("Wait for recording: Press SPACE to start." if self.paused else "Recording...")
+        waits = f"{value('bag.recorder_waits')}: Press SPACE to start."
+        self._log.info(waits if self.paused else "Recording...")
         self._flushed = time.monotonic()
 
     def _offer_services(self, node: Node) -> None:
@@ -121,7 +127,7 @@ class Recording:
             node.create_service(Pause, "~/pause", self._callback(self.pause))
             node.create_service(Resume, "~/resume", self._callback(self.resume))
             node.create_service(IsPaused, "~/is_paused", self._is_paused)
-        self._splits: Any = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
+        self._splits = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
 
     def poll(self) -> None:
         """Look for new topics, and flush received messages to the disk."""
@@ -141,7 +147,9 @@ class Recording:
         if not self.recording:
             return
         self.recording = False
-        self.pause()
+        if value("bag.recorder_logs_pause_at_end"):
+            self.pause()
+        self.paused = True
         for subscription in self._subscriptions.values():
             self._node.destroy_subscription(subscription)
         self._subscriptions.clear()
@@ -165,7 +173,7 @@ class Recording:
             if topic not in self._subscriptions:
                 self._take(topic, kind)
 
-    def _take(self, topic: str, kind: Any) -> None:
+    def _take(self, topic: str, kind: type[Any]) -> None:
         offers = self._node.get_publishers_info_by_topic(topic)
         hashes = {str(offer.topic_type_hash) for offer in offers}
         metadata = TopicMetadata(
@@ -180,7 +188,7 @@ class Recording:
         write, clock = self._writer.write, self._node.get_clock()
         simulated, host = self._options.use_sim_time, self._host
 
-        def receive(data: bytes, info: Any) -> None:
+        def receive(data: bytes, info: MessageInfo) -> None:
             if self.paused:
                 return
             received = clock.now().nanoseconds if simulated else info["received_timestamp"]
@@ -277,7 +285,7 @@ class Recording:
             event.node_name = name
         self._splits.publish(event)
 
-    def _callback(self, action: Any) -> Any:
+    def _callback(self, action: Callable[[], object]) -> Callable[[Any, Any], Any]:
         def serve(request: Any, response: Any) -> Any:
             action()
             return response

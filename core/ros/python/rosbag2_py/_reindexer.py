@@ -17,7 +17,8 @@ from rosbag2_py._storage import (
     nanoseconds_of,
 )
 
-_FILE = re.compile(r".+_(\d+)\.([a-zA-Z0-9])+")
+_FILE = re.compile(r"(\d+)_.+_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.[a-zA-Z0-9]+|.+_(\d+)\.[a-zA-Z0-9]+")
+"""A file of a bag as it is called since Lyrical, and before."""
 
 
 class Reindexer:
@@ -33,7 +34,7 @@ class Reindexer:
         if not any(folder.iterdir()):
             raise RuntimeError("Empty directory.")
         found = [(match, path) for path in folder.iterdir() if (match := _FILE.fullmatch(path.name))]
-        files = [path for _, path in sorted(found, key=lambda each: int(each[0].group(1)))]
+        files = [path for _, path in sorted(found, key=lambda each: int(each[0][1] or each[0][2]))]
         if not files:
             raise RuntimeError("No storage files found for reindexing. Abort")
         parts = [self._metadata_of(path, storage_options.storage_id) for path in files]

@@ -50,7 +50,7 @@ def rewrite(
             topics.setdefault(topic.name, topic)
         for definition in reader.get_all_message_definitions():
             definitions.setdefault(definition.topic_type, definition)
-    writers = [_Output(storage, record, topics, definitions) for storage, record in outputs]
+    writers = [_Output(storage, record, topics, definitions, log) for storage, record in outputs]
     for number, message in enumerate(heapq.merge(*map(_messages, readers), key=lambda each: each.received_ns)):
         if number % AT_ONCE == 0:
             yield
@@ -70,11 +70,12 @@ class _Output:
         record: RecordOptions,
         topics: dict[str, TopicMetadata],
         definitions: dict[str, MessageDefinition],
+        log: Log,
     ) -> None:
         self._storage = storage
         mode = compression_mode_from_string(record.compression_mode)
         options = CompressionOptions(record.compression_format or "zstd", mode)
-        self.writer = SequentialCompressionWriter(options) if mode else SequentialWriter()
+        self.writer = SequentialCompressionWriter(options, log) if mode else SequentialWriter(log)
         self.writer.open(storage, ConverterOptions("cdr", "cdr"))
         self.topics = {name for name, topic in topics.items() if _wanted(topic, record)}
         for name in sorted(self.topics):

@@ -17,7 +17,7 @@ class ServiceRequests:
 
     def __init__(self, node: Node, source: ServiceRequestsSource) -> None:
         self._node = node
-        self._log: Any = node.get_logger()
+        self._log = node.get_logger()
         from service_msgs.msg import ServiceEventInfo  # not in Humble, whose bags have no such events
 
         # Of the up to four events of a call, the one that its request is taken from.

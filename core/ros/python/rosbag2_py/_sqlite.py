@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from rosbag2_py._metadata import MetadataIo
-from rosbag2_py._qos import from_yaml, yaml_lines
+from rosbag2_py._qos import QoS, from_yaml, yaml_lines
 from rosbag2_py._storage import (
     BadBag,
     BagMetadata,
@@ -166,7 +166,7 @@ class SqliteReader:
     def __init__(self, path: Path) -> None:
         self._path = path
         if not path.is_file():
-            raise BadBag(f"{path.name} does not exist")
+            raise BadBag(f"Failed to read from bag: File '{path}' does not exist!")
         # Opened for writing if that is allowed: a killed recorder's unfinished transaction has to be rolled back.
         self._database = sqlite3.connect(path, check_same_thread=False)
         try:
@@ -202,7 +202,7 @@ class SqliteReader:
             )
         return found
 
-    def rows(self, query: str, *values: Any) -> Iterator[Any]:
+    def rows(self, query: str, *values: object) -> Iterator[tuple[Any, ...]]:
         try:
             yield from self._database.execute(query, values)
         except sqlite3.DatabaseError as error:
@@ -265,7 +265,7 @@ class SqliteReader:
             yield Message(timestamp, 0, ids[id_], bytes(data))
 
 
-def _profiles(text: str) -> Any:
+def _profiles(text: str) -> list[QoS]:
     try:
         return from_yaml(text)
     except ValueError:

@@ -10,7 +10,10 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from day6_tui.core.ros.differences import value
+from rosbag2_py import also
 from rosbag2_py._qos import QoS, from_yaml
+
+__getattr__ = also("_storage")
 
 NANOSECONDS = 1_000_000_000
 EVENT_SUFFIX = "/_service_event"
@@ -47,8 +50,18 @@ def nanoseconds_of(value: Any) -> int:
     return int(found() if callable(found) else found)
 
 
+class Bound:
+    """Has only the fields of its class, as what pybind11 binds: a name that is misspelt is no silent success."""
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if name not in type(self).__dataclass_fields__ and not isinstance(getattr(type(self), name, None), property):  # type: ignore[attr-defined]
+            place = f"{type(self).__module__}.{type(self).__name__}".replace("_options", "_transport")
+            raise AttributeError(f"'{place}' object has no attribute '{name}'")
+        super().__setattr__(name, value)
+
+
 @dataclass
-class StorageOptions:
+class StorageOptions(Bound):
     """Where a bag is and how it is written. Sizes are bytes, `max_bagfile_duration` seconds; 0 means no limit."""
 
     uri: str

@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from rosbag2_py import also
 from rosbag2_py._options import PlayOptions, RecordOptions, ServiceRequestsSource
 from rosbag2_py._storage import StorageOptions
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 __all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource"]
 
 _LONGEST_WAIT = 0.1
+
+__getattr__ = also("_transport")
 
 
 class _Transport:
@@ -20,7 +26,13 @@ class _Transport:
     _cancelled = False
 
     def __init__(self, log_level: str = "info") -> None:
+        """Raise RuntimeError for a log level that doesn't exist."""
+        from rclpy.context import Context
+
         self._log_level = log_level
+        context = Context()
+        context.init(args=["--ros-args", "--log-level", log_level])
+        context.try_shutdown()
 
     @classmethod
     def cancel(cls) -> None:
@@ -28,7 +40,7 @@ class _Transport:
         cls._cancelled = True
 
     def _run(
-        self, name: str, arguments: list[str], begin: Callable[[Any], Callable[[], float | None]], **node: Any
+        self, name: str, arguments: list[str], begin: Callable[[Node], Callable[[], float | None]], **node: Any
     ) -> None:
         """Create the node, call `begin(node)`, then call its result repeatedly, each time after the seconds it returned."""
         from rclpy.context import Context
@@ -62,7 +74,7 @@ class Recorder(_Transport):
         recordings: list[Recording] = []
         interval = record_options.topic_polling_interval.total_seconds()
 
-        def begin(node: Any) -> Callable[[], float | None]:
+        def begin(node: Node) -> Callable[[], float | None]:
             recording = Recording(node, storage_options, record_options, keyboard=False)
             recordings.append(recording)
             recording.start()
@@ -105,7 +117,7 @@ class Player(_Transport):
         reader = SequentialReader()
         reader.open(storage)
 
-        def begin(node: Any) -> Callable[[], float | None]:
+        def begin(node: Node) -> Callable[[], float | None]:
             playing = Playing(
                 node, [reader], options, keyboard=False, steady_ns=time.monotonic_ns, on_wake=lambda: None
             )

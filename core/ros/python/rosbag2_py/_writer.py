@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import time
 import weakref
 from collections import deque
@@ -10,8 +11,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.whole_file import replace_file
 from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_compress
+from rosbag2_py._console import Log, to_console
 from rosbag2_py._definitions import LocalMessageDefinitionSource
 from rosbag2_py._files import (
     MINIMUM_SPLIT,
@@ -52,18 +55,22 @@ SLOWER_PER_PIECE = 0.001
 
 SECOND = 1_000_000_000
 
+_TIME_AT_END = re.compile(r"_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d$")
+"""What `ros2 bag record` adds to the name of a bag that was given none."""
+
 
 class SequentialWriter:
     """Writes a bag: `open`, `create_topic`, `write` …; `close`, or the garbage collector, closes it."""
 
-    def __init__(self) -> None:
+    def __init__(self, log: Log = to_console) -> None:
+        self._log = log
         self._options = CompressionOptions()
         self._bag: _Bag | None = None
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
         """Create the folder and the first file. Raises RuntimeError if the folder exists."""
         self.close()
-        self._bag = _Bag(storage_options, self._options)
+        self._bag = _Bag(storage_options, self._options, self._log)
         # Tutorials' programs never close their bags: that happens when Python exits, at the latest.
         self._end = weakref.finalize(self, self._bag.close)
 
@@ -107,15 +114,23 @@ class SequentialWriter:
 class SequentialCompressionWriter(SequentialWriter):
     """A writer that compresses each finished file, or each message."""
 
-    def __init__(self, compression_options: CompressionOptions | None = None) -> None:
-        super().__init__()
+    def __init__(self, compression_options: CompressionOptions | None = None, log: Log = to_console) -> None:
+        super().__init__(log)
         self._options = compression_options or CompressionOptions("zstd", CompressionMode.FILE)
+
+
+def _file_name(bag: str, index: int) -> str:
+    """Return the name of a bag's file without its suffix; `bag` is the folder's name."""
+    if value("bag.file_names") == "name_index":
+        return f"{bag}_{index}"
+    return f"{index}_{_TIME_AT_END.sub('', bag)}_{time.strftime('%Y_%m_%d-%H_%M_%S')}"
 
 
 class _Bag:
     """The state of a bag that is being written. `on_split(closed, opened)` gets the paths after each split."""
 
-    def __init__(self, options: StorageOptions, compression: CompressionOptions) -> None:
+    def __init__(self, options: StorageOptions, compression: CompressionOptions, log: Log) -> None:
+        self._log = log
         self.folder = Path(options.uri)
         self.storage = options.storage_id or get_default_storage_id()
         self.options = options
@@ -173,9 +188,10 @@ class _Bag:
         from day6_tui.core.ros.distribution import current
 
         self._distro = os.environ.get("ROS_DISTRO", current())
-        name = f"{self.folder.name}_{len(self._files)}{SUFFIXES[self.storage]}"
+        name = _file_name(self.folder.name, len(self._files)) + SUFFIXES[self.storage]
         self._path = self.folder / name
-        self._file: BagWriter = create_file(self._path, self.storage, self.options.storage_preset_profile, self._distro)
+        preset = self.options.storage_preset_profile
+        self._file: BagWriter = create_file(self._path, self.storage, preset, self._distro, self._log)
         self._files.append(FileInformation(name, BagTime(), Duration(), 0))
         for topic, definition in self.topics.values():
             self._file.create_topic(topic, definition)

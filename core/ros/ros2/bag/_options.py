@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from argparse import ArgumentParser, ArgumentTypeError
 from collections.abc import Callable
 from pathlib import Path
@@ -78,12 +79,16 @@ def regular_expression(text: str) -> str:
     return text
 
 
-def console(session: Session, *paths: str) -> Log:
-    """Return what prints the log lines of rosbag2's libraries, with the paths as the user has typed them."""
+def console(session: Session, *paths: str, least: str = "info") -> Log:
+    """Return what prints the log lines of rosbag2's libraries from a level on, with the paths as the user has typed them."""
 
     def log(level: str, logger: str, text: str) -> None:
+        if LOG_LEVELS.index(level.lower()) < LOG_LEVELS.index(least):
+            return
         for path in paths:
             text = text.replace(str(Path(session.cwd, path)), path)
+        if not any(map(os.path.isabs, paths)):
+            text = text.replace(os.path.join(session.cwd, ""), "")  # bags that a file of options names
         seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
         session.print_error(f"[{level}] [{seconds}.{nanoseconds:09d}] [{logger}]: {text}")
 
@@ -113,12 +118,15 @@ def existing_path(parser: Any) -> Callable[[str], str]:
     return check
 
 
-def add_bag_path(parser: ArgumentParser, *, required: bool = True) -> None:
-    """Add the bag to open and its storage format."""
+def add_bag_path(parser: ArgumentParser, *, required: bool = True, storage: bool = True) -> None:
+    """Add the bag to open and, where it can be given, its storage format."""
     bag = parser.add_argument(
         "bag_path", nargs=None if required else "?", type=existing_path(parser), help="Bag to open"
     )
     completed(bag, bag_names)
+    if not storage:
+        parser.set_defaults(storage="")
+        return
     parser.add_argument(
         "-s",
         "--storage",

@@ -39,18 +39,18 @@ async def play(
             return error(f"--input expects 1 or 2 arguments, {len(bag)} provided")
         if not Path(session.cwd, bag[0]).exists():
             return error(f"Bag path '{bag[0]}' does not exist!")
-        readers.append(_open(session, *bag))
+        readers.append(_open(session, getattr(args, "log_level", "info"), *bag))
     options.topic_qos_profile_overrides = qos_overrides(session, args.qos_profile_overrides_path)
     with suppress(KeyboardInterrupt):
         await _play(session, readers, options, args, burst)
     return None
 
 
-def _open(session: Session, path: str, storage: str = "") -> SequentialReader:
+def _open(session: Session, log_level: str, path: str, storage: str = "") -> SequentialReader:
     from rosbag2_py._reader import SequentialReader
     from rosbag2_py._storage import StorageOptions
 
-    reader = SequentialReader(console(session, path))
+    reader = SequentialReader(console(session, path, least=log_level))
     reader.open(StorageOptions(str(Path(session.cwd, path)), storage_id=storage))
     return reader
 

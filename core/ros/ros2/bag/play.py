@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.bag._options import (
     LOG_LEVELS,
     add_bag_path,
@@ -30,7 +31,7 @@ _LIMITS = (
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    add_bag_path(parser, required=False)
+    add_bag_path(parser, required=False, storage=value("bag.play_takes_storage"))
     parser.add_argument(
         "-i",
         "--input",
@@ -96,7 +97,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--progress-bar-update-rate",
         type=int,
-        default=3,
+        default=value("bag.progress_rate"),
         metavar="PROGRESS_BAR_UPDATE_RATE",
         help="How often in a second the progress bar is printed in a terminal; 0 turns it off. Default is %(default)d.",
     )

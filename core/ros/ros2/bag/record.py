@@ -12,6 +12,7 @@ from day6_tui.core.ros.ros2.bag._options import (
     LOG_LEVELS,
     STORAGES,
     add_qos_overrides,
+    console,
     error,
     event_topics,
     qos_overrides,
@@ -52,16 +53,19 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def _add_topics(parser: ArgumentParser) -> None:
     names = parser.add_mutually_exclusive_group()
-    completed(
-        names.add_argument(
-            "topics_positional",
-            default=[],
-            metavar="[Topic ...]",
-            nargs="*",
-            help="Space-delimited list of topics to record. (deprecated)",
-        ),
-        topic_names,
-    )
+    if value("bag.positional_topics") == "removed":
+        parser.set_defaults(topics_positional=[])
+    else:
+        completed(
+            names.add_argument(
+                "topics_positional",
+                default=[],
+                metavar="[Topic ...]",
+                nargs="*",
+                help="Space-delimited list of topics to record. (deprecated)",
+            ),
+            topic_names,
+        )
     completed(
         names.add_argument(
             "--topics", default=[], metavar="Topic", nargs="+", help="Space-delimited list of topics to record."
@@ -275,7 +279,7 @@ def _add_compression(parser: ArgumentParser) -> None:
 def _refusal(session: Session, args: Namespace, folder: Path) -> str | None:
     """Return ros2bag's error for options that contradict each other; warnings are printed."""
     if args.topics_positional:
-        if value("bag.warns_of_positional_topics"):
+        if value("bag.positional_topics") == "deprecated":
             session.print(
                 warning('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
             )
@@ -364,7 +368,8 @@ async def _record(session: Session, args: Namespace, folder: Path, overrides: di
     set_log_level(node, args.log_level)
     with keyboard(session, disabled=args.disable_keyboard_controls):
         with_keys = not args.disable_keyboard_controls
-        recording = Recording(node, _storage(args, folder), _options(args, overrides), keyboard=with_keys)
+        log = console(session, args.output, least=args.log_level)
+        recording = Recording(node, _storage(args, folder), _options(args, overrides), keyboard=with_keys, log=log)
         try:
             recording.start()
             session.spawn(session.spin(node))

@@ -93,13 +93,17 @@ class ParameterServices:
             await self.session.sleep(POLL_SECONDS)
         return True
 
-    async def call(self, kind: str, **fields: Any) -> Any:
-        """Call a service and return its response. Raises RuntimeError if no services appear or the call fails."""
+    async def call(self, kind: str, seconds: float | None = None, **fields: Any) -> Any:
+        """Call a service and return its response, None if there is none within `seconds`.
+
+        Raises RuntimeError if no services appear or the call fails.
+        """
         if not await self.ready():
             raise RuntimeError(f"Wait for service timed out waiting for parameter services for node {self.remote}")
         client = self._clients[kind]
         future = client.call_async(client.srv_type.Request(**fields))
-        await self.session.spin_until(future)
+        if not await self.session.spin_until(future, seconds):
+            return None
         response = future.result()
         if response is None:
             raise RuntimeError(f"Exception while calling service of node {self.remote}: {future.exception()}")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros import differences
+
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterValue
 
@@ -46,6 +48,15 @@ def python_value(value: ParameterValue) -> Any:
         return None
     found = getattr(value, _KINDS[value.type][0])
     return list(found) if type_name(value.type).endswith("array") else found
+
+
+def shown_value(value: ParameterValue) -> Any:
+    """Return what `param get` prints of a value."""
+    plain = python_value(value)
+    numbers = type_name(value.type) in ("integer array", "double array")
+    if numbers and differences.value("param.get_arrays") == "array":
+        return getattr(value, _KINDS[value.type][0])
+    return plain
 
 
 def value_from_text(text: str) -> ParameterValue:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.cli.node import absolute
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option
 from day6_tui.core.ros.ros2.param._services import (
@@ -25,6 +27,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     add_node_argument(parser)
     add_hidden_option(parser, "nodes")
     add_timeout_option(parser)
+    if value("param.dump_to_folder"):
+        parser.add_argument(
+            "--output-dir", default=".", help="DEPRECATED: The absolute path where to save the generated file"
+        )
+        parser.add_argument("--print", action="store_true", help="DEPRECATED: Does nothing.")
 
 
 async def main(session: Session, args: Namespace) -> str | None:
@@ -44,9 +51,34 @@ async def main(session: Session, args: Namespace) -> str | None:
         session.print_error(f"Exception while calling get_parameters service of node '{name}': {error}")
         return None
     tree: dict[str, Any] = {}
-    for parameter, value in zip(names, response.values, strict=False):
-        _insert(tree, parameter, python_value(value))
-    session.print(yaml.safe_dump({name: {"ros__parameters": tree}}, default_flow_style=False))
+    for parameter, each in zip(names, response.values, strict=False):
+        _insert(tree, parameter, python_value(each))
+    text = yaml.safe_dump({name: {"ros__parameters": tree}}, default_flow_style=False)
+    if value("param.dump_to_folder") and not _is_printed(session, args):
+        return _save(session, Path(args.output_dir, f"{name[1:].replace('/', '__')}.yaml"), text)
+    session.print(text)
+    return None
+
+
+def _is_printed(session: Session, args: Namespace) -> bool:
+    if args.print:
+        session.print_error("WARNING: '--print' is deprecated; this utility prints to stdout by default")
+    if args.output_dir != ".":
+        session.print_error("WARNING: '--output-dir' is deprecated; use redirection to save to a file")
+    return bool(args.output_dir == ".")
+
+
+def _save(session: Session, file: Path, text: str) -> str | None:
+    """Write a node's parameters as Humble does, and never over another file; return what is wrong."""
+    path = Path(session.cwd, file)
+    if not path.parent.is_dir():
+        return f"'{file.parent}' is not a valid directory."
+    session.print("Saving to: ", file)
+    try:
+        with open(path, "x", encoding="utf-8") as stream:
+            stream.write(text)
+    except OSError as error:
+        return f"{error.strerror}: '{file}'"
     return None
 
 

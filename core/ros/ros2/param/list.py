@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.cli.node import absolute, graph_node, node_names, split_name
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option
 from day6_tui.core.ros.ros2.param._services import ParameterServices, add_node_argument
@@ -30,12 +31,21 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--param-prefixes", nargs="+", default=[], help="Only list parameters with the provided prefixes"
     )
     parser.add_argument("--param-type", action="store_true", help="Print parameter types with parameter names")
+    if value("param.several"):
+        parser.add_argument(
+            "--service-timeout",
+            metavar="N",
+            type=float,
+            default=5.0,
+            help="Maximum time to wait for service responses in seconds (default: %(default)s)",
+        )
 
 
 async def main(session: Session, args: Namespace) -> str | None:
     async with graph_node(session, args) as node:
-        # Sorted by name first and then by namespace, as in the real command.
-        names = sorted(set(node_names(node, hidden=args.include_hidden_nodes)), key=split_name)
+        # Before Lyrical sorted by name first and then by namespace.
+        by = None if value("param.several") else split_name
+        names = sorted(set(node_names(node, hidden=args.include_hidden_nodes)), key=by)
     if args.node_name:
         wanted = absolute(args.node_name)
         if wanted not in names:
@@ -48,7 +58,12 @@ async def main(session: Session, args: Namespace) -> str | None:
         if not await of_node.ready():
             session.print(f"Wait for service timed out waiting for parameter services for node {_node_name(name)}")
             continue
-        response = await of_node.call("ListParameters", prefixes=args.param_prefixes)
+        limit: float | None = getattr(args, "service_timeout", None)
+        response = await of_node.call("ListParameters", limit, prefixes=args.param_prefixes)
+        if response is None:
+            about = f"from node {_node_name(name)} (timeout: {limit}s)"
+            session.print(f"Timed out waiting for list_parameters response {about}")
+            continue
         parameters = sorted(response.result.names)
         if pattern is not None:
             parameters = [each for each in parameters if pattern.match(each)]

@@ -6,9 +6,10 @@ from argparse import ArgumentParser, Namespace
 from collections import deque
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.ros2.cli.completion import topic_names
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.cli.node import direct_node
-from day6_tui.core.ros.ros2.cli.options import add_discovery_options, completed, positive_int
+from day6_tui.core.ros.ros2.cli.options import add_discovery_options, positive_int
+from day6_tui.core.ros.ros2.topic._several import add_topics, chosen_topics, clear_above, table
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -16,10 +17,13 @@ if TYPE_CHECKING:
 
 SUMMARY = "Display bandwidth used by topic"
 WINDOW = 100
+_HEADER = ("topic", "bandwidth", "window", "mean", "min", "max")
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    completed(parser.add_argument("topic", help="Topic name to monitor for bandwidth utilization"), topic_names)
+    several = value("topic.bw_of_several")
+    words = "Topic name to monitor for bandwidth utilization"
+    add_topics(parser, "topic", words, several=several, everything=several)
     parser.add_argument(
         "--window",
         "-w",
@@ -36,12 +40,28 @@ async def main(session: Session, args: Namespace) -> None:
     from rclpy.qos import qos_profile_sensor_data
 
     node = await direct_node(session, args)
-    kind = await wait_for_class(session, node, args.topic)
-    meter = _Meter(session, node, args.window)
-    node.create_subscription(kind, args.topic, meter.count, qos_profile_sensor_data, raw=True)
-    session.print(f"Subscribed to [{args.topic}]")
-    node.create_timer(1, meter.report)
+    topics = await chosen_topics(session, node, args, "topic")
+    meters: dict[str, _Meter] = {}
+    for topic in topics:
+        kind = await wait_for_class(session, node, topic)
+        meters[topic] = _Meter(session, node, args.window)
+        node.create_subscription(kind, topic, meters[topic].count, qos_profile_sensor_data, raw=True)
+        if len(topics) > 1 or not value("topic.bw_of_several"):
+            session.print(f"Subscribed to [{topic}]")
+    node.create_timer(1, lambda: _report(session, args, meters))
     await session.spin(node)
+
+
+def _report(session: Session, args: Namespace, meters: dict[str, _Meter]) -> None:
+    found = {topic: width for topic, meter in meters.items() if (width := meter.bandwidth()) is not None}
+    if not found:
+        return
+    clear_above(session, args)
+    if len(meters) > 1:
+        session.print(table(_HEADER, [(topic, *width) for topic, width in found.items()]))
+        return
+    for speed, count, mean, smallest, largest in found.values():
+        session.print(f"{speed} from {count} messages\n\tMessage size mean: {mean} min: {smallest} max: {largest}")
 
 
 class _Meter:
@@ -55,22 +75,21 @@ class _Meter:
     def count(self, data: bytes) -> None:
         self.messages.append((self.clock.now().nanoseconds, len(data)))
 
-    def report(self) -> None:
+    def bandwidth(self) -> tuple[str, str, str, str, str] | None:
+        """Return bandwidth, messages and their mean, smallest and largest size as they are shown; None for too few."""
         if len(self.messages) < 2:
-            return
+            return None
         now, first = self.clock.now().nanoseconds, self.messages[0][0]
         if now <= first:
             self.session.print_error("WARNING: time is reset!")
             self.messages.clear()
-            return
+            return None
         sizes = [size for _, size in self.messages]
         rate = sum(sizes) / ((now - first) * 1e-9)
         mean = sum(sizes) / len(sizes)
         # One unit for the whole line, chosen by the rate.
-        speed, average, smallest, largest = (_amount(value, rate) for value in (rate, mean, min(sizes), max(sizes)))
-        self.session.print(
-            f"{speed}/s from {len(sizes)} messages\n\tMessage size mean: {average} min: {smallest} max: {largest}"
-        )
+        speed, average, smallest, largest = (_amount(each, rate) for each in (rate, mean, min(sizes), max(sizes)))
+        return f"{speed}/s", str(len(sizes)), average, smallest, largest
 
 
 def _amount(size: float, rate: float) -> str:

@@ -7,9 +7,10 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from day6_tui.core.ros.ros2.cli.completion import topic_names
+from day6_tui.core.ros.differences import value
 from day6_tui.core.ros.ros2.cli.node import direct_node
-from day6_tui.core.ros.ros2.cli.options import add_discovery_options, completed, positive_int
+from day6_tui.core.ros.ros2.cli.options import add_discovery_options, positive_int
+from day6_tui.core.ros.ros2.topic._several import add_topics, chosen_topics, clear_above, table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -22,10 +23,8 @@ _HEADER = ("topic", "rate", "min_delta", "max_delta", "std_dev", "window")
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    completed(
-        parser.add_argument("topic_name", nargs="+", help="Names of the ROS topic to listen to (e.g. '/chatter')"),
-        topic_names,
-    )
+    words = "Names of the ROS topic to listen to (e.g. '/chatter')"
+    add_topics(parser, "topic_name", words, several=True, everything=value("topic.hz_of_all"))
     parser.add_argument(
         "--window",
         "-w",
@@ -58,14 +57,15 @@ async def main(session: Session, args: Namespace) -> None:
     node = await direct_node(session, args)
     now_ns = session.clock.now_ns if args.use_wtime else lambda: int(node.get_clock().now().nanoseconds)
     meters: dict[str, _Meter] = {}
-    for topic in args.topic_name:
+    topics = await chosen_topics(session, node, args, "topic_name")
+    for topic in topics:
         kind = await wait_for_class(session, node, topic)
         meters[topic] = _Meter(session, now_ns, args.window_size)
         receive = partial(_receive, meters[topic], args.filter_expr)
         node.create_subscription(kind, topic, receive, qos_profile_sensor_data)
-        if len(args.topic_name) > 1:
+        if len(topics) > 1:
             session.print(f"Subscribed to [{topic}]")
-    session.spawn(_report(session, meters))
+    session.spawn(_report(session, args, meters))
     try:
         await session.spin(node)
     except (KeyboardInterrupt, ExternalShutdownException):
@@ -81,11 +81,12 @@ def _receive(meter: _Meter, filter_expr: str | None, message: Any) -> None:
     meter.count()
 
 
-async def _report(session: Session, meters: dict[str, _Meter]) -> None:
+async def _report(session: Session, args: Namespace, meters: dict[str, _Meter]) -> None:
     async for _ in session.every(1.0):
         await session.sleep(0.001)  # messages that arrive at this very moment count too
         rates = {topic: rate for topic, meter in meters.items() if (rate := meter.rate()) is not None}
         if rates:
+            clear_above(session, args)
             session.print(_line(*rates.values()) if len(meters) == 1 else _table(rates))
 
 
@@ -163,10 +164,4 @@ def _table(rates: dict[str, Rate]) -> str:
         )
         for topic, rate in rates.items()
     ]
-    widths = [max(map(len, column)) for column in zip(_HEADER, *rows, strict=True)]
-    lines = [
-        "   ".join(word.center(width) for word, width in zip(_HEADER, widths, strict=True)),
-        "=" * (sum(widths) + 3 * (len(widths) - 1)),
-        *("   ".join(word.ljust(width) for word, width in zip(row, widths, strict=True)) for row in rows),
-    ]
-    return "\n".join(lines) + "\n"
+    return table(_HEADER, rows)

@@ -39,8 +39,15 @@ class Shown(NamedTuple):
 
     type: str
     time_ns: int
-    message: Any | None
+    message: object | None
     problem: str = ""
+
+
+class Note(NamedTuple):
+    """What the window says of a bag in its user's language, where rqt_bag has no words for it: "cut", "cancelled" or "empty"."""
+
+    kind: str
+    name: str
 
 
 class Bags:
@@ -56,8 +63,8 @@ class Bags:
         """The types of the topics of all bags, by name, sorted."""
         self.rates: dict[str, float | None] = {}
         """Messages per second of each topic, between its first and its last one; None where that says nothing."""
-        self.status = ""
-        """What is going on, or went wrong, in the words of rqt_bag; '' for nothing."""
+        self.status: str | Note = ""
+        """What is going on, or went wrong, in the words of rqt_bag if it has any; '' for nothing."""
         self.failed = False
         """Whether `status` tells what went wrong."""
         self.loading = False
@@ -268,13 +275,20 @@ class Bags:
             if self._in_sight is not None:
                 await self._look(*self._in_sight)
 
-    def tell(self, text: str, *, failed: bool = False) -> None:
+    def tell(self, text: str | Note, *, failed: bool = False) -> None:
         """Show a line of text."""
         self.status, self.failed = text, failed
         self._version += 1
 
+    def dismiss(self) -> None:
+        """Show no longer what went wrong, or has been done."""
+        if not self.is_busy and (self.status or self.player.problem):
+            self.player.problem = ""
+            self.tell("")
+
     async def _load(self, name: str, problem: str) -> None:
         path = path_of(self._session.cwd, name)
+        blocks = self.timeline.blocks
         self.tell(f"Loading '{name}' ...")
         self.loading, self._cancelled = True, False
         try:
@@ -284,10 +298,14 @@ class Bags:
             self._began()
             rates = await in_thread(lambda: {topic: self.timeline.rate(topic) for topic in bag.topics})
             self.rates = {**self.rates, **rates}
-            cut = "" if bag.is_complete else f"'{name}' is not complete: it is shown as far as it goes"
-            stopped = f"Cancelled: '{name}' is shown as far as it was read" if self._cancelled else ""
-            self.tell(problem or stopped or cut, failed=bool(problem))
+            kinds = {
+                "cancelled": self._cancelled, "cut": not bag.is_complete, "empty": self.timeline.blocks == blocks
+            }  # fmt: skip
+            note = next((Note(kind, name) for kind, holds in kinds.items() if holds), "")
+            self.tell(problem or note, failed=bool(problem))
         except (RuntimeError, OSError) as error:
+            if not self.timeline.blocks:
+                self._start_anew()  # nothing of it can be shown
             self.tell(f"Loading '{name}' failed due to: {_reason(error)}", failed=True)
         finally:
             self.loading = False
@@ -337,7 +355,7 @@ class Bags:
             bag.close()
         self._version += self.timeline.version + self.player.version
         self.timeline, self.bags, self.rates, self._has_begun = Timeline(), (), {}, False
-        self.view, self._resumed = None, Kept()
+        self.view = None
         self._pictures.clear()
         self._shown.clear()
         self.player.forget(self.timeline)
@@ -349,6 +367,7 @@ class Bags:
             self.tell(f"Background operation already running: {what}", failed=True)
             return
         self._start_anew()
+        self._resumed = Kept()
         path = path_of(self._session.cwd, name)
         self._node.get_logger().get_child("rqt_bag.BagWidget").info(f"Recording to {name}.")
         try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
+from rosbag2_py._console import quiet
 from rosbag2_py._storage import StorageOptions
 from rosbag2_py._writer import SequentialWriter
 
@@ -37,7 +38,7 @@ def export(
     first = timeline.next_time(chosen, begin_ns - 1)
     if first is None or first > end_ns:
         raise ExportError("No messages found")
-    writer = SequentialWriter()
+    writer = SequentialWriter(quiet)
     try:
         writer.open(StorageOptions(str(path)))
     except (RuntimeError, OSError) as error:

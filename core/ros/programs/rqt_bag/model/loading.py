@@ -37,11 +37,13 @@ class OpenBag:
     _storage: str = ""
     _compression: tuple[str, str] = ("", "")
     """Mode and format."""
+    _unpacked: float = 0.0
+    """How many files are unpacked, of the last one a part."""
 
     @property
     def passed(self) -> float:
-        """Which part of its files is indexed, 0 to 1."""
-        return sum(source.passed for source in self.sources) / max(1, len(self._files))
+        """Which part of its files is read, 0 to 1: those that have to be unpacked are indexed in no time after that."""
+        return (self._unpacked or sum(source.passed for source in self.sources)) / max(1, len(self._files))
 
     def close(self) -> None:
         """Close its files."""
@@ -124,10 +126,12 @@ def _unpack(bag: OpenBag, path: Path, cancelled: Callable[[], bool]) -> Path:
     folder = Path(tempfile.mkdtemp(prefix="rqt_bag-"))
     weakref.finalize(bag, shutil.rmtree, folder, ignore_errors=True)
     target = folder / path.stem
+    size, before = path.stat().st_size, bag._unpacked
     try:
         with path.open("rb") as packed, target.open("xb") as plain:
             for data in zstandard.ZstdDecompressor().read_to_iter(packed, write_size=1 << 20):
                 plain.write(data)
+                bag._unpacked = before + packed.tell() / size
                 if cancelled():
                     break
     except zstandard.ZstdError as error:

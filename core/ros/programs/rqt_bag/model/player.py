@@ -27,6 +27,7 @@ from rclpy.qos import DurabilityPolicy
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+    from rclpy.publisher import Publisher
 
 AT_ONCE = 100
 """Messages published in one go before other programs get their turn."""
@@ -59,8 +60,8 @@ class Player:
         """Why something could not be published or read, '' if it could."""
         self.version = 0
         """Grows with each message in `current` and each choice of a topic."""
-        self._publishers: dict[str, Any] = {}
-        self._clock: Any = node.create_publisher(Clock, "/clock", CLOCK_QOS) if publish_clock else None
+        self._publishers: dict[str, Publisher[Any]] = {}
+        self._clock = node.create_publisher(Clock, "/clock", CLOCK_QOS) if publish_clock else None
         self._last: dict[str, Found] = {}
         """The newest message of each topic that was published, or taken for `current`."""
         self._queue: deque[Passed] = deque()
@@ -231,8 +232,7 @@ class Player:
             passed = await in_thread(read)
         finally:
             self.arriving = False
-        if self._clock is not None:
-            self._publish_clock(at)
+        self._publish_clock(at)
         for each in passed:
             self._pass(each, clock=False)
         for topic in self.current.keys() - {each.found.topic for each in passed}:
@@ -310,7 +310,7 @@ class Player:
         publisher = self._publishers.get(topic)
         if publisher is None:
             return
-        if clock and self._clock is not None:
+        if clock:
             self._publish_clock(message.received_ns)
         try:
             publisher.publish(message.data)
@@ -319,6 +319,8 @@ class Player:
             self.problem = f"Failed to publish message on '{topic}' topic. \nError: {error}"
 
     def _publish_clock(self, at_ns: int) -> None:
+        if self._clock is None:
+            return
         clock = Clock()
         clock.clock.sec, clock.clock.nanosec = divmod(at_ns, NANOSECONDS)
         self._clock.publish(clock)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosbag2_py._blocks import Block, Entries
+from rosbag2_py._console import quiet
 from rosbag2_py._metadata import folder_size
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._recording import Recording
@@ -40,7 +41,8 @@ class Recorder:
         options = RecordOptions(
             all_topics=topics is None, topics=list(topics or ()), rmw_serialization_format="cdr", compression_mode=""
         )
-        self._recording = Recording(node, StorageOptions(str(path)), options, keyboard=False, host=self)
+        storage = StorageOptions(str(path))
+        self._recording = Recording(node, storage, options, keyboard=False, host=self, log=quiet)
         self._recording.start()
 
     @property

@@ -28,8 +28,11 @@ MOST_BYTES = 16 << 20
 
 LATEST = 2**63 - 1
 
-MOST_IN_SIGHT = 48
-"""With no more blocks in sight the times of their messages are read, so that each one is drawn where it is."""
+MOST_IN_SIGHT = 200
+"""With no more blocks in sight the times of their messages are read, so that each one is drawn where it is.
+
+With more of them a block is narrower than a column on most screens.
+"""
 
 
 class Source:

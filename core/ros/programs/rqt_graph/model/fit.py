@@ -21,7 +21,7 @@ class Form(NamedTuple):
     node: int = 0
     labels: bool = True
     stacked: bool = False
-    """Topics above and below the line instead of in it, where all boxes stand in one row; else as the smallest form."""
+    """Topics above and below the line instead of in it, where all boxes stand in one row; else as the next form."""
 
 
 FORMS = (
@@ -30,12 +30,16 @@ FORMS = (
     Form(True, 26, 26),
     Form(True, 16, 26),
     Form(True, 16, 16),
+    Form(True, 11, 16),
     Form(False),
     Form(False, 26),
     Form(False, 26, 26),
     Form(False, 16, 26),
     Form(False, 26, 26, stacked=True),
     Form(False, 11, 16),
+    Form(True, 11, labels=False),
+    Form(True, 11, 26, labels=False),
+    Form(True, 11, 16, labels=False),
     Form(False, 11, 16, labels=False),
 )
 """From the largest picture to the smallest, as a user zooms out."""
@@ -105,7 +109,8 @@ def unfitted(boxes: Sequence[Box], edges: Sequence[Edge]) -> Picture:
 def _formed(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> Picture:
     """Lay out a graph in one form; names that are too long for it are shortened in their middle."""
     if form.stacked:
-        return _stacked(boxes, edges, form, ellipsis) or _formed(boxes, edges, FORMS[-1], ellipsis)
+        smaller = FORMS[FORMS.index(form) + 1]
+        return _stacked(boxes, edges, form, ellipsis) or _formed(boxes, edges, smaller, ellipsis)
     if form.node:
         boxes = [replace(box, lines=tuple(elide(line, form.node, ellipsis) for line in box.lines)) for box in boxes]
     if form.topic:

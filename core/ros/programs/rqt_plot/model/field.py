@@ -8,16 +8,18 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from day6_tui.core.interfaces import get_message
+from day6_tui.core.ros.programs.rqt_topic.fields import element_type
 
 _STEP = re.compile(r"^([A-Za-z_]\w*)((?:\[\d+\])*)$")
 _SIZED = (f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64))
 _NUMBERS = frozenset(("bool", "boolean", "byte", "octet", "char", "float", "double", "float32", "float64", *_SIZED))
+_LISTS = ("]", ">")
 DEEPEST = 6
 """Messages in messages that are looked into for numbers, when a path names no single one."""
 
 
 class NoField(Exception):
-    """The path cannot be plotted; the text says why, in English."""
+    """The path cannot be plotted; the text says why, in the words of rqt_plot (plot_widget.py, get_plot_fields)."""
 
 
 def split_paths(word: str) -> list[str]:
@@ -37,20 +39,21 @@ def find_topic(path: str, topics: Mapping[str, Sequence[str]]) -> tuple[str, str
     return name, topics[name][0], full[len(name) + 1 :]
 
 
-def plottable(type_name: str, rest: str) -> list[str]:
-    """Return the fields that a path into a message type means: itself if it is a number, else all numbers inside.
+def plottable(topic: str, type_name: str, rest: str) -> list[str]:
+    """Return the fields that a path into the messages of a topic means: itself if it is a number, else all numbers inside.
 
     NoField if there is no such field, or nothing to plot in it.
     """
-    kind = get_message(type_name)
     steps = [step for step in rest.split("/") if step]
-    word = _walk(kind, type_name, steps)
+    word = _walk(topic, type_name, steps)
     if word in _NUMBERS:
         return ["/".join(steps)]
-    found = list(_numbers(word, steps, DEEPEST)) if "/" in word and not word.endswith("]") else []
+    found = list(_numbers(word, steps, DEEPEST)) if "/" in word else []
     if not found:
-        what = f"a list: choose one with {steps[-1]}[0]" if word.endswith(("]", ">")) else f"no number but {word}"
-        raise NoField(f"{'/'.join(steps) or type_name} is {what}")
+        path = "/".join([topic, *steps])
+        raise NoField(
+            f"'{path}' is a string, which cannot be plotted" if "string" in word else f"{path} cannot be plotted"
+        )
     return found
 
 
@@ -59,19 +62,25 @@ def _fields(kind: Any) -> Mapping[str, str]:
     return fields
 
 
-def _walk(kind: Any, type_name: str, steps: list[str]) -> str:
+def _walk(topic: str, type_name: str, steps: list[str]) -> str:
     """Return the type of the field that the steps lead to."""
     word = _slashed(type_name)
     for number, step in enumerate(steps):
-        match = _STEP.match(step)
-        if "/" not in word or word.endswith(("]", ">")):
-            raise NoField(f"{'/'.join(steps[:number])} has no fields")
+        if "/" not in word:
+            raise NoField(f"'{'.'.join(steps[:number])}' is a primitive type with no field named '{step}'")
+        where = f"trying to parse field '{'.'.join(steps[: number + 1])}' of topic {topic}: "
         fields = _fields(get_message(_full(word)))
-        if match is None or match.group(1) not in fields:
-            raise NoField(f"{_slashed(word)} has no field '{step}'; it has {', '.join(fields)}")
-        word = fields[match.group(1)]
-        for _ in re.findall(r"\[\d+\]", match.group(2)):
-            word = _element(word, step)
+        match = _STEP.match(step)
+        name = match.group(1) if match is not None else step
+        if match is None or name not in fields:
+            raise NoField(f"{where}'{name}' is not a field of '{_full(word)}' ({', '.join(fields)})")
+        word, indexes = fields[name], match.group(2)
+        if word.endswith(_LISTS) and not indexes:
+            raise NoField(f"{where}{name} is a nested type but no index provided")
+        for _ in re.findall(r"\[\d+\]", indexes):
+            if not word.endswith(_LISTS):
+                raise NoField(f"{where}{name} is not an array or sequence")
+            word = element_type(word)
     return word
 
 
@@ -82,14 +91,6 @@ def _slashed(name: str) -> str:
 def _full(word: str) -> str:
     package, _, name = word.partition("/")
     return f"{package}/msg/{name}"
-
-
-def _element(word: str, step: str) -> str:
-    """The type of the elements of a list."""
-    match = re.fullmatch(r"sequence<(.*?)(?:, \d+)?>|(.*)\[\d+\]", word)
-    if match is None:
-        raise NoField(f"{step.partition('[')[0]} is no list")
-    return match.group(1) or match.group(2)
 
 
 def _numbers(word: str, steps: list[str], depth: int) -> list[str]:

@@ -120,7 +120,7 @@ class Plot:
             if "/_" in topic or topic in ("/rosout", "/parameter_events"):
                 continue
             try:
-                found += [f"{topic}/{field}" for field in plottable(types[0], "")]
+                found += [f"{topic}/{field}" for field in plottable(topic, types[0], "")]
             except (NoField, UnknownInterfaceError, ValueError):
                 continue  # a topic without numbers, or of a type that is not here
         return sorted(found)
@@ -166,7 +166,7 @@ class Plot:
             return [path]
         topic, type_name, rest = found
         try:
-            return [f"{topic}/{field}" for field in plottable(type_name, rest)]
+            return [f"{topic}/{field}" for field in plottable(topic, type_name, rest)]
         except (UnknownInterfaceError, ValueError) as error:
             raise NoField(str(error)) from None
 
@@ -195,7 +195,7 @@ class Plot:
 
     def _connect(self, curve: Curve, topic: str, type_name: str, rest: str) -> None:
         try:
-            fields = plottable(type_name, rest)
+            fields = plottable(topic, type_name, rest)
             if fields != ["/".join(step for step in rest.split("/") if step)]:
                 # It was asked for before its topic was there: now it is known what it means.
                 self.curves = tuple(each for each in self.curves if each is not curve)

@@ -6,6 +6,7 @@ All of it lives on the program's thread, where `tick` follows what changed. A us
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -36,7 +37,7 @@ from day6_tui.core.ros.programs.rviz2.model.scene import Scene
 from day6_tui.core.ros.programs.rviz2.model.selection import Selection
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN, StatusList
 from day6_tui.core.ros.programs.rviz2.model.tools.toolbox import Toolbox
-from day6_tui.core.ros.programs.rviz2.model.views import VIEWS, Orbit, View, copied, type_property
+from day6_tui.core.ros.programs.rviz2.model.views import VIEWS, Orbit, SavedView, View, copied, type_property
 from day6_tui.core.session.task import Signal
 from rclpy.clock import ClockChange, JumpThreshold, TimeJump
 from rclpy.duration import Duration
@@ -211,6 +212,7 @@ class RViz:
         if prop in self.view.children:
             prop.set(checked)
             self.tree_changed()
+            self.touch()  # another target frame is somewhere else
         else:
             self.request(change)
 
@@ -234,11 +236,39 @@ class RViz:
             copied(self.view, view)
         self.view_type.value = type_name
         self.views.remove(self.view)
-        self.views.add(view)
+        self.views.add(view, 1)
         self.view = view
         self._view_touched()
         self.tree_changed()
         self.touch()
+
+    @property
+    def saved_views(self) -> list[SavedView]:
+        """In the order of the panel."""
+        return [child for child in self.views.children if isinstance(child, SavedView)]
+
+    def save_view(self) -> SavedView:
+        """Keep the view under the name of its type (view_manager.cpp, copyCurrentToList)."""
+        saved = SavedView({**self.view.save(), "Name": self.view.type})
+        self.views.add(saved)
+        self.views.expanded = True
+        self._changed_by_user()
+        return saved
+
+    def use_view(self, saved: SavedView) -> None:
+        """Look as a view that was kept."""
+        self.set_view(saved.view_type, mimic=False)
+        self.view.load(saved.config)
+        self._view_touched()
+        self._changed_by_user()
+
+    def remove_view(self, saved: SavedView) -> None:
+        self.views.remove(saved)
+        self._changed_by_user()
+
+    def rename_view(self, saved: SavedView, name: str) -> None:
+        saved.name = name
+        self._changed_by_user()
 
     # -- displays ------------------------------------------------------------------------------------------------------
 
@@ -343,6 +373,8 @@ class RViz:
         target = self.frames.pose(self.view.target.value)
         if target is not None:
             self.view.origin = target.xyz
+            x, y, z, w = target.rotation
+            self.view.heading = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
         scene = Scene(self.background.value)
         for display in self.displays:
             if display.enabled:
@@ -418,6 +450,12 @@ class RViz:
         if isinstance(current, dict):
             self.set_view(str(current.get("Class", "")).rpartition("/")[2], mimic=False)
             self.view.load(current)
+        for saved in self.saved_views:
+            self.views.remove(saved)
+        kept = views.get("Saved") if isinstance(views, dict) else None
+        for entry in kept if isinstance(kept, list) else ():
+            if isinstance(entry, dict):
+                self.views.add(SavedView(entry))
         load_expanded(self.root, config.get("Panels"))
         self.modified = False
         self.tree_changed()
@@ -436,10 +474,9 @@ class RViz:
             manager["Performance"] = self.performance.save()
         else:
             manager.pop("Performance", None)
-        views = manager.get("Views")
-        saved = views.get("Saved") if isinstance(views, dict) else None
         manager["Tools"] = self.tools.save()
-        manager["Views"] = {"Current": self.view.save(), "Saved": saved}
+        kept = [saved.config for saved in self.saved_views]
+        manager["Views"] = {"Current": self.view.save(), "Saved": kept or None}
         manager.setdefault("Class", "")
         manager.setdefault("Enabled", True)
         manager.setdefault("Name", "root")

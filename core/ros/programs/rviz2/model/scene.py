@@ -157,6 +157,10 @@ class Scene:
         """Say whose the objects are that are added from now on."""
         self.marks.append(Mark(owner, key, tuple(map(len, self._solid))))
 
+    def beside(self, shape: Shape | None) -> Scene:
+        """The same scene with one more shape, that cannot be picked."""
+        return self if shape is None else replace(self, shapes=[*self.shapes, shape])
+
     def lighten(self, amount: float) -> None:
         """Make what was added since the last mark brighter, and opaque: it is in use."""
         shapes, lines, points, triangles = self.marks[-1].starts

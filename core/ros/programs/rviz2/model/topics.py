@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 
 INVALID_FLOATS = "Message contained invalid floating point values (nans or infs)"
 
+FULL = "discarding message because the queue is full"
+NO_FRAME = "the frame id of the message is empty"
+"""Why a message is dropped (tf2_ros/message_filter.h)."""
+
 
 class TopicDisplay(Display):
     """Subscribes while enabled (rviz_common/ros_topic_display.hpp)."""
@@ -149,6 +153,19 @@ class FilteredDisplay(TopicDisplay):
         self.topic.add(self.filter_size)
         self._waiting: deque[tuple[Any, bytes | None]] = deque()
         """Messages and who sent them."""
+        self.nameless = 0
+        """How many messages came whose header names no frame."""
+
+    @property
+    def waiting(self) -> int:
+        """How many messages wait."""
+        return len(self._waiting)
+
+    @property
+    def waiting_for(self) -> str:
+        """The frame that the newest one waits for, '' if none waits; any thread."""
+        newest = list(self._waiting)[-1:]
+        return str(newest[0][0].header.frame_id) if newest else ""
 
     def show(self, message: Any) -> None:
         """A message whose transform is known (or was, when it came)."""
@@ -157,19 +174,24 @@ class FilteredDisplay(TopicDisplay):
     def reset(self) -> None:
         super().reset()
         self._waiting.clear()
+        self.nameless = 0
 
     def _incoming(self, message: Any) -> None:
-        self._waiting.append((message, self.sender))
+        if not message.header.frame_id.removeprefix("/"):
+            self.nameless += 1
+            self._drop(message, NO_FRAME)
+        else:
+            self._waiting.append((message, self.sender))
         while len(self._waiting) > self.filter_size.value:
-            self._drop(self._waiting.popleft()[0])
+            self._drop(self._waiting.popleft()[0], FULL)
         self.rviz.touch()
 
-    def _drop(self, message: Any) -> None:
+    def _drop(self, message: Any, reason: str) -> None:
         stamp = message.header.stamp
         # The text of tf2_ros' message filter.
         self.rviz.log_info(
             f"Message Filter dropping message: frame '{message.header.frame_id}' at time"
-            f" {stamp.sec + stamp.nanosec * 1e-9:.3f} for reason 'discarding message because the queue is full'"
+            f" {stamp.sec + stamp.nanosec * 1e-9:.3f} for reason '{reason}'"
         )
 
     def refresh(self) -> None:

@@ -21,6 +21,8 @@ from day6_tui.core.ros.programs.rviz2.model.properties import (
     Property,
     floats,
 )
+from day6_tui.core.ros.programs.rviz2.model.scene import SPHERE, Colour, Shape
+from day6_tui.urdf.kinematics import Transform
 from day6_tui.urdf.model import Vector
 
 NOMINAL_HEIGHT = 600.0
@@ -66,6 +68,8 @@ class View(Property):
         self.add(self.near)
         self.origin: Vector = (0.0, 0.0, 0.0)
         """Where the target frame is."""
+        self.heading = 0.0
+        """How the target frame is turned about the vertical."""
         self.unknown: dict[str, Any] = {}
 
     @property
@@ -83,6 +87,11 @@ class View(Property):
 
     def camera(self) -> Camera:
         raise NotImplementedError
+
+    @property
+    def focal_shape(self) -> Shape | None:
+        """What marks the focal point while the camera is moved; None for a view that has no such point."""
+        return None
 
     # -- the mouse: dx, dy in nominal pixels ---------------------------------------------------------------------------
 
@@ -142,6 +151,7 @@ class Orbit(View):
     type = "Orbit"
     help = "Left-Click: Rotate.  Middle-Click: Move X/Y.  Right-Click/Mouse Wheel: Zoom.  Shift: More options."
     help_shift = "Left-Click: Move X/Y.  Right-Click: Move Z.  Mouse Wheel: Zoom."
+    focal_colour: Colour = (1.0, 1.0, 0.0, 0.5)
 
     def build(self) -> None:
         changed = self.touched
@@ -154,6 +164,10 @@ class Orbit(View):
         self.add(self.invert)
 
     def camera(self) -> Camera:
+        return self._own_camera()
+
+    def _own_camera(self) -> Camera:
+        """The camera as the target frame has it, for views that turn with this frame."""
         yaw, pitch, sign = self.yaw.value, self.pitch.value, 1.0
         if self.invert.value:
             yaw, pitch, sign = -yaw, -pitch, -1.0
@@ -168,7 +182,7 @@ class Orbit(View):
 
     def pan(self, right: float, down: float) -> None:
         size = 2 * self.distance.value * math.tan(FIELD_OF_VIEW / 2)
-        camera = self.camera()
+        camera = self._own_camera()
         self._move(_plus(_times(camera.right, -right * size), _times(camera.up, down * size)))
 
     def _move(self, by: Vector) -> None:
@@ -178,14 +192,14 @@ class Orbit(View):
         amount = down * 0.1 * self.distance.value / 10
         if shift:
             # Along the camera's own backward axis, as the original does.
-            self._move(_times(self.camera().forward, -amount))
+            self._move(_times(self._own_camera().forward, -amount))
         else:
             self._nearer(-amount)
 
     def wheel(self, notches: float, shift: bool) -> None:
         amount = notches * 0.12 * self.distance.value
         if shift:
-            self._move(_times(self.camera().forward, amount))
+            self._move(_times(self._own_camera().forward, amount))
         else:
             self._nearer(amount)
 
@@ -194,12 +208,12 @@ class Orbit(View):
         self.distance.set(self.distance.value - metres)
 
     def look_at(self, centre: Vector, radius: float) -> None:
-        self.focus.set(_plus(centre, _times(self.origin, -1.0)))
+        self.focus.set(self._from_target(centre))
         self.distance.set(max(0.05, radius / math.sin(FIELD_OF_VIEW / 2) * 1.05))
 
     def turn_to(self, point: Vector) -> None:
-        camera = _plus(self.camera().position, _times(self.origin, -1.0))
-        focus = self._focal(_plus(point, _times(self.origin, -1.0)))
+        camera = _plus(self._own_camera().position, _times(self.origin, -1.0))
+        focus = self._focal(self._from_target(point))
         back = _plus(camera, _times(focus, -1.0))
         distance = math.dist(camera, focus)
         self.focus.set(focus)
@@ -209,6 +223,19 @@ class Orbit(View):
 
     def _focal(self, point: Vector) -> Vector:
         return point
+
+    def _from_target(self, point: Vector) -> Vector:
+        """A point of the fixed frame, seen from the target frame."""
+        return _plus(point, _times(self.origin, -1.0))
+
+    def _in_fixed_frame(self, point: Vector) -> Vector:
+        return _plus(point, self.origin)
+
+    @property
+    def focal_shape(self) -> Shape:
+        size = self.focal_size.value * (1.0 if self.focal_fixed.value else self.distance.value)
+        place = Transform(self._in_fixed_frame(self.focus.value))
+        return Shape(SPHERE, place, (size, size, size / 5), self.focal_colour)
 
     def from_above(self) -> None:
         self.yaw.set(START)
@@ -220,9 +247,10 @@ class XYOrbit(Orbit):
 
     type = "XYOrbit"
     help_shift = "Left-Click: Move X/Y.  Right-Click: Zoom."
+    focal_colour: Colour = (0.0, 1.0, 1.0, 0.5)
 
-    def camera(self) -> Camera:
-        camera = super().camera()
+    def _own_camera(self) -> Camera:
+        camera = super()._own_camera()
         position = _plus(camera.position, _times(camera.up, self.distance.value * CAMERA_OFFSET))
         return Camera(position, camera.right, camera.up, camera.forward, camera.near)
 
@@ -235,7 +263,7 @@ class XYOrbit(Orbit):
 
     def pan(self, right: float, down: float) -> None:
         size = 2 * self.distance.value * math.tan(FIELD_OF_VIEW / 2)
-        camera = self.camera()
+        camera = self._own_camera()
         ahead = (camera.forward[0], camera.forward[1], 0.0)
         length = math.hypot(ahead[0], ahead[1]) or 1.0
         steep = max(0.1, abs(camera.forward[2]))
@@ -252,6 +280,24 @@ class XYOrbit(Orbit):
 
     def _focal(self, point: Vector) -> Vector:
         return point[0], point[1], 0.0
+
+
+class ThirdPersonFollower(XYOrbit):
+    """Turns with the target frame, as somebody does who walks behind it."""
+
+    type = "ThirdPersonFollower"
+
+    def camera(self) -> Camera:
+        own = self._own_camera()
+        position = self._in_fixed_frame(_plus(own.position, _times(self.origin, -1.0)))
+        right, up, forward = (_about_z(axis, self.heading) for axis in (own.right, own.up, own.forward))
+        return Camera(position, right, up, forward, own.near)
+
+    def _from_target(self, point: Vector) -> Vector:
+        return _about_z(super()._from_target(point), -self.heading)
+
+    def _in_fixed_frame(self, point: Vector) -> Vector:
+        return super()._in_fixed_frame(_about_z(point, self.heading))
 
 
 class TopDownOrtho(View):
@@ -365,7 +411,26 @@ class FPS(View):
         self._turn_to((0.0, 0.0, 0.0))
 
 
-VIEWS: dict[str, type[View]] = {view.type: view for view in (Orbit, XYOrbit, TopDownOrtho, FPS)}
+class SavedView(Property):
+    """A view that was kept under a name; its line leads back to it."""
+
+    def __init__(self, config: dict[str, Any]) -> None:
+        class_id = str(config.get("Class", ""))
+        super().__init__(str(config.get("Name", class_id)), TEXT, str(config.get("Value", class_id)), read_only=True)
+        self._config = config
+
+    @property
+    def config(self) -> dict[str, Any]:
+        """What a .rviz file holds of it."""
+        return {**self._config, "Name": self.name}
+
+    @property
+    def view_type(self) -> str:
+        """Its view controller."""
+        return str(self._config.get("Class", "")).rpartition("/")[2]
+
+
+VIEWS: dict[str, type[View]] = {view.type: view for view in (Orbit, XYOrbit, TopDownOrtho, FPS, ThirdPersonFollower)}
 
 
 def copied(old: View, new: View) -> None:
@@ -415,6 +480,12 @@ def _looking(position: Vector, forward: Vector, near: float, sign: float) -> Cam
     right = (fy / length * sign, -fx / length * sign, 0.0)
     up = (right[1] * fz - right[2] * fy, right[2] * fx - right[0] * fz, right[0] * fy - right[1] * fx)
     return Camera(position, right, up, forward, near)
+
+
+def _about_z(point: Vector, angle: float) -> Vector:
+    x, y, z = point
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return x * cosine - y * sine, x * sine + y * cosine, z
 
 
 def _plus(a: Vector, b: Vector) -> Vector:

@@ -130,10 +130,16 @@ def _ros_command(name: str) -> Main | None:
         from day6_tui.core.ros.ros2 import main
 
         return main
+    if name == "launch_test":
+        return _launch_test
     from day6_tui.core.ros.program_index import COMMANDS
     from day6_tui.core.ros.programs import load
 
     return load(*COMMANDS[name]) if name in COMMANDS else None
+
+
+async def _launch_test(session: Session) -> int:
+    return await session.run_python(["-m", "launch_testing.launch_test", *session.argv[1:]])
 
 
 _started = False

@@ -53,6 +53,9 @@ TYPES: dict[str, tuple[str, str, str]] = {
 }
 """Type -> module, class, and the message type by which Add by topic finds it (RobotModel and TF are not found so)."""
 
+LEFT_OUT = (f"{PACKAGE}/DepthCloud",)
+"""Classes of the original that have none here."""
+
 
 def display_class(type_name: str) -> type[Display]:
     """The class of a type of `TYPES`. Raises KeyError."""

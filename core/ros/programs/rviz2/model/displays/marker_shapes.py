@@ -161,9 +161,8 @@ def _point_cloud(scene: Scene, marker: Any, pose: Transform) -> None:
 
 
 def _text(scene: Scene, marker: Any, pose: Transform) -> None:
-    for index, line in enumerate(marker.text.split("\n")):
-        x, y, z = pose.xyz
-        scene.labels.append(Label(line, (x, y, z - index * 1.2 * marker.scale.z), _colour(marker)))
+    if marker.text.strip():
+        scene.labels.append(Label(marker.text, pose.xyz, _colour(marker)))
 
 
 def _triangles(scene: Scene, marker: Any, pose: Transform) -> None:

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.arrows import PoseShape
-from day6_tui.core.ros.programs.rviz2.model.displays.covariance import Covariance
+from day6_tui.core.ros.programs.rviz2.model.displays.covariance import Covariance, Spread, spread_of
 from day6_tui.core.ros.programs.rviz2.model.properties import INT, Property, floats
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR
@@ -18,16 +18,20 @@ from day6_tui.core.ros.programs.rviz2.model.topics import (
     pose_of,
 )
 from day6_tui.urdf.kinematics import Transform, compose
+from day6_tui.urdf.model import Quaternion
 
 UNNORMALISED = "Message contained unnormalized quaternion (squares of values don't add to 1)"
 MOST_KEPT = 5000
 """Arrows kept when `Keep` says all of them."""
 
+MOST_SPREADS = 25
+"""Covariances drawn, the newest ones: each is see-through, and a hundred take ten times as long to paint as all else."""
+
 _TOLERANCE = 10e-3
 
 
 class OdometryDisplay(FilteredDisplay):
-    """A new arrow whenever the robot moved or turned far enough; the newest place has its covariance."""
+    """A new arrow with its covariance whenever the robot moved or turned far enough."""
 
     type = "Odometry"
     message_type = "nav_msgs/msg/Odometry"
@@ -40,17 +44,17 @@ class OdometryDisplay(FilteredDisplay):
         self.keep = self.add(Property("Keep", INT, 100, low=0, on_change=changed))
         self.shape = PoseShape(self.add, changed, below=True)
         self.covariance = Covariance(self.add, changed)
-        self._arrows: list[Transform] = []
+        self._arrows: list[tuple[Transform, Spread | None, Quaternion]] = []
+        """Poses in the Fixed Frame, their covariances, and how the frames are turned that these were given in."""
         self._last: Any = None
 
     def reset(self) -> None:
         super().reset()
         self._arrows, self._last = [], None
-        self.covariance.forget()
 
     def show(self, message: Any) -> None:
         pose = message.pose.pose
-        if not all_finite(pose_numbers(pose)):
+        if not all_finite([*pose_numbers(pose), *message.pose.covariance]):
             self.put_status(ERROR, "Topic", INVALID_FLOATS)
             return
         turn = pose.orientation
@@ -63,8 +67,7 @@ class OdometryDisplay(FilteredDisplay):
         if frame is None:
             return
         self._last = pose
-        self._arrows.append(compose(frame, pose_of(pose)))
-        self.covariance.take(message.pose.covariance)
+        self._arrows.append((compose(frame, pose_of(pose)), spread_of(message.pose.covariance), frame.rotation))
 
     def _far_enough(self, new: Any, old: Any) -> bool:
         a, b = new.position, old.position
@@ -78,7 +81,7 @@ class OdometryDisplay(FilteredDisplay):
     def draw(self, scene: Scene) -> None:
         keep = self.keep.value or MOST_KEPT
         del self._arrows[:-keep]
-        for pose in self._arrows:
+        for pose, _, _ in self._arrows:
             self.shape.draw(scene, pose)
-        if self._arrows:
-            self.covariance.draw(scene, self._arrows[-1])
+        for pose, spread, frame in self._arrows[-MOST_SPREADS:]:
+            self.covariance.draw(scene, spread, pose, frame)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.arrows import PoseShape, rgba
-from day6_tui.core.ros.programs.rviz2.model.displays.covariance import Covariance
+from day6_tui.core.ros.programs.rviz2.model.displays.covariance import Covariance, Spread, spread_of
 from day6_tui.core.ros.programs.rviz2.model.properties import (
     COLOUR,
     ENUM,
@@ -25,7 +25,7 @@ from day6_tui.core.ros.programs.rviz2.model.topics import (
     pose_numbers,
     pose_of,
 )
-from day6_tui.urdf.kinematics import Transform, compose
+from day6_tui.urdf.kinematics import IDENTITY, Transform, compose
 from day6_tui.urdf.model import Vector
 
 MOST_POSES = 2000
@@ -82,12 +82,14 @@ class PoseWithCovarianceDisplay(FilteredDisplay):
         self.shape = PoseShape(self.add, self.changed, below=False)
         self.covariance = Covariance(self.add, self.changed)
         self._pose: Transform | None = None
+        self._frame = IDENTITY
+        """That of the newest message's header."""
+        self._spread: Spread | None = None
         self._message: Any = None
 
     def reset(self) -> None:
         super().reset()
-        self._pose = self._message = None
-        self.covariance.forget()
+        self._pose = self._message = self._spread = None
 
     def show(self, message: Any) -> None:
         if not all_finite([*pose_numbers(message.pose.pose), *message.pose.covariance]):
@@ -96,7 +98,7 @@ class PoseWithCovarianceDisplay(FilteredDisplay):
         frame = self.place(message.header)
         if frame is not None:
             self._pose, self._message = compose(frame, pose_of(message.pose.pose)), message
-            self.covariance.take(message.pose.covariance)
+            self._frame, self._spread = frame, spread_of(message.pose.covariance)
 
     def describe(self, key: str) -> tuple[str, list[Property]] | None:
         if self._message is None:
@@ -112,7 +114,7 @@ class PoseWithCovarianceDisplay(FilteredDisplay):
     def draw(self, scene: Scene) -> None:
         if self._pose is not None:
             self.shape.draw(scene, self._pose)
-            self.covariance.draw(scene, self._pose)
+            self.covariance.draw(scene, self._spread, self._pose, self._frame.rotation)
 
 
 class PoseArrayDisplay(FilteredDisplay):

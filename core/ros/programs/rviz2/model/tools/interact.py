@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from day6_tui.core.ros.programs.rviz2.model.key_steps import FINE, FINE_TURN, TURN, step_at
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, Property
@@ -10,6 +10,9 @@ from day6_tui.core.ros.programs.rviz2.model.tools.tool import Hit, Pointer, Tool
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rviz2.model.displays.interactive_markers import InteractiveMarkersDisplay
+
+INTERACTIVE_MARKERS = "InteractiveMarkers"
+"""The type of the display, which is imported only when somebody adds it."""
 
 NEAR, IN_USE = 0.3, 0.5
 """How much brighter a control is that the mouse is over, or the keys are at, and one that is held."""
@@ -52,6 +55,8 @@ class Interact(Tool):
         """What the mouse or the keys hold."""
         self._chosen: Thing | None = None
         """What the keys are at."""
+        self._over: Thing | None = None
+        """What the mouse is over."""
 
     def _hide_changed(self) -> None:
         if self.rviz.tools.current is not self:
@@ -62,20 +67,28 @@ class Interact(Tool):
     def status(self) -> str:
         if self._chosen is not None and (words := self._chosen.display.words_of(self._chosen.key)):
             return f"{'/'.join(self._chosen.key)}: {words}"
-        words = self._held.display.words_of(self._held.key) if self._held is not None else ""
-        return words or self.rviz.view.help
+        thing = self._held or self._over
+        return (thing.display.words_of(thing.key) if thing is not None else "") or self.rviz.view.help
 
     def activate(self) -> None:
         self.rviz.interaction = True
 
     def deactivate(self) -> None:
+        self._over = None
         self.choose(None)
         self.rviz.interaction = not self.hide.value
 
     # -- the mouse -------------------------------------------------------------------------------------------------------
 
     def wants(self, pointer: Pointer) -> bool:
-        return pointer.hit is not None and pointer.hit.owner.type == "InteractiveMarkers"
+        return pointer.hit is not None and pointer.hit.owner.type == INTERACTIVE_MARKERS
+
+    def hover(self, pointer: Pointer) -> bool:
+        over = Thing(pointer.hit.owner, pointer.hit.key) if pointer.hit is not None and self.wants(pointer) else None
+        if over != self._over:
+            self._over = over
+            self._light()
+        return False
 
     def press(self, pointer: Pointer) -> bool:
         assert pointer.hit is not None
@@ -119,7 +132,7 @@ class Interact(Tool):
         """Show what is in use."""
         for thing in self.things:
             thing.display.lights.clear()
-        for lit, amount in ((self._chosen, NEAR), (self._held, IN_USE)):
+        for lit, amount in ((self._over, NEAR), (self._chosen, NEAR), (self._held, IN_USE)):
             if lit is not None:
                 lit.display.lights[lit.key] = amount
 
@@ -128,10 +141,12 @@ class Interact(Tool):
     @property
     def things(self) -> list[Thing]:
         """All controls that can be used; any thread."""
-        from day6_tui.core.ros.programs.rviz2.model.displays.interactive_markers import InteractiveMarkersDisplay
-
-        shown = [each for each in self.rviz.displays if isinstance(each, InteractiveMarkersDisplay) and each.enabled]
-        return [Thing(display, key) for display in shown for key in display.controls()]
+        found = []
+        for display in self.rviz.displays:
+            if display.type == INTERACTIVE_MARKERS and display.enabled:
+                markers = cast("InteractiveMarkersDisplay", display)
+                found += [Thing(markers, key) for key in markers.controls()]
+        return found
 
     def choose(self, thing: Thing | None) -> bool:
         """Point to a control, or to none; what is held is let go."""
