@@ -702,8 +702,8 @@ TEXTS = {
     "steering.nothing": "Nothing is published without a topic.",
     "steering.unheard": "Nobody subscribes to {topic}.",
     "steering.heard": "subscriptions: {count}",
-    "steering.other_type": "{topic} is used with the type {types}: nobody who subscribes to that gets a {type}.",
-    "steering.other_stamp": "{topic} is used with the type {types}, and this window publishes {type}: m changes that.",
+    "steering.other_type": "{topic} has the type {types}, not {type}.",
+    "steering.other_stamp": "{topic} has the type {types}, not {type}: m changes that.",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",

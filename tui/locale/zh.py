@@ -886,8 +886,8 @@ TEXTS = {
     "steering.nothing": "没有话题，就什么也不发布。",
     "steering.unheard": "没有人订阅 {topic}。",
     "steering.heard": "订阅者：{count}",
-    "steering.other_type": "{topic} 上的类型是 {types}：这样的订阅者收不到这个窗口发布的 {type}。",
-    "steering.other_stamp": "{topic} 上的类型是 {types}，这个窗口发布的是 {type}：按 m 更换。",
+    "steering.other_type": "{topic} 的类型是 {types}，不是 {type}。",
+    "steering.other_stamp": "{topic} 的类型是 {types}，不是 {type}：按 m 更换。",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",

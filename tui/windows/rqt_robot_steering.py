@@ -253,6 +253,15 @@ class RobotSteeringPane(WindowPane["RobotSteering"]):
         text = self.look.texts("steering.heard", count=self.model.heard)
         return [Piece(f" {text} ", self.look.colours.muted)]
 
+    def status_right(self) -> list[Piece]:
+        """The chosen end of a slider, which lines without room for it do not show."""
+        if self._limit is None:
+            return []
+        texts, (axis, end) = self.look.texts, self._limit
+        value = getattr(self.model.axes[axis], end) / FACTOR
+        text = f" {texts(f'steering.{axis}')} {texts(f'steering.{end}')}: {value:.2f} "
+        return [Piece(text, self.look.colours.accent, partial(self._choose_and_ask, self._limit))]
+
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def key_hints(self) -> list[tuple[str, str]]:
