@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,8 +10,11 @@ import pytest
 from rviz_walk import Walk, mouse, run, walking
 from textual import events
 
+from day6_tui.core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
+from day6_tui.tui.windows.rviz.extent import extent
 from day6_tui.tui.windows.rviz.sizes import NARROWEST_PANEL, NARROWEST_VIEW, divide
 from day6_tui.urdf import shipped_model
+from day6_tui.urdf.kinematics import Transform
 
 if TYPE_CHECKING:
     from rviz_machine import RVizMachine
@@ -570,3 +574,15 @@ def test_the_mouse_turns_the_view_beside_the_edge_and_the_edge_turns_nothing(mac
                 assert (machine.rviz.view.child("Yaw").value != yaw) is turned
 
     run(walk())
+
+
+def test_f_looks_at_whatever_there_is_without_a_robot() -> None:
+    scene = Scene(lines=[Lines([(-50.0, 0.0, 0.0), (50.0, 0.0, 0.0)], [(1.0, 1.0, 1.0, 1.0)], lattice=True)])
+    assert extent(scene) is None
+    scene.points.append(Points([(2.0, 0.0, 0.0)], [(1.0, 0.0, 0.0, 1.0)]))
+    assert extent(scene) == ((2.0, 0.0, 0.0), 1e-3)
+    scene.lines.append(Lines([(0.0, 0.0, 0.0), (4.0, 0.0, 0.0)], [(1.0, 1.0, 1.0, 1.0)]))
+    scene.shapes.append(Shape(BOX, Transform((2.0, 0.0, 0.0)), (1.0, 6.0, 0.0), (1.0, 1.0, 1.0, 1.0)))
+    assert extent(scene) == ((2.0, 0.0, 0.0), math.hypot(2.0, 3.0))
+    scene.shapes.append(Shape(BOX, Transform((9.0, 0.0, 0.0)), (2.0, 0.0, 0.0), (1.0, 1.0, 1.0, 1.0), "base_link"))
+    assert extent(scene) == ((9.0, 0.0, 0.0), 1.0)

@@ -81,7 +81,7 @@ def main() -> int:
     chosen = parser.parse_args()
     distribution.choose(chosen.branch)
     documentation = Documentation(chosen.documentation, chosen.branch)
-    every = pages(documentation.pages("source/Tutorials"))
+    every = pages(documentation.pages("source"))
     wanted = [page for page in every if not chosen.words or any(word in page.path for word in chosen.words)]
     chains = {page.chain: [each for each in every if each.chain == page.chain] for page in wanted}
     for name, chain in chains.items():

@@ -18,7 +18,7 @@ class Page:
 
     @property
     def name(self) -> str:
-        return self.path.removeprefix("source/Tutorials/").removesuffix(".rst").rpartition("/")[2]
+        return self.path.removesuffix(".rst").rpartition("/")[2]
 
     @property
     def section(self) -> str:
@@ -137,13 +137,27 @@ ORDER = (
 )
 """Below source/Tutorials, in the order in which they are to be read. Pages that a branch lacks are left out."""
 
+GUIDES = (
+    "Concepts/Basic/About-Command-Line-Tools",
+    "Concepts/Basic/About-Parameters",
+    "Concepts/Intermediate/About-RQt",
+    "How-To-Guides/Launch-file-different-formats",
+    "How-To-Guides/Launching-composable-nodes",
+    "How-To-Guides/Node-arguments",
+    "How-To-Guides/Overriding-QoS-Policies-For-Recording-And-Playback",
+    "How-To-Guides/Using-callback-groups",
+    "How-To-Guides/Using-ros2-param",
+)
+"""Below source: what else a learner is sent to that needs neither C++ nor another machine."""
+
 
 def pages(paths: Sequence[str]) -> list[Page]:
-    """Return those of ORDER that a branch has."""
+    """Return those of ORDER and GUIDES that a branch has."""
     have = set(paths)
     found = []
-    for name in ORDER:
-        path = f"source/Tutorials/{name}.rst"
+    for name in (*(f"Tutorials/{name}" for name in ORDER), *GUIDES):
+        path = f"source/{name}.rst"
+        name = name.removeprefix("Tutorials/")
         if path in have:
             chain = next((folder for folder in _CHAINED if name.startswith(folder)), name)
             if name.endswith("Colcon-Tutorial"):
@@ -273,5 +287,53 @@ HANDS: dict[str, tuple[Hand, ...]] = {
             instead=[("<bag_file_name>", "<BAG>")],
             interrupt="ros2 bag record",
         ),
+    ),
+    "Launch-file-different-formats": (
+        *(
+            Hand(r"example_launch" if kind != "py" else r"def generate", tab=tab, file=f"example_launch.{kind}")
+            for tab, kind in (("Python", "py"), ("XML", "xml"), ("YAML", "yaml"))
+        ),
+        Hand(
+            r"background_r:=255",
+            heading="arguments",
+            instead=[
+                ("<package_name> <launch_file_name>", "example_launch.xml"),
+                ("<path_to_launch_file>", "example_launch.py"),
+            ],
+        ),
+        Hand(r"ros2 launch <path", instead=[("<path_to_launch_file>", "example_launch.yaml")]),
+    ),
+    "Launching-composable-nodes": (
+        Hand(r"LoadComposableNodes\(", file="load_launch.py"),
+        *(
+            Hand(r"image_container", tab=tab, file=f"container_launch.{kind}")
+            for tab, kind in (("Python", "py"), ("XML", "xml"), ("YAML", "yaml"))
+        ),
+        Hand(r"ros2 launch <path", instead=[("<path_to_launch_file>", "load_launch.py")]),
+    ),
+    "Node-arguments": (
+        Hand(r"my_package node_executable|package_name executable_name", skip="form"),
+        Hand(r"^parameter_blackboard:", file="demo_params.yaml"),
+    ),
+    "Overriding-QoS-Policies-For-Recording-And-Playback": (
+        Hand(r"transient_local\n", file="durability_override.yaml"),
+        Hand(r"reliability: best_effort", file="reliability_override.yaml"),
+        Hand(r"ros2 bag record", lasts=3.0),
+        Hand(r"ros2 bag play", interrupt="ros2 bag record"),
+    ),
+    "Using-callback-groups": (
+        Hand(r"class ServiceNode", file="service.py"),
+        Hand(r"class CallbackGroupDemo", file="client.py"),
+    ),
+    "Using-ros2-param": (
+        Hand(
+            r"ros2 param list /my_node",
+            before=(
+                "ros2 run demo_nodes_cpp parameter_blackboard --ros-args -r __node:=my_node -p my_string:=hello &",
+                "until ros2 node list | grep -q my_node; do sleep 0.2; done",
+            ),
+        ),
+        Hand(r"^ros param", skip="page: a misprint, 'ros' for 'ros2'"),
+        Hand(r"ros2 param load", before=("ros2 param dump /my_node > my_node.yaml",)),
     ),
 }

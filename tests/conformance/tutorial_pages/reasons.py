@@ -33,6 +33,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"ros2 param list", "page: recorded before start_type_description_service (Iron) and turtlesim's holonomic"),
         (r"ros2 param load", "page: recorded before start_type_description_service (Iron) and turtlesim's holonomic"),
     ),
+    "Node-arguments": ((r"ros2 param list", "page: recorded before start_type_description_service (Iron)"),),
     "Recording-And-Playing-Back-Data": (
         (
             r"ros2 bag record",

@@ -86,7 +86,7 @@ class Table:
         kept = self.read()
         for path, row in found.items():
             print(
-                f"{path.removeprefix('source/Tutorials/').removesuffix('.rst')[-71:]:72}"
+                f"{path.removeprefix('source/').removeprefix('Tutorials/').removesuffix('.rst')[-71:]:72}"
                 + "".join(f"{row[name]:9}" for name in names)
             )
             for name in names:

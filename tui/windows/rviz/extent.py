@@ -5,35 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
+from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+from day6_tui.core.ros.programs.rviz2.model.selection import bounding_box
 from day6_tui.core.ros.programs.rviz2.model.views import FIELD_OF_VIEW, Camera
 from day6_tui.urdf.model import Vector
 
 
 def extent(scene: Scene) -> tuple[Vector, float] | None:
-    """Centre and radius of what is visible: the robot's links if there are any, else all solids and points."""
-    shapes = [shape for shape in scene.shapes if shape.name] or ([] if scene.triangles else scene.shapes)
-    low, high = [math.inf] * 3, [-math.inf] * 3
-
-    def take(centre: Vector, radius: float) -> None:
-        for axis in range(3):
-            low[axis] = min(low[axis], centre[axis] - radius)
-            high[axis] = max(high[axis], centre[axis] + radius)
-
-    for shape in shapes:
-        half = [size / 2 for size in shape.size]
-        for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
-            for sign in (1, -1):
-                corner = (sign * half[0], signs[0] * half[1], signs[1] * half[2])
-                take(placed(shape.pose, corner), 0.0)
-    for mesh in scene.triangles:
-        corners = (
-            (abs(mesh.vertices).max(axis=0) * [abs(part) for part in mesh.scale]) if len(mesh.vertices) else (0, 0, 0)
-        )
-        take(mesh.pose.xyz, float(math.dist((0, 0, 0), tuple(corners))))
-    if not all(map(math.isfinite, (*low, *high))):
-        return None
-    return around([((low[0], low[1], low[2]), (high[0], high[1], high[2]))])
+    """Centre and radius of what is visible: the robot's links if there are any, else everything but grids."""
+    robot = Scene(
+        shapes=[each for each in scene.shapes if each.name], triangles=[each for each in scene.triangles if each.name]
+    )
+    everything = Scene(
+        shapes=scene.shapes,
+        triangles=scene.triangles,
+        points=scene.points,
+        lines=[each for each in scene.lines if not each.lattice],
+    )
+    box = bounding_box(robot) or bounding_box(everything)
+    return around([box]) if box is not None else None
 
 
 def around(boxes: Sequence[tuple[Vector, Vector]]) -> tuple[Vector, float] | None:
