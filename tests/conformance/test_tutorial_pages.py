@@ -198,6 +198,13 @@ def test_what_comes_of_ctrl_c_is_no_failure_of_the_program_even_where_its_beginn
     assert Row("ros2 launch a b", 1, output=died).by_itself == died
 
 
+def test_what_is_chance_leaves_no_mark_on_a_row() -> None:
+    waits = [Row("x", 1, difference=compare("at", "wait\n" * count, goes_on=True)[1]) for count in (2, 3)]
+    assert digest(waits[0]) == digest(waits[1]) != ""
+    bags = [compare("Files: a", f"Files: 0_a_2026_11_25-19_02_0{second}.mcap", goes_on=False)[1] for second in (1, 2)]
+    assert bags[0] == bags[1]
+
+
 def test_only_what_steers_a_turtle_is_given_the_arrows() -> None:
     assert takes_arrows("ros2 run turtlesim turtle_teleop_key") and not takes_arrows("ros2 bag play subset")
 

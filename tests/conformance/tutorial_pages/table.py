@@ -40,8 +40,11 @@ def summary(page: Page, player: Player) -> dict[str, Any]:
 
 
 def digest(row: Row) -> str:
-    """Return a mark of what differs, by which a row whose reason is an old one is noticed; '' for what was not compared."""
-    lines = sorted(line for line in row.difference if line.startswith(("+", "-")) and line[:3] not in ("+++", "---"))
+    """Return a mark of what differs, by which a row whose reason is an old one is noticed; '' for what was not compared.
+
+    How often a program says a line again is chance.
+    """
+    lines = sorted({line for line in row.difference if line.startswith(("+", "-")) and line[:3] not in ("+++", "---")})
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:12] if lines else ""
 
 
