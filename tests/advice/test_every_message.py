@@ -23,6 +23,7 @@ EXEMPT: dict[str, str] = {
     r"collada\.py|meshes\.py": "reaches the screen as `could not load` of a mesh",
     r"raise BadValue|raise NoField": "shown beside the line in which the value is typed, in the catalogue's words",
     r"rqt_reconfigure/(model|values)\.py|rqt_image_view/model\.py": "shown below the line in which the value or file is typed",
+    r"rqt_topic/fields\.py": "a type without fields is told by having none",
     r"rqt_gui/perspectives\.py|rqt_console/files\.py": "shown on the frame of the window, about the file just named",
     r"rqt_py_common/expressions\.py": "the reason within the texts of `rqt-expression`",
     r"decoding\.py.*(wordxword pixels|too large)": "the reason within `an exception was thrown`, or it says all itself",

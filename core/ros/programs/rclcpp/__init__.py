@@ -54,6 +54,8 @@ def log_interrupt(session: Session) -> None:
 
 
 def log(session: Session, level: str, logger: str, text: str) -> None:
-    """Print what a logger says that belongs to no node; so nothing of it goes to /rosout."""
-    seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
-    session.print_error(f"[{level}] [{seconds}.{nanoseconds:09d}] [{logger}]: {text}")
+    """Log as a logger that belongs to no node; so nothing of it goes to /rosout."""
+    from rclpy.impl.rcutils_logger import RcutilsLogger
+    from rclpy.logging import LoggingSeverity
+
+    RcutilsLogger._of_node(logger, session.context._logging).log(text, LoggingSeverity[level])
