@@ -15,7 +15,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-_SHARES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "share_of")
+_SHARE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "share")
+_SHARES = f"{_SHARE}_of"
 
 
 def _in_humble(old: Any, usual: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
@@ -240,15 +241,21 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
 
 _DEMOS = "ros2/demos: setup.py of demo_nodes_py and CMakeLists.txt of demo_nodes_cpp, branches humble and jazzy"
 
+_DEMO_LAUNCH = "ros2/demos: the packages' launch folders, branches humble and jazzy"
+
 LAUNCH_FILES: dict[str, tuple[str, str]] = {
-    "composition composition_demo_launch.py": (
-        "composition_demo.launch.py", "ros2/demos: composition/launch, branches humble and jazzy"
-    ),
-    "dummy_robot_bringup dummy_robot_bringup_launch.py": (
-        "dummy_robot_bringup.launch.py", "ros2/demos: dummy_robot_bringup/launch, branches humble and jazzy"
-    ),
+    **{f"{package} {name}_launch.{kind}": (f"{name}.launch.{kind}", _DEMO_LAUNCH)
+       for package, names, kinds in (
+           ("composition", "composition_demo", "py"),
+           ("demo_nodes_cpp", "add_two_ints add_two_ints_async talker_listener talker_listener_best_effort", "py xml"),
+           ("dummy_robot_bringup", "dummy_robot_bringup", "py"),
+           ("lifecycle", "lifecycle_demo", "py"),
+           ("lifecycle_py", "lifecycle_demo", "py"))
+       for name in names.split() for kind in kinds.split()},
+    **{f"demo_nodes_cpp {name}": ("", _DEMO_LAUNCH)
+       for name in ("introspect_services_launch.py", "talker_listener_launch.yaml", "talker_listener_best_effort_launch.yaml")},
 }  # fmt: skip
-"""Package and launch file of ours -> (its name in Humble, the source)."""
+"""Package and launch file of ours -> (its name in Humble, '' where it is not there, the source)."""
 
 EXECUTABLES: dict[str, tuple[tuple[str, ...], str]] = {
     f"{package} {name}": _since("jazzy", _DEMOS)
@@ -388,9 +395,21 @@ def has_executable(package: str, name: str) -> bool:
 
 
 def launch_file(package: str, file: str) -> str:
-    """Return the name that a launch file of a package has in this distribution."""
+    """Return the name that a launch file of a package has in this distribution; '' if it is not in this one."""
     row = LAUNCH_FILES.get(f"{package} {file}")
     return row[0] if row is not None and current() == "humble" else file
+
+
+def launch_file_at(path: str) -> str:
+    """Return the file to read for the path of a launch file as this distribution has it; any other path as it is."""
+    if current() != "humble":
+        return path
+    folder, name = os.path.split(path)
+    package = os.path.realpath(folder).removeprefix(_SHARE + os.sep).partition(os.sep)[0]
+    ours = (
+        key.partition(" ")[2] for key, (old, _) in LAUNCH_FILES.items() if old == name and key.startswith(f"{package} ")
+    )
+    return next((os.path.join(folder, file) for file in ours), path)
 
 
 def lacking_options(words: str) -> tuple[str, ...]:

@@ -25,6 +25,13 @@ from day6_tui.core.ros.distribution import NAMES
 
 from .command import day6, sections, started, wait_for
 
+LAUNCHED = (
+    "composition composition_demo_launch.py",
+    "lifecycle lifecycle_demo_launch.py",
+    "demo_nodes_cpp talker_listener_launch.yaml",
+)
+"""Some of LAUNCH_FILES."""
+
 RELEASES = {
     "humble": Stores.ROS2_HUMBLE,
     "jazzy": Stores.ROS2_JAZZY,
@@ -121,9 +128,14 @@ PARTS = {
     "turtlesim_msgs module": "python3 -c 'from turtlesim_msgs.srv import Spawn'",
     "action tutorial": "ros2 run action_tutorials_py fibonacci_action_server > /dev/null 2>&1 & "
     "until ros2 action list | grep -q fibonacci; do sleep 0.05; done; ros2 action info -t /fibonacci; kill %1; wait",
-    "launch files": "ros2 launch composition composition_demo.launch.py -p; "
-    "ros2 launch dummy_robot_bringup dummy_robot_bringup.launch.py -p; "
-    "ros2 launch composition composition_demo_launch.py -p; ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.py -p",
+    "launch files": "; ".join(
+        f"ros2 launch {key.split()[0]} {file} -p"
+        for key in LAUNCHED
+        for file in (key.split()[1], LAUNCH_FILES[key][0])
+        if file
+    ),
+    "included": 'echo \'<launch><include file="$(find-pkg-share demo_nodes_cpp)/launch/topics/talker_listener.launch.py"/>'
+    "</launch>' > in.launch.xml; timeout -s INT 2 ros2 launch in.launch.xml 2>&1",
     "same names": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
     "until ros2 node list --count-nodes | grep -q 2; do sleep 0.05; done; ros2 node list; kill %1; kill %2; wait",
     "executables": "ros2 pkg executables",
@@ -352,10 +364,13 @@ def test_the_action_tutorial_and_a_warning_are_those_of_the_distribution(
 @pytest.mark.parametrize("name", NAMES)
 def test_launch_files_have_the_names_of_their_distribution(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["launch files"]
-    for key, (old, _) in LAUNCH_FILES.items():
-        for file, there in ((old, name == "humble"), (key.split()[1], name != "humble")):
-            assert (f"file '{file}' was not found" in said) != there, file
-    assert said.count("was not found") == len(LAUNCH_FILES)
+    for key in LAUNCHED:
+        for file, there in ((LAUNCH_FILES[key][0], name == "humble"), (key.split()[1], name != "humble")):
+            assert not file or (f"file '{file}' was not found" in said) != there, file
+    included = played[name]["included"]
+    assert ("[talker-1]" in included, "No such file" in included) == (
+        (True, False) if name == "humble" else (False, True)
+    )
     wrong = "WARNING: Be aware that are nodes in the graph that share an exact name, this can"
     right = "WARNING: Be aware that there are nodes in the graph that share an exact name, which can"
     assert (wrong if name == "humble" else right) in played[name]["same names"]

@@ -289,10 +289,9 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         ),
     ),
     "Launch-file-different-formats": (
-        *(
-            Hand(r"example_launch" if kind != "py" else r"def generate", tab=tab, file=f"example_launch.{kind}")
-            for tab, kind in (("Python", "py"), ("XML", "xml"), ("YAML", "yaml"))
-        ),
+        Hand(r"def generate", tab="Python", file="example_launch.py"),
+        Hand(r"<launch>", tab="XML", file="example_launch.xml"),
+        Hand(r"^launch:", tab="YAML", file="example_launch.yaml"),
         Hand(
             r"background_r:=255",
             heading="arguments",
@@ -312,7 +311,9 @@ HANDS: dict[str, tuple[Hand, ...]] = {
         Hand(r"ros2 launch <path", instead=[("<path_to_launch_file>", "load_launch.py")]),
     ),
     "Node-arguments": (
-        Hand(r"my_package node_executable|package_name executable_name", skip="form"),
+        Hand(
+            r"my_package node_executable|package_name executable_name", skip="page: only shows how such commands look"
+        ),
         Hand(r"^parameter_blackboard:", file="demo_params.yaml"),
     ),
     "Overriding-QoS-Policies-For-Recording-And-Playback": (

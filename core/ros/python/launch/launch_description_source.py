@@ -29,7 +29,7 @@ class LaunchDescriptionSource:
         """Return the launch description; None if its location isn't known before launching, or can't be loaded."""
         if self.__launch_description is None:
             try:
-                return self._get_launch_description(perform_substitutions(LaunchContext(), self.__location))
+                return self._load(perform_substitutions(LaunchContext(), self.__location))
             except Exception as error:
                 # It is loaded again when it is visited, and the error is reported then.
                 logger = launch.logging.get_logger(__name__)
@@ -42,8 +42,13 @@ class LaunchDescriptionSource:
         if self.__expanded_location is None:
             self.__expanded_location = perform_substitutions(context, self.__location)
         if self.__launch_description is None:
-            self.__launch_description = self._get_launch_description(self.__expanded_location)
+            self.__launch_description = self._load(self.__expanded_location)
         return self.__launch_description
+
+    def _load(self, location: str) -> LaunchDescription:
+        from day6_tui.core.ros.differences import launch_file_at
+
+        return self._get_launch_description(launch_file_at(location))
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
         raise RuntimeError(

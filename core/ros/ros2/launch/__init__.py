@@ -205,7 +205,8 @@ def launch_file_names(context: CompletionContext) -> Iterable[str]:
     share = _named_share(context)
     package = context.values.get("package_name", "")
     files = Path(share).rglob("*") if share else ()
-    return [differences.launch_file(package, path.name) for path in files if _is_launch_file(path)]
+    names = (differences.launch_file(package, path.name) for path in files if _is_launch_file(path))
+    return [name for name in names if name]  # '' is not in this distribution
 
 
 def launch_arguments(context: CompletionContext) -> Iterable[str]:
