@@ -9,6 +9,7 @@ from __future__ import annotations
 import difflib
 import re
 from enum import Enum
+from pathlib import Path
 
 _MASKS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(pattern), shown)
@@ -20,6 +21,8 @@ _MASKS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\x1b.", ""),
         (r"rosbag2_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d(_\d+)?", "<BAG>"),
         (r"(?<=_)\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d", "<TIME>"),
+        (r"(?<=frames_)\d{4}-\d\d-\d\d_\d\d\.\d\d\.\d\d", "<TIME>"),
+        (re.escape(str(Path(__file__).parents[3] / "core" / "ros")), "<PREFIX>"),
         (r"\d{4}-\d\d-\d\d-\d\d-\d\d-\d\d-\d{6}-[\w.-]+-\d+", "<LOG>"),
         (r"(?:/home/[\w.-]+|~|/tmp/[\w.-]+(?:/home)?)(?=/|\b|$)", "<HOME>"),
         (r"(?:[0-9a-f]{1,2}[:.]){7,}[0-9a-f]{1,2}", "<ID>"),
