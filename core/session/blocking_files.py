@@ -11,6 +11,7 @@ import os
 import stat
 import sys
 import threading
+from pathlib import Path
 from typing import Any
 
 WITHOUT_END = ("/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
@@ -54,6 +55,21 @@ def refuse(path: str, mode: int, *, writing: bool) -> None:
         raise OSError(errno.ENOMEM, os.strerror(errno.ENOMEM), path)
 
 
+def read_at_most(path: Path, most: int) -> bytes:
+    """Read a file at once, on any thread.
+
+    Raises:
+        OSError: it cannot be read, or could block (see `refuse`).
+        ValueError: it has more than `most` bytes.
+    """
+    refuse(str(path), path.stat().st_mode, writing=False)
+    with path.open("rb") as file:
+        data = file.read(most + 1)
+    if len(data) > most:
+        raise ValueError(f"more than {most} bytes")
+    return data
+
+
 def _check(event: str, arguments: tuple[Any, ...]) -> None:
     if sys.platform == "win32" or event != "open" or threading.get_ident() not in _threads:
         return
@@ -64,5 +80,4 @@ def _check(event: str, arguments: tuple[Any, ...]) -> None:
         mode = os.stat(path).st_mode
     except (OSError, ValueError):
         return
-    if not stat.S_ISREG(mode):
-        refuse(os.fsdecode(path), mode, writing=bool(flags & (os.O_WRONLY | os.O_RDWR)))
+    refuse(os.fsdecode(path), mode, writing=bool(flags & (os.O_WRONLY | os.O_RDWR)))

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -209,6 +212,14 @@ def test_a_file_that_cannot_be_read_or_written_is_told_and_what_is_open_stays(ro
     assert room.model.trouble and room.kinds == ["rqt", "rqt_graph"]
     room.ask(lambda: room.model.export("/dev/null/x.perspective"))
     assert room.model.trouble and room.kinds == ["rqt", "rqt_graph"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no named pipes in folders")
+def test_a_pipe_is_refused_as_a_perspective_and_nothing_waits_for_its_writer(room: Room) -> None:
+    os.mkfifo(room.home / "pipe.perspective")
+    room.rqt()
+    room.ask(lambda: room.model.load(room.home / "pipe.perspective"))
+    assert room.model.trouble.endswith(os.strerror(errno.EAGAIN))
 
 
 def test_settings_of_any_shape_in_a_perspective_do_no_harm(room: Room) -> None:

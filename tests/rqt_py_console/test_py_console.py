@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from desk_window import DeskWindow
 from rqt_machine import RqtMachine
 from short_folder import make_short_folder
 from textual import events
-from waiting import until
 
 from day6_tui.core.ros.programs.rqt_py_common.command_lines import MOST_LINES, Kind
 from day6_tui.core.ros.programs.rqt_py_console.interpreter import AWAITS, ERROR, PLAIN
 from day6_tui.core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
 from day6_tui.core.session.program import Program
-from day6_tui.core.session.streams import InputStream, OutputStream
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.interpreter import subshell_main
-from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.process import running_processes
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
@@ -28,29 +24,14 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 from screens import ToolWindow, use_window
 
 
-class Machine:
+class Machine(DeskWindow):
     """A desk on which rqt_py_console runs."""
 
-    def __init__(self, home: Path, *, linked: bool = False) -> None:
-        self.desk = Desk(home, join_link=linked)
-        if linked:
-            self.desk.open_link()
-        shell = self.desk.shell(cwd=home)
-        streams = Streams(InputStream(), OutputStream(), OutputStream())
-        main = subshell_main(shell, lambda: shell.run("ros2 run rqt_py_console rqt_py_console\n", streams))
-        self.program = self.desk.start_program(["bash"], main, streams, env=shell.environment, cwd=home, shell=shell)
-        assert self.desk.display is not None
-        self.display = self.desk.display
-        self.wait(lambda: self.display.windows)
-        self.model: PyConsole = self.display.windows[0].model  # type: ignore[assignment]
-        self.wait(lambda: self.model.prompt == ">>> ")
+    model: PyConsole
 
-    def wait(self, condition: Callable[[], object]) -> None:
-        until(
-            lambda: self.desk.scheduler.run(lambda: bool(condition()), 0.01),
-            every=0.0,
-            told=lambda: str(self.model.lines),
-        )
+    def __init__(self, home: Path, *, linked: bool = False) -> None:
+        super().__init__(home, "ros2 run rqt_py_console rqt_py_console", linked=linked)
+        self.wait(lambda: self.model.prompt == ">>> ")
 
     def run(self, *lines: str) -> list[tuple[str, str]]:
         """Type lines, and return what is new when Python waits for the next one, without the lines themselves."""
@@ -66,8 +47,7 @@ class Machine:
 def machine(tmp_path: Path) -> Iterator[Machine]:
     found = Machine(tmp_path)
     yield found
-    found.desk.hurry()
-    found.desk.close()
+    found.close()
 
 
 def test_lines_run_one_after_the_other_in_one_interpreter(machine: Machine) -> None:
@@ -165,8 +145,7 @@ def test_a_node_made_here_is_seen_in_the_terminals(tmp_path: Path, monkeypatch: 
         machine.run("import rclpy", "_ = rclpy.init()", "node = rclpy.create_node('mine')")
         machine.wait(lambda: "mine" in [node.name for node in machine.desk.graph.nodes])
     finally:
-        machine.desk.hurry()
-        machine.desk.close()
+        machine.close()
 
 
 def test_where_there_is_no_desktop_it_is_said(tmp_path: Path) -> None:

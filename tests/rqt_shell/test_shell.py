@@ -5,43 +5,27 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
+from desk_window import DeskWindow
 from rqt_machine import RqtMachine
 
 from day6_tui.core.ros.programs.rqt_py_common.command_lines import MOST_CHARACTERS, MOST_LINES, Kind
 from day6_tui.core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
-from day6_tui.core.session.streams import InputStream, OutputStream
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.interpreter import subshell_main
-from day6_tui.core.shell.language.redirection import Streams
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from rich.cells import cell_len
 from screens import ToolWindow, use_window
 
-LONGEST = 60.0
 
-
-class Machine:
+class Machine(DeskWindow):
     """A desk on which rqt_shell runs."""
 
-    def __init__(self, home: Path) -> None:
-        self.desk = Desk(home, join_link=False)
-        shell = self.desk.shell(cwd=home)
-        streams = Streams(InputStream(), OutputStream(), OutputStream())
-        main = subshell_main(shell, lambda: shell.run("ros2 run rqt_shell rqt_shell\n", streams))
-        self.program = self.desk.start_program(["bash"], main, streams, env=shell.environment, cwd=home, shell=shell)
-        assert self.desk.display is not None
-        self.display = self.desk.display
-        self.wait(lambda: self.display.windows)
-        self.model: Any = self.display.windows[0].model
+    model: Shell
 
-    def wait(self, condition: Any) -> None:
-        self.desk.scheduler.run(condition, LONGEST)
-        assert condition()
+    def __init__(self, home: Path) -> None:
+        super().__init__(home, "ros2 run rqt_shell rqt_shell")
 
     def run(self, line: str) -> None:
         assert self.model.run(line)
@@ -56,8 +40,7 @@ class Machine:
 def machine(tmp_path: Path) -> Iterator[Machine]:
     found = Machine(tmp_path)
     yield found
-    found.desk.hurry()
-    found.desk.close()
+    found.close()
 
 
 def test_a_line_runs_and_its_output_is_shown_with_errors_apart(machine: Machine) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import stat
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES, Record
-from day6_tui.core.session.blocking_files import refuse
+from day6_tui.core.session.blocking_files import read_at_most
 from day6_tui.core.session.threads import in_thread
 
 SUFFIX = ".csv"
@@ -99,14 +98,4 @@ def _record(columns: list[str], row: str, number: int) -> Record:
 
 async def loaded(path: Path) -> Read:
     """Return what a file has. Raises OSError and ValueError."""
-    return await in_thread(lambda: read(_text_of(path)))
-
-
-def _text_of(path: Path) -> str:
-    if not stat.S_ISREG(path.stat().st_mode):  # a pipe waits for its writer, a device has no end
-        refuse(str(path), path.stat().st_mode, writing=False)
-    with path.open("rb") as file:
-        data = file.read(LARGEST + 1)
-    if len(data) > LARGEST:
-        raise ValueError(f"more than {LARGEST} bytes")
-    return data.decode("utf-8", "replace")
+    return await in_thread(lambda: read(read_at_most(path, LARGEST).decode("utf-8", "replace")))

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from day6_tui.core.session.blocking_files import read_at_most
 from day6_tui.core.whole_file import replace_file
 
 if TYPE_CHECKING:
@@ -158,11 +159,7 @@ class Perspectives:
 
 def load_file(path: Path) -> list[Instance]:
     """Return the plugins of a perspective file. Raises OSError and ValueError."""
-    with open(path, "rb") as file:
-        data = file.read(LARGEST + 1)
-    if len(data) > LARGEST:
-        raise ValueError("too large")
-    return read(data.decode("utf-8"))
+    return read(read_at_most(path, LARGEST).decode("utf-8"))
 
 
 def save_file(path: Path, instances: list[Instance]) -> None:

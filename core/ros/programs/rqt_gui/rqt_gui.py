@@ -49,7 +49,7 @@ async def main(session: Session) -> int | None:
         session.print("Only one --perspective-* option can be used at a time")
         return 1
     file = options.perspective_file
-    if file is not None and not await in_thread(Path(session.cwd, file).expanduser().is_file):
+    if file is not None and not await in_thread(Path(session.cwd, Path(file).expanduser()).is_file):
         session.print("Option --perspective-file must reference existing file")
         return 1
     if options.list_perspectives:

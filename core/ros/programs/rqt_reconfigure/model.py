@@ -5,7 +5,6 @@ The window runs on another thread: it reads and makes requests, the program's th
 
 from __future__ import annotations
 
-import stat
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -14,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.graph.names import full_name
 from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
 from day6_tui.core.ros.programs.rqt_reconfigure.opened import OpenedNode, OpenNode
-from day6_tui.core.session.blocking_files import refuse
+from day6_tui.core.session.blocking_files import read_at_most
 from day6_tui.core.whole_file import replace_file
 
 if TYPE_CHECKING:
@@ -151,12 +150,7 @@ def read_values(path: Path) -> dict[str, Any]:
     """The names and values of a file like those that `save` writes; long ones take seconds. Raises OSError and ValueError."""
     import yaml
 
-    if not stat.S_ISREG(path.stat().st_mode):  # a pipe waits for its writer, a device has no end
-        refuse(str(path), path.stat().st_mode, writing=False)
-    with path.open("rb") as file:
-        text = file.read(LARGEST_FILE + 1)
-    if len(text) > LARGEST_FILE:
-        raise ValueError(f"more than {LARGEST_FILE} bytes")
+    text = read_at_most(path, LARGEST_FILE)
     found: dict[str, Any] = {}
     try:
         for document in yaml.safe_load_all(text):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+
+from ament_lint.files import files_below
 
 _SEARCHED_LINES = 40
 """The number of lines at the beginning that are searched for a notice."""
@@ -12,26 +13,13 @@ _SEARCHED_LINES = 40
 
 def main(argv: list[str] | None = None) -> int:
     """Check the given files and folders (by default the current one); returns 1 if one has no notice."""
-    files = sorted(python_files(sys.argv[1:] if argv is None else argv))
+    files = sorted(files_below(sys.argv[1:] if argv is None else argv, ".py"))
     missing = [path for path in files if not _is_setup(path) and not _has_notice(path)]
     for path in missing:
         print(f"{path}: could not find copyright notice", file=sys.stderr)
     if not missing:
         print("No problems found")
     return 1 if missing else 0
-
-
-def python_files(paths: list[str]) -> Iterator[str]:
-    """Yield the Python files at and below some paths, except in hidden folders and those with AMENT_IGNORE."""
-    for path in paths or ["."]:
-        if os.path.isfile(path):
-            yield path
-        for folder, folders, files in os.walk(path):
-            if "AMENT_IGNORE" in files or "AMENT_IGNORE" in folders:
-                folders[:] = []
-                continue
-            folders[:] = [name for name in folders if not name.startswith((".", "_"))]
-            yield from (os.path.join(folder, name) for name in files if name.endswith(".py"))
 
 
 def _is_setup(path: str) -> bool:

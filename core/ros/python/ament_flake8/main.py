@@ -13,7 +13,7 @@ import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
 
-from ament_copyright.main import python_files
+from ament_lint.files import files_below
 
 _LONGEST = 99
 
@@ -43,7 +43,7 @@ def _by_flake8(paths: list[str]) -> list[str]:
 
 def _by_ourselves(paths: list[str]) -> list[str]:
     found = []
-    for path in sorted(python_files(paths)):
+    for path in sorted(files_below(paths, ".py")):
         with open(path, encoding="utf-8", errors="replace", newline="") as file:
             text = file.read().replace("\r\n", "\n")
         shown = path if path.startswith(os.curdir) else os.path.join(os.curdir, path)

@@ -1,1 +1,1 @@
-"""The marks of the tests that are linters."""
+"""What the linters have in common: the marks of their tests, the files they look at."""

@@ -6,13 +6,13 @@ import ast
 import sys
 from collections.abc import Iterator
 
-from ament_copyright.main import python_files
+from ament_lint.files import files_below
 
 
 def main(argv: list[str] | None = None) -> int:
     """Check the given files and folders (by default the current one); returns 1 if there are errors."""
     count = 0
-    for path in sorted(set(python_files(sys.argv[1:] if argv is None else argv))):
+    for path in sorted(set(files_below(sys.argv[1:] if argv is None else argv, ".py"))):
         with open(path, encoding="utf-8", errors="replace") as file:
             for line, what in _errors(file.read()):
                 print(f"{path}:{line}: {what}", file=sys.stderr)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
 from xml.parsers import expat
+
+from ament_lint.files import files_below
 
 
 def main(argv: list[str] | None = None) -> int:
     """Check the given files and folders (by default the current one); returns 1 if one is invalid or there is none."""
-    files = list(xml_files(sys.argv[1:] if argv is None else argv))
+    files = list(files_below(sys.argv[1:] if argv is None else argv, ".xml"))
     if not files:
         print("No files found", file=sys.stderr)
         return 1
@@ -28,19 +29,6 @@ def main(argv: list[str] | None = None) -> int:
         return 1
     print("No problems found")
     return 0
-
-
-def xml_files(paths: list[str]) -> Iterator[str]:
-    """Yield the XML files at and below some paths, except in folders that begin with . or _ and those with AMENT_IGNORE."""
-    for path in paths or ["."]:
-        if os.path.isfile(path):
-            yield path
-        for folder, folders, files in os.walk(path):
-            if "AMENT_IGNORE" in files or "AMENT_IGNORE" in folders:
-                folders[:] = []
-                continue
-            folders[:] = sorted(name for name in folders if not name.startswith((".", "_")))
-            yield from (os.path.join(folder, name) for name in sorted(files) if name.endswith(".xml"))
 
 
 def _error_in(path: str) -> str:

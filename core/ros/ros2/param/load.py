@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import stat
 import threading
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
@@ -74,8 +73,7 @@ def parameters_of_file(
     """
     try:
         path = session.cwd / file_name
-        if not stat.S_ISREG(path.stat().st_mode):  # a pipe waits for its writer, a device has no end
-            refuse(str(path), path.stat().st_mode, writing=False)
+        refuse(str(path), path.stat().st_mode, writing=False)  # a pipe waits for its writer, a device has no end
         stream = io.StringIO(path.read_text(encoding="utf-8"))
     except OSError as error:
         error.filename = file_name

@@ -88,19 +88,9 @@ def show_description(path: str) -> None:
 def show_arguments(path: str) -> None:
     """Print the launch file's arguments (`ros2 launch --show-args`)."""
     from launch.launch_description_sources import get_launch_description_from_any_launch_file
+    from launch_testing.print_arguments import print_arguments_of_launch_description
 
-    description = get_launch_description_from_any_launch_file(path)
-    print("Arguments (pass arguments as '<name>:=<value>'):")
-    arguments = description.get_launch_arguments()
-    for argument in arguments:
-        asterisk = "*" if argument._conditionally_included else ""
-        print(f"\n    '{argument.name}':{asterisk}\n        {argument.description}")
-        if argument.default_value is not None:
-            print(f"        (default: {' + '.join(each.describe() for each in argument.default_value)})")
-    if not arguments:
-        print("\n  No arguments.")
-    elif any(argument._conditionally_included for argument in arguments):
-        print("\n* argument(s) which are only used if specific conditions occur")
+    print_arguments_of_launch_description(launch_description=get_launch_description_from_any_launch_file(path))
 
 
 def _run_ours(kind: str, argv: list[str]) -> int:
