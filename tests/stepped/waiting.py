@@ -35,7 +35,7 @@ class Deadline:
 
 
 def share_of_a_core() -> float:
-    """How much of a core a program that wants to run gets at this moment: 1, or less where more want to run than there are cores."""
+    """How much of a core a program that wants to run gets at this moment: less than 1 where too many want to run."""
     try:
         with open("/proc/loadavg", encoding="ascii") as file:
             wanting = int(file.read().split()[3].partition("/")[0])
