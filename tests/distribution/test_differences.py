@@ -384,6 +384,7 @@ def test_ros2_lists_the_verbs_of_its_distribution(played: dict[str, dict[str, st
         assert (verb in listed) == (name in there), words
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("words", OPTIONS)
 def test_ros2_takes_the_options_of_its_distribution(words: str) -> None:
     options, there, _ = OPTIONS[words]
@@ -393,6 +394,7 @@ def test_ros2_takes_the_options_of_its_distribution(words: str) -> None:
         assert (found & {*options} == {*options}) if name in there else not found & {*options}, text
 
 
+@pytest.mark.process
 def test_an_option_of_later_is_unknown_in_humble() -> None:
     done = day6("ros2", "topic", "echo", "/a", "std_msgs/msg/Empty", "--timeout", "1", ROS_DISTRO="humble")
     assert done.returncode == 2 and "unrecognized arguments: --timeout" in done.stderr
@@ -405,6 +407,7 @@ def one_graph(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(make_short_folder()))
 
 
+@pytest.mark.process
 @pytest.mark.usefixtures("one_graph")
 def test_turtlesim_of_another_distribution_is_seen_and_not_understood() -> None:
     with started("ros2", "run", "turtlesim", "turtlesim_node", ROS_DISTRO="kilted"):
@@ -413,6 +416,7 @@ def test_turtlesim_of_another_distribution_is_seen_and_not_understood() -> None:
         assert (done.returncode, done.stderr) == (1, "The message type 'turtlesim_msgs/msg/Pose' is invalid\n")
 
 
+@pytest.mark.process
 @pytest.mark.usefixtures("one_graph")
 def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
     """As with rmw_zenoh, whose keys contain the hash: both see each other, and nothing is delivered."""

@@ -14,7 +14,10 @@ from waiting import PATIENCE
 if TYPE_CHECKING:
     from place import Place
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are Unicode")
+pytestmark = [
+    pytest.mark.person,
+    pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are Unicode"),
+]
 
 BASH = shutil.which("bash")
 

@@ -19,7 +19,7 @@ from place import Place
 
 from day6_tui.core.ros.environment import program_environment
 
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")
+pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")]
 
 START = """\
 import atexit, os, signal, sys, threading, time

@@ -8,6 +8,7 @@ import signal
 import time
 from typing import TYPE_CHECKING
 
+import pytest
 from students import ASKS, STUBBORN, TALKER, WHEEL_SPINNER, WRONG_NAMES
 from waiting import until
 
@@ -16,6 +17,8 @@ from day6_tui.urdf.shipped import shipped_model
 if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
+
+pytestmark = pytest.mark.person
 
 GONE_SECONDS = 2.0
 """So long at most a killed program's node is still listed."""

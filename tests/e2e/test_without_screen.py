@@ -10,6 +10,8 @@ import pytest
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 SAID = "There is no screen for the window: the node runs without it\n"
 
 

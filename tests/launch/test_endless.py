@@ -13,6 +13,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.process
+
 PATIENCE = 40.0
 PYTHON = "from launch import *\nfrom launch.actions import *\nfrom launch.event_handler import EventHandler\n"
 PYTHON += "from launch.substitutions import *\nimport time\n"

@@ -25,7 +25,12 @@ def world(short_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     made.close()
 
 
-@pytest.fixture(params=["one graph", "two graphs", "two processes", "two processes on TCP"])
+_APART = [
+    pytest.param(how, marks=pytest.mark.process) for how in ("two graphs", "two processes", "two processes on TCP")
+]
+
+
+@pytest.fixture(params=["one graph", *_APART])
 def pair(request: pytest.FixtureRequest, world: World, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, Any]:
     """Two participants, in every way in which they can be apart."""
     if request.param == "one graph":

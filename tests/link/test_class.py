@@ -68,6 +68,7 @@ def sees(peer: Peer, *nodes: str) -> bool:
     return peer.nodes() == list(nodes)
 
 
+@pytest.mark.process
 def test_the_teacher_sees_each_pupil_below_a_name_and_no_pupil_another(school: Class) -> None:
     teacher, anna, ben = school.teacher(), school.pupil("anna"), school.pupil("ben", domain_id=7)
     for pupil in (anna, ben):
@@ -78,6 +79,7 @@ def test_the_teacher_sees_each_pupil_below_a_name_and_no_pupil_another(school: C
     assert state(anna) == state(ben) == DoorState.OPEN
 
 
+@pytest.mark.process
 def test_messages_go_both_ways_and_to_one_pupil_only(school: Class) -> None:
     teacher, anna, ben = school.teacher(), school.pupil("anna"), school.pupil("ben", domain_id=7)
     turtles = [pupil.subscription(pupil.node("turtlesim"), "/turtle1/cmd_vel") for pupil in (anna, ben)]
@@ -95,6 +97,7 @@ def test_messages_go_both_ways_and_to_one_pupil_only(school: Class) -> None:
     assert ben.messages(turtles[1]) == []
 
 
+@pytest.mark.process
 def test_services_and_kept_messages_reach_through_the_names(school: Class) -> None:
     teacher, anna = school.teacher(), school.pupil("anna", domain_id=5)
     node = anna.node("turtlesim")
@@ -110,6 +113,7 @@ def test_services_and_kept_messages_reach_through_the_names(school: Class) -> No
     assert until(lambda: teacher.messages(late) == ["kept"], PATIENCE)
 
 
+@pytest.mark.process
 def test_a_name_is_given_once_and_again_when_it_is_free(school: Class) -> None:
     part, turned_away = Teacher(), list[tuple[str, str]]()
     part.turned_away = lambda *who: turned_away.append(who)
@@ -123,6 +127,7 @@ def test_a_name_is_given_once_and_again_when_it_is_free(school: Class) -> None:
     assert until(lambda: state(second) == DoorState.OPEN, PATIENCE)
 
 
+@pytest.mark.process
 def test_a_pupil_waits_for_the_teacher_and_finds_the_next_one(school: Class) -> None:
     met: list[bool] = []
     part = Pupil("anna")
@@ -138,6 +143,7 @@ def test_a_pupil_waits_for_the_teacher_and_finds_the_next_one(school: Class) -> 
         assert until(lambda: met[-1] is False, PATIENCE)
 
 
+@pytest.mark.process
 def test_notes_come_and_orders_go(school: Class) -> None:
     part, pupil, notes, orders, came = Teacher(), Pupil("anna"), [], [], []
     part.noted, part.came = (lambda *note: notes.append(note)), (lambda *who: came.append(who))
@@ -154,6 +160,7 @@ def test_notes_come_and_orders_go(school: Class) -> None:
     assert until(lambda: came[1:] == [("anna", False)], PATIENCE)
 
 
+@pytest.mark.process
 def test_whoever_connects_past_the_class_reaches_no_pupil(school: Class) -> None:
     teacher, anna = school.teacher(), school.pupil("anna")
     turtle = anna.subscription(anna.node("turtlesim"), "/turtle1/cmd_vel")
@@ -179,6 +186,7 @@ def test_whoever_connects_past_the_class_reaches_no_pupil(school: Class) -> None
     assert "/stranger" not in teacher.nodes()
 
 
+@pytest.mark.process
 def test_in_a_room_all_are_in_one_graph(school: Class) -> None:
     teacher = school.teacher(Teacher(room=True))
     anna, ben = school.pupil("anna"), school.pupil("ben")
@@ -191,6 +199,7 @@ def test_in_a_room_all_are_in_one_graph(school: Class) -> None:
     assert other.nodes() == []
 
 
+@pytest.mark.process
 def test_a_pupil_follows_a_teacher_who_begins_again_with_a_room_and_back(school: Class) -> None:
     anna = school.pupil("anna")
     anna.node("turtlesim")

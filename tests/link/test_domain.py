@@ -58,6 +58,7 @@ def test_what_is_no_domain_is_refused_in_the_words_of_rcl(text: str, words: str)
     assert str(caught.value) == words
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("words", "status", "said"),
     [
@@ -72,6 +73,7 @@ def test_a_command_in_no_domain_ends_with_the_reason(words: tuple[str, ...], sta
     assert done.stderr.endswith(NO_NUMBER + "\n") and "Traceback" not in done.stderr
 
 
+@pytest.mark.process
 def test_a_program_of_a_student_in_no_domain_fails_in_init() -> None:
     done = _run("-m", "day6_tui.tui.main", "python", "-c", "import rclpy\nrclpy.init()")
     assert done.returncode == 1
@@ -93,6 +95,7 @@ def test_a_known_discovery_range_is_taken_silently(value: str) -> None:
     assert discovery_warning({"ROS_AUTOMATIC_DISCOVERY_RANGE": value}) is None
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("value", ["off", "NOT_SET", "BANANA"])
 def test_an_unknown_discovery_range_is_warned_of_at_every_init_in_the_words_of_rcl(value: str) -> None:
     source = "import rclpy; rclpy.init(); rclpy.shutdown(); rclpy.init(); rclpy.shutdown()"

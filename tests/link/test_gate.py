@@ -49,6 +49,7 @@ def comes_to(peer: Any, *states: DoorState) -> bool:
     return bool(until(lambda: door(peer).state in states, PATIENCE))
 
 
+@pytest.mark.process
 def test_a_taken_port_is_told_and_the_local_graph_goes_on(world: World, taken: socket.socket) -> None:
     port = taken.getsockname()[1]
     here = world.here(listen=f"tcp/127.0.0.1:{port}")
@@ -62,6 +63,7 @@ def test_a_taken_port_is_told_and_the_local_graph_goes_on(world: World, taken: s
     assert here.nodes() == beside.nodes() == ["/desk", "/pupil"]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("listen", "state"),
     [
@@ -77,6 +79,7 @@ def test_an_address_that_is_not_this_machines_is_told(world: World, listen: str,
     assert (door(here).reason != "") == (state == DoorState.FAILED)
 
 
+@pytest.mark.process
 def test_a_machine_that_nobody_answers_on_is_told_until_somebody_does(
     world: World, port: int, short_folder: Path
 ) -> None:
@@ -95,11 +98,13 @@ def test_a_machine_that_nobody_answers_on_is_told_until_somebody_does(
     assert until(lambda: here.nodes() == ["/pupil"], PATIENCE)
 
 
+@pytest.mark.process
 def test_a_name_that_nobody_knows_is_told(world: World) -> None:
     here = world.here(connect="tcp/no-such-host.invalid:7447")
     assert comes_to(here, DoorState.NO_NAME)
 
 
+@pytest.mark.process
 def test_other_processes_of_the_user_read_how_it_stands_with_the_doors(world: World, port: int) -> None:
     here, beside = world.here(listen=f"tcp/127.0.0.1:{port}"), world.here()
     assert comes_to(beside, DoorState.OPEN)
@@ -113,6 +118,7 @@ def pupil(world: World, folder: Path, port: int, secret: str | None) -> Any:
     return world.process(DAY6_RUNTIME_DIR=str(folder), TEST_ADDRESSES=json.dumps(addresses))
 
 
+@pytest.mark.process
 def test_who_knows_the_secret_is_let_in(world: World, port: int, short_folder: Path) -> None:
     teacher = world.here(listen=f"tcp/127.0.0.1:{port}", secret=SECRET)
     teacher.node("teacher")
@@ -127,6 +133,7 @@ def test_who_knows_the_secret_is_let_in(world: World, port: int, short_folder: P
     assert until(lambda: student.publish(publisher, data="hello") or teacher.messages(subscription), PATIENCE)
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("theirs", "ours"), [(SECRET, OTHER_SECRET), (SECRET, None), (None, SECRET)])
 def test_who_does_not_is_kept_out_and_told(
     world: World, port: int, short_folder: Path, theirs: str | None, ours: str | None
@@ -140,6 +147,7 @@ def test_who_does_not_is_kept_out_and_told(
     assert student.nodes() == ["/student"] and teacher.nodes() == ["/teacher"]
 
 
+@pytest.mark.process
 def test_no_password_is_left_in_a_file(world: World, port: int) -> None:
     here = world.here(listen=f"tcp/127.0.0.1:{port}", secret=SECRET)
     assert comes_to(here, DoorState.OPEN)

@@ -258,6 +258,7 @@ def test_doors_are_read_by_others_as_they_were_written_and_by_nobody_else(place:
     assert read_doors(place) == () and list(place.folder.iterdir()) == []
 
 
+@pytest.mark.process
 def test_doors_of_several_processes_are_one_list_and_what_the_dead_left_goes(place: Place) -> None:
     with subprocess.Popen([sys.executable, "-c", ""]) as ended:
         ended.wait()

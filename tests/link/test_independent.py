@@ -14,9 +14,13 @@ import pytest
 from link_harness import World
 from waiting import until
 
-pytestmark = pytest.mark.skipif(
-    importlib.util.find_spec("zenoh_ros2_sdk") is None, reason="zenoh-ros2-sdk is not installed (the test extra has it)"
-)
+pytestmark = [
+    pytest.mark.process,
+    pytest.mark.skipif(
+        importlib.util.find_spec("zenoh_ros2_sdk") is None,
+        reason="zenoh-ros2-sdk is not installed (the test extra has it)",
+    ),
+]
 
 STRING = "std_msgs/msg/String"
 START = """

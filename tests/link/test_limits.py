@@ -161,6 +161,7 @@ def test_senders_that_nothing_announced_do_not_pile_up() -> None:
     assert len(remote._unannounced) == MOST_UNANNOUNCED
 
 
+@pytest.mark.process
 def test_thousands_of_nodes_of_a_stranger_are_bounded_and_forgotten_and_nobody_else_notices(
     world: World, open_desk: Peer, hostile: Hostile
 ) -> None:
@@ -183,6 +184,7 @@ def test_thousands_of_nodes_of_a_stranger_are_bounded_and_forgotten_and_nobody_e
     assert until(lambda: open_desk.nodes() == beside.nodes() == late.nodes() == everyone, PATIENCE)
 
 
+@pytest.mark.process
 def test_leaving_while_thousands_of_nodes_come_in_takes_no_longer_than_a_moment(
     open_desk: Peer, hostile: Hostile
 ) -> None:
@@ -193,6 +195,7 @@ def test_leaving_while_thousands_of_nodes_come_in_takes_no_longer_than_a_moment(
     assert open_desk.nodes() == []
 
 
+@pytest.mark.process
 def test_bad_messages_are_counted_and_the_good_ones_arrive(open_desk: Peer, hostile: Hostile) -> None:
     subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
     thing: Subscription = open_desk.things[subscription]
@@ -218,6 +221,7 @@ def test_bad_messages_are_counted_and_the_good_ones_arrive(open_desk: Peer, host
     assert all(len(problem) <= 500 for problem in open_desk.problems())
 
 
+@pytest.mark.process
 def test_a_flood_of_messages_from_ever_new_senders_fills_no_memory(open_desk: Peer, hostile: Hostile) -> None:
     subscription = open_desk.subscription(open_desk.node("listener"), "/chatter", depth=5)
     thing: Subscription = open_desk.things[subscription]
@@ -235,6 +239,7 @@ def test_a_flood_of_messages_from_ever_new_senders_fills_no_memory(open_desk: Pe
     assert open_desk.length(subscription) == 5
 
 
+@pytest.mark.process
 def test_a_flood_of_bad_questions_leaves_the_server_answering(world: World, open_desk: Peer, hostile: Hostile) -> None:
     server = open_desk.service(open_desk.node("server"), "/add")
     key = data_key(open_desk.things[server])
@@ -250,6 +255,7 @@ def test_a_flood_of_bad_questions_leaves_the_server_answering(world: World, open
     assert until(lambda: beside.responses(client) == [[number, 3]], PATIENCE)
 
 
+@pytest.mark.process
 def test_tokens_of_wrong_forms_are_counted_and_passed_over(world: World, open_desk: Peer, hostile: Hostile) -> None:
     for pattern in ("@day6/0/here", "@day6/0/nowhere/1", "@day6/0/here/1/2", "@ros2_lv/0/x", "@ros2_lv/0/a/b/c/d/e/f"):
         hostile.tokens(pattern, 1)
@@ -260,6 +266,7 @@ def test_tokens_of_wrong_forms_are_counted_and_passed_over(world: World, open_de
     assert until(lambda: open_desk.nodes() == ["/pupil"], PATIENCE)
 
 
+@pytest.mark.process
 def test_a_message_under_a_local_senders_name_is_passed_over(open_desk: Peer, hostile: Hostile) -> None:
     publisher = open_desk.publisher(open_desk.node("talker"), "/chatter")
     subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
@@ -280,6 +287,7 @@ def test_a_message_under_a_local_senders_name_is_passed_over(open_desk: Peer, ho
     assert {it["data"] for it in heard} == {"own", "theirs"}
 
 
+@pytest.mark.process
 def test_nobody_outside_takes_the_name_of_a_process_of_this_machine(
     world: World, open_desk: Peer, hostile: Hostile
 ) -> None:
@@ -313,6 +321,7 @@ def test_a_machine_is_forgotten_with_its_last_link_and_not_token_by_token() -> N
     assert admission.tokens_of(None) == ["@ros2_lv/0/abc/1/1/NN/%/%/other"]
 
 
+@pytest.mark.process
 def test_a_second_gate_of_the_same_user_waits_until_the_first_is_closed(world: World, open_desk: Peer) -> None:
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))

@@ -14,6 +14,8 @@ import pytest
 from link_harness import ProcessPeer
 from waiting import until
 
+pytestmark = pytest.mark.process
+
 PATIENCE = 30.0
 TEACHER, PUPIL = "10.66.13.1", "10.66.13.2"
 PORT = 7447

@@ -18,6 +18,7 @@ def test_it_is_an_address_or_this_machines_name() -> None:
     assert own_address()
 
 
+@pytest.mark.process
 @pytest.mark.skipif(shutil.which("unshare") is None, reason="needs unshare, of util-linux")
 def test_in_a_network_without_a_way_out_it_is_still_the_address() -> None:
     link = (

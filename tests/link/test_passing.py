@@ -5,11 +5,14 @@ from __future__ import annotations
 import time
 from typing import Any
 
+import pytest
 from link_harness import World
 from waiting import until
 
 from day6_tui.core.graph import EndpointKind
 from day6_tui.core.link import listen_in
+
+pytestmark = pytest.mark.process
 
 
 def publisher_of(peer: Any, topic: str) -> Any:

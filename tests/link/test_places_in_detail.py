@@ -173,6 +173,7 @@ def test_neighbours_are_the_sockets_of_processes_that_live(place: Place, dead: i
     assert list(neighbours(place)) == [Neighbour("abc", os.getpid(), own)]
 
 
+@pytest.mark.process
 def test_a_neighbourhood_sees_who_comes_and_who_was_killed_though_the_folder_stays_as_it_is(place: Place) -> None:
     neighbourhood = Neighbourhood(place)
     assert "abc" not in neighbourhood
@@ -207,6 +208,7 @@ def test_what_the_dead_left_is_removed_with_its_lock(place: Place, dead: int, li
     assert listening.exists(), "a process of another container listens"
 
 
+@pytest.mark.process
 def test_signs_of_the_dead_are_removed_where_sockets_are_tcp(tcp_place: Place, dead: int) -> None:
     gone, here = tcp_place.folder / f"p-def-{dead}", tcp_place.own_socket("abc")
     gone.touch()

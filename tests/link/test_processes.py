@@ -32,6 +32,7 @@ def run_python(world: World, source: str, **environment: str) -> subprocess.Comp
     )
 
 
+@pytest.mark.process
 @needs_kill
 def test_a_killed_process_is_gone_within_two_seconds(world: World) -> None:
     stays, victim = world.here(), world.process()
@@ -46,6 +47,7 @@ def test_a_killed_process_is_gone_within_two_seconds(world: World) -> None:
     assert stays.endpoints("/chatter") == stays.endpoints("/add") == []
 
 
+@pytest.mark.process
 @needs_kill
 def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: World) -> None:
     keeper = world.process()
@@ -72,6 +74,7 @@ def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: 
     assert time.monotonic() - killed < 5.0
 
 
+@pytest.mark.process
 @needs_kill
 def test_keepers_may_die_one_after_another(world: World) -> None:
     peers = {f"/n{number}": world.process() for number in range(4)}
@@ -84,6 +87,7 @@ def test_keepers_may_die_one_after_another(world: World) -> None:
     assert until(lambda: all(peer.nodes() == sorted(peers) for peer in peers.values()))
 
 
+@pytest.mark.process
 def test_a_process_that_ends_leaves_nothing_behind(world: World) -> None:
     keeper = world.here()
     leaver = world.process()
@@ -96,6 +100,7 @@ def test_a_process_that_ends_leaves_nothing_behind(world: World) -> None:
     assert world.stderr.read_text(encoding="utf-8") == ""
 
 
+@pytest.mark.process
 def test_a_program_that_is_done_with_ros_still_lets_the_others_find_each_other(world: World) -> None:
     keeper = world.process()
     keeper.node("keeper")
@@ -114,6 +119,7 @@ def test_a_program_that_is_done_with_ros_still_lets_the_others_find_each_other(w
     assert world.stderr.read_text(encoding="utf-8") == ""
 
 
+@pytest.mark.process
 @needs_kill
 def test_the_next_process_clears_away_the_sockets_of_killed_ones(world: World) -> None:
     victims = [world.process() for _ in range(3)]
@@ -124,6 +130,7 @@ def test_the_next_process_clears_away_the_sockets_of_killed_ones(world: World) -
     assert len(sockets(world)) == 2
 
 
+@pytest.mark.process
 def test_three_processes_hear_each_message_once(world: World) -> None:
     peers = [world.here(), world.process(), world.process()]
     publishers, subscriptions = [], []
@@ -146,6 +153,7 @@ def test_three_processes_hear_each_message_once(world: World) -> None:
     assert all(peer.nodes() == ["/n0", "/n1", "/n2"] for peer in peers)
 
 
+@pytest.mark.process
 def test_two_domains_never_meet(world: World) -> None:
     zero, seven = world.here(), world.process(ROS_DOMAIN_ID="7")
     publisher = zero.publisher(zero.node("zero"), "/chatter")
@@ -160,6 +168,7 @@ def test_two_domains_never_meet(world: World) -> None:
     assert zero.nodes() == ["/also_zero", "/zero"]
 
 
+@pytest.mark.process
 def test_a_one_shot_command_sees_every_node_of_the_machine_before_it_answers(world: World) -> None:
     peers = [world.process() for _ in range(4)]
     for number, peer in enumerate(peers):
@@ -191,6 +200,7 @@ def test_a_one_shot_command_alone_answers_at_once(world: World) -> None:
     leave(graph)
 
 
+@pytest.mark.process
 def test_a_one_shot_command_that_waits_finds_a_process_that_starts_later(world: World) -> None:
     command = world.here(one_shot=True)
     client = command.client(command.node("asker"), "/add")
@@ -201,6 +211,7 @@ def test_a_one_shot_command_that_waits_finds_a_process_that_starts_later(world: 
     assert until(lambda: command.responses(client)) == [[number, 42]]
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 @pytest.mark.parametrize("way_out", ["os._exit(0)", "sys.exit(0)", "raise SystemExit"])
 def test_a_program_that_forks_goes_on_and_its_child_ends(world: World, way_out: str) -> None:
@@ -245,6 +256,7 @@ sys.stdin.readline()
     assert until(lambda: keeper.nodes() == [])
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 def test_a_killed_program_is_gone_although_its_forked_child_lives(world: World) -> None:
     keeper = world.here()
@@ -279,6 +291,7 @@ time.sleep(60)
             os.kill(child, signal.SIGKILL)
 
 
+@pytest.mark.process
 def test_the_engine_never_writes_to_the_students_terminal(world: World) -> None:
     source = """
 from day6_tui.core.graph import Graph
@@ -292,6 +305,7 @@ link.wait_settled(2.0)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("ending", ["", "raise KeyboardInterrupt", "import sys; sys.exit(3)", "1/0"])
 def test_a_program_ends_as_python_ends_it_and_its_last_words_arrive(world: World, ending: str) -> None:
     keeper = world.here()
@@ -324,6 +338,7 @@ for number in range(500):
     assert keeper.messages(subscription)[-1] == "499"
 
 
+@pytest.mark.process
 def test_importing_the_link_costs_nothing_and_nothing_heavy_comes_with_joining(world: World) -> None:
     source = """
 import sys

@@ -13,6 +13,8 @@ import pytest
 from link_harness import ROOT, World
 from waiting import until
 
+pytestmark = pytest.mark.process
+
 SERVER = """
 import rclpy
 from example_interfaces.action import Fibonacci

@@ -14,6 +14,7 @@ from link_harness import World
 from waiting import never, until
 
 
+@pytest.mark.process
 def test_the_folder_is_private(world: World) -> None:
     world.here()
     if sys.platform != "win32":
@@ -21,6 +22,7 @@ def test_the_folder_is_private(world: World) -> None:
             assert stat.S_IMODE(folder.stat().st_mode) == 0o700
 
 
+@pytest.mark.process
 def test_nothing_listens_on_the_network(world: World) -> None:
     if not Path("/proc/net/tcp").exists():
         pytest.skip("no /proc")
@@ -47,6 +49,7 @@ def test_nothing_listens_on_the_network(world: World) -> None:
     assert listening() == before
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("secret", [None, "wrong"])
 def test_where_sockets_are_tcp_a_password_is_asked(
     world: World, monkeypatch: pytest.MonkeyPatch, secret: str | None
@@ -75,6 +78,7 @@ def test_where_sockets_are_tcp_a_password_is_asked(
             assert stat.S_IMODE((place.folder / name).stat().st_mode) == 0o600
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("asks", [False, True])
 def test_who_takes_the_port_of_a_keeper_that_died_is_not_joined_without_the_password(
     world: World, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, asks: bool
@@ -134,6 +138,7 @@ def test_a_symbolic_link_in_place_of_the_folder_is_refused(
         meeting_place(0)
 
 
+@pytest.mark.process
 def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
     world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -143,6 +148,7 @@ def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
     assert until(lambda: other.nodes() == ["/one"])
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("links", [("unix", "unix"), ("tcp", "unix"), ("unix", "tcp"), ("tcp", "tcp")])
 def test_two_machines_meet_only_by_name(world: World, short_folder: Path, links: tuple[str, str]) -> None:
     """With `tcp` a machine is one without Unix sockets, as under Windows."""
@@ -180,6 +186,7 @@ def test_two_machines_meet_only_by_name(world: World, short_folder: Path, links:
     assert until(lambda: students_program.responses(client)) == [[number, 3]]
 
 
+@pytest.mark.process
 def test_what_is_kept_and_who_has_died_is_known_across_two_machines_without_unix_sockets(
     world: World, short_folder: Path
 ) -> None:
@@ -203,6 +210,7 @@ def test_what_is_kept_and_who_has_died_is_known_across_two_machines_without_unix
     assert until(lambda: near.nodes() == ["/rviz"], 2.0)
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("name", "value", "meet"),
     [

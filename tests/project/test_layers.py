@@ -126,6 +126,7 @@ def planted(tmp_path_factory: pytest.TempPathFactory) -> str:
     return output
 
 
+@pytest.mark.process
 def test_the_tree_as_it_is_keeps_every_rule() -> None:
     output, status = said(ROOT)
     assert "3 kept, 0 broken" in output
@@ -154,6 +155,7 @@ def test_no_module_escapes_the_layers(planted: str) -> None:
     assert [name for name, why in ESCAPED.items() if f"{name} {why}" not in planted] == []
 
 
+@pytest.mark.process
 def test_a_higher_layer_is_not_reached_by_its_name_in_a_string_either(planted: str) -> None:
     assert "core/link/by_name.py names day6_tui.tui.app, which is in a higher layer" in planted
     assert "core/ros/python/rclpy/by_name.py names day6_tui.core.session.session, which is in a higher" in planted

@@ -59,6 +59,7 @@ def test_every_folder_with_python_in_it_is_a_package() -> None:
     assert bare == set()
 
 
+@pytest.mark.process
 def test_the_root_imports_nothing() -> None:
     code = (
         "import sys; before = set(sys.modules); import day6_tui; "
@@ -102,6 +103,7 @@ def test_the_wheel_holds_every_source_and_data_file(wheel: zipfile.ZipFile) -> N
     assert packed == expected | {"day6_tui/__init__.py"}
 
 
+@pytest.mark.process
 def test_the_wheel_brings_no_other_top_level_name(wheel: zipfile.ZipFile) -> None:
     tops = {name.split("/")[0] for name in content(wheel)}
     assert tops == {"day6_tui"}

@@ -77,6 +77,7 @@ def run(code: str, tmp_path: Path, **env: str) -> subprocess.CompletedProcess[st
     )
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="takes away what is not there")
 def test_every_module_imports_where_unix_is_missing(tmp_path: Path) -> None:
     code = f"""
@@ -93,6 +94,7 @@ print(json.dumps(failed))
     assert json.loads(done.stdout.splitlines()[-1]) == {}
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="takes away what is not there")
 def test_a_terminal_and_students_programs_do_without_unix(tmp_path: Path) -> None:
     (tmp_path / "talker.py").write_text(

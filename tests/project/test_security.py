@@ -166,6 +166,7 @@ def exec_line(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
     )
 
 
+@pytest.mark.process
 def test_a_manifest_cannot_fill_the_memory_or_read_files(tmp_path: Path) -> None:
     share = tmp_path / "share"
     index = share / "ament_index" / "resource_index" / "packages"
@@ -185,6 +186,7 @@ def test_a_manifest_cannot_fill_the_memory_or_read_files(tmp_path: Path) -> None
     assert "root:" not in done.stderr
 
 
+@pytest.mark.process
 def test_yaml_makes_no_objects(tmp_path: Path) -> None:
     (tmp_path / "p.yaml").write_text(
         f"/**:\n  ros__parameters: {{a: !!python/object/apply:os.mkdir ['{tmp_path}/done']}}\n"

@@ -101,6 +101,7 @@ def diagnostics(tmp_path_factory: pytest.TempPathFactory) -> Diagnostics:
     return found
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", [path.name for path in PROGRAMS if path.name != "slips.py"])
 def test_a_tutorials_program_has_no_error_and_every_type_is_inferred(diagnostics: Diagnostics, name: str) -> None:
     assert "assert_type(" in (HERE / "typed" / name).read_text(encoding="utf-8")

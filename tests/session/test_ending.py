@@ -70,6 +70,7 @@ def run(*signals: str, last: float = NEVER) -> tuple[int, list[str]]:
     return child.returncode, [*said[1:], *rest.split("\n")[:-1]]
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_a_process_that_no_step_ends_is_ended_by_force_with_the_status_of_the_signal(name: str) -> None:
@@ -77,6 +78,7 @@ def test_a_process_that_no_step_ends_is_ended_by_force_with_the_status_of_the_si
     assert (status, said) == (128 + getattr(signal, name), ["first", "second", "given back"])
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")
 def test_a_second_signal_takes_the_next_step_at_once() -> None:
     assert run("SIGTERM", "SIGINT", "SIGTERM") == (143, ["first", "second", "given back"])

@@ -63,6 +63,7 @@ def test_a_planted_write_to_a_pipe_is_named(told: Callable[[Callable[[], object]
     assert "write()" in told(lambda: os.write(pipe[1], b"x"))
 
 
+@pytest.mark.process
 def test_starting_and_waiting_for_a_process_are_named(told: Callable[[Callable[[], object]], str]) -> None:
     assert "subprocess.Popen" in told(lambda: subprocess.call([sys.executable, "-c", ""]))
 

@@ -51,6 +51,7 @@ def test_what_copies_output_reads_on_so_that_the_process_can_end() -> None:
     assert not pump.is_alive()
 
 
+@pytest.mark.process
 @posix
 @pytest.mark.parametrize("planted", ["_end_group", "end_marked", "release", "_set_window_size", "guard"])
 def test_a_process_whose_thread_fails_gives_the_prompt_back(
@@ -161,6 +162,7 @@ sys.exit(main())
 """
 
 
+@pytest.mark.process
 def test_a_thread_that_fails_outside_the_desktop_is_told_in_one_line(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-c", PLANTED, str(tmp_path)],

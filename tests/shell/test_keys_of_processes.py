@@ -12,7 +12,7 @@ from waiting import until
 
 from day6_tui.core.shell import pty_keys
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")
+pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")]
 
 SLEEPER = """\
 import sys, termios, time, tty

@@ -168,6 +168,7 @@ MORE_AS_IN_BASH = [
 ]
 
 
+@pytest.mark.process
 @pytest.mark.skipif(shutil.which("bash") is None, reason="no bash to compare with")
 @pytest.mark.parametrize("line", SAME_AS_BASH[:-1] + MORE_AS_IN_BASH)
 def test_a_line_means_what_it_means_in_bash(machine: Any, line: str, tmp_path: Path) -> None:

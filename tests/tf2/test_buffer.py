@@ -245,6 +245,7 @@ def test_many_threads_may_use_one_buffer() -> None:
     assert problems == []
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     "statement",
     [

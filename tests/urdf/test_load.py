@@ -146,6 +146,7 @@ def fresh(code: str) -> str:
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
 
 
+@pytest.mark.process
 def test_loading_a_robot_leaves_scipy_and_networkx_out() -> None:
     code = (
         "import sys; from day6_tui.urdf import load_robot, shipped_model; load_robot(shipped_model())\n"
@@ -155,6 +156,7 @@ def test_loading_a_robot_leaves_scipy_and_networkx_out() -> None:
     assert fresh(code).splitlines() == ["['yourdfpy']", "scipy"]
 
 
+@pytest.mark.process
 def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
     code = (
         "import sys; from day6_tui.urdf import parse_robot, shipped_model; import day6_tui.urdf.topview\n"
@@ -163,6 +165,7 @@ def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
     assert fresh(code).strip() == "none"
 
 
+@pytest.mark.process
 def test_when_the_light_import_fails_the_plain_one_is_used() -> None:
     code = (
         "import sys, importlib.util\n"

@@ -58,6 +58,7 @@ def test_a_robot_is_right(file: str, links: int, moving: int) -> None:
     assert len([joint for joint in found.robot.joints if joint.type != "fixed"]) == moving
 
 
+@pytest.mark.process
 def test_the_robot_with_macros_is_the_one_with_physics(tmp_path: Path) -> None:
     pytest.importorskip("xacro")
     made = check_text(typed(tmp_path, f"xacro '{ROBOTS}/08-macroed.urdf.xacro'")).robot
@@ -70,12 +71,14 @@ def test_the_robot_with_macros_is_the_one_with_physics(tmp_path: Path) -> None:
     assert ends[0] == ends[1]
 
 
+@pytest.mark.process
 def test_display_takes_a_model_of_its_package(tmp_path: Path) -> None:
     pytest.importorskip("xacro")
     shown = typed(tmp_path, LAUNCHED)
     assert "gripper_extension" in shown and "/robot_state_publisher" in shown and "/rviz" in shown
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("kind", ["py", "xml", "yaml"])
 def test_the_dummy_robot_comes_up_by_each_of_its_launch_files(tmp_path: Path, kind: str) -> None:
     lines = f"ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.{kind} > /dev/null 2>&1 &\n"

@@ -101,6 +101,7 @@ def test_sizes_that_no_screen_has_are_made_fit(class_server: Serving) -> None:
     run(deed())
 
 
+@pytest.mark.process
 def test_a_tab_that_changes_its_size_while_the_desktop_begins_gets_the_last_one() -> None:
     with Serving(make_short_folder("d6w-"), "--word", WORD, "--isolation", "none") as serving:
 
@@ -117,6 +118,7 @@ def test_a_tab_that_changes_its_size_while_the_desktop_begins_gets_the_last_one(
         run(deed())
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("sent", "code"),
     [
@@ -198,6 +200,7 @@ def test_a_pupil_more_than_there_may_be_is_told_so(class_server: Serving) -> Non
     run(deed())
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("record", [b"", None, b"{"], ids=["whole", "missing", "broken"])
 def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_leaves_nothing(
     record: bytes | None,
@@ -233,6 +236,7 @@ def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_lea
         assert (folder / "class" / "homes" / "anna" / "kept.txt").read_text() == "kept\n"
 
 
+@pytest.mark.process
 def test_a_desktop_nobody_types_at_ends_and_its_files_stay() -> None:
     folder = make_short_folder("d6w-")
     with Serving(folder, "--word", WORD, "--isolation", "none", "--idle", "0.05") as serving:
@@ -251,6 +255,7 @@ def test_a_desktop_nobody_types_at_ends_and_its_files_stay() -> None:
         assert any("anna: ended after 0.05 minutes without a key" in line for line in serving.said)
 
 
+@pytest.mark.process
 def test_a_home_that_grows_too_large_is_told_and_then_the_desktop_ends_with_its_files(tmp_path: Path) -> None:
     table = tmp_path / "pupils.csv"
     table.write_text("name\nanna\n")

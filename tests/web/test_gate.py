@@ -133,6 +133,7 @@ def listed(class_server: Serving) -> Serving:
     return Serving(folder, "--class", str(folder / "pupils.csv"), "--word", WORD, "--isolation", "none")
 
 
+@pytest.mark.process
 def test_after_a_restart_links_still_work_and_the_class_can_be_printed_anew(listed: Serving) -> None:
     async def deed() -> None:
         async with browser(listed.base) as door, browser(listed.base) as dora, browser(listed.base) as anna:
@@ -172,6 +173,7 @@ def test_links_that_only_this_machine_can_use_are_known(tmp_path: Path, base: st
     assert Links(Tokens(tmp_path / "tokens.json"), base).are_local is local
 
 
+@pytest.mark.process
 def test_a_list_without_names_is_told(tmp_path: Path) -> None:
     (tmp_path / "pupils.csv").write_text("name\n", encoding="utf-8")
     with Serving(tmp_path, "--class", str(tmp_path / "pupils.csv"), "--isolation", "none") as serving:
@@ -206,6 +208,7 @@ def tried() -> Iterator[Serving]:
         yield serving
 
 
+@pytest.mark.process
 def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Serving) -> None:
     async def deed() -> None:
         async with browser(tried.base) as door:
@@ -222,6 +225,7 @@ def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Servin
 FORM = "application/x-www-form-urlencoded"
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("headers", "body", "status"),
     [

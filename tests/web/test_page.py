@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from chromium import Chromium, Page
     from page_server import PageServer
 
+pytestmark = pytest.mark.browser
+
 WIDE_AND_NARROW = (
     "海龟",
     "🐢",

@@ -13,6 +13,8 @@ from short_folder import make_short_folder
 if TYPE_CHECKING:
     from chromium import Chromium, Page
 
+pytestmark = pytest.mark.browser
+
 SCREEN = (
     "[...Array(desk._terminal.rows).keys()]"
     ".map(row => desk._terminal.buffer.active.getLine(row).translateToString(true)).join('\\n')"

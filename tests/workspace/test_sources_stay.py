@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 from shapes import CMAKE, PYTHON, STEPS, Shape, changes, lay_out, snapshot
-from todays import todays
 from workshop import Workshop, edit
 
 from day6_tui.core.workspace import build as build_task
@@ -43,7 +42,7 @@ def to_build(shapes: Mapping[str, Shape], step: int) -> dict[str, Shape]:
     return {name: shape for name, shape in shapes.items() if name not in alike or alike.index(name) % 4 == 0}
 
 
-@pytest.mark.parametrize("number", todays(range(WORKSPACES)))
+@pytest.mark.parametrize("number", range(WORKSPACES))
 def test_no_shape_of_a_package_costs_a_source_file(workshop: Workshop, number: int) -> None:
     shapes = dict(list({**PYTHON, **CMAKE}.items())[number::WORKSPACES])
     assert len(shapes) * WORKSPACES >= 88
