@@ -12,7 +12,7 @@ import pytest
 # Tests are imported by path (--import-mode=importlib), their helpers by name.
 sys.path.insert(0, str(Path(__file__).parent))
 
-from link_harness import World
+from link_harness import HOUR, LEASE, World
 
 
 @pytest.fixture
@@ -23,6 +23,15 @@ def world(short_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     made = World(tmp_path, runtime)
     yield made
     made.close()
+
+
+@pytest.fixture
+def hour_of_lease(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever falls silent is missed after an hour only: one whose end is noticed was noticed at once, by his socket."""
+    from day6_tui.core.link import config
+
+    monkeypatch.setitem(config._COMMON, LEASE, HOUR)
+    monkeypatch.setenv("TEST_LEASE", HOUR)
 
 
 _APART = [

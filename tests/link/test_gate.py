@@ -20,7 +20,6 @@ from day6_tui.core.link.secret import secret_of
 from day6_tui.core.link.state import Door, DoorState
 
 SECRET, OTHER_SECRET = "chalk-and-sponge", "sponge-and-chalk"
-PATIENCE = 60.0
 
 
 @pytest.fixture
@@ -46,7 +45,7 @@ def door(peer: Any) -> Door:
 
 
 def comes_to(peer: Any, *states: DoorState) -> bool:
-    return bool(until(lambda: door(peer).state in states, PATIENCE))
+    return bool(until(lambda: door(peer).state in states))
 
 
 @pytest.mark.process
@@ -56,7 +55,7 @@ def test_a_taken_port_is_told_and_the_local_graph_goes_on(world: World, taken: s
     beside = world.process()
     beside.node("pupil")
     here.node("desk")
-    assert until(lambda: here.nodes() == beside.nodes() == ["/desk", "/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == beside.nodes() == ["/desk", "/pupil"])
     assert comes_to(here, DoorState.IN_USE)
     taken.close()
     assert comes_to(here, DoorState.OPEN)
@@ -74,7 +73,7 @@ def test_a_taken_port_is_told_and_the_local_graph_goes_on(world: World, taken: s
 def test_an_address_that_is_not_this_machines_is_told(world: World, listen: str, state: DoorState) -> None:
     here, beside = world.here(listen=listen), world.process()
     beside.node("pupil")
-    assert until(lambda: here.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil"])
     assert comes_to(here, state)
     assert (door(here).reason != "") == (state == DoorState.FAILED)
 
@@ -85,17 +84,17 @@ def test_a_machine_that_nobody_answers_on_is_told_until_somebody_does(
 ) -> None:
     here, beside = world.here(connect=f"tcp/127.0.0.1:{port}"), world.process()
     beside.node("pupil")
-    assert until(lambda: here.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil"])
     assert comes_to(here, DoorState.NOBODY)
     teacher = world.process(
         DAY6_RUNTIME_DIR=str(short_folder / "m2"), TEST_ADDRESSES=json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
     )
     teacher.node("teacher")
     assert comes_to(here, DoorState.OPEN)
-    assert until(lambda: here.nodes() == ["/pupil", "/teacher"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil", "/teacher"])
     teacher.kill()
     assert comes_to(here, DoorState.NOBODY)
-    assert until(lambda: here.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil"])
 
 
 @pytest.mark.process
@@ -124,13 +123,13 @@ def test_who_knows_the_secret_is_let_in(world: World, port: int, short_folder: P
     teacher.node("teacher")
     student = pupil(world, short_folder / "m2", port, SECRET)
     student.node("student")
-    assert until(lambda: teacher.nodes() == student.nodes() == ["/student", "/teacher"], PATIENCE)
-    assert until(lambda: door(teacher).joined == 1, PATIENCE)
+    assert until(lambda: teacher.nodes() == student.nodes() == ["/student", "/teacher"])
+    assert until(lambda: door(teacher).joined == 1)
     assert door(teacher).secret
     publisher = student.publisher(student.node("talker"), "/chatter")
     subscription = teacher.subscription(teacher.node("listener"), "/chatter")
-    assert until(lambda: student.matched(publisher) == 1 and teacher.matched(subscription) == 1, PATIENCE)
-    assert until(lambda: student.publish(publisher, data="hello") or teacher.messages(subscription), PATIENCE)
+    assert until(lambda: student.matched(publisher) == 1 and teacher.matched(subscription) == 1)
+    assert until(lambda: student.publish(publisher, data="hello") or teacher.messages(subscription))
 
 
 @pytest.mark.process

@@ -109,5 +109,5 @@ def test_where_sockets_are_tcp_a_taken_port_is_not_waited_for(world: World, monk
         thief.listen()
         one, other = world.here(), world.process(DAY6_LINK="tcp")
         other.node("pupil")
-        assert until(lambda: one.nodes() == ["/pupil"], 60.0)
+        assert until(lambda: one.nodes() == ["/pupil"])
         assert place.meeting_port != thief.getsockname()[1]

@@ -6,11 +6,10 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
 import pytest
-from link_harness import World
-from waiting import until
+from link_harness import HOUR_OF_LEASE, World
+from waiting import communicate, run, until
 
 needs_kill = pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
 
@@ -22,33 +21,26 @@ def sockets(world: World, domain: str = "0") -> list[str]:
 def run_python(world: World, source: str, **environment: str) -> subprocess.CompletedProcess[str]:
     """Run a student's program to its end."""
     settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
-    return subprocess.run(
-        [sys.executable, "-c", source],
-        env={**os.environ, **settings, **environment},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        encoding="utf-8",
-    )
+    return run([sys.executable, "-c", source], env={**os.environ, **settings, **environment})
 
 
 @pytest.mark.process
 @needs_kill
-def test_a_killed_process_is_gone_within_two_seconds(world: World) -> None:
+@pytest.mark.usefixtures("hour_of_lease")
+def test_a_killed_process_is_gone_at_once(world: World) -> None:
     stays, victim = world.here(), world.process()
     node = victim.node("victim")
     victim.publisher(node, "/chatter")
     victim.service(node, "/add")
     assert until(lambda: stays.endpoints("/add") and stays.endpoints("/chatter"))
     victim.kill()
-    killed = time.monotonic()
     assert until(lambda: stays.nodes() == [])
-    assert time.monotonic() - killed < 2.0
     assert stays.endpoints("/chatter") == stays.endpoints("/add") == []
 
 
 @pytest.mark.process
 @needs_kill
+@pytest.mark.usefixtures("hour_of_lease")
 def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: World) -> None:
     keeper = world.process()
     keeper.node("keeper")
@@ -59,10 +51,8 @@ def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: 
     assert keeper.keeps_meeting_point() and not talker.keeps_meeting_point()
     assert until(lambda: talker.nodes() == listener.nodes() == ["/keeper", "/listener", "/talker"])
     keeper.kill()
-    killed = time.monotonic()
     talker.publish_numbers(publisher, 0, 50)
     assert until(lambda: talker.nodes() == listener.nodes() == ["/listener", "/talker"])
-    assert time.monotonic() - killed < 2.0
     assert until(lambda: listener.length(subscription) == 50)
     assert listener.messages(subscription) == [str(number) for number in range(50)]
     assert until(lambda: talker.keeps_meeting_point() or listener.keeps_meeting_point())
@@ -71,11 +61,11 @@ def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: 
     newcomer.node("newcomer")
     everybody = ["/listener", "/newcomer", "/talker"]
     assert until(lambda: talker.nodes() == listener.nodes() == newcomer.nodes() == everybody)
-    assert time.monotonic() - killed < 5.0
 
 
 @pytest.mark.process
 @needs_kill
+@pytest.mark.usefixtures("hour_of_lease")
 def test_keepers_may_die_one_after_another(world: World) -> None:
     peers = {f"/n{number}": world.process() for number in range(4)}
     for name, peer in peers.items():
@@ -194,9 +184,7 @@ def test_a_one_shot_command_alone_answers_at_once(world: World) -> None:
 
     graph = Graph()
     link = join(graph, one_shot=True)
-    started = time.monotonic()
-    assert link.wait_settled(5.0)
-    assert time.monotonic() - started < 0.5
+    assert link.wait_settled(0.0), "there was nothing to wait for"
     leave(graph)
 
 
@@ -251,16 +239,17 @@ sys.stdin.readline()
         assert program.stdout.readline() == "this process was forked from one that had joined already\n"
         assert program.stdout.readline() == "child 0\n"
         assert until(lambda: keeper.nodes() == ["/parent"])
-        program.communicate("\n", timeout=10)
+        communicate(program, "\n")
         assert program.returncode == 0
     assert until(lambda: keeper.nodes() == [])
 
 
 @pytest.mark.process
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+@pytest.mark.usefixtures("hour_of_lease")
 def test_a_killed_program_is_gone_although_its_forked_child_lives(world: World) -> None:
     keeper = world.here()
-    source = """
+    source = f"""{HOUR_OF_LEASE}
 import os, time
 from day6_tui.core.graph import Graph
 from day6_tui.core.link import join
@@ -268,8 +257,8 @@ graph = Graph()
 link = join(graph)
 graph.create_node("parent")
 link.wait_settled(5.0)
-os.write(1, f"{os.fork()}\\n".encode())  # two processes, each line in one piece
-time.sleep(60)
+os.write(1, f"{{os.fork()}}\\n".encode())  # two processes, each line in one piece
+time.sleep(3600)
 """
     settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
     with subprocess.Popen(
@@ -284,9 +273,7 @@ time.sleep(60)
         try:
             assert until(lambda: keeper.nodes() == ["/parent"])
             program.kill()
-            killed = time.monotonic()
             assert until(lambda: keeper.nodes() == [])
-            assert time.monotonic() - killed < 2.0
         finally:
             os.kill(child, signal.SIGKILL)
 
@@ -329,9 +316,7 @@ for number in range(500):
 {ending}
 """
     plain = run_python(world, ending, DAY6_LINK="off")
-    started = time.monotonic()
     done = run_python(world, source)
-    assert time.monotonic() - started < 10
     assert done.returncode == plain.returncode
     assert done.stderr.splitlines()[-1:] == plain.stderr.splitlines()[-1:]
     assert until(lambda: keeper.length(subscription) == 500)
