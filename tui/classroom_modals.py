@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import time
+import math
 from typing import TYPE_CHECKING
 
 from textual import events
@@ -55,12 +55,19 @@ class Consent(Question):
         texts = look.texts
         title, text, no = (texts(f"class.consent.{part}") for part in ("title", "text", "no"))
         super().__init__(look, title, text, [answer], careful=True, back=no)
-        self._since = time.monotonic()
+        self._since = math.inf
+        """When it was on the screen, or the last key came that was no answer; by the clock of events."""
+
+    def on_mount(self) -> None:
+        self.call_after_refresh(self._be_seen)
+
+    def _be_seen(self) -> None:
+        self._since = events.Event().time
 
     def on_key(self, event: events.Key) -> None:
-        if time.monotonic() - self._since >= GRACE_SECONDS or event.character is None:
-            super().on_key(event)
-        else:
-            self._since = time.monotonic()
+        """Keep a key that comes too early from being an answer (`Question.on_key`)."""
+        # Its time is that of its coming: a slow machine may take longer than the grace to deal with it.
+        if event.character is not None and event.time - self._since < GRACE_SECONDS:
+            self._since = max(self._since, event.time)
             event.stop()
             event.prevent_default()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Iterator
 from typing import Protocol, runtime_checkable
@@ -11,8 +10,10 @@ from textual import events
 from textual.dom import DOMNode
 from textual.widget import Widget
 
+from day6_tui.core.session.cores import idle_seconds
+
 PATIENCE = 1.0
-"""Seconds after which a key that is still being worked off holds up no other one."""
+"""Idle seconds after which a key that is still being worked off holds up no other one: it is stuck, and not just slow."""
 
 
 @runtime_checkable
@@ -44,18 +45,18 @@ class KeyOrder:
         self._number = 0
         """Of the last key that was handed over."""
         self._since: float | None = None
-        """When that was; None when it has been worked off."""
+        """When that was, by `idle_seconds`; None when it has been worked off."""
 
     async def take(self, event: events.Event) -> None:
         """Hand a key over now, or as soon as those before it are worked off."""
         self._waiting.append(event)
-        if self._since is None or time.monotonic() - self._since > PATIENCE:
+        if self._since is None or idle_seconds() - self._since > PATIENCE:
             await self._work_off()
 
     async def _work_off(self) -> None:
         while self._waiting:
             event = self._waiting.popleft()
-            self._number, self._since = self._number + 1, time.monotonic()
+            self._number, self._since = self._number + 1, idle_seconds()
             keyboard = self._keyboard()
             # Twice at each node: what it posts because of the key comes behind the mark.
             way = iter([node for node in keyboard.ancestors_with_self for _ in range(2)])

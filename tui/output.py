@@ -23,6 +23,8 @@ from weakref import WeakKeyDictionary
 from textual._ansi_sequences import SYNC_END, SYNC_START
 from textual.drivers._writer_thread import WriterThread
 
+from day6_tui.core.session.cores import join
+
 _log = logging.getLogger(__name__)
 
 HELD = 8192
@@ -269,4 +271,4 @@ def _stop(self: WriterThread) -> None:
         self.join()
     taken = -1
     while self.is_alive() and taken != (taken := getattr(self._file, "taken", 0)):
-        self.join(LAST_SECONDS)
+        join(self, LAST_SECONDS)

@@ -7,6 +7,7 @@ program, or for a library's destructors. A process that still runs after the las
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import signal
@@ -16,6 +17,8 @@ from collections.abc import Callable
 from queue import Empty, SimpleQueue
 from typing import NamedTuple
 
+from day6_tui.core.session.cores import Allowance, join
+
 RESTORE_SECONDS = 0.5
 """Seconds that restoring the terminal may take at a forced end: a terminal that is stuck cannot be written to."""
 
@@ -24,7 +27,10 @@ _log = logging.getLogger(__name__)
 
 
 class Step(NamedTuple):
-    """One way to request the end: `act` returns at once (it is called on another thread), then up to `seconds` are waited."""
+    """One way to request the end: `act` returns at once (it is called on another thread), then up to `seconds` are waited.
+
+    Those in which the main thread waits for a core do not count.
+    """
 
     act: Callable[[], object]
     seconds: float | None
@@ -145,18 +151,26 @@ class Ending:
                 step.act()
             except Exception:
                 _log.exception("a step of the end failed")
-            try:
-                if not self._orders.get(timeout=step.seconds):
-                    return
-            except Empty:
-                continue
+            if self._within(step.seconds) is False:
+                return
         self._force()
+
+    def _within(self, seconds: float | None) -> bool | None:
+        """Return the next order, None where there is none in the seconds of a step."""
+        if seconds is None:
+            return self._orders.get()
+        allowance = Allowance(seconds, threading.main_thread())
+        while True:
+            with contextlib.suppress(Empty):
+                return self._orders.get(timeout=max(0.0, allowance.left()))
+            if allowance.left() <= 0:
+                return None
 
     def _force(self) -> None:
         if self.restore_terminal is not None:
             restoring = threading.Thread(target=self.restore_terminal, name="day6-restore-terminal", daemon=True)
             restoring.start()
-            restoring.join(RESTORE_SECONDS)
+            join(restoring, RESTORE_SECONDS)
         os._exit(self.status or 1)
 
 

@@ -126,7 +126,10 @@ class Process:
         self._keys: PtyKeys | None = None
         """What is typed, on its way to the program."""
         self._master_lock = threading.Lock()
-        self._readers: list[threading.Thread] = []
+        self._copies: list[_Copy] = []
+        """Of its output."""
+        self._dropped = False
+        """Whether a signal came when it had ended: nobody waits any more for who reads its output."""
         self._early: list[int] | None = []
         """Signals from before there was a process; None once there is one."""
         self._early_lock = threading.Lock()
@@ -172,6 +175,8 @@ class Process:
         popen = self._popen
         if popen is None or self.ended.is_set():
             return
+        if popen.returncode is not None:
+            self._dropped = True
         if sys.platform != "win32":
             try:
                 os.killpg(popen.pid, to_system(number))
@@ -242,13 +247,17 @@ class Process:
         """Clean up after it ended: end what it left running, and pass the keys it has not read to the next reader."""
         typed_ahead = self._take_unread()
         # What the process started in the background may hold its output open; that must not hold up the prompt.
-        for reader in self._readers:
-            reader.join(0.5)
+        for copy in self._copies:
+            copy.join(0.5)
         with _running_lock:
             _running.discard(self)
         release(pid)
         _end_group(pid)
         end_marked(self._mark)
+        # What it wrote itself arrives, however long the machine or the reader of a pipe takes.
+        for copy in self._copies:
+            while copy.is_behind() and not self._dropped:
+                copy.join(0.02)
         self._close_master(typed_ahead)
 
     def _deliver_early_signals(self) -> None:
@@ -340,9 +349,9 @@ class Process:
 
     def _read(self, source: int | IO[bytes], target: OutputStream) -> None:
         seen = self._remember if target.isatty() else None
-        reader = threading.Thread(target=_pump, args=(source, target, seen), name="day6-output", daemon=True)
-        self._readers.append(reader)
-        reader.start()
+        copy = _Copy(source, target, seen)
+        self._copies.append(copy)
+        copy.start()
 
     def _remember(self, text: str) -> None:
         self.recent = (self.recent + text)[-LONGEST:]
@@ -387,12 +396,57 @@ class Process:
             self.session.stdin.push_back(text)
 
 
+class _Copy(threading.Thread):
+    """Copies a process's output to a stream, see `_pump`."""
+
+    def __init__(self, source: int | IO[bytes], target: OutputStream, seen: Callable[[str], None] | None) -> None:
+        super().__init__(name="day6-output", daemon=True)
+        self._source, self._target, self._seen = source, target, seen
+        self._fd = source if isinstance(source, int) else source.fileno()
+        self._waits = False
+        """Whether it looks for output and has taken all that it has seen."""
+
+    def run(self) -> None:
+        _pump(self._source, self._target, self._seen, self._wait)
+
+    def _wait(self) -> None:
+        self._waits = True
+        _has_output(self._fd, None)
+        self._waits = False
+
+    def is_behind(self) -> bool:
+        """Whether something that has been written is not in the stream yet."""
+        if sys.platform == "win32" or not self.is_alive():
+            return False
+        # In this order: it stops waiting before it takes what is there.
+        return not self._waits or _has_output(self._fd, 0.0) or not self._waits
+
+
+def _has_output(fd: int, seconds: float | None) -> bool:
+    """Whether something, or the end, can be read within so many seconds (None: as long as it takes)."""
+    if sys.platform == "win32":
+        return True  # nobody can tell; reading waits
+    if sys.platform == "darwin":  # its poll() knows no terminals
+        return bool(select.select([fd], [], [], seconds)[0])
+    poll = select.poll()
+    poll.register(fd, select.POLLIN)
+    return bool(poll.poll(None if seconds is None else 1000 * seconds))
+
+
 def _launcher(mode: str) -> list[str]:
     return [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE), str(memory_limit())]
 
 
-def _pump(source: int | IO[bytes], target: OutputStream, seen: Callable[[str], None] | None = None) -> None:
-    """Copy a process's output to a stream, and tell `seen`, as it comes, until its end; waits while the stream is full."""
+def _pump(
+    source: int | IO[bytes],
+    target: OutputStream,
+    seen: Callable[[str], None] | None = None,
+    wait: Callable[[], None] | None = None,
+) -> None:
+    """Copy a process's output to a stream, and tell `seen`, as it comes, until its end; waits while the stream is full.
+
+    `wait` is called before every read and returns when there is something to read.
+    """
     decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
     decoder = codecs.getincrementaldecoder("utf-8")("replace" if target.isatty() else "surrogateescape")
     if sys.platform == "win32":
@@ -402,6 +456,8 @@ def _pump(source: int | IO[bytes], target: OutputStream, seen: Callable[[str], N
     try:
         while True:
             try:
+                if wait is not None:
+                    wait()
                 data = read(fd)
             except OSError:
                 data = b""  # Linux: the last process left the pty

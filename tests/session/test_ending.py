@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import signal
 import subprocess
 import sys
 import threading
+import time
 
 import pytest
 
+from day6_tui.core.session import cores
 from day6_tui.core.session.ending import Ending, Step
 
 NEVER, PATIENCE = 1000.0, 30.0
@@ -33,6 +36,19 @@ def test_a_step_that_brings_no_end_in_its_time_is_followed_by_the_next() -> None
     ending.over()
 
 
+def test_seconds_in_which_the_machine_is_busy_with_others_do_not_count(monkeypatch: pytest.MonkeyPatch) -> None:
+    second, asked = threading.Event(), itertools.count()
+
+    def waits(thread: int) -> float:
+        return time.monotonic() if next(asked) < 6 else 0.0  # all the time at first
+
+    monkeypatch.setattr(cores, "waited_for_a_core", waits)
+    ending = Ending(Step(lambda: None, 0.01), Step(lambda: second.set() if next(asked) > 6 else None, NEVER))
+    ending.begin()
+    assert second.wait(PATIENCE)
+    ending.over()
+
+
 def test_a_step_that_fails_does_not_hold_up_the_others() -> None:
     second = threading.Event()
 
@@ -47,6 +63,7 @@ def test_a_step_that_fails_does_not_hold_up_the_others() -> None:
 
 PROGRAM = """\
 import os, signal, threading
+from day6_tui.core.session import cores
 from day6_tui.core.session.ending import Ending, Step
 ending = Ending(Step(lambda: print("first", flush=True), 1000), Step(lambda: print("second", flush=True), {last}))
 ending.restore_terminal = lambda: (print("given back", flush=True), threading.Event().wait())

@@ -7,13 +7,15 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any
 
 import pytest
-from waiting import until
+from waiting import PATIENCE, until
 
+from day6_tui.core.shell import process
 from day6_tui.core.shell.process import running_processes
 from day6_tui.core.shell.rows import row_text
 
@@ -81,6 +83,49 @@ def test_a_reader_that_stops_early_ends_the_writer(machine: Any) -> None:
     result = machine.run("python3 yes.py | head -2")
     assert result.out == "y\ny\n"
     assert until(lambda: not running_processes())
+
+
+def test_a_reader_that_takes_its_time_gets_everything_though_the_writer_has_long_ended(machine: Any) -> None:
+    # More than waits in a pipe of ours, and the rest of it fits into one of the system.
+    write(machine.desk.home, "many.py", "for n in range(5400): print('x' * 59)\n")
+    program = machine.start("python3 many.py | { sleep 9; wc -l; }")
+    machine.wait(lambda: bool(running_processes()))
+    machine.wait(lambda: not running_processes())
+    machine.go(9.0)
+    machine.wait(lambda: program.status is not None)
+    assert machine.out.text == "5400\n"
+
+
+@posix
+def test_a_reader_that_never_reads_is_waited_for_until_ctrl_c(machine: Any) -> None:
+    write(machine.desk.home, "many.py", "for n in range(5400): print('x' * 59)\n")
+    program = machine.start("python3 many.py | sleep 9999")
+    machine.wait(lambda: bool(running_processes()))
+    machine.wait(lambda: not running_processes())
+    program.interrupt()
+    machine.wait(lambda: program.status is not None)
+    assert program.status == 130
+
+
+@posix
+def test_a_terminal_shows_the_end_of_the_output_though_it_is_read_late(
+    seat: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read, is_behind, over = process._read_waiting, process._Copy.is_behind, threading.Event()
+
+    def read_late(fd: int) -> bytes:
+        assert over.wait(PATIENCE)
+        return read(fd)
+
+    def is_behind_now(copy: process._Copy) -> bool:
+        over.set()  # it has ended, and nothing that it left running is waited for any more
+        return is_behind(copy)
+
+    monkeypatch.setattr(process, "_read_waiting", read_late)
+    monkeypatch.setattr(process._Copy, "is_behind", is_behind_now)
+    write(seat.desk.home, "a.py", "print('the last words')\n")
+    seat.line("python3 a.py")
+    assert seat.wait_prompt().splitlines()[1] == "the last words"
 
 
 @posix

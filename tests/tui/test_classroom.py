@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from contextvars import Context
 
 import numpy as np
 from fakes import FakeDesk, FakeSimulation
 from screens import opened, screen_lines, screen_text, step
+from textual import events
 
 from day6_tui.core.classroom.order import Order
 from day6_tui.core.classroom.order import encode as order
 from day6_tui.tui.app import Day6App
 from day6_tui.tui.classroom import strips_of
+from day6_tui.tui.classroom_modals import GRACE_SECONDS, Consent
 from day6_tui.tui.pixels.ask import SIXEL, Ability
 from day6_tui.tui.pixels.halves import halved
 from day6_tui.tui.pixels.pictures import Pictures
@@ -65,3 +68,34 @@ def test_a_thin_line_is_still_there_in_half_blocks() -> None:
     assert halves.shape == (4, 2, 3)
     assert halves[1].tolist() == halves[2].tolist() == halves[3].tolist() == [[69, 86, 255]] * 2
     assert (halves[0] > (100, 110, 254)).all()
+
+
+def answer(app: Day6App, key: str, time: float) -> None:
+    """A key that came at this time, whenever it is dealt with."""
+    event = events.Key(key, key)
+    event.time = time
+    app.post_message(event)
+
+
+async def test_what_was_typed_when_the_question_for_consent_came_is_no_answer_however_late_it_is_read(
+    desk: FakeDesk,
+) -> None:
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        app.classroom.observe("keeper", 1)
+        app.classroom.hear(order(Order("attend", on=True)))
+        app.classroom.hear(order(Order("ask_to_type")))
+        while not isinstance(app.screen, Consent) or math.isinf(app.screen._since):
+            await step(app, pilot)
+        question, seen = app.screen, app.screen._since
+        question._since = math.inf  # as if its first picture took a while
+        answer(app, "y", seen + 100)
+        await step(app, pilot)
+        assert app.screen is question
+        question._since = seen - 100  # as if that was long ago
+        answer(app, "y", seen - 100 + GRACE_SECONDS / 2)
+        answer(app, "y", seen - 100 + GRACE_SECONDS * 1.2)  # it was typed on
+        await step(app, pilot)
+        assert app.screen is question
+        answer(app, "y", seen - 100 + GRACE_SECONDS * 2.4)
+        await step(app, pilot)
+        assert app.screen is not question and app.classroom._may_type

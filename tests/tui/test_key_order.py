@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import time
 
 import pytest
 from textual import events
@@ -35,10 +36,17 @@ class Slow(Static):
         super().__init__()
         self.taken: list[str] = []
         self.held: asyncio.Event | None = None
+        self.work = 0.0
+        """Seconds of a core that the next key costs; another key comes at the end of them."""
 
     async def on_key(self, event: events.Key) -> None:
         await asyncio.sleep(0.005)
         self.taken.append(event.key)
+        if self.work:
+            end, self.work = time.thread_time() + self.work, 0.0
+            while time.thread_time() < end:
+                pass
+            self.app.post_message(events.Key("late", None))
         self.post_message(self.Took(event.key))
         if self.held is not None:
             await self.held.wait()
@@ -122,3 +130,15 @@ async def test_a_key_that_is_never_done_holds_up_the_others_for_a_while_only(mon
         app.burst("d")
         await app.see(["b", "c", "d"])
         await pilot.pause()  # the held key is still on its way to the application, which must not be gone
+
+
+async def test_a_key_that_a_slow_machine_works_on_holds_up_the_others_for_as_long_as_it_takes(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    async with Two().run_test() as pilot:
+        app = pilot.app
+        monkeypatch.setattr(key_order, "PATIENCE", 0.3)
+        app.first.work = 0.5
+        app.burst("enter", "b")
+        await app.see(["b", "late"])
+        assert app.first.taken == ["enter"]
