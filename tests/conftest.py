@@ -28,6 +28,7 @@ ROOT = TESTS.parent
 sys.path.insert(0, str(TESTS / "stepped"))
 
 import one_process  # noqa: E402
+import waiting  # noqa: E402, F401 - before sleeping is watched
 from rights import plain_user  # noqa: E402, F401
 from short_folder import make_short_folder, remove_short_folders  # noqa: E402
 

@@ -12,6 +12,7 @@ WITHOUT_COMMAND = frozenset({"ctrl_c", "shut_twice", "setuptools", "no_robot_mod
 """Findings that no command of a terminal helps: they are harmless, or a matter of RViz's window."""
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("drill", DRILLS, ids=lambda drill: f"{drill.number}-{drill.findings[0]}")
 def test_the_fault_is_named_in_time_with_what_to_type_next(lab: Lab, drill: Drill) -> None:
     drill.inject(lab)

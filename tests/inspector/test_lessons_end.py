@@ -35,6 +35,7 @@ LOOKED = 1.0
 DAYS = {lesson.name: lesson for lesson in days()}
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", sorted(DAYS))
 def test_after_a_step_there_is_no_alarm_but_what_the_step_is_about(lab: Lab, name: str) -> None:
     wrong: list[str] = []

@@ -9,6 +9,7 @@ from lab import Lab
 from tutorials import TUTORIALS
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("tutorial", TUTORIALS, ids=lambda tutorial: tutorial.__name__)
 def test_a_tutorial_gives_no_alarm(lab: Lab, tutorial: Callable[[Lab], object]) -> None:
     tutorial(lab)

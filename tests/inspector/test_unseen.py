@@ -6,6 +6,7 @@ import re
 import time
 from typing import Any
 
+import pytest
 from drills import HEAD, robot
 from lab import Lab
 
@@ -78,6 +79,7 @@ def seen(lab: Lab) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.process
 def test_what_others_see_is_the_same_with_and_without_it(lab: Lab) -> None:
     lab.file("turner.py", TURNER)
     lab.file("looker.py", LOOKER)

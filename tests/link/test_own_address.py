@@ -14,6 +14,7 @@ from day6_tui.core.link.addresses import own_address
 TELL = "from day6_tui.core.link.addresses import own_address; print(own_address())"
 
 
+@pytest.mark.process
 def test_it_is_an_address_or_this_machines_name() -> None:
     assert own_address()
 

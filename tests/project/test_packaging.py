@@ -97,6 +97,7 @@ def content(wheel: zipfile.ZipFile) -> set[str]:
     return {name for name in wheel.namelist() if not name.split("/")[0].endswith(".dist-info")}
 
 
+@pytest.mark.process
 def test_the_wheel_holds_every_source_and_data_file(wheel: zipfile.ZipFile) -> None:
     packed = content(wheel)
     expected = {"day6_tui/" + path.relative_to(ROOT).as_posix() for path in sources()}
@@ -109,6 +110,7 @@ def test_the_wheel_brings_no_other_top_level_name(wheel: zipfile.ZipFile) -> Non
     assert tops == {"day6_tui"}
 
 
+@pytest.mark.process
 def test_the_wheel_declares_the_command(wheel: zipfile.ZipFile) -> None:
     (entry_points,) = [name for name in {*wheel.namelist()} - content(wheel) if name.endswith("entry_points.txt")]
     assert "day6-tui = day6_tui.tui.main:main" in wheel.read(entry_points).decode()

@@ -108,6 +108,7 @@ def test_a_tutorials_program_has_no_error_and_every_type_is_inferred(diagnostics
     assert diagnostics[name] == []
 
 
+@pytest.mark.process
 def test_every_slip_is_an_error_and_nothing_else_is(diagnostics: Diagnostics) -> None:
     lines = (HERE / "typed" / "slips.py").read_text(encoding="utf-8").splitlines()
     expected = {number for number, line in enumerate(lines, start=1) if "# error: " in line}
@@ -115,6 +116,7 @@ def test_every_slip_is_an_error_and_nothing_else_is(diagnostics: Diagnostics) ->
     assert {line for line, severity, _ in diagnostics["slips.py"] if severity == "error"} == expected
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("name", "types"),
     [

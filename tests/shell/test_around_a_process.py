@@ -177,6 +177,7 @@ def test_a_process_that_is_gone_is_sent_nothing(machine: Any, monkeypatch: pytes
     gone.keys("x")
 
 
+@pytest.mark.process
 @posix
 @pytest.mark.parametrize("problem", [ProcessLookupError, PermissionError])
 def test_what_is_left_of_a_group_gets_term_and_then_kill(

@@ -1,7 +1,8 @@
 """What a test of the default layer may not do, because it depends on more than this process: an error where it is done.
 
 That is: start a process, open a terminal, sleep, connect to a socket that is not the test's own, ask for a machine's name, or
-join the link. A test that does has one of the markers in `LAYERS` and is left to the whole run (`pytest --whole`).
+join the link. A test that does has one of the markers in `LAYERS` and is left to the whole run (`pytest --whole`). Waiting for a
+condition that a thread of this process brings about (`waiting.until`) is none of these.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from weakref import WeakSet
 import pytest
 
 LAYERS = {
-    "process": "starts processes, or joins the link between them",
+    "process": "starts processes, talks to others, or waits in real time",
     "person": "plays a person at a real terminal",
     "browser": "opens pages in a real Chromium",
     "timing": "measures time: runs alone",
@@ -85,7 +86,7 @@ def install() -> None:
     sleep = time.sleep
 
     def watched(seconds: float) -> None:
-        if _names and threading.current_thread() is threading.main_thread():
+        if seconds and _names and threading.current_thread() is threading.main_thread():
             _refuse(f"sleeps for {seconds} s")
         sleep(seconds)
 

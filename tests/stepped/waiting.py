@@ -11,6 +11,9 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 
+_sleep = time.sleep
+"""Looking now and then is allowed where sleeping is not (`one_process`)."""
+
 PATIENCE = 30.0
 """Seconds something may take, on the clock of `Deadline`; nothing waits that long unless it is broken."""
 
@@ -64,7 +67,7 @@ def until(
             raise AssertionError(f"after {limit} s the answer is still {answer!r}; {told() if told else ''}")
         if meanwhile is not None:
             meanwhile()
-        time.sleep(every)
+        _sleep(every)
     return answer
 
 

@@ -28,6 +28,7 @@ async def anna(door: Browser, serving: Serving, query: str = "cols=80&rows=24&w=
     return tab
 
 
+@pytest.mark.process
 def test_a_link_opens_a_desktop_and_a_reload_shows_the_same_screen_again(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -46,6 +47,7 @@ def test_a_link_opens_a_desktop_and_a_reload_shows_the_same_screen_again(class_s
     run(deed())
 
 
+@pytest.mark.process
 def test_pupils_have_desktops_and_homes_of_their_own(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as hers, browser(class_server.base) as his:
@@ -64,6 +66,7 @@ def test_pupils_have_desktops_and_homes_of_their_own(class_server: Serving) -> N
     assert (homes / "anna" / "mine.txt").read_text() == "of-anna\n" and (homes / "李雷").is_dir()
 
 
+@pytest.mark.process
 def test_who_watches_sees_the_same_and_types_nothing(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door, browser(class_server.base) as teacher:
@@ -82,6 +85,7 @@ def test_who_watches_sees_the_same_and_types_nothing(class_server: Serving) -> N
     run(deed())
 
 
+@pytest.mark.process
 def test_sizes_that_no_screen_has_are_made_fit(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -145,6 +149,7 @@ def test_what_no_page_of_ours_says_closes_the_socket_and_the_desktop_stays(
     run(deed())
 
 
+@pytest.mark.process
 def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_later(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -164,6 +169,7 @@ def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_late
     run(deed())
 
 
+@pytest.mark.process
 def test_two_hundred_tabs_of_one_pupil_leave_one(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -182,6 +188,7 @@ def test_two_hundred_tabs_of_one_pupil_leave_one(class_server: Serving) -> None:
     run(deed())
 
 
+@pytest.mark.process
 def test_a_pupil_more_than_there_may_be_is_told_so(class_server: Serving) -> None:
     async def deed() -> None:
         doors = []
