@@ -118,15 +118,10 @@ def picture(screen: Screen) -> dict[str, Any]:
 
 
 @given(st.lists(st.tuples(texts, st.none() | sizes), min_size=1, max_size=4), sizes, st.randoms(use_true_random=False))
-@example(
-    [("aaaaaaaaaaaaaaaaa\t aaa\u3000\u3000\x1b[A\u3000", None)], (2, 8), Random(0)
-)  # cells before the fold that a tab skipped
-@example(
-    [("\x1b[99;99H 你\x1b[A\u3000\x1b[99C\x1b[@", None)], (4, 10), Random(0)
-)  # inserting takes the last cell of a folded row
-@example(
-    [("\x1b[?1049h\x1b[99;99Ha\u3000", (5, 8))], (6, 10), Random(0)
-)  # no folding anew there: the rest of the row is cut off
+# A tab skips the cells before the fold, inserting takes the last one of a folded row, another width cuts it off.
+@example([("aaaaaaaaaaaaaaaaa\t aaa\u3000\u3000\x1b[A\u3000", None)], (2, 8), Random(0))
+@example([("\x1b[99;99H 你\x1b[A\u3000\x1b[99C\x1b[@", None)], (4, 10), Random(0))
+@example([("\x1b[?1049h\x1b[99;99Ha\u3000", (5, 8))], (6, 10), Random(0))
 @settings(max_examples=400, deadline=None)
 def test_a_flood_leaves_the_same_picture_as_drawing_every_character(parts: Any, size: Any, random: Any) -> None:
     lines, columns = size
