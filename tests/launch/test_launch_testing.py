@@ -274,7 +274,7 @@ def generate_test_description():
 class TestTalker(unittest.TestCase):
 
     def test_topics(self):
-        with WaitForTopics([('chatter', String)], timeout=20.0, messages_received_buffer_length=2) as waited:
+        with WaitForTopics([('chatter', String)], timeout=300.0, messages_received_buffer_length=2) as waited:
             assert waited.topics_received() == {'chatter'} and waited.topics_not_received() == set()
             assert 'Hello World' in waited.received_messages('chatter')[0].data
         waited = WaitForTopics([('nobody', String)], timeout=0.1)
@@ -290,7 +290,7 @@ class TestTalker(unittest.TestCase):
         republisher = DataRepublisher(node, 'chatter', 'loud', String, lambda heard: String(data=heard.data.upper()))
         pump = MessagePump(node, context=context)
         pump.start()
-        with WaitForTopics([('loud', String)], timeout=20.0) as waited:
+        with WaitForTopics([('loud', String)], timeout=300.0) as waited:
             assert 'HELLO WORLD' in waited.received_messages('loud')[0].data
         pump.stop()
         assert republisher.get_num_received() == republisher.get_num_republished() >= 1

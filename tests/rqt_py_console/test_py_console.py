@@ -141,9 +141,9 @@ def test_an_interpreter_that_is_killed_is_told_with_its_status(machine: Machine)
 def test_closing_the_window_ends_python_in_whatever_it_does(machine: Machine) -> None:
     machine.model.run("while True: pass")
     machine.model.run("")
-    machine.wait(lambda: machine.model.prompt is None and len(running_processes()) == 1)
+    machine.wait(lambda: machine.model.prompt is None and len(running_processes(machine.desk.scheduler)) == 1)
     machine.display.windows[0].close_by_user()
-    machine.wait(lambda: machine.program.status is not None and not running_processes())
+    machine.wait(lambda: machine.program.status is not None and not running_processes(machine.desk.scheduler))
 
 
 @pytest.mark.process

@@ -177,7 +177,7 @@ def test_a_line_means_what_it_means_in_bash(machine: Any, line: str, tmp_path: P
     real_home.mkdir(parents=True)
     real = subprocess.run(
         ["bash", "-c", line], cwd=real_home, env={"PATH": "/usr/bin:/bin", "HOME": str(real_home), "LC_ALL": "C.UTF-8"},
-        capture_output=True, text=True, timeout=20, check=False, stdin=subprocess.DEVNULL,
+        capture_output=True, text=True, timeout=300, check=False, stdin=subprocess.DEVNULL,
     )  # fmt: skip
     (home / "ros2_ws" / "src").rmdir()
     (home / "ros2_ws").rmdir()

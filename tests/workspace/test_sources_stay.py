@@ -10,18 +10,17 @@ from pathlib import Path
 
 import pytest
 from shapes import CMAKE, PYTHON, STEPS, Shape, changes, lay_out, snapshot
+from waiting import PATIENCE
 from workshop import Workshop, edit
 
 from day6_tui.core.workspace import build as build_task
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="most shapes need links")
 
-PATIENCE = 600.0
-
 
 def build(workshop: Workshop, options: str, cwd: Path | None = None) -> tuple[int, str]:
     running = workshop.start(f"colcon build {options}", workshop.terminal(cwd))
-    workshop.wait(lambda: running.program.status is not None, PATIENCE)
+    workshop.wait(lambda: running.program.status is not None, 20 * PATIENCE)
     assert running.program.status is not None
     return running.program.status, running.out.text + running.err.text
 
