@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from ended import communicate
 from place import DAY6
 from waiting import until
 
@@ -156,7 +157,7 @@ def test_a_script_that_a_signal_ends_has_the_status_of_the_signal(place: Place, 
     assert process.stdout is not None
     assert process.stdout.readline() == "begun\n"
     process.send_signal(getattr(signal, name))
-    said, error = process.communicate(timeout=30)
+    said, error = communicate(process)
     assert (process.returncode, said, error) == (status, "", "")
 
 
