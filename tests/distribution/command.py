@@ -6,22 +6,17 @@ import os
 import re
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from ended import run
+from waiting import PATIENCE, until
+
 
 def day6(*words: str, **variables: str) -> subprocess.CompletedProcess[str]:
     """Run `day6-tui WORDS…` with these variables besides those of the test."""
-    return subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", *words],
-        env={**os.environ, **variables},
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        timeout=120,
-    )
+    return run([sys.executable, "-m", "day6_tui.tui.main", *words], limit=4 * PATIENCE, env={**os.environ, **variables})
 
 
 def sections(home: Path, parts: dict[str, str], **variables: str) -> dict[str, str]:
@@ -47,7 +42,12 @@ def started(*words: str, **variables: str) -> Iterator[None]:
 
 
 def wait_for(text: str, *words: str, **variables: str) -> None:
-    """Run `day6-tui WORDS…` until it prints the text; fails after a minute."""
-    deadline = time.monotonic() + 60
-    while text not in (said := day6(*words, **variables).stdout):
-        assert time.monotonic() < deadline, said
+    """Run `day6-tui WORDS…` until it prints the text."""
+    said = ""
+
+    def printed() -> bool:
+        nonlocal said
+        said = day6(*words, **variables).stdout
+        return text in said
+
+    until(printed, 2 * PATIENCE, told=lambda: said)

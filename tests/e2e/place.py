@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from ended import run
 from short_folder import make_short_folder
 from waiting import PATIENCE, until
 
@@ -43,15 +44,7 @@ class Place:
 
     def run(self, *words: str, stdin: str | None = "", **env: str | None) -> subprocess.CompletedProcess[str]:
         """Run `day6-tui WORDS…` to its end."""
-        return subprocess.run(
-            [*DAY6, *words],
-            cwd=self.work,
-            env=self._variables(**env),
-            input=stdin,
-            capture_output=True,
-            text=True,
-            timeout=2 * PATIENCE,
-        )
+        return run([*DAY6, *words], stdin, cwd=self.work, env=self._variables(**env))
 
     def execute(self, commands: str, *more: str, **env: str | None) -> subprocess.CompletedProcess[str]:
         """Run lines of the simulated terminal by `day6-tui exec`."""

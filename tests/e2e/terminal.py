@@ -18,7 +18,7 @@ import pyte
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "perf"))
 
 from screen import Screen, set_window_size
-from waiting import PATIENCE, until
+from waiting import PATIENCE, Deadline, until
 
 KEYS = {
     "Enter": "\r",
@@ -53,6 +53,9 @@ KEYS = {
 }
 
 _FRAME = re.compile("[┃│╻║|#]")
+
+_HELD = 1 << 20
+"""Bytes, more than a pty holds of what nobody has read yet."""
 
 
 class Terminal(Screen):
@@ -180,13 +183,13 @@ class Terminal(Screen):
 
     def wait(self, *wanted: str | Callable[[str], Any], limit: float = PATIENCE) -> str:
         """Look until every wanted text is on the screen (or every function of the screen is true); returns the screen."""
-        end = time.monotonic() + limit
+        deadline = Deadline(limit)
         while True:
             seen = self.look(0.03)
             missing = [one for one in wanted if not (one in seen if isinstance(one, str) else one(seen))]
             if not missing:
                 return seen
-            if time.monotonic() > end or (self.status is not None and not self._more(0)):
+            if deadline.is_over() or (self.status is not None and not self._more(0)):
                 raise AssertionError(f"waited for {missing}, but the screen shows\n{seen}")
             self._reap()
 
@@ -208,7 +211,7 @@ class Terminal(Screen):
             self._reap()
 
         until(lambda: self.status is not None, limit, every=0, meanwhile=step, told=self.look)
-        self.look(0.1)
+        self.look()
         assert self.status is not None
         return self.status
 
@@ -226,7 +229,9 @@ class Terminal(Screen):
         return bool(select.select([self._fd], [], [], seconds)[0])
 
     def _take(self, seconds: float) -> None:
+        """Read what comes within `seconds`, and all that had been written by then."""
         end = time.monotonic() + seconds
+        last = None  # what was read when the time was over
         while self._more(max(0.0, end - time.monotonic())):
             try:
                 data = os.read(self._fd, 65536)
@@ -236,8 +241,10 @@ class Terminal(Screen):
                 time.sleep(max(0.0, min(0.02, end - time.monotonic())))
                 break
             self.output += data
-            if time.monotonic() > end:
-                break
+            if last is None and time.monotonic() > end:
+                last = len(self.output)
+            if last is not None and len(self.output) > last + _HELD:
+                break  # a flood
         fresh, self._fed = bytes(self.output[self._fed :]), len(self.output)
         self._stream.feed(_without_foreign(fresh))
 

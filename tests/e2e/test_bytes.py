@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 import sys
 from typing import TYPE_CHECKING
 
 import pytest
+from ended import run
 from place import DAY6
-from waiting import PATIENCE
 
 if TYPE_CHECKING:
     from place import Place
@@ -67,13 +66,12 @@ def test_a_script_with_bad_bytes_does_what_bash_does_with_it(place: Place) -> No
             (place.work / "s").write_bytes(b"echo \xff\n")
             script = place.work.parent / "script"
             script.write_bytes(SCRIPT)
-            done = subprocess.run(
+            done = run(
                 [*command, *([str(script)] if way == "file" else [])],
+                SCRIPT if way == "stdin" else b"",
                 cwd=place.work,
                 env=place._variables(LC_ALL="C.UTF-8"),  # how many characters bytes are depends on it
-                input=SCRIPT if way == "stdin" else b"",
-                capture_output=True,
-                timeout=2 * PATIENCE,
+                text=False,
             )
             outputs.append((done.stdout + done.stderr).split(b"\n"))
     assert outputs[2] == outputs[0]
@@ -83,13 +81,12 @@ def test_a_script_with_bad_bytes_does_what_bash_does_with_it(place: Place) -> No
 def test_standard_input_and_the_commands_of_exec_keep_their_bytes(place: Place) -> None:
     every = bytes(range(1, 256)) * 3 + b"\r\n\xff"
     for commands, wanted in ((b"cat", every), (b"echo \xff", b"\xff\n"), (b"cat | cat > f; cat f", every)):
-        done = subprocess.run(
+        done = run(
             [*map(str.encode, DAY6), b"exec", b"--home", bytes(place.home), b"-c", commands],
+            every,
             cwd=place.work,
             env=place._variables(),
-            input=every,
-            capture_output=True,
-            timeout=PATIENCE,
+            text=False,
         )
         assert (done.stdout, done.stderr) == (wanted, b"")
 

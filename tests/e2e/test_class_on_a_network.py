@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import pytest
 from mouse import Mouse
 from place import Place
-from test_observed import choose
+from test_observed import answer_consent, choose
 
 from day6_tui.tui.locale import Texts
 
@@ -101,8 +101,7 @@ def begin_typing(teacher: Terminal, pupil: Terminal) -> None:
     teacher.press("t")
     pupil.wait(texts("class.consent.yes"))
     teacher.wait(texts("teacher.awaited"))
-    pupil.look(1.2)  # who was typing when the question came has not answered it
-    pupil.send("y")
+    answer_consent(pupil, "y")
     pupil.wait(texts("class.bar.types.short"))
     teacher.wait(texts("teacher.typing", name="anna"))
 

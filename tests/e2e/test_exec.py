@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 import signal
-import time
 from typing import TYPE_CHECKING
 
 import pytest
-from waiting import PATIENCE, until
+from ended import communicate
+from waiting import until
 
 if TYPE_CHECKING:
     from place import Place
@@ -83,10 +83,8 @@ def test_a_script_comes_from_a_file_or_from_standard_input(place: Place) -> None
 
 
 def test_the_time_limit_ends_everything_with_status_124(place: Place) -> None:
-    began = time.monotonic()
     done = place.execute("ros2 run turtlesim turtlesim_node & sleep 60; echo no", "--timeout", "0.5")
     assert (done.returncode, done.stdout) == (124, "")
-    assert time.monotonic() - began < 20
     until(lambda: place.processes() == {})
 
 
@@ -94,7 +92,7 @@ def test_ctrl_c_ends_the_script_with_status_130(place: Place) -> None:
     process = place.start("exec", "--home", str(place.home), "-c", "echo begun; sleep 60; echo no")
     assert process.stdout is not None and process.stdout.readline() == "begun\n"
     process.send_signal(signal.SIGINT)
-    out, _ = process.communicate(timeout=PATIENCE)
+    out, _ = communicate(process)
     assert (process.returncode, out) == (130, "")
 
 
@@ -135,5 +133,6 @@ def test_commands_of_a_real_terminal_see_what_a_script_runs(place: Place) -> Non
     pose = place.run("ros2", "topic", "echo", "--once", "/turtle1/pose")
     assert pose.stdout.startswith("x: 6.544444561004639\ny: 5.544444561004639\n"), pose.stderr
     process.send_signal(signal.SIGINT)
-    assert process.wait(PATIENCE) == 0  # like every rclcpp node, turtlesim takes Ctrl-C as the ordinary end
+    communicate(process)
+    assert process.returncode == 0  # like every rclcpp node, turtlesim takes Ctrl-C as the ordinary end
     place.wait_nodes()

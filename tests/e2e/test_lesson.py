@@ -42,9 +42,9 @@ def timeless(text: str) -> str:
 
 def test_section_3_the_first_publisher_talks_and_another_terminal_hears_it(place: Place) -> None:
     done = place.execute(
-        CREATE + ENTRY_POINT + BUILD + SOURCE + "ros2 run day6_publisher talker &\nsleep 1.5\n"
+        CREATE + ENTRY_POINT + BUILD + SOURCE + "ros2 run day6_publisher talker &\n"
         # another terminal, in which nothing was sourced
-        "bash -c 'source ~/ros2_ws/install/setup.bash; timeout -s INT 8 ros2 topic echo --once /chatter'\n"
+        "bash -c 'source ~/ros2_ws/install/setup.bash; ros2 topic echo --once /chatter std_msgs/msg/String'\n"
         "ros2 topic info /chatter\n"
         "ros2 node list\n"
         "kill -INT %1; wait\n"
@@ -70,13 +70,15 @@ def test_section_5_the_wheels_turn(place: Place) -> None:
         + "check_urdf urdf/day6_bot.urdf | head -1\n"
         + BUILD
         + SOURCE
-        + "ros2 launch day6_publisher day6_display.launch.py &\nsleep 3\n"
+        + "ros2 launch day6_publisher day6_display.launch.py &\n"
+        "until [ $(ros2 node list | grep -c -e robot_state -e rviz2) = 2 ]; do sleep 0.05; done\n"
         "ros2 topic info /robot_description\n"
         # a new terminal
-        "bash -c 'source ~/ros2_ws/install/setup.bash; ros2 run day6_publisher wheel_spinner' &\nsleep 2\n"
+        "bash -c 'source ~/ros2_ws/install/setup.bash; ros2 run day6_publisher wheel_spinner' &\n"
+        "until ros2 topic info /joint_states | grep -q 'Publisher count: 1'; do sleep 0.05; done\n"
         "ros2 node list\n"
         "ros2 topic info /joint_states\n"
-        "timeout -s INT 5 ros2 run tf2_ros tf2_echo base_link left_wheel 2> /dev/null | grep -m 2 'RPY (radian)'\n"
+        "ros2 run tf2_ros tf2_echo base_link left_wheel 2> /dev/null | grep -m 2 'RPY (radian)'\n"
         "kill -INT %1 %2; wait\n"
     )
     assert "robot name is: day6_bot\n" in done.stdout, done.stderr
@@ -167,7 +169,8 @@ def test_section_6_5_the_line_in_bashrc_makes_every_terminal_know_the_package(pl
 
 def test_section_6_5_of_two_workspaces_the_one_sourced_last_shadows_the_other(place: Place) -> None:
     older = TALKER.replace("Hello from Day 6", "OldWorkspace")
-    run = 'timeout -s INT 2 ros2 run day6_publisher talker 2>&1 | grep -o -m 1 -E "Hello|OldWorkspace"\n'
+    said = 'grep -o -m 1 -E "Hello|OldWorkspace" ~/said'
+    run = f"ros2 run day6_publisher talker > ~/said 2>&1 & until {said}; do sleep 0.05; done; kill -INT $!; wait\n"
     done = place.execute(
         CREATE + ENTRY_POINT + BUILD + "mkdir -p ~/old_ws\ncp -r ~/ros2_ws/src ~/old_ws/src\n"
         "cd ~/old_ws/src/day6_publisher/day6_publisher\n" + heredoc("talker.py", older) + "cd ~/old_ws\ncolcon build\n"

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import select
 import socket
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
 from test_detach import end_all, sockets
-from waiting import PATIENCE, until
+from waiting import Deadline, until
 
 from day6_tui.core.classroom import note as notes
 from day6_tui.core.classroom import order as orders
 from day6_tui.core.classroom.note import Note
 from day6_tui.core.classroom.order import Order
+from day6_tui.tui.classroom_modals import GRACE_SECONDS
 from day6_tui.tui.locale import Texts
 
 if TYPE_CHECKING:
@@ -60,13 +60,13 @@ class Observer:
 
     def wait(self, condition: Callable[[Note], object]) -> Note:
         """The first note, from the last one on, of which this is true."""
-        end, at = time.monotonic() + PATIENCE, max(0, len(self.notes) - 1)
+        deadline, at = Deadline(), max(0, len(self.notes) - 1)
         while True:
             for note in self.notes[at:]:
                 if condition(note):
                     return note
             at = len(self.notes)
-            assert time.monotonic() < end, self.notes[-1:]
+            assert not deadline.is_over(), self.notes[-1:]
             self.hear(0.2)
 
 
@@ -87,6 +87,21 @@ def choose(screen: Terminal, name: str) -> None:
     screen.send(name)
     screen.wait(f"▸ {name}", lambda seen: "Alt+-" not in seen)
     screen.press("Enter")
+
+
+def answer_consent(screen: Terminal, key: str) -> None:
+    """Answer the question whether the teacher may type, until it is gone: what comes too early is no answer."""
+    texts = Texts("en")
+    screen.wait(texts("class.consent.yes"))
+
+    def answered() -> bool:
+        screen.look(1.2 * GRACE_SECONDS)
+        return texts("class.consent.yes") not in screen.look()
+
+    until(answered, every=0.0, meanwhile=lambda: screen.press(key))
+    screen.press("Ctrl-C")  # if it was answered by the key before the last one
+    screen.line("echo answ''ered")
+    screen.wait_lines("answered")
 
 
 @pytest.mark.parametrize(("lang", "size"), [("en", (120, 40)), ("zh", (80, 24))])
@@ -171,16 +186,10 @@ def test_the_teacher_types_after_consent_and_not_before_or_after(place: Place) -
             teacher.wait(lambda note: note.refused == "class.refused.type")
             teacher.order("ask_to_type")
             teacher.wait(lambda note: note.asked)
-            screen.wait(texts("class.consent.title"))
-            screen.look(1.2)
-            screen.press("Esc")
+            answer_consent(screen, "\x1b")
             teacher.wait(lambda note: not note.asked and note.refused == "class.refused.no")
             teacher.order("ask_to_type")
-            screen.wait(texts("class.consent.title"))
-            screen.press("y")  # too early to be an answer: somebody was typing
-            screen.look(1.2)
-            assert texts("class.consent.title") in screen.look()
-            screen.press("y")
+            answer_consent(screen, "y")
             teacher.wait(lambda note: note.may_type)
             screen.wait(texts("class.bar.types.short"), lambda seen: texts("class.consent.title") not in seen)
             teacher.order("type", text="echo by-$((1 + 1))\r")

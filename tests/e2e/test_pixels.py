@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import codecs
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from waiting import PATIENCE
+from waiting import until
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "pixels"))
 
@@ -44,10 +43,7 @@ class Window:
             self._screen.send(answers)
 
     def until(self, condition: Callable[[], object]) -> None:
-        end = time.monotonic() + PATIENCE
-        while not condition():
-            assert time.monotonic() < end
-            self.look()
+        until(condition, every=0.0, meanwhile=self.look, told=self._screen.look)
 
     def ground(self) -> int:
         """Cells that show the turtles' world."""
@@ -74,7 +70,8 @@ def test_a_terminal_without_pixels_is_sent_none(place: Place) -> None:
     with place.desktop("--scene", "turtle", columns=COLUMNS, rows=ROWS) as screen:
         window = Window(screen, "plain")
         window.until(lambda: "TurtleSim" in screen.look() and "/turtlesim" in screen.look())
-        window.look(0.5)
+        screen.press("F7")
+        window.until(lambda: "Alt+-" in screen.look())  # so everything has been drawn once more
         assert window.terminal.pictures == 0
         assert b"\x1b_G" not in screen.output and b"\x1b[5n" not in screen.output
 

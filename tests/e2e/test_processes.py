@@ -6,12 +6,13 @@ import os
 import signal
 import stat
 import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from ended import communicate
 from waiting import until
+from waits import READY
 
 if TYPE_CHECKING:
     from place import Place
@@ -153,11 +154,8 @@ def test_closing_the_terminal_ends_the_family_within_four_seconds(place: Place) 
     with desk(place) as screen:
         screen.line("python3 family.py")
         screen.wait_lines("the family is there")
-        before = time.monotonic()
         screen.quit()
-        assert screen.wait_end() == 0
-        until(lambda: not place.processes(), 5)
-        assert time.monotonic() - before < 8
+        until(lambda: screen.wait_end() == 0 and not place.processes(), 8)
 
 
 def test_three_runaways_leave_the_keyboard_to_others(place: Place) -> None:
@@ -186,7 +184,10 @@ def workspace(place: Place, how: str) -> str:
     return str(prefix)
 
 
-SPIN = "rclpy.init(); node = Node('spins'); print('ready', flush=True); rclpy.spin(node)"
+SPIN = (
+    READY
+    + "rclpy.init(); node = Node('spins'); print(__import__('os').getpid(), flush=True); ready(); rclpy.spin(node)"
+)
 
 
 @pytest.mark.parametrize(
@@ -198,25 +199,25 @@ SPIN = "rclpy.init(); node = Node('spins'); print('ready', flush=True); rclpy.sp
     ],
 )
 def test_ros2_run_says_what_ended_its_program(place: Place, number: int, status: int, last: str) -> None:
-    prefix = workspace(place, SPIN.replace("'ready'", "__import__('os').getpid()"))
+    prefix = workspace(place, SPIN)
     process = place.start("ros2", "run", "pkg", "spins", AMENT_PREFIX_PATH=prefix)
     assert process.stdout is not None
     pid = int(process.stdout.readline())
-    time.sleep(0.3)  # from the line to the wait inside spin
+    assert process.stdout.readline() == "ready\n"
     os.kill(pid, number)
-    out, err = process.communicate(timeout=20)
+    out, err = communicate(process)
     assert out.splitlines()[-1] == last, err
     assert process.returncode == status
 
 
 def test_the_program_of_ros2_run_ends_with_it_also_when_that_is_killed(place: Place) -> None:
-    prefix = workspace(place, SPIN.replace("'ready'", "__import__('os').getpid()"))
+    prefix = workspace(place, SPIN)
     for number in (signal.SIGTERM, signal.SIGKILL):
         process = place.start("ros2", "run", "pkg", "spins", AMENT_PREFIX_PATH=prefix)
         assert process.stdout is not None
         pid = int(process.stdout.readline())
         process.send_signal(number)
-        process.communicate(timeout=20)
+        communicate(process)
         until(lambda pid=pid: not Path(f"/proc/{pid}/cmdline").exists() if sys.platform == "linux" else True, 5)
 
 
@@ -224,7 +225,6 @@ def test_ctrl_c_in_a_real_terminal_ends_ros2_run_with_pythons_traceback(place: P
     prefix = workspace(place, SPIN)
     with place.terminal("ros2", "run", "pkg", "spins", AMENT_PREFIX_PATH=prefix) as screen:
         screen.wait("ready")
-        screen.look(0.3)
         screen.press("Ctrl-C")
         assert screen.wait_end() == 254
         seen = screen.look()

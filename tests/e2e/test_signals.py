@@ -9,19 +9,21 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import NamedTuple
 
 import pytest
+from ended import communicate
 from place import Place
+from waits import READY
 
 from day6_tui.core.ros.environment import program_environment
 
 pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")]
 
-START = """\
+START = (
+    """\
 import atexit, os, signal, sys, threading, time
 import rclpy
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
@@ -34,15 +36,15 @@ def say(*words):
     print(*words, flush=True)
 
 """
+    + READY
+)
 NODE = "rclpy.init(); n = Node('n')\n"
-SPIN = "say('ready')\nrclpy.spin(n)\n"
+SPIN = "ready()\nrclpy.spin(n)\n"
 CATCH = "except BaseException as e: say(type(e).__name__, rclpy.ok())\n"
-INTO_SPIN = 0.5
-"""Seconds from the line 'ready' to the call after it."""
 
 
 class Case(NamedTuple):
-    """A program, the signals it gets after its line 'ready', and how it ends."""
+    """A program, the signals it gets, each when it is `ready()` for it, and how it ends."""
 
     code: str
     signals: tuple[str, ...]
@@ -59,77 +61,77 @@ CASES = {
     "spin, SIGTERM": Case(NODE + SPIN, ("TERM",), 1, error=ESE),
     "spin with a timer": Case(NODE + "n.create_timer(0.2, lambda: None)\n" + SPIN, ("INT",), -2, error=KI),
     "inside a callback": Case(
-        NODE + "def f():\n    say('ready')\n    time.sleep(5)\nn.create_timer(0.1, f)\nrclpy.spin(n)\n",
+        NODE + "def f():\n    ready()\n    time.sleep(1000)\nn.create_timer(0.1, f)\nrclpy.spin(n)\n",
         ("INT",), -2, error=KI,
     ),
     "caught": Case(
-        NODE + "say('ready')\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt: say(rclpy.ok())\n"
+        NODE + "ready()\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt: say(rclpy.ok())\n"
         "n.destroy_node()\nrclpy.try_shutdown()\nsay('end')\n",
         ("INT",), 0, ("False", "end"),
     ),
     "caught, then shutdown": Case(
-        NODE + "say('ready')\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt: pass\n"
+        NODE + "ready()\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt: pass\n"
         "finally:\n    n.destroy_node()\n    rclpy.shutdown()\nsay('end')\n",
         ("INT",), 0, ("end",),
     ),
     "caught, SIGTERM": Case(
-        NODE + f"say('ready')\ntry: rclpy.spin(n)\n{CATCH}", ("TERM",), 0, ("ExternalShutdownException False",)
+        NODE + f"ready()\ntry: rclpy.spin(n)\n{CATCH}", ("TERM",), 0, ("ExternalShutdownException False",)
     ),
     "with rclpy.init()": Case(
-        "with rclpy.init():\n    n = Node('n')\n    say('ready')\n    rclpy.spin(n)\n", ("INT",), -2, error=KI
+        "with rclpy.init():\n    n = Node('n')\n    ready()\n    rclpy.spin(n)\n", ("INT",), -2, error=KI
     ),
     "spin_once in a loop": Case(
-        NODE + "say('ready')\nwhile rclpy.ok(): rclpy.spin_once(n, timeout_sec=0.1)\n", ("INT",), -2, error=KI
+        NODE + "ready()\nwhile rclpy.ok(): rclpy.spin_once(n, timeout_sec=0.1)\n", ("INT",), -2, error=KI
     ),
     "spin_once in a loop, SIGTERM": Case(
-        NODE + "say('ready')\nwhile rclpy.ok(): rclpy.spin_once(n)\n", ("TERM",), 1, error=ESE
+        NODE + "ready()\nwhile rclpy.ok(): rclpy.spin_once(n)\n", ("TERM",), 1, error=ESE
     ),
-    "no spin at all": Case(NODE + "say('ready')\ntime.sleep(20)\n", ("INT",), -2, error=KI),
+    "no spin at all": Case(NODE + "ready()\ntime.sleep(1000)\n", ("INT",), -2, error=KI),
     "no spin at all, SIGTERM": Case(
-        NODE + "say('ready')\ntime.sleep(1.5)\nsay(rclpy.ok())\n", ("TERM",), 0, ("False",)
+        NODE + "ready()\nsys.stdin.readline()\nsay(rclpy.ok())\n", ("TERM",), 0, ("False",)
     ),
     "publishing while ok, SIGTERM": Case(
-        NODE + "p = n.create_publisher(String, 't', 10)\nsay('ready')\n"
+        NODE + "p = n.create_publisher(String, 't', 10)\nready()\n"
         "while rclpy.ok():\n    p.publish(String(data='x'))\n    time.sleep(0.05)\nsay('left')\n",
         ("TERM",), 0, ("left",),
     ),
     "publishing afterwards": Case(
-        NODE + "p = n.create_publisher(String, 't', 10)\nsay('ready')\ntry: rclpy.spin(n)\n"
+        NODE + "p = n.create_publisher(String, 't', 10)\nready()\ntry: rclpy.spin(n)\n"
         "except KeyboardInterrupt: p.publish(String(data='stop'))\n",
         ("INT",), 1, error=INVALID.format("Failed to publish: publisher"),
     ),
     "MultiThreadedExecutor": Case(
-        NODE + "e = MultiThreadedExecutor(); e.add_node(n)\nsay('ready')\ne.spin()\n", ("INT",), -2, error=KI
+        NODE + "e = MultiThreadedExecutor(); e.add_node(n)\nready()\ne.spin()\n", ("INT",), -2, error=KI
     ),
     "SingleThreadedExecutor, SIGTERM": Case(
-        NODE + "e = SingleThreadedExecutor(); e.add_node(n)\nsay('ready')\ne.spin()\n", ("TERM",), 1, error=ESE
+        NODE + "e = SingleThreadedExecutor(); e.add_node(n)\nready()\ne.spin()\n", ("TERM",), 1, error=ESE
     ),
     "waiting for a service": Case(
-        NODE + "c = n.create_client(Empty, 'nope')\nsay('ready')\nwhile not c.wait_for_service(1.0): pass\n",
+        NODE + "c = n.create_client(Empty, 'nope')\nready()\nwhile not c.wait_for_service(1.0): pass\n",
         ("INT",), -2, error=KI,
     ),
     "waiting for a service, SIGTERM": Case(
-        NODE + "c = n.create_client(Empty, 'nope')\nsay('ready')\nwhile not c.wait_for_service(0.2): pass\n",
+        NODE + "c = n.create_client(Empty, 'nope')\nready()\nwhile not c.wait_for_service(0.2): pass\n",
         ("TERM",), 1, error=INVALID.format("failed to check service availability: rcl node"),
     ),
     "waiting for a future": Case(
-        NODE + "say('ready')\nrclpy.spin_until_future_complete(n, rclpy.task.Future())\n", ("INT",), -2, error=KI
+        NODE + "ready()\nrclpy.spin_until_future_complete(n, rclpy.task.Future())\n", ("INT",), -2, error=KI
     ),
     "without handlers, SIGTERM": Case(
         "rclpy.init(signal_handler_options=SignalHandlerOptions.NO)\nn = Node('n')\n" + SPIN, ("TERM",), -15
     ),
     "an own handler from before": Case(
         "signal.signal(signal.SIGINT, lambda number, frame: say('mine'))\n" + NODE
-        + f"say('ready')\ntry: rclpy.spin(n)\n{CATCH}",
+        + f"ready()\ntry: rclpy.spin(n)\n{CATCH}",
         ("INT",), 0, ("mine", "ExternalShutdownException False"),
     ),
     "SIGINT ignored from the start": Case(
-        "#ignore\n" + NODE + f"say('ready')\ntry: rclpy.spin(n)\n{CATCH}",
+        "#ignore\n" + NODE + f"ready()\ntry: rclpy.spin(n)\n{CATCH}",
         ("INT",), 0, ("ExternalShutdownException False",),
     ),
     "twice": Case(
-        NODE + "say('ready')\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt:\n    say('first')\n"
-        "    try: time.sleep(5)\n    except KeyboardInterrupt: say('second')\n",
+        NODE + "ready()\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt:\n    say('first')\n"
+        "    try: ready(); time.sleep(1000)\n    except KeyboardInterrupt: say('second')\n",
         ("INT", "INT"), 0, ("first", "second"),
     ),
     "atexit": Case("atexit.register(say, 'at exit')\n" + NODE + SPIN, ("INT",), -2, ("at exit",), KI),
@@ -158,7 +160,7 @@ def outcomes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Fut
 @pytest.mark.parametrize("name", CASES)
 def test_a_signal_ends_a_program_as_on_real_rclpy(name: str, outcomes: dict[str, Future[object]]) -> None:
     case = CASES[name]
-    status, said, error = outcomes[name].result(60)  # type: ignore[misc]
+    status, said, error = outcomes[name].result()  # type: ignore[misc]
     assert (status, tuple(said)) == (case.status, case.said), error
     assert error.startswith(case.error) if case.error else not error
 
@@ -169,6 +171,7 @@ def _run(place: Place, number: int, case: Case) -> tuple[int, list[str], str]:
     handler = signal.SIG_IGN if "#ignore" in case.code else signal.SIG_DFL
     process = subprocess.Popen(
         [REAL or sys.executable, str(file)],
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -177,14 +180,11 @@ def _run(place: Place, number: int, case: Case) -> tuple[int, list[str], str]:
         encoding="utf-8",
     )
     assert process.stdout is not None
-    said = [process.stdout.readline().rstrip()]
+    said = []
     for name in case.signals:
-        time.sleep(INTO_SPIN)
+        while (line := process.stdout.readline()) not in ("", "ready\n"):
+            said.append(line.rstrip())
         process.send_signal(getattr(signal, f"SIG{name}"))
-    try:
-        out, error = process.communicate(timeout=20)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        raise
+    out, error = communicate(process)  # closes its standard input
     said = [line for line in said + out.splitlines() if line != "ready"]
     return process.returncode, said, error.strip().rpartition("\n")[2]

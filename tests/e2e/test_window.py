@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from ended import communicate
 from place import DAY6
 from students import TALKER
 from waiting import until
@@ -100,7 +101,7 @@ def test_without_a_terminal_it_runs_and_logs(place: Place) -> None:
     process = place.start(*TURTLESIM)
     place.wait_nodes("/turtlesim")
     process.send_signal(signal.SIGINT)
-    _, log = process.communicate(timeout=20)
+    _, log = communicate(process)
     assert process.returncode == 0
     assert "Spawning turtle [turtle1]" in log and "\x1b" not in log
 

@@ -6,6 +6,7 @@ import signal
 from typing import TYPE_CHECKING
 
 import pytest
+from ended import communicate
 
 if TYPE_CHECKING:
     from place import Place
@@ -55,14 +56,14 @@ def test_a_real_process_without_a_terminal_stays_too(place: Place, words: tuple[
     said = process.stderr.readline()
     assert said.endswith(SAID), said
     process.send_signal(signal.SIGINT)
-    process.communicate(timeout=20)
+    communicate(process)
     assert process.returncode in (0, 130)
 
 
 def test_the_shipped_car_is_launched_in_one_line(place: Place) -> None:
     done = place.execute(
         "ros2 launch day6_bot display.launch.py > log 2>&1 &\n"
-        "timeout -s INT 12 ros2 run tf2_ros tf2_echo base_link left_wheel 2> /dev/null | grep -m 2 'RPY (radian)'\n"
+        "ros2 run tf2_ros tf2_echo base_link left_wheel 2> /dev/null | grep -m 2 'RPY (radian)'\n"
         "ros2 node list | grep -v transform\nkill -INT %1; wait; cat log\n"
     )
     *turned, first, second, third, _ = done.stdout.split("\n", 5)
@@ -76,8 +77,9 @@ def test_the_shipped_launch_file_takes_sliders_and_another_robot(place: Place) -
     robot = place.file("cart.urdf", '<robot name="cart"><link name="base_link"/></robot>\n')
     done = place.execute(
         f"ros2 launch day6_bot display.launch.py sliders:=true robot:='{robot}' > log 2>&1 &\n"
-        "timeout 10 ros2 topic echo --once --full-length --qos-durability transient_local "
-        "/robot_description std_msgs/msg/String --field data\nsleep 1\n"
+        "ros2 topic echo --once --full-length --qos-durability transient_local "
+        "/robot_description std_msgs/msg/String --field data\n"
+        "until ros2 node list | grep -q rviz2; do sleep 0.05; done\n"
         "ros2 node list | grep -v transform\nkill -INT %1; wait\n"
     )
     assert '<robot name="cart">' in done.stdout, done.stdout + done.stderr

@@ -6,15 +6,13 @@ import os
 import queue
 import re
 import sys
-import time
 from collections import defaultdict
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from jupyter_client import manager
-
-PATIENCE = 60.0
+from waiting import PATIENCE, Deadline, until
 
 
 class Kernel:
@@ -28,7 +26,13 @@ class Kernel:
         self.manager.start_kernel(env=environment)
         self.client: Any = self.manager.client()
         self.client.start_channels()
-        self.client.wait_for_ready(timeout=PATIENCE)
+        deadline = Deadline()
+        while True:
+            try:
+                self.client.wait_for_ready(timeout=PATIENCE / 10)
+                break
+            except RuntimeError:
+                assert self.manager.is_alive() and not deadline.is_over(), "the kernel does not answer"
         self.shown: dict[str, str] = defaultdict(str)
         """By cell, without colours."""
         self.troubles = ""
@@ -50,9 +54,9 @@ class Kernel:
 
     def wait(self, condition: Callable[[], bool], cell: str) -> None:
         """Take messages until it is true."""
-        end = time.monotonic() + PATIENCE
+        deadline = Deadline()
         while not condition():
-            assert time.monotonic() < end, self.shown[cell]
+            assert not deadline.is_over(), self.shown[cell]
             try:
                 self._take(self.client.get_iopub_msg(timeout=0.2))
             except queue.Empty:
@@ -73,10 +77,7 @@ class Kernel:
 
     def until(self, expression: str) -> None:
         """Run cells until this is true: what happens in between happens without a cell."""
-        end = time.monotonic() + PATIENCE
-        while "True" not in self.run(f"print(bool({expression}))"):
-            assert time.monotonic() < end, expression
-            time.sleep(0.1)
+        until(lambda: "True" in self.run(f"print(bool({expression}))"), every=0.1, told=lambda: expression)
 
     def close(self) -> None:
         self.client.stop_channels()
