@@ -91,7 +91,7 @@ def test_a_stopped_program_is_named_and_no_longer_judged(lab: Lab) -> None:
     pid = lab.inspector._insides.processes[0].pid  # type: ignore[union-attr]
     os.kill(pid, signal.SIGSTOP)
     try:
-        found, _ = lab.finds("tells_nothing", within=6.0)
+        found, _ = lab.finds("tells_nothing")
         assert found is not None and dict(found.parameters)["node"] == "/mine"
         assert "spin_ended" not in lab.findings
     finally:
