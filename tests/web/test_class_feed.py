@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from collections.abc import Callable
 from typing import Any
 
 import aiohttp
 import pytest
-from serving import PATIENCE, Serving, browser, run
+from in_time import in_time
+from serving import Serving, browser, run
+from waiting import Deadline
 
 Rows = dict[str, dict[str, Any]]
 
 
 async def told(ws: aiohttp.ClientWebSocketResponse, wanted: Callable[[Rows], object]) -> Rows:
     """The first rows of which this is true."""
-    ends = time.monotonic() + PATIENCE
+    deadline = Deadline()
     rows: Rows = {}
-    while time.monotonic() < ends:
-        message = await ws.receive_json(timeout=PATIENCE)
+    while not deadline.is_over():
+        message = await in_time(ws.receive_json())
         if message["t"] == "rows":
             rows = {row["name"]: row for row in message["rows"]}
             if wanted(rows):
@@ -71,7 +72,7 @@ def test_orders_that_are_none_close_the_teachers_line(class_server: Serving, sen
             await ws.send_str(sent)
             if sent == '{"t": 1}':
                 await ws.send_str("{}")
-            while (await ws.receive(PATIENCE)).type == aiohttp.WSMsgType.TEXT:
+            while (await in_time(ws.receive())).type == aiohttp.WSMsgType.TEXT:
                 pass
             assert ws.close_code == 1008
 
