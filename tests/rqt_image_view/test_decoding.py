@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import io
+from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
+from folded import folded
 from sensor_msgs.msg import CompressedImage, Image
 
 from day6_tui.core.ros.programs.rqt_image_view.decoding import Undecodable, View, picture_of
@@ -150,11 +152,14 @@ def test_what_cannot_be_shown_is_told_in_the_words_of_the_real_one(message, told
     assert told in str(error.value)
 
 
-@pytest.mark.parametrize(
-    "encoding", ["rgb8", "mono8", "bayer_rggb8", "yuv422", "yuv422_yuy2", "16UC1", "32FC1", "mono16"]
+@folded(
+    "encoding, rotation, size",
+    product(
+        ["rgb8", "mono8", "bayer_rggb8", "yuv422", "yuv422_yuy2", "16UC1", "32FC1", "mono16"],
+        range(4),
+        [(1, 1), (1, 7), (7, 1), (5, 3)],
+    ),
 )
-@pytest.mark.parametrize("rotation", range(4))
-@pytest.mark.parametrize("size", [(1, 1), (1, 7), (7, 1), (5, 3)])
 def test_odd_sizes_have_pixels_too(encoding, rotation, size) -> None:
     width, height = size
     bytes_each = {"rgb8": 3, "32FC1": 4, "mono8": 1, "bayer_rggb8": 1}.get(encoding, 2)
