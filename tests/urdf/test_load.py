@@ -15,6 +15,7 @@ from types import ModuleType
 
 import pytest
 import yaml
+from folded import folded
 
 from day6_tui.urdf import RobotError, copy_model, load_robot, parse_robot, shipped_model, shipped_models
 from day6_tui.urdf.model import Box, Collision, Cylinder, Inertial, Joint, Link, Pose, Robot, Sphere, Visual
@@ -86,7 +87,7 @@ def test_yourdfpy_reads_the_shipped_car_as_our_parser_does() -> None:
     assert rough(load_robot(shipped_model())) == rough(parse_robot(shipped_model()))
 
 
-@pytest.mark.parametrize("seed", range(40))
+@folded("seed", range(40))
 def test_yourdfpy_reads_random_robots_as_our_parser_does(seed: int, random_description: Callable[..., str]) -> None:
     text = random_description(random.Random(seed))
     assert rough(load_robot(text)) == rough(parse_robot(text))
