@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-import time
 from collections.abc import Callable
+from time import monotonic, sleep  # by name: some tests step `time.monotonic`
 from typing import TypeVar
 
 T = TypeVar("T")
@@ -24,11 +24,11 @@ class Deadline:
 
     def __init__(self, limit: float = PATIENCE) -> None:
         self._left = limit
-        self._last = time.monotonic()
+        self._last = monotonic()
 
     def is_over(self) -> bool:
         """Look at the clock; it has to be asked more often than the load changes."""
-        now = time.monotonic()
+        now = monotonic()
         self._left -= (now - self._last) * share_of_a_core()
         self._last = now
         return self._left < 0
@@ -62,15 +62,15 @@ def until(
             raise AssertionError(f"after {limit} s the answer is still {answer!r}; {told() if told else ''}")
         if meanwhile is not None:
             meanwhile()
-        time.sleep(every)
+        sleep(every)
     return answer
 
 
 def never(condition: Callable[[], object], seconds: float, *, every: float = 0.005) -> bool:
     """Say whether the answer stayed false for so long."""
-    end = time.monotonic() + seconds
+    end = monotonic() + seconds
     while not condition():
-        if time.monotonic() > end:
+        if monotonic() > end:
             return True
-        time.sleep(every)
+        sleep(every)
     return False
