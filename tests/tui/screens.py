@@ -7,15 +7,17 @@ from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
 from contextlib import asynccontextmanager
 from typing import Any, TypeVar
 
+import parsed_once
+import settled
 from fakes import FakeDesk
-from settled import install
 from stepped_time import stepped_time
 from waiting import Deadline
 
 from day6_tui.tui.app import Day6App, make_look
 from day6_tui.tui.options import Options
 
-install()
+settled.install()
+parsed_once.install()
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 
