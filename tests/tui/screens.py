@@ -11,6 +11,7 @@ import parsed_once
 import settled
 from fakes import FakeDesk
 from stepped_time import stepped_time
+from textual.app import App
 from waiting import Deadline
 
 from day6_tui.tui.app import Day6App, make_look
@@ -33,16 +34,23 @@ def screen_text(app: Day6App) -> str:
 
 
 @asynccontextmanager
+async def running(app: App[Any], width: int, height: int) -> AsyncIterator[Any]:
+    """Run an application with no time but what settling takes; yields its pilot."""
+    with stepped_time():
+        async with app.run_test(size=(width, height)) as pilot:
+            yield pilot
+
+
+@asynccontextmanager
 async def opened(
     desk: FakeDesk, width: int = 80, height: int = 24, *, environ: dict[str, str] | None = None, **options: Any
 ) -> AsyncIterator[tuple[Day6App, Any]]:
-    """The desktop on a fake machine, with no frame but those that `step` draws, and no time but what settling takes."""
+    """The desktop on a fake machine, with no frame but those that `step` draws."""
     given = Options(fps=0, **options)
-    with stepped_time():
-        app = Day6App(given, desk=desk, look=make_look(given, environ or UTF8))
-        async with app.run_test(size=(width, height)) as pilot:
-            await step(app, pilot)
-            yield app, pilot
+    app = Day6App(given, desk=desk, look=make_look(given, environ or UTF8))
+    async with running(app, width, height) as pilot:
+        await step(app, pilot)
+        yield app, pilot
 
 
 def look_at(

@@ -424,13 +424,13 @@ async def test_an_unknown_kind_of_window_says_so(desk) -> None:
 
 
 async def test_a_home_that_cannot_be_used_is_told_in_plain_words(monkeypatch) -> None:
-    from screens import UTF8, make_look
+    from screens import UTF8, make_look, running
 
     from day6_tui.tui.app import Day6App
 
     options = Options(fps=0, lang="en", home=Path("/proc/nothing/here"))
     app = Day6App(options, look=make_look(options, UTF8))
-    async with app.run_test(size=(80, 24)) as pilot:
+    async with running(app, 80, 24) as pilot:
         await pilot.pause()
         await pilot.pause()
     assert app.return_code == 1

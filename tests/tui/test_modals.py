@@ -111,14 +111,14 @@ async def test_the_turtle_moves_behind_the_palette(desk: FakeDesk) -> None:
 
 
 async def test_a_palette_opened_while_the_desk_is_still_starting_stays(desk: FakeDesk) -> None:
-    from screens import UTF8, make_look
+    from screens import UTF8, make_look, running
 
     from day6_tui.tui.app import Day6App
     from day6_tui.tui.options import Options
 
     options = Options(fps=0, lang="en")
     app = Day6App(options, desk=desk, look=make_look(options, UTF8))
-    async with app.run_test(size=(80, 24)) as pilot:
+    async with running(app, 80, 24) as pilot:
         app.actions["palette"]()
         for _ in range(50):
             await step(app, pilot)
