@@ -1,8 +1,9 @@
 """Time that goes on only while an application has nothing to do, so that no test knows how fast its machine is.
 
-Cursors that rest, pictures that are drawn a few times a second, double clicks, notices: all of this asks `time.monotonic`, the
-event loop's timers, too. Here that clock stands still while something is worked off, and when the loop would wait for a timer it
-is that timer's time at once. What is given to a thread (Textual reads Markdown there) is done at once, too.
+Notices, double clicks, pictures that are drawn a few times a second: all of this asks `time.monotonic`, and so do the timers of
+the event loop; pictures come the less often the longer they took (`time.thread_time`). Here that clock stands still while
+something is worked off, and when the loop would wait for a timer it is that timer's time at once. What is given to a thread
+(Textual reads Markdown there) is done at once, too. A test that wants the real clocks has imported them by name.
 """
 
 from __future__ import annotations
@@ -67,6 +68,7 @@ def stepped_time() -> Iterator[SteppedTime]:
     try:
         with (
             patch.object(time, "monotonic", clock),
+            patch.object(time, "thread_time", clock),
             patch.object(textual._time, "get_time", clock),
             patch.object(selector, "select", select_or_move_on),
             patch.object(loop, "run_in_executor", run_at_once),
