@@ -112,11 +112,9 @@ def test_enter_keeps_the_depth_and_goes_deeper_after_a_colon(tmp_path: Path) -> 
     async def act(bench: Bench) -> None:
         bench.pane.area.load_text("if True:")
         bench.pane.area.move_cursor((0, 8))
-        bench.pane.area._last_key = -1.0
-        await bench.press("enter")
+        await bench.slowly("enter")
         await bench.press("a")
-        await asyncio.sleep(0.02)
-        await bench.press("enter")
+        await bench.slowly("enter")
         await bench.press("b")
 
     bench = Bench(tmp_path)

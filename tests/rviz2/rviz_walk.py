@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
+
+from waiting import Deadline
 
 if TYPE_CHECKING:
     from rviz_machine import RVizMachine
@@ -40,9 +41,9 @@ class Walk:
 
     async def until(self, condition: Callable[[], object]) -> None:
         """Settle until `condition` holds: the view is drawn only a few times a second."""
-        end = time.monotonic() + 10.0
+        deadline = Deadline()
         while not condition():
-            assert time.monotonic() < end, self.screen()
+            assert not deadline.is_over(), self.screen()
             await self.settle()
 
     def screen(self) -> str:

@@ -8,6 +8,7 @@ from contextlib import asynccontextmanager
 from typing import Any
 
 import pytest
+from screens import running
 from textual.app import App
 
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, Property
@@ -49,7 +50,7 @@ async def shown(rviz: Any, height: int = 4) -> AsyncIterator[tuple[PropertyTree,
     """The tree on a screen of its own; what it tells is heard by nobody."""
     tree = PropertyTree(rviz, make_look(Options(), ENVIRONMENT))
     app: App[None] = App()
-    async with app.run_test(size=(30, height)) as pilot:
+    async with running(app, 30, height) as pilot:
         await app.mount(tree)
         tree.follow(active=True)
         await pilot.pause()

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import os
 import subprocess
-import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from time import monotonic, sleep  # by name: some tests step `time.monotonic`, and most may not sleep (`one_process`)
 from typing import Any, TypeVar
 
 T = TypeVar("T")
-
-_sleep = time.sleep
-"""Looking now and then is allowed where sleeping is not (`one_process`)."""
 
 PATIENCE = 30.0
 """Seconds something may take, on the clock of `Deadline`; nothing waits that long unless it is broken."""
@@ -29,11 +26,11 @@ class Deadline:
 
     def __init__(self, limit: float = PATIENCE) -> None:
         self._left = limit
-        self._last = time.monotonic()
+        self._last = monotonic()
 
     def is_over(self) -> bool:
         """Look at the clock; it has to be asked more often than the load changes."""
-        now = time.monotonic()
+        now = monotonic()
         self._left -= (now - self._last) * share_of_a_core()
         self._last = now
         return self._left < 0
@@ -67,7 +64,7 @@ def until(
             raise AssertionError(f"after {limit} s the answer is still {answer!r}; {told() if told else ''}")
         if meanwhile is not None:
             meanwhile()
-        _sleep(every)
+        sleep(every)
     return answer
 
 

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
 from contextlib import asynccontextmanager
 from typing import Any, TypeVar
 
+import parsed_once
+import settled
 from fakes import FakeDesk
-from settled import install
+from stepped_time import stepped_time
+from textual.app import App
+from waiting import Deadline
 
 from day6_tui.tui.app import Day6App, make_look
 from day6_tui.tui.options import Options
 
-install()
+settled.install()
+parsed_once.install()
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 
@@ -30,13 +34,21 @@ def screen_text(app: Day6App) -> str:
 
 
 @asynccontextmanager
+async def running(app: App[Any], width: int, height: int) -> AsyncIterator[Any]:
+    """Run an application with no time but what settling takes; yields its pilot."""
+    with stepped_time():
+        async with app.run_test(size=(width, height)) as pilot:
+            yield pilot
+
+
+@asynccontextmanager
 async def opened(
     desk: FakeDesk, width: int = 80, height: int = 24, *, environ: dict[str, str] | None = None, **options: Any
 ) -> AsyncIterator[tuple[Day6App, Any]]:
     """The desktop on a fake machine, with no frame but those that `step` draws."""
     given = Options(fps=0, **options)
     app = Day6App(given, desk=desk, look=make_look(given, environ or UTF8))
-    async with app.run_test(size=(width, height)) as pilot:
+    async with running(app, width, height) as pilot:
         await step(app, pilot)
         yield app, pilot
 
@@ -114,7 +126,7 @@ async def step(app: Day6App, pilot: Any) -> None:
 
 async def step_until(app: Day6App, pilot: Any, condition: Callable[[], object]) -> None:
     """Draw frames until `condition` holds: a flood of output is shown a few times a second."""
-    end = time.monotonic() + 10.0
+    deadline = Deadline()
     while not condition():
-        assert time.monotonic() < end, screen_text(app)
+        assert not deadline.is_over(), screen_text(app)
         await step(app, pilot)

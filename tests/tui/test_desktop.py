@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
 from pathlib import Path
 
 import pytest
 from fakes import FakeSimulation, turtle
 from rich.cells import cell_len
 from screens import opened, screen_lines, screen_text, step
+from stepped_time import move_on
 from textual import events
 
 from day6_tui.tui.options import Options
@@ -120,7 +120,7 @@ async def test_what_is_typed_while_a_scene_plays_is_not_lost(desk) -> None:
             await step(app, pilot)
             terminal = desk.terminals[-1]
             terminal.busy = len(desk.terminals) == 3 and terminal.sent.endswith("\r")
-            await asyncio.sleep(0.03)
+            move_on(0.03)
         assert app.scenes.player is None
         assert terminal.sent == "ros2 run turtlesim turtle_teleop_key\r\x1b[Aa"
 
@@ -424,13 +424,13 @@ async def test_an_unknown_kind_of_window_says_so(desk) -> None:
 
 
 async def test_a_home_that_cannot_be_used_is_told_in_plain_words(monkeypatch) -> None:
-    from screens import UTF8, make_look
+    from screens import UTF8, make_look, running
 
     from day6_tui.tui.app import Day6App
 
     options = Options(fps=0, lang="en", home=Path("/proc/nothing/here"))
     app = Day6App(options, look=make_look(options, UTF8))
-    async with app.run_test(size=(80, 24)) as pilot:
+    async with running(app, 80, 24) as pilot:
         await pilot.pause()
         await pilot.pause()
     assert app.return_code == 1

@@ -8,6 +8,7 @@ import random
 import pyte
 from rich.console import Console
 from rich.text import Text
+from settled import install
 from textual._compositor import Compositor
 from textual.app import App, ComposeResult
 from textual.geometry import Region
@@ -16,6 +17,8 @@ from textual.widgets import Static
 
 from day6_tui.tui import chops
 from day6_tui.tui.frame_screen import FrameScreen, SpansCompositor
+
+install()
 
 WIDTH, HEIGHT = 48, 16
 
@@ -84,7 +87,7 @@ def test_what_is_marked_in_a_frame_is_drawn_once_at_its_end() -> None:
     async def draw() -> None:
         app = _Desk()
         async with app.run_test(size=(WIDTH, HEIGHT)) as pilot:
-            await pilot.pause(0.1)
+            await pilot.pause()
             screen = app.screen
             assert isinstance(screen, FrameScreen)
             drawn: list[object] = []
@@ -98,7 +101,7 @@ def test_what_is_marked_in_a_frame_is_drawn_once_at_its_end() -> None:
             screen.end_frame()
             (update,) = drawn
             assert sorted(update.spans) == [(0, 0, 3), (2, 5, 8)]  # type: ignore[attr-defined]
-            await pilot.pause(0.1)
+            await pilot.pause()
             assert len(drawn) == 1
             screen.begin_frame()
             screen.end_frame()

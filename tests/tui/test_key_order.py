@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import cast
 
 import pytest
+from stepped_time import stepped_time
 from textual import events
 from textual.app import App, ComposeResult
 from textual.containers import Vertical
@@ -13,7 +17,7 @@ from textual.message import Message
 from textual.widgets import Static
 
 from day6_tui.tui import key_order
-from day6_tui.tui.key_order import KeyOrder, is_letter
+from day6_tui.tui.key_order import PATIENCE, KeyOrder, is_letter
 
 
 class Slow(Static):
@@ -100,44 +104,49 @@ class Box(Vertical):
             first.remove()
 
 
+@asynccontextmanager
+async def two() -> AsyncIterator[Two]:
+    with stepped_time():
+        async with Two().run_test() as pilot:
+            yield cast(Two, pilot.app)
+
+
 @pytest.mark.parametrize("letters_stay", [False, True])
 @pytest.mark.parametrize("key", ["enter", "backspace"])
 async def test_keys_behind_one_that_moves_the_keyboard_go_where_it_went(
     key: str, letters_stay: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(Slow, "letters_stay", letters_stay)
-    async with Two().run_test() as pilot:
-        app = pilot.app
+    async with two() as app:
         app.burst("a", key, "b", "paste", "c", "d")
         await app.see(["b", "pasted", "c", "d"])
         assert app.first.taken == ["a", key]
 
 
-async def test_a_key_that_is_never_done_holds_up_the_others_for_a_while_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    async with Two().run_test() as pilot:
-        app = pilot.app
+async def test_a_key_that_is_never_done_holds_up_the_others_for_a_while_only() -> None:
+    async with two() as app:
         app.first.held = asyncio.Event()
         app.burst("a", "b")
-        while app.first.taken != ["a"]:
-            await asyncio.sleep(0.005)
+        await asyncio.sleep(PATIENCE / 2)
+        assert app.first.taken == ["a"]
         app.last.focus()
-        await asyncio.sleep(0.05)
+        await asyncio.sleep(PATIENCE / 4)
         assert app.last.taken == []
-        monkeypatch.setattr(key_order, "PATIENCE", 0.0)
+        await asyncio.sleep(PATIENCE / 2)
         app.burst("c")
         await app.see(["b", "c"])
         app.first.held.set()
         app.burst("d")
         await app.see(["b", "c", "d"])
-        await pilot.pause()  # the held key is still on its way to the application, which must not be gone
+        await asyncio.sleep(PATIENCE)  # the held key is still on its way to the application, which must not be gone
 
 
 async def test_a_key_that_a_slow_machine_works_on_holds_up_the_others_for_as_long_as_it_takes(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(key_order, "PATIENCE", 0.3)
     async with Two().run_test() as pilot:
-        app = pilot.app
-        monkeypatch.setattr(key_order, "PATIENCE", 0.3)
+        app = cast(Two, pilot.app)
         app.first.work = 0.5
         app.burst("enter", "b")
         await app.see(["b", "late"])

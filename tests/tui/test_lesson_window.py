@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
+import waiting
+from screens import step
 from test_real_desk import _shows, opened, until
 
 
@@ -14,14 +15,12 @@ async def test_the_edge_tells_the_step_that_the_page_shows(tmp_path: Path) -> No
     async with opened(tmp_path, lesson="day1") as (app, pilot):
         await until(app, pilot, _shows(app, "Step 1 of"))
         for _ in range(5):  # everything has its place, and nothing is drawn for another reason
-            app.frames.step()
-            await pilot.pause(0.05)
+            await step(app, pilot)
         pane = app.lessons.pane
         pane.touch()
         pane.touch_frame()  # the edges are made, the page is not
         pane.course.request(pane.course.next)
-        time.sleep(0.5)  # nothing is drawn meanwhile
-        assert pane.course.state.index == 1
-        await pilot.pause(0.2)  # now the page is
+        waiting.until(lambda: pane.course.state.index == 1)  # nothing is drawn meanwhile
+        await pilot.pause()  # now the page is
         await until(app, pilot, _shows(app, "Make a folder"))
         await until(app, pilot, _shows(app, "Step 2 of"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from screens import UTF8, make_look, step
+from screens import UTF8, make_look, running, step
 from textual import events
 
 from day6_tui.tui.app import Day6App
@@ -54,7 +54,7 @@ async def test_the_palette_never_takes_a_word_of_an_explanation_for_a_name(
 ) -> None:
     options = Options(fps=0, lang=lang)
     app = Day6App(options, desk=desk, look=make_look(options, UTF8))
-    async with app.run_test(size=(100, 30)) as pilot:
+    async with running(app, 100, 30) as pilot:
         app.actions["palette"]()
         menu = app.desktop.overlay
         assert isinstance(menu, Menu)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import asyncio
 import sys
 
 import pytest
 from fakes import FakeDesk, FakeSimulation, turtle
-from screens import opened, screen_lines, screen_text, step, step_until
+from screens import opened, screen_lines, screen_text, step
+from stepped_time import move_on
 from textual import events
 
 from day6_tui.tui.menu import Entry, Menu
@@ -111,14 +111,14 @@ async def test_the_turtle_moves_behind_the_palette(desk: FakeDesk) -> None:
 
 
 async def test_a_palette_opened_while_the_desk_is_still_starting_stays(desk: FakeDesk) -> None:
-    from screens import UTF8, make_look
+    from screens import UTF8, make_look, running
 
     from day6_tui.tui.app import Day6App
     from day6_tui.tui.options import Options
 
     options = Options(fps=0, lang="en")
     app = Day6App(options, desk=desk, look=make_look(options, UTF8))
-    async with app.run_test(size=(80, 24)) as pilot:
+    async with running(app, 80, 24) as pilot:
         app.actions["palette"]()
         for _ in range(50):
             await step(app, pilot)
@@ -139,7 +139,7 @@ async def test_the_palette_opened_while_a_scene_plays_stays_and_keeps_the_keyboa
             desk.terminals[-1].busy = len(desk.terminals) == 3 and desk.terminals[-1].sent.endswith("\r")
             if desk.terminals[-1].busy:
                 break
-            await asyncio.sleep(0.03)
+            move_on(0.03)
         assert len(desk.terminals) == 3, "the scene goes on"
         burst(app, *"zzz")
         await step(app, pilot)
@@ -227,10 +227,8 @@ async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk:
             seen.add(screen_lines(app)[1].partition("Help: ")[2].partition(" ━")[0])
         assert seen == {app.look.texts(f"manual.{page}") for page in PAGES}
         burst(app, "tab", *"tread", "ctrl+u", *"Randomize")
-        await step_until(
-            app, pilot, lambda: "A slider for every joint" in screen_text(app)
-        )  # Textual reads Markdown aside
-        assert "Help: Joint sliders" in screen_lines(app)[1]
+        await step(app, pilot)
+        assert "A slider for every joint" in screen_text(app) and "Help: Joint sliders" in screen_lines(app)[1]
         await pilot.press("enter")
         await step(app, pilot)
         assert "Help: Joint sliders" in screen_lines(app)[1] and "type to search" in screen_text(app)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -11,12 +10,11 @@ from typing import Any
 
 import pytest
 from screens import UTF8, make_look, screen_lines, screen_text, step
+from waiting import Deadline
 
 from day6_tui.core.shell.desk import Desk
 from day6_tui.tui.app import Day6App
 from day6_tui.tui.options import Options
-
-LONGEST = 20.0
 
 
 @asynccontextmanager
@@ -36,9 +34,9 @@ async def opened(home: Path, width: int = 120, height: int = 40, **options: Any)
 
 async def until(app: Day6App, pilot: Any, condition: Callable[[], object]) -> None:
     """Draw frames until `condition` holds."""
-    deadline = time.monotonic() + LONGEST
+    deadline = Deadline()
     while not condition():
-        assert time.monotonic() < deadline, screen_text(app)
+        assert not deadline.is_over(), screen_text(app)
         app.frames.step()
         await pilot.pause(0.02)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from time import monotonic
+import time
 
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
@@ -35,7 +35,7 @@ class StatusBar:
 
     def show_message(self, text: str, seconds: float = 4.0) -> None:
         """Show a message for a while, as `QStatusBar.showMessage` does."""
-        self._message, self._message_until = text, monotonic() + seconds
+        self._message, self._message_until = text, time.monotonic() + seconds
         self.hurry()
         self._look.wake()
 
