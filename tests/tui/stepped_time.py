@@ -1,8 +1,9 @@
 """Time that goes on only while an application has nothing to do, so that no test knows how fast its machine is.
 
 Notices, double clicks, pictures that are drawn a few times a second: all of this asks `time.monotonic`, and so do the timers of
-the event loop. Here that clock stands still while something is worked off (which takes no `time.thread_time`), and when the loop would wait for a timer it is that timer's time at once. What is given to a thread
-(Textual reads Markdown there) is done at once, too. A test that wants the real clocks has imported them by name.
+the event loop. Here that clock stands still while something is worked off (which takes no `time.thread_time`), and when the loop
+would wait for a timer it is that timer's time at once. What is given to a thread (Textual reads Markdown there) is done at once,
+too. A test that wants the real clocks has imported them by name.
 """
 
 from __future__ import annotations
