@@ -7,6 +7,7 @@ time zone, home folder, umask and current folder are the same on every machine; 
 from __future__ import annotations
 
 import importlib.util
+import itertools
 import os
 import shutil
 import signal
@@ -71,8 +72,9 @@ SPREAD = (
 
 # Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
 OWN = make_short_folder("d6t-")
-# Where programs are told that one of them makes all the others wait (core/session/watch.py); it is a failure of the test.
+# Where it is told that a program makes all the others wait (core/session/watch.py), if it was started for several tests.
 WAITS = OWN / "waits.txt"
+_numbers = itertools.count()
 
 
 def environment() -> dict[str, str]:
@@ -190,11 +192,16 @@ def needs_nothing_but_this_process(own_environment: None) -> Iterator[None]:
 
 @pytest.fixture(autouse=True)
 def nothing_waits_on_the_schedulers_thread(own_environment: None) -> Iterator[None]:
-    """Fail where a call that may block was made on the thread that runs all programs, here or in a desktop of the test."""
+    """Fail where a call that may block was made on the thread that runs all programs, here or in a desktop of the test.
+
+    The test has a file of its own, so that what an earlier one left running cannot fail it.
+    """
+    own = OWN / f"waits-{next(_numbers)}.txt"
+    os.environ["DAY6_WATCH"] = str(own)
     WAITS.unlink(missing_ok=True)
     yield
-    if WAITS.exists():
-        pytest.fail(WAITS.read_text(encoding="utf-8"), pytrace=False)
+    if said := "".join(file.read_text(encoding="utf-8") for file in (own, WAITS) if file.exists()):
+        pytest.fail(said, pytrace=False)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -33,8 +33,9 @@ _AUDITED = ("subprocess.Popen", "socket.connect", "socket.getaddrinfo", "os.syst
 _ALLOWED = (("threading.py", "start"),)
 """File and function that may block: a new thread confirms its start at once."""
 
-_threads: set[int] = set()
-_reported: set[str] = set()
+_threads: dict[int, str] = {}
+"""The threads that must not block, and the file for what they do: the one that was named when they began."""
+_reported: set[tuple[str, str]] = set()
 _installed = False
 
 
@@ -44,13 +45,13 @@ def begin() -> bool:
     thread = threading.get_ident()
     if thread in _threads:
         return False
-    _threads.add(thread)
+    _threads[thread] = os.environ.get(VARIABLE, os.devnull)
     return True
 
 
 def end() -> None:
     """Let this thread block again."""
-    _threads.discard(threading.get_ident())
+    _threads.pop(threading.get_ident(), None)
 
 
 def _install() -> None:
@@ -77,8 +78,9 @@ def _guard(place: Any, name: str, waits: Callable[..., bool]) -> None:
 
     @functools.wraps(original)
     def guarded(*arguments: Any, **keywords: Any) -> Any:
-        if threading.get_ident() in _threads and waits(*arguments, **keywords):
-            _report(f"{name}()", sys._getframe(1))
+        file = _threads.get(threading.get_ident())
+        if file is not None and waits(*arguments, **keywords):
+            _report(file, f"{name}()", sys._getframe(1))
         return original(*arguments, **keywords)
 
     setattr(place, name, guarded)
@@ -97,10 +99,11 @@ def _waits_for_file(fd: int, *_: object) -> bool:
 
 
 def _audit(event: str, arguments: tuple[Any, ...]) -> None:
-    if threading.get_ident() not in _threads:
+    file = _threads.get(threading.get_ident())
+    if file is None:
         return
     if event in _AUDITED:
-        _report(event, sys._getframe(1))
+        _report(file, event, sys._getframe(1))
     elif event == "open" and isinstance(arguments[0], (str, bytes)):
         if arguments[2] & getattr(os, "O_NONBLOCK", 0):
             return
@@ -109,7 +112,7 @@ def _audit(event: str, arguments: tuple[Any, ...]) -> None:
         except (OSError, ValueError):
             return
         if stat.S_ISFIFO(mode):
-            _report(f"opening the pipe {arguments[0]!r}", sys._getframe(1))
+            _report(file, f"opening the pipe {arguments[0]!r}", sys._getframe(1))
 
 
 def _sample() -> None:
@@ -120,7 +123,7 @@ def _sample() -> None:
     while True:
         time.sleep(EVERY)
         frames = sys._current_frames()
-        for thread in list(_threads):
+        for thread, file in list(_threads.items()):
             frame = frames.get(thread)
             if frame is None or frame.f_code.co_name == "_turn":  # waiting in its inbox for work
                 standing.pop(thread, None)
@@ -131,13 +134,13 @@ def _sample() -> None:
             if before is None or before[0] != place or used - before[1] > STILL:
                 standing[thread] = (place, used, 1)
             elif before[2] == SAMPLES:
-                _report(f"a wait of more than {EVERY * SAMPLES:g} s", frame)
+                _report(file, f"a wait of more than {EVERY * SAMPLES:g} s", frame)
                 standing[thread] = (place, used, 0)
             else:
                 standing[thread] = (place, before[1], before[2] + 1)
 
 
-def _report(what: str, frame: FrameType | None) -> None:
+def _report(path: str, what: str, frame: FrameType | None) -> None:
     lines = traceback.format_stack(frame)
     here = frame
     while here is not None:
@@ -145,8 +148,8 @@ def _report(what: str, frame: FrameType | None) -> None:
             return
         here = here.f_back
     text = f"the scheduler's thread waits: {what}\n{''.join(lines[-12:])}\n"
-    if text in _reported:
+    if (path, text) in _reported:
         return
-    _reported.add(text)
-    with open(os.environ[VARIABLE], "a", encoding="utf-8") as file:
+    _reported.add((path, text))
+    with open(path, "a", encoding="utf-8") as file:
         file.write(text)

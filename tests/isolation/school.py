@@ -18,13 +18,16 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "stepped"))
+
+from waiting import PATIENCE, Deadline
+
 from day6_tui.core.isolation import modes
 from day6_tui.core.isolation.cell import Cell, Limits, Words
 from day6_tui.core.isolation.mode import Mode
 
 PLAIN_USER = 61001
 """The server without rights, when the tests are started by root."""
-PATIENCE = 20.0
 LIMITS = Limits(memory=384 << 20, processes=40, disk=8 << 20, open_files=256)
 
 ORPHANS = """
@@ -53,7 +56,7 @@ try:
     while children < 300:
         if os.fork() == 0:
             os.closerange(0, 3)
-            time.sleep(20)
+            time.sleep(600)
             os._exit(0)
         children += 1
 except OSError:
@@ -85,8 +88,7 @@ print(written >> 20)
 LESSON = """
 cd ~
 python3 mine.py &
-sleep 0.5
-timeout 8 ros2 topic echo --once /mine
+timeout 200 ros2 topic echo --once /mine std_msgs/msg/String
 ros2 node list
 kill %1
 """
@@ -123,7 +125,7 @@ class School:
             self.mode.command(cell, argv),
             capture_output=True,
             text=True,
-            timeout=PATIENCE,
+            timeout=10 * PATIENCE,
             env={"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "TOKEN_OF_SERVER": "secret"},
             start_new_session=True,
             **options,
@@ -168,14 +170,14 @@ def orphans(mode: Mode, top: Path) -> list[int]:
         assert process.stdout is not None and process.stdout.readline() == b"left\n"
         before = five(mark)
         said = mode.end(cell)
-        process.wait(PATIENCE)
+        process.wait(10 * PATIENCE)
     return [before, len(found(mark)), int(said)]
 
 
 def five(mark: str) -> int:
     """Wait until there are five such processes: the first, and the four it left (one that is becoming a program has no words)."""
-    until = time.monotonic() + PATIENCE
-    while (count := len(found(mark))) < 5 and time.monotonic() < until:
+    deadline = Deadline()
+    while (count := len(found(mark))) < 5 and not deadline.is_over():
         time.sleep(0.02)
     return min(count, 5)
 
@@ -217,8 +219,8 @@ def forgotten(mode: Mode, top: Path) -> list[int]:
 
 def _let_the_kernel_end(mark: str) -> None:
     """bwrap may have ended before it was looked for: then the kernel is just ending what was in its namespace."""
-    until = time.monotonic() + PATIENCE
-    while found(mark) and time.monotonic() < until:
+    deadline = Deadline()
+    while found(mark) and not deadline.is_over():
         time.sleep(0.01)
 
 
@@ -267,7 +269,7 @@ def lesson(mode: Mode, top: Path) -> str:
     home = str(cell.home / "home")
     school.run(cell, ["sh", "-c", "mkdir home; cat > home/mine.py"], input=MINE)
     done = school.run(
-        cell, [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", home, "--timeout", "15", "-c", LESSON]
+        cell, [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", home, "--timeout", "250", "-c", LESSON]
     )
     mode.end(cell)
     return done.stdout + done.stderr
@@ -301,7 +303,7 @@ def python_for_others() -> str | None:
         return None
     top = Path(tempfile.mkdtemp(prefix="day6-python-"))
     top.chmod(0o755)
-    subprocess.run([system, "-m", "venv", "--without-pip", str(top)], check=True, timeout=PATIENCE)
+    subprocess.run([system, "-m", "venv", "--without-pip", str(top)], check=True, timeout=10 * PATIENCE)
     packages = [path for path in sys.path if os.path.basename(path) == "site-packages"]
     (own,) = top.glob("lib/python3*/site-packages")
     lines = [f"import site; site.addsitedir({path!r})" for path in packages]
@@ -321,7 +323,7 @@ def _runs(python: str, code: str = "import day6_tui.core.isolation.modes, zenoh,
             extra_groups=[],
             cwd="/",
             capture_output=True,
-            timeout=PATIENCE,
+            timeout=10 * PATIENCE,
         )
     except OSError:
         return False
@@ -357,7 +359,7 @@ def asked(name: str, deed: str) -> Any:
             env={"PATH": "/usr/local/bin:/usr/bin:/bin", "HOME": str(top), "LANG": "C.UTF-8"},
             capture_output=True,
             text=True,
-            timeout=4 * PATIENCE,
+            timeout=40 * PATIENCE,
             **plain,
         )
     if done.returncode:

@@ -16,7 +16,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 @pytest.mark.process
 @pytest.mark.parametrize("ends", [True, False])
 def test_a_process_that_is_ending_is_waited_for(monkeypatch: pytest.MonkeyPatch, ends: bool) -> None:
-    monkeypatch.setattr(left, "END_SECONDS", 10.0 if ends else 0.1)
+    monkeypatch.setattr(left, "END_SECONDS", 300.0 if ends else 0.1)
     with subprocess.Popen(["sleep", "60"]) as process:
         recognized = [[process.pid]]
         timer = threading.Timer(0.1, process.kill)

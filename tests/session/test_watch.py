@@ -106,6 +106,22 @@ def test_work_and_writes_that_cannot_wait_are_not_named(
     assert told(works) == ""
 
 
+def test_a_thread_that_outlives_its_test_is_not_the_next_ones_fault(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pipe: tuple[int, int]
+) -> None:
+    first, second = tmp_path / "first.txt", tmp_path / "second.txt"
+    monkeypatch.setenv(watch.VARIABLE, str(first))
+    scheduler = Scheduler(WorldClock())
+    scheduler.start()
+    until(lambda: str(first) in watch._threads.values())
+    monkeypatch.setenv(watch.VARIABLE, str(second))
+    done = threading.Event()
+    scheduler.call_soon_threadsafe(lambda: (os.write(pipe[1], b"x"), done.set()))
+    until(done.is_set)
+    scheduler.stop()
+    assert "write()" in first.read_text() and not second.exists()
+
+
 def test_other_threads_may_wait(told: Callable[[Callable[[], object]], str]) -> None:
     time.sleep(0.001)
     assert told(lambda: None) == ""

@@ -188,7 +188,8 @@ def test_the_streams_have_their_names_as_files(tmp_path: Path) -> None:
 
 def test_a_pipe_with_a_reader_is_written_to(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "f")
-    process = start("python3 -c \"print(open('f').read(), end='')\" & sleep 2; echo x > f; wait", tmp_path)
+    line = "until echo x > f 2> /dev/null; do sleep 0.1; done"  # there is no reader at first
+    process = start(f"python3 -c \"print(open('f').read(), end='')\" & {line}; wait", tmp_path)
     try:
         said, _ = communicate(process)
     finally:
