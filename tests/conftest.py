@@ -15,7 +15,6 @@ import sys
 import tempfile
 import time
 import types
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -28,9 +27,10 @@ ROOT = TESTS.parent
 # Tests are imported by path (--import-mode=importlib), what they share by name.
 sys.path.insert(0, str(TESTS / "stepped"))
 
+import one_process  # noqa: E402
+import waiting  # noqa: E402, F401 - before sleeping is watched
 from rights import plain_user  # noqa: E402, F401
 from short_folder import make_short_folder, remove_short_folders  # noqa: E402
-from todays import PARTS, today  # noqa: E402
 
 if importlib.util.find_spec("day6_tui") is None:
     namespace = types.ModuleType("day6_tui")
@@ -50,7 +50,6 @@ KEPT = frozenset(
             "DAY6_REAL_COLCON",
             "DAY6_REAL_PYTHON",
             "DAY6_ROBOTS",
-            "DAY6_TESTS_ALL",
             "DAY6_TESTS_ODD",
             "DAY6_UPDATE_GOLDEN",
         ),
@@ -69,13 +68,6 @@ SPREAD = (
     *(f"tests/workspace/test_{name}.py" for name in ("interface_packages", "sources_stay", "tests")),
 )
 """Files of long tests that share nothing, not even a fixture of their module."""
-
-LONG = (
-    *(f"tests/e2e/test_{name}.py" for name in ("bad_input", "detach")),
-    *("tests/editor/test_window.py", "tests/project/test_spoilt_disks.py", "tests/rviz2/test_window_parts.py"),
-    *("tests/pixels/test_pictures.py", "tests/ros2/test_shown_paths.py", "tests/shell/test_flood.py"),
-)
-"""Files of long tests of which a run of everything plays a third, another one each day."""
 
 # Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
 OWN = make_short_folder("d6t-")
@@ -136,20 +128,31 @@ from day6_tui.core.ros.environment import activate  # noqa: E402
 activate()
 
 
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave two thirds of some tests to other days: of LONG when all are run, of all in odd surroundings (they ran in others)."""
-    if os.environ.get("DAY6_TESTS_ALL"):
-        return
-    whole = not config.getoption("file_or_dir")
-    part = today() % PARTS
-    chosen = [
-        not (ODD or (whole and item.nodeid.startswith(LONG))) or zlib.crc32(item.nodeid.encode()) % PARTS == part
-        for item in items
-    ]
-    left_out = [item for item, keep in zip(items, chosen, strict=True) if not keep]
-    if left_out:
-        config.hook.pytest_deselected(items=left_out)
-        items[:] = [item for item, keep in zip(items, chosen, strict=True) if keep]
+one_process.install()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--whole", action="store_true", help="all tests, not only those of the default layer")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Choose the default layer, unless `-m` or `--whole` chooses, or all that is named are files."""
+    for name, what in one_process.LAYERS.items():
+        config.addinivalue_line("markers", f"{name}: {what}")
+    if hasattr(config, "workerinput") or any(word.startswith("-m") for word in config.invocation_params.args):
+        return  # the controller of pytest-xdist has chosen for its workers
+    if not config.getoption("--whole") and not all(".py" in word for word in config.args):
+        config.option.markexpr = f"not ({' or '.join(one_process.LAYERS)})"
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Confine the tests of the default layer to this process."""
+    one_process.begin(item)
+    try:
+        return (yield)
+    finally:
+        one_process.end()
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -175,6 +178,14 @@ def own_environment() -> Iterator[None]:
     os.chdir(folder)
     if dict(os.environ) != before:
         set_environment(before)
+
+
+@pytest.fixture(autouse=True)
+def needs_nothing_but_this_process(own_environment: None) -> Iterator[None]:
+    """Fail a test of the default layer that did what only others may, also where the error was swallowed."""
+    yield
+    if said := one_process.violations():
+        pytest.fail("\n".join(said), pytrace=False)
 
 
 @pytest.fixture(autouse=True)

@@ -253,7 +253,7 @@ class Desk:
     def _stop_processes(self, stopped: bool) -> None:
         from day6_tui.core.shell.process import running_processes
 
-        for process in running_processes():
+        for process in running_processes(self.scheduler):
             process.pause(stopped, "world")
 
     # -- terminals -----------------------------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ from typing import IO
 from day6_tui.core.advice.fault import LONGEST
 from day6_tui.core.guardian import MARK, end_marked, guard, new_mark, release
 from day6_tui.core.session.folder import LOST
+from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.signals import NUMBERS, from_system, to_system
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
@@ -47,10 +48,10 @@ _running: set[Process] = set()
 _running_lock = threading.Lock()
 
 
-def running_processes() -> list[Process]:
-    """The students' processes that are running."""
+def running_processes(scheduler: Scheduler) -> list[Process]:
+    """The students' processes that are running or being started in the world of this scheduler."""
     with _running_lock:
-        return list(_running)
+        return [process for process in _running if process.session.scheduler is scheduler]
 
 
 async def run_python(session: Session, args: list[str]) -> int:
@@ -219,18 +220,20 @@ class Process:
     # -- its life, on a thread of its own ------------------------------------------------------------------------------
 
     def _live(self) -> None:
+        with _running_lock:
+            _running.add(self)  # now: what it prints may be seen before this thread is back from launching it
         try:
             self._launch()
         except Exception as error:
             # This thread has nobody to tell; `run_python` raises it where the program waits.
             self.problem = error
             self._close_master()
+            with _running_lock:
+                _running.discard(self)
             self.ended.set()
             return
         popen = self._popen
         assert popen is not None
-        with _running_lock:
-            _running.add(self)
         try:
             guard(popen.pid)
             self._deliver_early_signals()

@@ -382,12 +382,15 @@ class Screen(PyteScreen):
         if self._pen and cursor.y == self.lines - 1 and self.margins is None:
             if self._pen[x:] == [" "]:  # no room for a wide character: nothing stands there
                 del self._pen[x:]
+            skipped = " " * (x - len(self._pen))
             self._pen, text = [], "".join(self._pen)
-            self._arriving.append(FoldedText(text))
+            self._arriving.append(FoldedText(text + skipped))
             return
         line = self._line()
         if line.get(x) == self.default_char:
             del line[x]
+        if x:  # cells that the cursor skipped are blanks of the line that goes on
+            line.setdefault(x - 1, self.default_char)
         line.folded = True
         self.linefeed()
         line.folded = self._buffer.get(cursor.y) is not line  # below the margins there is no next line
@@ -543,7 +546,10 @@ class Screen(PyteScreen):
 
     def insert_characters(self, count: int | None = None) -> None:
         super().insert_characters(count)
-        fit(self.buffer[self.cursor.y], self.columns)
+        line = self.buffer[self.cursor.y]
+        fit(line, self.columns)
+        if line.folded:
+            line.setdefault(self.columns - 1, self.default_char)
 
     def delete_characters(self, count: int | None = None) -> None:
         super().delete_characters(count)
@@ -609,6 +615,8 @@ class Screen(PyteScreen):
     def delete_lines(self, count: int | None = None) -> None:
         bottom = self.margins.bottom if self.margins else self.lines - 1
         self._cut(bottom + 1)
+        for y in range(self.cursor.y, bottom + 1):
+            _ = self.buffer[y]  # makes it: where a line was never drawn in, pyte would leave the one that is to go
         super().delete_lines(count)
         self._cut(self.cursor.y)
 
@@ -741,9 +749,11 @@ class Screen(PyteScreen):
             self._settle()
         self.tabstops = set(range(8, columns, 8))
         if self.alternate:
+            narrower = columns < self.columns
             super().resize(lines, columns)
             for line in self.buffer.values():
                 fit(line, columns)
+                line.folded &= not narrower
             self.cursor.x, self.cursor.y = min(self.cursor.x, columns), min(self.cursor.y, lines - 1)
             self.dirty.intersection_update(range(lines))
         else:

@@ -10,12 +10,10 @@ import ast
 import re
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
-import day6_tui.core.shell.terminal
+from source_files import nodes, trees
 
-ROOT = Path(day6_tui.core.shell.terminal.__file__).parents[2]
 PARTS = ("core/ros/ros2", "core/ros/programs", "core/shell", "core/workspace", "urdf")
 SINKS = {"print_error", "complain", "complain_as_shell", "err", "error", "warning", "warn", "fatal", "put_status", "refuse",
          "_set_status", "exit"}  # fmt: skip
@@ -44,8 +42,8 @@ def constants() -> dict[str, str]:
     """Texts that modules keep under a name."""
     found: dict[str, str] = {}
     for part in (*PARTS, "core/session"):
-        for file in sorted((ROOT / part).rglob("*.py")):
-            for node in ast.parse(file.read_text(encoding="utf-8")).body:
+        for _, tree in trees(part):
+            for node in tree.body:
                 if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
                     value = node.value
                     if isinstance(value, ast.Constant) and isinstance(value.value, str) and " " in value.value:
@@ -53,19 +51,20 @@ def constants() -> dict[str, str]:
     return found
 
 
-def emitted() -> Iterator[Emitted]:
-    """Yield all of them."""
-    for part in PARTS:
-        for file in sorted((ROOT / part).rglob("*.py")):
-            tree = ast.parse(file.read_text(encoding="utf-8"))
-            name = file.relative_to(ROOT).as_posix()
-            for how, text, line in _in_module(tree, part):
-                yield Emitted(f"{name}:{line}", how, _as_printed(how, text))
+@cache
+def emitted() -> tuple[Emitted, ...]:
+    """Return all of them."""
+    return tuple(
+        Emitted(f"{path.as_posix()}:{line}", how, _as_printed(how, text))
+        for part in PARTS
+        for path, tree in trees(part)
+        for how, text, line in _in_module(tree, part)
+    )
 
 
 def _in_module(tree: ast.Module, part: str) -> Iterator[tuple[str, str, int]]:
-    parts = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
-    for node in ast.walk(tree):
+    parts = {id(part) for node in nodes(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+    for node in nodes(tree):
         if isinstance(node, ast.Call):
             how = _sink(node)
             # A status of RViz that is no trouble, a line in the log file of the desktop itself.
@@ -87,7 +86,7 @@ def _in_module(tree: ast.Module, part: str) -> Iterator[tuple[str, str, int]]:
         elif part == "core/ros/ros2" and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             kind = ast.unparse(node.returns) if node.returns is not None else ""
             if "int | str" in kind or (node.name in ("main", "_run") and "str" in kind):
-                for each in ast.walk(node):
+                for each in nodes(node):
                     if isinstance(each, ast.Return) and each.value is not None and (text := sample(each.value)):
                         yield "return", text, each.lineno
 

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+from folded import folded
 
 from day6_tui.core.advice.card_files import FOLDER, LANGUAGES, TOPICS, CardError, all_cards, read_topic, topics
 from day6_tui.core.advice.explain import LOOKERS, as_text, explain, explanation_of_card, scene_of, wrapped
@@ -134,7 +135,7 @@ FAULTS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("line", "card"), FAULTS.items())
+@folded("line, card", FAULTS.items())
 def test_the_texts_of_the_beginner_faults_have_their_cards(line: str, card: str) -> None:
     match = card_for(line)
     assert match is not None and match.card.id == card

@@ -89,6 +89,7 @@ def failed(program: str, folder: Path, name: str = "p.py") -> str:
     return done.stdout
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("program", "hint"), FAULTS.items())
 def test_a_fault_gets_its_hint_and_what_is_not_certain_none(tmp_path: Path, program: str, hint: str) -> None:
     around = Surroundings({**program_environment(), "HOME": str(tmp_path)}, tmp_path)
@@ -100,6 +101,7 @@ def test_a_fault_gets_its_hint_and_what_is_not_certain_none(tmp_path: Path, prog
     assert hint_below(output, Surroundings({**around.variables, "DAY6_HINTS": "off"}, tmp_path)) == ""
 
 
+@pytest.mark.process
 def test_a_package_of_the_workspace_that_is_not_built_or_not_sourced(tmp_path: Path) -> None:
     workspace = tmp_path / "ros2_ws"
     package = workspace / "src" / "car"
@@ -117,6 +119,7 @@ def test_a_package_of_the_workspace_that_is_not_built_or_not_sourced(tmp_path: P
     assert hint_below(output, Surroundings(sourced, tmp_path)) == ""
 
 
+@pytest.mark.process
 def test_a_path_in_the_home_of_somebody_else(tmp_path: Path) -> None:
     (tmp_path / "ros2_ws").mkdir()
     around = Surroundings({"HOME": str(tmp_path)}, tmp_path)
@@ -134,6 +137,7 @@ def test_a_path_in_the_home_of_somebody_else(tmp_path: Path) -> None:
     assert hint_below(failed("open('/nothing/a')", tmp_path), around) == ""
 
 
+@pytest.mark.process
 def test_the_output_of_a_launched_node_and_of_a_broken_launch_file(tmp_path: Path) -> None:
     around = Surroundings({"HOME": str(tmp_path)}, tmp_path, launch=True)
     node = "".join(f"[talker-1] {line}\n" for line in failed("x = {}\nx['speed']", tmp_path).splitlines())

@@ -47,6 +47,7 @@ def messages(bag: Path) -> list[int]:
     return found
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("storage", STORAGES)
 def test_what_was_flushed_before_the_disk_was_full_is_all_there(tmp_path: Path, storage: str) -> None:
     resource = pytest.importorskip("resource")
@@ -68,6 +69,7 @@ def test_what_was_flushed_before_the_disk_was_full_is_all_there(tmp_path: Path, 
     assert sorted(path.name for path in (tmp_path / "bag").iterdir()) == sorted(["metadata.yaml", STORAGES[storage]])
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("storage", STORAGES)
 def test_a_bag_for_which_there_is_no_room_at_all_leaves_nothing(tmp_path: Path, storage: str) -> None:
     resource = pytest.importorskip("resource")

@@ -9,6 +9,7 @@ import pytest
 import rosbag2_py
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     "line",
     (

@@ -223,6 +223,7 @@ def test_qos_is_read_as_words_and_as_numbers():
 # -- killed ------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("storage", STORAGES)
 def test_a_recording_that_was_killed_is_readable_at_once(tmp_path, storage):
     program = textwrap.dedent(f"""
@@ -279,6 +280,7 @@ def test_reindex_makes_the_metadata_anew(tmp_path, storage):
     assert after == {**before, "files": [], "duration": {"nanoseconds": durations}}
 
 
+@pytest.mark.process
 def test_a_bag_that_nobody_closed_is_closed_when_the_program_ends(tmp_path):
     program = textwrap.dedent(f"""
         import sys

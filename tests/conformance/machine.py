@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from golden_cases import STEPS_BEFORE, Case, differences
-from waiting import until
+from waiting import Deadline, until
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros import environment, ros2
@@ -138,16 +138,17 @@ class World:
         context._log_write = lambda text: None
         self._contexts.append(context)
 
+        spins = threading.Event()
+
         def spin(node: Any, executor: Any = None) -> None:
+            spins.set()
             runner = executor if executor is not None else SingleThreadedExecutor(context=context)
             runner.add_node(node)
             while context.ok():
                 runner.spin_once()
 
-        before = len(self.graph.nodes)
         threading.Thread(target=run_as_process, args=(code, context, spin), name=name, daemon=True).start()
-        until(lambda: len(self.graph.nodes) > before and self.graph.nodes[-1].endpoints, every=0.05, told=lambda: name)
-        time.sleep(0.3)  # its endpoints come one after the other
+        until(spins.is_set, told=lambda: name)
 
     # -- commands ------------------------------------------------------------------------------------------------------
 
@@ -176,7 +177,9 @@ class World:
         """Run a command, interrupt it after some seconds if asked, and return stdout, stderr and exit status."""
         session = self.session(argv, stdin)
         program = Program(session, ros2.main)
-        ended = self._pass(lambda: program.status is not None, interrupt_after or LONGEST)
+        ended = self._pass(
+            lambda: program.status is not None, interrupt_after or LONGEST, by_wall=bool(interrupt_after)
+        )
         if not ended:
             session.interrupt()
             self._pass(lambda: program.status is not None, 5.0)
@@ -188,8 +191,8 @@ class World:
             status = -1
         return session.stdout.text, session.stderr.text, status
 
-    def _pass(self, condition: Callable[[], bool], seconds: float) -> bool:
-        """Let time pass until the condition holds, at most so many seconds."""
+    def _pass(self, condition: Callable[[], bool], seconds: float, *, by_wall: bool = False) -> bool:
+        """Let time pass until the condition holds, at most so many seconds; of the wall where stand-ins sleep by it meanwhile."""
         if self.stepped:
             self.scheduler.advance()
             for _ in range(int(seconds / 0.02)):
@@ -198,8 +201,8 @@ class World:
                 _let_work_be_done()
                 self.scheduler.advance(0.02)
         else:
-            deadline = time.monotonic() + seconds
-            while not condition() and time.monotonic() < deadline:
+            deadline, end = Deadline(seconds), time.monotonic() + seconds
+            while not condition() and not (time.monotonic() > end if by_wall else deadline.is_over()):
                 time.sleep(0.002)
         return condition()
 

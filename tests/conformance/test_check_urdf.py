@@ -23,7 +23,12 @@ def cases() -> list[dict[str, Any]]:
     return [json.loads(line) for line in (GOLDEN / "check_urdf.jsonl").read_text(encoding="utf-8").splitlines()]
 
 
-@pytest.mark.parametrize("case", cases(), ids=lambda case: case["name"])
+def _parameters() -> list[Any]:
+    draws = [pytest.mark.process]  # `dot`, where it is
+    return [pytest.param(each, id=each["name"], marks=draws if each["files_created"] else []) for each in cases()]
+
+
+@pytest.mark.parametrize("case", _parameters())
 def test_the_tools_answer_as_recorded(case: dict[str, Any], tmp_path: Path) -> None:
     if case["urdf"] is not None:
         (tmp_path / "robot.urdf").write_text(case["urdf"], encoding="utf-8")

@@ -34,6 +34,7 @@ def _parameters() -> list:
     ]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("case", _parameters())
 def test_the_build_is_that_of_the_real_colcon(workshop: Workshop, monkeypatch: pytest.MonkeyPatch, case: Case) -> None:
     if case.name == "build_tty":

@@ -6,6 +6,7 @@ import json
 import re
 
 import pytest
+from folded import folded
 from golden_cases import GOLDEN
 
 FILES = sorted(path for path in GOLDEN.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
@@ -18,7 +19,7 @@ def test_every_line_is_a_case_with_a_name_of_its_own(name: str) -> None:
     assert len(names) == len(set(names)) == RECORDINGS[name]
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.relative_to(GOLDEN).as_posix())
+@folded("path", FILES, ids=lambda path: path.relative_to(GOLDEN).as_posix())
 def test_a_checkout_gives_it_the_line_ends_it_was_committed_with(path) -> None:
     assert b"\r\n" not in path.read_bytes()
 

@@ -14,6 +14,18 @@ from day6_tui.core.ros.distribution import NAMES
 
 CASES = load_cases()
 EXCEPTIONS = load_exceptions()
+PROCESSES = (
+    "launch_arg_",
+    "launch_debug_flag",
+    "launch_dies",
+    "launch_nofunc",
+    "launch_show_args",
+    "launch_syntax",
+    "launch_xml",
+    "launch_yaml",
+    "run_prefix",
+)
+"""How the names of cases begin in which files are launched: in a process."""
 
 
 def _parameters() -> list:
@@ -22,9 +34,8 @@ def _parameters() -> list:
 
 def _marks(case: Case) -> list:
     reason = EXCEPTIONS.get(case.name, "")
-    if reason:
-        return [pytest.mark.xfail(reason=reason, strict=True)]
-    return []
+    differs = [pytest.mark.xfail(reason=reason, strict=True)] if reason else []
+    return [*differs, pytest.mark.process] if case.name.startswith(PROCESSES) else differs
 
 
 @pytest.fixture(scope="module")

@@ -56,12 +56,14 @@ def checkout(tmp_path: Path) -> tuple[Path, str]:
     return tmp_path, git("rev-parse", "HEAD~1")
 
 
+@pytest.mark.process
 def test_a_repository_is_taken_at_its_commit_byte_for_byte(checkout: tuple[Path, str], tmp_path: Path) -> None:
     sources, commit = checkout
     tree = extract("somebody/things", commit, sources, tmp_path / "out")
     assert (tree / "pkg" / "a.py").read_bytes() == b"first\r\n"
 
 
+@pytest.mark.process
 def test_a_repository_or_commit_that_is_not_there_is_told(checkout: tuple[Path, str], tmp_path: Path) -> None:
     sources, _ = checkout
     with pytest.raises(Missing, match="nobody/nothing: no checkout below"):

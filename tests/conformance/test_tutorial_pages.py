@@ -78,6 +78,7 @@ def documentation(tmp_path: Path) -> Documentation:
     return Documentation(tmp_path, "own")
 
 
+@pytest.mark.process
 def test_a_page_is_read_with_its_tabs_included_files_and_macros(documentation: Documentation) -> None:
     assert documentation.pages("source/Tutorials") == ["source/Tutorials/Own/Page.rst"]
     blocks = documentation.blocks("source/Tutorials/Own/Page.rst")

@@ -34,10 +34,12 @@ def remember(name: str) -> None:
     path.write_text(json.dumps({"distro": name, "theme": "light"}), encoding="utf-8")
 
 
+@pytest.mark.process
 def test_without_a_choice_it_is_jazzy() -> None:
     assert printed() == DEFAULT == "jazzy"
 
 
+@pytest.mark.process
 def test_an_option_is_stronger_than_the_variable_and_that_than_what_was_chosen_last() -> None:
     remember("kilted")
     assert printed() == "kilted"
@@ -46,12 +48,14 @@ def test_an_option_is_stronger_than_the_variable_and_that_than_what_was_chosen_l
     assert printed("--distro=jazzy", ROS_DISTRO="humble") == "jazzy"
 
 
+@pytest.mark.process
 def test_an_option_before_a_command_is_for_that_command() -> None:
     remember("kilted")
     assert printed("--distro", "humble") == "humble"
     assert printed() == "kilted"
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", ["foxy", "iron", "Humble", "", "../humble"])
 def test_a_distribution_that_is_none_of_ours_is_no_choice(name: str) -> None:
     assert printed(ROS_DISTRO=name) == "jazzy"
@@ -59,6 +63,7 @@ def test_a_distribution_that_is_none_of_ours_is_no_choice(name: str) -> None:
     assert printed() == "jazzy"
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     "words", [("--distro", "foxy", "exec", "-c", "true"), ("--distro=foxy", "ros2"), ("--distro", "foxy")]
 )
@@ -67,6 +72,7 @@ def test_a_wrong_name_after_the_option_is_told(words: tuple[str, ...]) -> None:
     assert done.returncode == 2 and "argument --distro: invalid choice: 'foxy' (choose from " in done.stderr
 
 
+@pytest.mark.process
 def test_every_command_takes_the_same_one(tmp_path: Path) -> None:
     program = tmp_path / "mine.py"
     program.write_text("import os, turtlesim_msgs.msg\nprint(os.environ['ROS_DISTRO'])\n", encoding="utf-8")
@@ -76,6 +82,7 @@ def test_every_command_takes_the_same_one(tmp_path: Path) -> None:
     assert day6("python", str(program), ROS_DISTRO="kilted").stdout == "kilted\n"
 
 
+@pytest.mark.process
 def test_an_editor_gets_the_folders_of_the_distribution(tmp_path: Path) -> None:
     day6("--distro", "humble", "env", "--vscode", str(tmp_path))
     day6("--distro", "kilted", "env", "--vscode", str(tmp_path))
@@ -88,6 +95,7 @@ def test_an_editor_gets_the_folders_of_the_distribution(tmp_path: Path) -> None:
     assert "python_of/kilted" in Path(text).as_posix() and "python_of/humble" not in Path(text).as_posix()
 
 
+@pytest.mark.process
 def test_what_a_program_starts_belongs_to_the_same_distribution(tmp_path: Path) -> None:
     lines = "import subprocess\nsubprocess.run(['ros2', 'interface', 'package', 'turtlesim_msgs'])\n"
     (tmp_path / "starter.py").write_text(lines, encoding="utf-8")
@@ -97,6 +105,7 @@ def test_what_a_program_starts_belongs_to_the_same_distribution(tmp_path: Path) 
     assert "turtlesim_msgs/srv/Spawn" in done.stdout.split(), done.stderr
 
 
+@pytest.mark.process
 def test_another_ros_distro_in_a_terminal_changes_the_name_only(tmp_path: Path) -> None:
     """As in real ROS, where the variable says what was sourced and chooses nothing."""
     line = "export ROS_DISTRO=kilted; python3 -c 'import turtlesim.msg; import turtlesim_msgs'"
@@ -104,6 +113,7 @@ def test_another_ros_distro_in_a_terminal_changes_the_name_only(tmp_path: Path) 
     assert said.endswith("ModuleNotFoundError: No module named 'turtlesim_msgs'")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_only_its_own_setup_file_can_be_sourced(name: str) -> None:
     other = "humble" if name != "humble" else "jazzy"
@@ -113,6 +123,7 @@ def test_only_its_own_setup_file_can_be_sourced(name: str) -> None:
     assert done.stdout == f"/opt/ros/{name}/bin/ros2\n"
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("language", "said"), [("en", "is humble, not foxy"), ("zh", "是 humble，不是 foxy")])
 def test_the_card_of_another_setup_file_names_the_option(language: str, said: str) -> None:
     done = day6(
@@ -122,6 +133,7 @@ def test_the_card_of_another_setup_file_names_the_option(language: str, said: st
     assert "source /opt/ros/humble/setup.bash" in done.stdout
 
 
+@pytest.mark.process
 def test_apt_and_doctor_name_it() -> None:
     line = "sudo apt install -y ros-$ROS_DISTRO-desktop; ros2 doctor --report | grep 'distribution name'"
     said = printed("--distro", "humble", line=line)
@@ -161,6 +173,7 @@ def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: 
         assert reading.read_lesson(path).steps
 
 
+@pytest.mark.process
 def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.MonkeyPatch) -> None:
     from day6_tui.core.ros import distribution
     from day6_tui.tui.web.starting import environment
@@ -170,6 +183,7 @@ def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.Mo
     assert printed(**environment(0)) == "humble"
 
 
+@pytest.mark.process
 def test_tab_offers_the_distributions_and_then_commands() -> None:
     assert day6("complete", "bash", "day6-tui --distro ki").stdout.split() == ["kilted"]
     assert "exec" in day6("complete", "bash", "day6-tui --distro kilted e").stdout.split()

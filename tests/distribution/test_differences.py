@@ -214,6 +214,7 @@ def test_the_messages_are_those_of_the_release(name: str, monkeypatch: pytest.Mo
         assert {one.name for one in structure.constants} == {one for one, *_ in constants}, each
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_the_lists_have_what_there_is(played: dict[str, dict[str, str]], name: str) -> None:
     packages, interfaces = played[name]["packages"].split(), played[name]["interfaces"].split()
@@ -232,6 +233,7 @@ def test_the_lists_have_what_there_is(played: dict[str, dict[str, str]], name: s
         assert (executable in executables) == (name in there), executable
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_turtlesim_has_the_types_of_its_distribution(played: dict[str, dict[str, str]], name: str) -> None:
     package = "turtlesim" if name in ("humble", "jazzy") else "turtlesim_msgs"
@@ -243,6 +245,7 @@ def test_turtlesim_has_the_types_of_its_distribution(played: dict[str, dict[str,
         assert lines[-1:] == wanted and len(lines) in (0, 3)  # the traceback names no file of ours
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_hashes_and_descriptions_of_types_came_after_humble(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["turtlesim"]
@@ -253,6 +256,7 @@ def test_hashes_and_descriptions_of_types_came_after_humble(played: dict[str, di
     )
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_rclpy_has_the_names_of_its_distribution(asked: dict[str, object], name: str) -> None:
     assert asked["rclpy"] == {key: name in there for key, (there, _) in RCLPY.items()}
@@ -260,6 +264,7 @@ def test_rclpy_has_the_names_of_its_distribution(asked: dict[str, object], name:
     assert ("/asked/get_type_description" in str(asked["services"])) == (name != "humble")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> None:
     assert asked["wrong"] == "AssertionError: The 'data' field must be of type 'str'"
@@ -268,6 +273,7 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
     assert asked["slots"] == (["_data"] if name == "humble" else ["_data", "_check_fields"])
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["play"], name == "humble"
@@ -276,6 +282,7 @@ def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> No
     assert ("[rosbag2_storage]: Opened database 'mine/mine_0.db3' for READ_ONLY." in said) == humble
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_humble_tells_neither_distribution_nor_services_of_a_bag(played: dict[str, dict[str, str]], name: str) -> None:
     titles = [line.partition(":")[0] for line in played[name]["info"].splitlines() if line[:1].strip()]
@@ -304,6 +311,7 @@ def test_pausing_and_stepping_are_logged_as_there(name: str, monkeypatch: pytest
     assert said == (("Waiting for recording", True) if name == "humble" else ("Wait for recording", False))
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
     played: dict[str, dict[str, str]], name: str
@@ -313,6 +321,7 @@ def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
     assert ("an id is needed" in said) == (name != "humble")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["record"], name == "humble"
@@ -328,6 +337,7 @@ def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str
     assert ("[rosbag2_storage]: Opened database 'mine/mine_0.db3' for READ_WRITE." in said) == humble
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_lyrical_has_no_positional_topics_and_no_storage_of_a_bag_to_play(
     played: dict[str, dict[str, str]], name: str
@@ -338,6 +348,7 @@ def test_lyrical_has_no_positional_topics_and_no_storage_of_a_bag_to_play(
     assert ("Listening for topics..." in said) != rolling
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_the_bandwidth_of_several_topics_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["bandwidth"]
@@ -352,6 +363,7 @@ def test_the_bandwidth_of_several_topics_came_with_lyrical(played: dict[str, dic
     assert re.search(r"^ *topic +rate +min_delta +max_delta +std_dev +window *$", said, re.MULTILINE)
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_the_action_tutorial_and_a_warning_are_those_of_the_distribution(
     played: dict[str, dict[str, str]], name: str
@@ -361,6 +373,7 @@ def test_the_action_tutorial_and_a_warning_are_those_of_the_distribution(
     assert f"    {slashes}fibonacci_action_server [{package}/action/Fibonacci]" in played[name]["action tutorial"]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_launch_files_have_the_names_of_their_distribution(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["launch files"]
@@ -376,6 +389,7 @@ def test_launch_files_have_the_names_of_their_distribution(played: dict[str, dic
     assert (wrong if name == "humble" else right) in played[name]["same names"]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_ros2_lists_the_verbs_of_its_distribution(played: dict[str, dict[str, str]], name: str) -> None:
     for words, (there, _) in VERBS.items():
@@ -384,6 +398,7 @@ def test_ros2_lists_the_verbs_of_its_distribution(played: dict[str, dict[str, st
         assert (verb in listed) == (name in there), words
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("words", OPTIONS)
 def test_ros2_takes_the_options_of_its_distribution(words: str) -> None:
     options, there, _ = OPTIONS[words]
@@ -393,6 +408,7 @@ def test_ros2_takes_the_options_of_its_distribution(words: str) -> None:
         assert (found & {*options} == {*options}) if name in there else not found & {*options}, text
 
 
+@pytest.mark.process
 def test_an_option_of_later_is_unknown_in_humble() -> None:
     done = day6("ros2", "topic", "echo", "/a", "std_msgs/msg/Empty", "--timeout", "1", ROS_DISTRO="humble")
     assert done.returncode == 2 and "unrecognized arguments: --timeout" in done.stderr
@@ -405,6 +421,7 @@ def one_graph(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(make_short_folder()))
 
 
+@pytest.mark.process
 @pytest.mark.usefixtures("one_graph")
 def test_turtlesim_of_another_distribution_is_seen_and_not_understood() -> None:
     with started("ros2", "run", "turtlesim", "turtlesim_node", ROS_DISTRO="kilted"):
@@ -413,6 +430,7 @@ def test_turtlesim_of_another_distribution_is_seen_and_not_understood() -> None:
         assert (done.returncode, done.stderr) == (1, "The message type 'turtlesim_msgs/msg/Pose' is invalid\n")
 
 
+@pytest.mark.process
 @pytest.mark.usefixtures("one_graph")
 def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
     """As with rmw_zenoh, whose keys contain the hash: both see each other, and nothing is delivered."""
@@ -423,6 +441,7 @@ def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
         assert "data: 'Hello World" in day6("ros2", "topic", "echo", "--once", "/chatter", ROS_DISTRO="humble").stdout
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["parameters"].removeprefix("Set parameter successful\n" * 2)
@@ -443,6 +462,7 @@ def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]],
     )
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_details_of_a_service_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["service details"]
@@ -462,6 +482,7 @@ def test_details_of_a_service_came_with_lyrical(played: dict[str, dict[str, str]
     )
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_humble_can_dump_parameters_into_a_folder(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["parameters"]
@@ -477,6 +498,7 @@ def test_humble_can_dump_parameters_into_a_folder(played: dict[str, dict[str, st
     assert said.endswith(f"Saving to:  {file}\nFile exists: '{file}'\n")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", NAMES)
 def test_texts_that_humble_has(played: dict[str, dict[str, str]], name: str) -> None:
     humble = name == "humble"

@@ -12,6 +12,8 @@ from waiting import until
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 BROKEN_XML = '<robot name="r"><link name="a"></robot>\n'
 TWO_ROOTS = '<robot name="r"><link name="a"/><link name="b"/></robot>\n'
 MISMATCH = "Error=XML_ERROR_MISMATCHED_ELEMENT ErrorID=14 (0xe) Line number=1: XMLElement name=link"

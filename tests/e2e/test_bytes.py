@@ -13,7 +13,10 @@ from place import DAY6
 if TYPE_CHECKING:
     from place import Place
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are Unicode")
+pytestmark = [
+    pytest.mark.person,
+    pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are Unicode"),
+]
 
 BASH = shutil.which("bash")
 

@@ -10,6 +10,8 @@ import pytest
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
 
 

@@ -18,6 +18,8 @@ from day6_tui.tui.locale import Texts
 if TYPE_CHECKING:
     from terminal import Terminal
 
+pytestmark = pytest.mark.person
+
 pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
 
 PROMPT = "student@day6:~$"

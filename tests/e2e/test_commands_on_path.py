@@ -12,7 +12,10 @@ from place import DAY6
 if TYPE_CHECKING:
     from place import Place
 
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="on Windows they are batch files, which only a shell finds")
+pytestmark = [
+    pytest.mark.person,
+    pytest.mark.skipif(os.name != "posix", reason="on Windows they are batch files, which only a shell finds"),
+]
 
 CALLER = """\
 import os, shutil, subprocess

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
+pytestmark = pytest.mark.person
+
 termios = pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
 
 SIZES_AND_LANGUAGES = [(80, 24, "zh"), (80, 24, "en"), (120, 40, "zh"), (120, 40, "en")]

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
+pytestmark = pytest.mark.person
+
 termios = pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
 
 ON_AND_OFF = (

@@ -13,6 +13,8 @@ from waiting import until
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 LESSON = (
     "ros2 run turtlesim turtlesim_node & sleep 1; ros2 topic pub --once /turtle1/cmd_vel geometry_msgs/msg/Twist "
     '"{linear: {x: 2.0}, angular: {z: 1.8}}"; sleep 2; ros2 topic echo --once /turtle1/pose; ros2 node list'

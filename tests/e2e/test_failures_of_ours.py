@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
+pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")]
 
 START = "import sys\nfrom day6_tui.tui.main import main\nsys.argv[1:] = {words!r}\n{plant}\nsys.exit(main())\n"
 

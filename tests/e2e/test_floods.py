@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
+pytestmark = pytest.mark.person
+
 GENEROUS = 120.0
 """Seconds; what is measured here are keys that never arrive."""
 

@@ -17,6 +17,8 @@ from terminal import Terminal
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 BASH = shutil.which("bash")
 
 

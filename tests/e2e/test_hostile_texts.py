@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="no pseudo-terminals, and no such names of files")
+pytestmark = [
+    pytest.mark.person,
+    pytest.mark.skipif(os.name != "posix", reason="no pseudo-terminals, and no such names of files"),
+]
 
 NODE = f"""\
 import rclpy

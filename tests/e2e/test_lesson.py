@@ -20,6 +20,8 @@ from lesson_files import (
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 CREATE = (
     "cd ~/ros2_ws/src\n"
     "ros2 pkg create --build-type ament_python day6_publisher --dependencies rclpy std_msgs > /dev/null\n"

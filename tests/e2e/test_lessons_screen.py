@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import pytest
 from mouse import Mouse
-from todays import todays
 from waiting import until
 
 from day6_tui.core.lessons import catalogue
@@ -20,13 +19,15 @@ from day6_tui.tui.locale import Texts
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 EXAMPLE = (Path(catalogue.__file__).parent / "example.md").read_text(encoding="utf-8")
 COMMAND = "ros2 run turtlesim turtlesim_node"
 everybody = pytest.mark.parametrize(
     ("lang", "size"),
     [
         pytest.param(*each, id=f"{each[0]}-{each[1][0]}")
-        for each in todays(list(itertools.product(("zh", "en"), ((80, 24), (120, 40)))))
+        for each in itertools.product(("zh", "en"), ((80, 24), (120, 40)))
     ],
 )
 

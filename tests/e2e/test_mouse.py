@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import pytest
 from mouse import MIDDLE, Mouse
 
 from day6_tui.urdf.shipped import shipped_model
 
 if TYPE_CHECKING:
     from place import Place
+
+pytestmark = pytest.mark.person
 
 
 def test_the_mouse_chooses_gives_the_keyboard_and_closes(place: Place) -> None:

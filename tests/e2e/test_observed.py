@@ -29,6 +29,8 @@ pytest.importorskip("termios", reason="this system has no pseudo-terminals to tr
 
 from day6_tui.tui.detached import wire
 
+pytestmark = pytest.mark.person
+
 PROMPT = "student@day6:~$"
 
 

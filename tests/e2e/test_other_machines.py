@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 from place import Place
 
+pytestmark = pytest.mark.person
+
 SECRET = "chalk-and-sponge"
 F6 = "\x1b[17~"
 

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
+pytestmark = pytest.mark.person
+
 pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
 
 GROUND = (69, 86, 255)

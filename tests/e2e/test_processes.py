@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
+pytestmark = pytest.mark.person
+
 CURSES = """\
 import curses
 

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
+pytestmark = pytest.mark.person
+
 
 def shell(place: Place, name: str) -> Terminal:
     """A `day6-tui shell` of a user without settings, ready for a line."""

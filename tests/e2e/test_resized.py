@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import pytest
+
 if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
+
+pytestmark = pytest.mark.person
 
 PROMPT = "student@day6:~$"
 PRINTED = "0123456789" * 15

@@ -20,7 +20,7 @@ from waits import READY
 
 from day6_tui.core.ros.environment import program_environment
 
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")
+pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")]
 
 START = (
     """\

@@ -7,6 +7,7 @@ import shutil
 import signal
 from typing import TYPE_CHECKING
 
+import pytest
 from students import ASKS, STUBBORN, TALKER, WHEEL_SPINNER, WRONG_NAMES
 from waiting import Deadline, until
 
@@ -15,6 +16,8 @@ from day6_tui.urdf.shipped import shipped_model
 if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
+
+pytestmark = pytest.mark.person
 
 GONE_SECONDS = 2.0
 """So long at most a killed program's node is still listed."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
 
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
+pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")]
 
 NONSENSE = {
     "a byte that is never UTF-8": b"\xff\xfe\xc0\x80",

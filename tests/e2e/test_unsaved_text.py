@@ -22,6 +22,8 @@ from waiting import until
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 BASH = shutil.which("bash")
 
 

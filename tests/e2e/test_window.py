@@ -8,6 +8,7 @@ import signal
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import pytest
 from ended import communicate
 from place import DAY6
 from students import TALKER
@@ -16,6 +17,8 @@ from waiting import until
 if TYPE_CHECKING:
     from place import Place
     from terminal import Terminal
+
+pytestmark = pytest.mark.person
 
 TURTLESIM = ("ros2", "run", "turtlesim", "turtlesim_node")
 ENTER_SECOND_SCREEN, LEAVE_SECOND_SCREEN = "\x1b[?1049h", "\x1b[?1049l"

@@ -11,6 +11,8 @@ from ended import communicate
 if TYPE_CHECKING:
     from place import Place
 
+pytestmark = pytest.mark.person
+
 SAID = "There is no screen for the window: the node runs without it\n"
 
 

@@ -167,6 +167,7 @@ def test_bad_calls_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert there.read_text() == "mine"
 
 
+@pytest.mark.process
 def test_a_teachers_own_scenario_and_both_reports(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / "own"
     folder.mkdir()
@@ -210,6 +211,7 @@ def test_a_teachers_own_scenario_and_both_reports(tmp_path: Path, capsys: pytest
     assert all(row["wanted_zh"] and row["saw_en"] for row in rows if row["file"] == "bad.zip")
 
 
+@pytest.mark.process
 def test_answers_are_compared_with_the_lesson_and_nothing_else_counts(tmp_path: Path) -> None:
     claims = {
         "answers": {"day4": {"one": "cb", "two": "a"}, "day5": {"one": "b"}},
@@ -229,6 +231,7 @@ def test_answers_are_compared_with_the_lesson_and_nothing_else_counts(tmp_path: 
     assert "three" in result.problems[0][1]["en"]
 
 
+@pytest.mark.process
 def test_a_good_submission_passes_everything(tmp_path: Path) -> None:
     graded = Grader(gradings(), seconds=150, answers={}).grade([write(tmp_path / "good.zip")], 1)[0]
     problems = {(each.lesson, each.scenario): each.problems for each in graded.results if not each.passed}

@@ -21,7 +21,7 @@ from article import INNER, write
 from day6_tui.core.lessons.grading.grader import Graded, Grader
 from day6_tui.core.lessons.grading.scenarios import gradings
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="namespaces are Linux's")
+pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform != "linux", reason="namespaces are Linux's")]
 
 FORK_BOMB = "import os\n\n\ndef main():\n    while True:\n        os.fork()\n"
 THREADS = "import os, time\n\n\ndef main():\n    for _ in range(300):\n        if not os.fork():\n            time.sleep(600)\n    time.sleep(600)\n"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from folded import folded
 
 from day6_tui.core.graph.discovery import discovery_is_off, discovery_warning
 from day6_tui.core.graph.domain import DomainError, domain_from_text
@@ -10,8 +11,8 @@ from day6_tui.core.graph.domain import DomainError, domain_from_text
 LARGEST = 2**64 - 1
 
 
-@pytest.mark.parametrize(
-    ("text", "domain"),
+@folded(
+    "text, domain",
     [
         ("", 0),
         ("0", 0),

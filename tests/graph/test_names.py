@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from folded import folded
 
 from day6_tui.core.graph import names
 
@@ -139,8 +140,8 @@ def test_a_leading_underscore_anywhere_hides_a_name() -> None:
     ]
 
 
-@pytest.mark.parametrize(
-    ("check", "name", "flaw"),
+@folded(
+    "check, name, flaw",
     [
         (names.flaw_of_node_name, "", (0, 1)),
         (names.flaw_of_node_name, "a-b", (1, 2)),

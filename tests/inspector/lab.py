@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from waiting import PATIENCE, until
+from waiting import PATIENCE, Deadline, until
 
 from day6_tui.core.ros.programs import load
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding
@@ -19,20 +18,11 @@ from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.terminal import Terminal
 
-WITHIN = 2.0
-"""Seconds after a symptom in which it has to be named."""
+SETTLING = 2
+"""Looks of the inspector, one every half second of the world, without a change of the graph: then all is there."""
 
-SETTLING = 0.8
-"""Seconds that a scene has after its last step: a publisher may come a moment after its listener."""
-
-SETTLED = 1.6
-"""Seconds in which a healthy scene must stay without findings."""
-
-
-def patience() -> float:
-    """`WITHIN`, and as much longer as more programs want to run than this computer has processors."""
-    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else 1.0
-    return WITHIN * min(10.0, max(1.0, load / (os.cpu_count() or 1)))
+SETTLED = 4
+"""Looks at which a healthy scene must stay without findings."""
 
 
 class Lab:
@@ -44,6 +34,12 @@ class Lab:
         self.desk.start()
         self.terminals: list[Terminal] = []
         self.inspector = self._open_inspector()
+        self._looks = 0
+        self._changed_at = 0
+        """The look at which the graph changed last."""
+        self._said: dict[str, str] = {}
+        """Warnings and errors since it was emptied: key -> text."""
+        self._follow_looks()
 
     def _open_inspector(self) -> Inspector:
         streams = Streams(InputStream(), OutputStream(), OutputStream())
@@ -54,6 +50,21 @@ class Lab:
 
         self.desk.scheduler.call_soon_threadsafe(start)
         return until(lambda: next((each.model for each in self.windows("inspector")), None), told=lambda: "no window")
+
+    def _follow_looks(self) -> None:
+        look = self.inspector.refresh
+
+        def refresh() -> None:
+            look()
+            self._looks += 1
+            found = [(key, each.text) for key, each in self.findings.items() if each.level != "info" and key != "late"]
+            self._said.update(found)
+
+        def changed(event: object) -> None:
+            self._changed_at = self._looks
+
+        self.inspector.refresh = refresh  # type: ignore[method-assign]
+        self.desk.graph.add_listener(changed)
 
     def windows(self, kind: str) -> list[Any]:
         assert self.desk.display is not None
@@ -121,36 +132,40 @@ class Lab:
     def findings(self) -> dict[str, Finding]:
         return {each.id.removeprefix("inspector."): each for each in self.inspector.findings}
 
-    def finds(self, *keys: str, within: float | None = None) -> tuple[Finding | None, float]:
+    def finds(self, *keys: str) -> tuple[Finding | None, float]:
         """Wait for one of these findings; returns it, None if it does not come, and the seconds that took."""
-        began = time.monotonic()
-        within = patience() if within is None else within
-        while (taken := time.monotonic() - began) < within:
-            for terminal in self.terminals:
-                terminal.update()
+        began, deadline = time.monotonic(), Deadline()
+        while not deadline.is_over():
+            self._update()
             for key in keys:
                 if (found := self.findings.get(key)) is not None:
-                    return found, taken
+                    return found, time.monotonic() - began
             time.sleep(0.02)
-        return None, taken
+        return None, time.monotonic() - began
 
-    def stays_silent(self, seconds: float = SETTLED) -> dict[str, str]:
-        """Watch for a while; return the warnings and errors that were said. What comes and goes at the start does not count.
+    def stays_silent(self, looks: int = SETTLED) -> dict[str, str]:
+        """Let the inspector look again and again; return the warnings and errors that it said at any of these looks.
 
-        "info" is worth knowing and no alarm: that nobody listens to /turtle1/pose, for instance. That this computer is too slow
-        for what runs is true or not, whatever the scene.
+        What comes and goes while the scene is still being set does not count. "info" is worth knowing and no alarm: that nobody
+        listens to /turtle1/pose, for instance. That this computer is too slow for what runs is true or not, whatever the scene.
         """
-        time.sleep(SETTLING)
-        said: dict[str, str] = {}
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            for terminal in list(self.desk.terminals):
-                terminal.update()
-            said.update(
-                {key: each.text for key, each in self.findings.items() if each.level != "info" and key != "late"}
-            )
-            time.sleep(0.05)
-        return said
+        self.settle()
+        begin = self._looks
+        self._said.clear()
+        self._wait_for_looks(lambda: self._looks - begin >= looks)
+        return dict(self._said)
+
+    def settle(self) -> None:
+        """Wait until the inspector has looked some times without any change of the graph."""
+        begin = self._looks
+        self._wait_for_looks(lambda: self._looks - max(begin, self._changed_at) > SETTLING)
+
+    def _wait_for_looks(self, condition: Callable[[], bool]) -> None:
+        until(condition, told=lambda: f"{self._looks} looks, a change at {self._changed_at}", meanwhile=self._update)
+
+    def _update(self) -> None:
+        for terminal in list(self.desk.terminals):
+            terminal.update()
 
     def close(self) -> None:
         self.desk.hurry()

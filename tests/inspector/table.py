@@ -19,8 +19,11 @@ sys.path[:0] = [str(TESTS), str(TESTS / "stepped"), str(TESTS / "inspector")]
 
 import conftest as surroundings  # noqa: E402
 from drills import DRILLS  # noqa: E402
-from lab import WITHIN, Lab  # noqa: E402
+from lab import Lab  # noqa: E402
 from test_healthy import SCENES  # noqa: E402
+
+WITHIN = 2.0
+"""Seconds after a symptom in which it has to be named."""
 
 
 @contextmanager

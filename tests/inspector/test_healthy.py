@@ -246,6 +246,7 @@ SCENES: tuple[Callable[[Lab], object], ...] = (
 )  # fmt: skip
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.__name__)
 def test_a_healthy_scene_gives_no_alarm(lab: Lab, scene: Callable[[Lab], object]) -> None:
     scene(lab)

@@ -80,6 +80,7 @@ def test_a_command_that_would_press_return_by_itself_is_not_offered() -> None:
     )
 
 
+@pytest.mark.process
 def test_a_stopped_program_is_named_and_no_longer_judged(lab: Lab) -> None:
     lab.file(
         "program.py", HEAD + "rclpy.init()\nnode = Node('mine')\nnode.create_timer(0.1, print)\nrclpy.spin(node)\n"
@@ -90,7 +91,7 @@ def test_a_stopped_program_is_named_and_no_longer_judged(lab: Lab) -> None:
     pid = lab.inspector._insides.processes[0].pid  # type: ignore[union-attr]
     os.kill(pid, signal.SIGSTOP)
     try:
-        found, _ = lab.finds("tells_nothing", within=6.0)
+        found, _ = lab.finds("tells_nothing")
         assert found is not None and dict(found.parameters)["node"] == "/mine"
         assert "spin_ended" not in lab.findings
     finally:
@@ -98,6 +99,7 @@ def test_a_stopped_program_is_named_and_no_longer_judged(lab: Lab) -> None:
     lab.wait(lambda: "tells_nothing" not in lab.findings)
 
 
+@pytest.mark.process
 def test_what_was_put_right_is_not_said_any_more(lab: Lab) -> None:
     lab.file("program.py", HEAD + "Twist().linear.x = 1\n")
     lab.run("python3 program.py")
@@ -107,6 +109,7 @@ def test_what_was_put_right_is_not_said_any_more(lab: Lab) -> None:
     lab.wait(lambda: "field_type" not in lab.findings)
 
 
+@pytest.mark.process
 def test_the_inspector_is_nowhere_while_it_looks_on(lab: Lab) -> None:
     lab.file("listener.py", LISTENER)
     lab.start("python3 listener.py")
@@ -116,6 +119,7 @@ def test_the_inspector_is_nowhere_while_it_looks_on(lab: Lab) -> None:
     assert "Publisher count: 0" in lab.run("ros2 topic info /chatter", 1)
 
 
+@pytest.mark.process
 def test_in_a_real_terminal_it_says_what_it_cannot_look_at(lab: Lab) -> None:
     from day6_tui.core.ros.programs.day6_inspector.model import Inspector
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import pytest
 
+from day6_tui.core.interfaces import checks
 from day6_tui.core.ros.programs.day6_inspector.rules import Endpoint, Facts, findings
 from day6_tui.core.session.overview import TerminalView
 
@@ -154,6 +155,18 @@ def test_an_extrapolation_is_a_fault_as_long_as_the_program_complains_of_it() ->
     assert keys_after(Ran(old)) == [], "it would have said so again"
     assert keys_after(Ran(new + "going on\n" * 4)) == []
     assert keys_after(Ran(old, status=1)) == ["extrapolation"]
+
+
+def test_a_fault_is_placed_in_the_students_program_also_where_this_one_is_a_checkout() -> None:
+    own = Path(checks.__file__)
+    said = f"""Traceback (most recent call last):
+  File "/home/a/program.py", line 7, in <module>
+  File "{own}", line 76, in _check_single
+AssertionError: The 'x' field must be of type 'float'
+"""
+    terminal = TerminalView(1, Path("/"), {}, [Ran(said, 1, "python3 program.py")], [], 1)
+    (found,) = findings(Facts(terminals=(terminal,), now_ns=NOW))
+    assert found.next == "nano +7 /home/a/program.py" and dict(found.parameters)["where"] == "program.py:7"
 
 
 def test_two_types_are_told_as_long_as_there_are_two() -> None:

@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 import pytest
 from lab import Lab
-from todays import todays
 from tutorials import TUTORIALS
 
 
-@pytest.mark.parametrize("tutorial", todays(TUTORIALS), ids=lambda tutorial: tutorial.__name__)
+@pytest.mark.process
+@pytest.mark.parametrize("tutorial", TUTORIALS, ids=lambda tutorial: tutorial.__name__)
 def test_a_tutorial_gives_no_alarm(lab: Lab, tutorial: Callable[[Lab], object]) -> None:
     tutorial(lab)
     assert lab.stays_silent() == {}, "\n".join(lab.screen(number) for number in range(len(lab.terminals)))

@@ -6,10 +6,12 @@ import random
 import struct
 import tracemalloc
 from array import array
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
+from folded import folded
 
 from day6_tui.core.interfaces import (
     DeserializationError,
@@ -23,6 +25,7 @@ from day6_tui.core.interfaces import (
 )
 
 HEADER = b"\x00\x01\x00\x00"
+needs_numpy = pytest.mark.skipif(find_spec("numpy") is None, reason="no numpy")
 
 
 def all_messages() -> list[str]:
@@ -66,9 +69,9 @@ def element(type_: Any, rng: random.Random, depth: int) -> Any:
     return rng.choice((0.0, -2.5, float("inf"), rng.randrange(10**6) / 64))
 
 
-@pytest.mark.parametrize("name", all_messages())
+@needs_numpy
+@folded("name", all_messages())
 def test_random_messages_come_back_as_they_were(name: str) -> None:
-    pytest.importorskip("numpy")
     rng = random.Random(name)
     cls = get_interface(name)
     for _ in range(5):
@@ -192,9 +195,9 @@ def test_a_wild_count_allocates_nothing(name: str) -> None:
     assert refused > 0
 
 
-@pytest.mark.parametrize("name", all_messages())
+@needs_numpy
+@folded("name", all_messages())
 def test_cut_and_spoilt_bytes_end_in_a_message_or_a_clean_error(name: str) -> None:
-    pytest.importorskip("numpy")
     rng = random.Random(name)
     cls = get_interface(name)
     data = serialize(fill(cls, rng))

@@ -25,6 +25,7 @@ def run(code: str, **env: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, env={"PYTHONPATH": str(PYTHON_PATH), **env}, capture_output=True, text=True)
 
 
+@pytest.mark.process
 def test_a_plain_python_imports_a_message_without_the_rest() -> None:
     heavy = ["rclpy", "numpy", "yaml", "asyncio", "typing", "re", "dataclasses", "json", "textual", "threading"]
     done = run(
@@ -35,6 +36,7 @@ def test_a_plain_python_imports_a_message_without_the_rest() -> None:
     assert (done.stdout, done.stderr) == ("[]\n", "")
 
 
+@pytest.mark.process
 def test_numpy_comes_with_the_first_message_that_holds_a_fixed_array_not_with_its_class() -> None:
     pytest.importorskip("numpy")
     code = (
@@ -46,6 +48,7 @@ def test_numpy_comes_with_the_first_message_that_holds_a_fixed_array_not_with_it
     assert (done.stdout, done.stderr) == ("4 False\nTrue\n", "")
 
 
+@pytest.mark.process
 def test_a_misspelt_name_gives_the_import_error_of_any_module() -> None:
     done = run("from std_msgs.msg import Strng")
     path = PYTHON_PATH / "std_msgs" / "msg" / "__init__.py"
@@ -84,6 +87,7 @@ def test_the_module_of_one_message_can_be_imported() -> None:
         __import__("std_msgs.msg._colour")
 
 
+@pytest.mark.process
 def test_a_pickled_message_is_read_in_another_process() -> None:
     from geometry_msgs.msg import PoseStamped
 
@@ -212,6 +216,7 @@ def test_a_message_can_not_be_a_key() -> None:
         hash(String())
 
 
+@pytest.mark.process
 def test_checks_are_on_unless_the_environment_says_otherwise() -> None:
     code = "from std_msgs.msg import Int32; m = Int32(); m.data = 1.5; print(m.data)"
     for env in ({}, {"ROS_PYTHON_CHECK_FIELDS": "1"}):

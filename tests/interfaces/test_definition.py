@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-import pytest
+from folded import folded
 
 from day6_tui.core.interfaces.definition import parse_action, parse_message, parse_service
 
@@ -49,7 +49,7 @@ BETTER = {
 }
 
 
-@pytest.mark.parametrize(("kind", "text", "real"), RECORDED)
+@folded("kind, text, real", RECORDED)
 def test_a_text_means_what_it_means_to_ros(kind: str, text: str, real: Any) -> None:
     assert outcome(kind, text) == BETTER.get(text, real)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import pytest
+from folded import folded
 
 from day6_tui.core.interfaces import deserialize, get_interface, registry, serialize, type_hash, type_name
 
@@ -38,14 +38,14 @@ def test_we_have_no_interface_in_these_packages_that_real_ros_has_not() -> None:
     assert ours == {registry.base_name(name) for name in CLASSES}
 
 
-@pytest.mark.parametrize("name", CLASSES)
+@folded("name", CLASSES)
 def test_a_class_looks_like_the_real_one(name: str) -> None:
     recorded = CLASSES[name]
     described = real.describe(real.find_class(name))
     assert described == {key: recorded[key] for key in described}
 
 
-@pytest.mark.parametrize("name", CLASSES)
+@folded("name", CLASSES)
 def test_fields_accept_and_refuse_what_the_real_ones_do(name: str) -> None:
     cls = real.find_class(name)
     for field, number in CLASSES[name]["answers"].items():
@@ -57,14 +57,14 @@ def test_fields_accept_and_refuse_what_the_real_ones_do(name: str) -> None:
             assert ours == theirs, (field, *question)
 
 
-@pytest.mark.parametrize("name", CLASSES)
+@folded("name", CLASSES)
 def test_bytes_real_ros_made_are_read_as_the_values_it_wrote(name: str) -> None:
     cls = real.find_class(name)
     for sample, contents in zip(CLASSES[name]["real_bytes"], CLASSES[name]["contents"], strict=True):
         assert real.value_texts(deserialize(bytes.fromhex(sample), cls)) == contents
 
 
-@pytest.mark.parametrize("name", CLASSES)
+@folded("name", CLASSES)
 def test_we_write_the_bytes_real_ros_has_read_back(name: str) -> None:
     cls = real.find_class(name)
     samples = zip(CLASSES[name]["real_bytes"], CLASSES[name]["our_bytes"], strict=True)

@@ -132,6 +132,7 @@ def test_a_workspace_adds_interfaces(workspace: Workspace) -> None:
     )
 
 
+@pytest.mark.process
 def test_a_program_imports_the_interfaces_of_a_workspace(workspace: Workspace, tmp_path: Path) -> None:
     workspace.write("parts/msg/Wheel", "float64 radius")
     workspace.write("parts/srv/Turn", "float64 angle\n---\nbool done")

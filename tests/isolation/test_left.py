@@ -13,6 +13,7 @@ from day6_tui.core.isolation import left
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("ends", [True, False])
 def test_a_process_that_is_ending_is_waited_for(monkeypatch: pytest.MonkeyPatch, ends: bool) -> None:
     monkeypatch.setattr(left, "END_SECONDS", 10.0 if ends else 0.1)

@@ -23,7 +23,7 @@ from typing import Any
 HERE = Path(__file__).parent
 RECORDED = HERE / "recorded.jsonl"
 LAB = HERE / "lab"
-PATIENCE = 60.0
+PATIENCE = 300.0
 """Seconds after which a launch that does not end is killed."""
 
 
@@ -80,7 +80,7 @@ def play(case: Case, folder: Path, command: Sequence[str], environment: Mapping[
         stderr=subprocess.PIPE,
         start_new_session=True,
     )
-    limit = threading.Timer(PATIENCE, os.killpg, (process.pid, signal.SIGKILL))
+    limit = threading.Timer(PATIENCE, os.killpg, (process.pid, signal.SIGKILL))  # only against a launch that never ends
     limit.start()
     errors: list[bytes] = []
     assert process.stdout is not None and process.stderr is not None
@@ -94,10 +94,10 @@ def play(case: Case, folder: Path, command: Sequence[str], environment: Mapping[
             process.send_signal(signal.SIGINT)
             waiting = ""
     code = process.wait()
-    reader.join(1.0)
     limit.cancel()
     with contextlib.suppress(ProcessLookupError):
         os.killpg(process.pid, signal.SIGKILL)  # after an exception the real launch leaves processes behind
+    reader.join()
     log = {}
     if case.log:
         folders = [each for each in logs.iterdir() if not each.is_symlink()]

@@ -88,6 +88,7 @@ def test_a_group_keeps_its_settings_to_itself(launch_these: Callable[..., Any]) 
     assert said(result.lines) == ["inin", "outside-", "--", "kept-", "--"]
 
 
+@pytest.mark.process
 def test_environment_variables_reach_the_processes(launch_these: Callable[..., Any]) -> None:
     result = launch_these(
         SetEnvironmentVariable("V_OF_TEST", "a"),
@@ -98,6 +99,7 @@ def test_environment_variables_reach_the_processes(launch_these: Callable[..., A
     assert any(line.endswith("] 0+a+b more") for line in result.lines), result.lines
 
 
+@pytest.mark.process
 def test_a_process_is_announced_and_its_end_told(launch_these: Callable[..., Any]) -> None:
     result = launch_these(python("print('out')"), python("import sys; sys.exit(3)"))
     lines = without_numbers(result.lines)
@@ -111,6 +113,7 @@ def test_a_process_is_announced_and_its_end_told(launch_these: Callable[..., Any
     assert result.status == 0  # as in real launch: a process that dies is no failure of the launch
 
 
+@pytest.mark.process
 def test_output_goes_where_it_is_wanted(launch_these: Callable[..., Any]) -> None:
     from launch.logging import launch_config
 
@@ -132,6 +135,7 @@ def test_an_output_that_does_not_exist_is_an_error(launch_these: Callable[..., A
     assert 'scren is not a valid standard output config i.e. "screen", "log" or "both"' in result.lines[0]
 
 
+@pytest.mark.process
 def test_output_may_be_kept(launch_these: Callable[..., Any]) -> None:
     process = python("import sys; print('a'); sys.stdout.write('b')", cached_output=True)
     result = launch_these(process)
@@ -139,17 +143,20 @@ def test_output_may_be_kept(launch_these: Callable[..., Any]) -> None:
     assert [line.split("] ")[1] for line in result.lines if line.startswith("[p-")] == ["a", "b"]
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="needs ptys")
 def test_a_process_may_be_given_a_terminal(launch_these: Callable[..., Any]) -> None:
     result = launch_these(python("import sys; print(sys.stdout.isatty(), sys.stderr.isatty())", emulate_tty=True))
     assert any(line.endswith("] True True") for line in result.lines), result.lines
 
 
+@pytest.mark.process
 def test_the_shell_runs_a_line(launch_these: Callable[..., Any]) -> None:
     result = launch_these(ExecuteProcess(cmd=["echo one && echo", "two"], shell=True, output="screen", name="p"))
     assert [line for line in without_numbers(result.lines) if line.startswith("[p-N]")] == ["[p-N] one", "[p-N] two"]
 
 
+@pytest.mark.process
 def test_a_program_that_does_not_exist_is_told_and_the_rest_goes_on(launch_these: Callable[..., Any]) -> None:
     result = launch_these(ExecuteProcess(cmd=["no_such_program"]), python("print('still here')"))
     assert any("exception occurred while executing process:" in line for line in result.lines)
@@ -158,6 +165,7 @@ def test_a_program_that_does_not_exist_is_told_and_the_rest_goes_on(launch_these
     assert result.status == 0
 
 
+@pytest.mark.process
 def test_handlers_follow_a_process_through_its_life(launch_these: Callable[..., Any]) -> None:
     heard: list[bytes] = []
     process = python("import sys; sys.stdout.write('hello\\n'); sys.exit(4)")
@@ -185,6 +193,7 @@ def test_handlers_follow_a_process_through_its_life(launch_these: Callable[..., 
     assert said(result.lines) == ["started", "heard", "ended with 4", "complete", "the reason is idle"]
 
 
+@pytest.mark.process
 def test_one_process_may_start_after_the_other(launch_these: Callable[..., Any]) -> None:
     first, second = python("print(1)"), python("print(2)")
     result = launch_these(first, RegisterEventHandler(OnProcessExit(target_action=first, on_exit=second)))
@@ -204,6 +213,7 @@ def test_a_timer_waits_and_can_be_cancelled(launch_these: Callable[..., Any]) ->
     assert said(result.lines) == ["first", "later"]
 
 
+@pytest.mark.process
 def test_a_shutdown_ends_timers_and_processes(launch_these: Callable[..., Any]) -> None:
     process = python("import time; print('up', flush=True); time.sleep(60)")
     result = launch_these(
@@ -217,6 +227,7 @@ def test_a_shutdown_ends_timers_and_processes(launch_these: Callable[..., Any]) 
     assert any("process has died [pid, exit code -2," in line for line in lines)
 
 
+@pytest.mark.process
 def test_a_required_process_ends_the_launch(launch_these: Callable[..., Any]) -> None:
     sleeper = python("import time; time.sleep(60)")
     result = launch_these(sleeper, python("import sys; sys.exit(1)", on_exit=Shutdown()))
@@ -225,6 +236,7 @@ def test_a_required_process_ends_the_launch(launch_these: Callable[..., Any]) ->
     assert "[INFO] [p-N]: sending signal 'SIGINT' to process[p-N]" in lines
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="needs SIGINT")
 def test_a_process_that_does_not_listen_is_ended_step_by_step(launch_these: Callable[..., Any]) -> None:
     code = (
@@ -248,11 +260,13 @@ def test_a_process_that_does_not_listen_is_ended_step_by_step(launch_these: Call
     assert process.return_code == -9
 
 
+@pytest.mark.process
 def test_a_process_is_started_again_as_often_as_wanted(launch_these: Callable[..., Any]) -> None:
     result = launch_these(python("print('again')", respawn=True, respawn_delay=0.01, respawn_max_retries=2))
     assert without_numbers(result.lines).count("[p-N] again") == 3
 
 
+@pytest.mark.process
 def test_a_shutdown_ends_the_waiting_for_a_respawn(launch_these: Callable[..., Any]) -> None:
     process = python("print('once')", respawn=True, respawn_delay=60.0)
     result = launch_these(process, RegisterEventHandler(OnProcessExit(on_exit=Shutdown())))

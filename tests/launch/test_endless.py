@@ -12,8 +12,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from waiting import communicate
 
-PATIENCE = 40.0
+pytestmark = pytest.mark.process
+
 PYTHON = "from launch import *\nfrom launch.actions import *\nfrom launch.event_handler import EventHandler\n"
 PYTHON += "from launch.substitutions import *\nimport time\n"
 SAY = "print('begun', flush=True)\n"
@@ -87,7 +89,7 @@ def test_a_launch_file_that_leads_to_itself_ends_with_what_python_says_of_it(nam
     )
     launch = start(tmp_path, name, RECURSIVE[name])
     try:
-        said, _ = launch.communicate(timeout=PATIENCE)
+        said, _ = communicate(launch)
     finally:
         launch.kill()
     assert launch.returncode == 1
@@ -106,7 +108,7 @@ def test_a_launch_file_that_never_ends_hears_signals(name: str, signalled: str, 
         while launch.stdout.readline() != "begun\n":
             pass
         launch.send_signal(getattr(signal, signalled))
-        said, _ = launch.communicate(timeout=PATIENCE)
+        said, _ = communicate(launch)
     finally:
         launch.kill()
     if signalled == "SIGTERM":

@@ -100,6 +100,7 @@ def pytest_on(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     return run(folder, "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", *words)
 
 
+@pytest.mark.process
 def test_a_launch_test_passes_and_reports_its_cases(tmp_path: Path) -> None:
     done = launch_test(tmp_path, write(tmp_path, GOOD), "--junit-xml", "report.xml", "--package-name", "car")
     assert done.returncode == 0, done.stdout
@@ -116,6 +117,7 @@ def test_a_launch_test_passes_and_reports_its_cases(tmp_path: Path) -> None:
     assert [case.get("name") for case in suites[0]] == ["test_output", "test_end"]
 
 
+@pytest.mark.process
 def test_a_failing_launch_test_says_why_and_shuts_its_launch_down(tmp_path: Path) -> None:
     done = launch_test(tmp_path, write(tmp_path, BAD))
     assert done.returncode == 1
@@ -123,6 +125,7 @@ def test_a_failing_launch_test_says_why_and_shuts_its_launch_down(tmp_path: Path
     assert "[program-1] bye" in done.stdout
 
 
+@pytest.mark.process
 def test_a_launch_that_ends_too_early_fails_all_its_tests(tmp_path: Path) -> None:
     waits = (
         "class TestIt(unittest.TestCase):\n    def test_never(self, proc_output):\n        proc_output.waitFor('x')\n"
@@ -135,6 +138,7 @@ def test_a_launch_that_ends_too_early_fails_all_its_tests(tmp_path: Path) -> Non
     assert 'failures="1"' in report and "Launch stopped before the active tests finished." in report
 
 
+@pytest.mark.process
 def test_a_marker_keeps_a_launch_alive_whose_processes_have_ended(tmp_path: Path) -> None:
     file = write(tmp_path, GOOD.replace("'second', process=program", "'on my way'").split("@")[0], DIES)
     path = tmp_path / file
@@ -145,6 +149,7 @@ def test_a_marker_keeps_a_launch_alive_whose_processes_have_ended(tmp_path: Path
     assert done.returncode == 0, done.stdout
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("tests", "words", "what"),
     [
@@ -171,6 +176,7 @@ def test_what_is_no_launch_test_is_an_error_without_a_traceback(
     assert what in done.stdout and "Traceback" not in done.stdout
 
 
+@pytest.mark.process
 def test_the_arguments_of_a_launch_test_are_shown_and_given(tmp_path: Path) -> None:
     tests = """\
 declared = generate_test_description
@@ -198,6 +204,7 @@ class TestIt(unittest.TestCase):
     assert "\nStarting test run test_it.test_it.launch_tests[1, slow]\n" in done.stdout
 
 
+@pytest.mark.process
 def test_pytest_runs_what_is_marked_as_one_test_and_leaves_other_files_alone(tmp_path: Path) -> None:
     write(tmp_path, GOOD)
     (tmp_path / "test_sum.py").write_text("def test_sum():\n    assert 1 + 1 == 2\n", encoding="utf-8")
@@ -207,6 +214,7 @@ def test_pytest_runs_what_is_marked_as_one_test_and_leaves_other_files_alone(tmp
     assert "2 passed" in done.stdout
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("mark", ["launch_test", "rostest"])
 def test_pytest_shows_each_failed_case_of_a_launch_test(tmp_path: Path, mark: str) -> None:
     file = tmp_path / write(tmp_path, BAD)
@@ -217,6 +225,7 @@ def test_pytest_shows_each_failed_case_of_a_launch_test(tmp_path: Path, mark: st
     assert "AssertionError: Waiting for output timed out" in done.stdout and "1 failed" in done.stdout
 
 
+@pytest.mark.process
 def test_the_marks_of_a_description_are_those_of_its_test(tmp_path: Path) -> None:
     file = tmp_path / write(tmp_path, BAD)
     text = file.read_text(encoding="utf-8").replace("@pytest", "@pytest.mark.skip(reason='no wheels')\n@pytest")
@@ -225,12 +234,14 @@ def test_the_marks_of_a_description_are_those_of_its_test(tmp_path: Path) -> Non
     assert done.returncode == 0 and "1 skipped" in done.stdout and "no wheels" in done.stdout
 
 
+@pytest.mark.process
 def test_a_launch_test_with_a_slip_is_reported_as_any_test_file_is(tmp_path: Path) -> None:
     (tmp_path / write(tmp_path, BAD)).write_text("def generate_test_description():\n    return (\n", encoding="utf-8")
     done = pytest_on(tmp_path)
     assert "ERROR collecting test_it.py" in done.stdout and "SyntaxError" in done.stdout and done.returncode == 2
 
 
+@pytest.mark.process
 def test_pytest_imports_no_launch_for_other_tests(tmp_path: Path) -> None:
     (tmp_path / "test_sum.py").write_text(
         "import sys\n\n\ndef test_sum():\n    assert 'launch_testing.pytest.hooks' in sys.modules\n"
@@ -263,7 +274,7 @@ def generate_test_description():
 class TestTalker(unittest.TestCase):
 
     def test_topics(self):
-        with WaitForTopics([('chatter', String)], timeout=20.0, messages_received_buffer_length=2) as waited:
+        with WaitForTopics([('chatter', String)], timeout=300.0, messages_received_buffer_length=2) as waited:
             assert waited.topics_received() == {'chatter'} and waited.topics_not_received() == set()
             assert 'Hello World' in waited.received_messages('chatter')[0].data
         waited = WaitForTopics([('nobody', String)], timeout=0.1)
@@ -279,7 +290,7 @@ class TestTalker(unittest.TestCase):
         republisher = DataRepublisher(node, 'chatter', 'loud', String, lambda heard: String(data=heard.data.upper()))
         pump = MessagePump(node, context=context)
         pump.start()
-        with WaitForTopics([('loud', String)], timeout=20.0) as waited:
+        with WaitForTopics([('loud', String)], timeout=300.0) as waited:
             assert 'HELLO WORLD' in waited.received_messages('loud')[0].data
         pump.stop()
         assert republisher.get_num_received() == republisher.get_num_republished() >= 1
@@ -296,6 +307,7 @@ class TestEnd(unittest.TestCase):
 """
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to a process")
 def test_a_test_of_ros_nodes_waits_for_topics_and_changes_messages(
     tmp_path: Path, short_folder: Path, monkeypatch: pytest.MonkeyPatch

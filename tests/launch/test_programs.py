@@ -44,6 +44,7 @@ def launched(tmp_path: Path, text: str, until: str) -> Any:
     return play(case, tmp_path, command, {**environment, "ROS_DOMAIN_ID": "199"})
 
 
+@pytest.mark.process
 def test_a_container_loads_our_components_and_says_what_it_cannot_load(tmp_path: Path) -> None:
     outcome = launched(tmp_path, CONTAINER, "Failed to load node")
     assert "Loaded node '/up/say' in container '/lab/box'" in outcome.stdout
@@ -52,12 +53,14 @@ def test_a_container_loads_our_components_and_says_what_it_cannot_load(tmp_path:
     assert outcome.exit_code == 0
 
 
+@pytest.mark.process
 def test_a_program_of_ours_is_a_process_in_a_real_terminal_and_logs(tmp_path: Path) -> None:
     outcome = launched(tmp_path, DISPLAY, "Spawning turtle [turtle1]")
     assert "[INFO] [turtlesim_node-1]: process has finished cleanly [pid <PID>" in outcome.stdout
     assert outcome.stdout.index("process started") < outcome.stdout.index("Starting turtlesim with node name /a/turtle")
 
 
+@pytest.mark.process
 def test_on_a_desk_it_is_one_of_the_desks_programs(machine: Any) -> None:
     path = machine.write("main.launch.py", DISPLAY)
     program = machine.start(f"ros2 launch '{path}'")
@@ -78,6 +81,7 @@ def generate_launch_description():
 """
 
 
+@pytest.mark.process
 def test_a_terminal_is_opened_by_the_desk_where_there_is_no_display(machine: Any, monkeypatch: Any) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     path = machine.write("main.launch.py", TERMINAL)
@@ -86,6 +90,7 @@ def test_a_terminal_is_opened_by_the_desk_where_there_is_no_display(machine: Any
     assert "[xterm-1]: process has finished cleanly" in machine.out.text  # a real one would not open
 
 
+@pytest.mark.process
 def test_it_goes_also_where_the_path_of_temporary_files_leaves_no_room_for_a_sockets_name(
     machine: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

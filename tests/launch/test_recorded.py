@@ -17,7 +17,10 @@ KNOWN = {
 """Cases that differ, with the reason."""
 
 CASES = load_cases()
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="recorded where there are signals and a sh")
+pytestmark = [
+    pytest.mark.process,
+    pytest.mark.skipif(os.name == "nt", reason="recorded where there are signals and a sh"),
+]
 
 
 @pytest.fixture(scope="module")

@@ -82,7 +82,7 @@ ROBOT = LaunchConfiguration("robot")
         (EqualsSubstitution(None, ""), "true"),
         (NotEqualsSubstitution(ROBOT, "bot"), "false"),
         (IfElseSubstitution(LaunchConfiguration("sim"), "yes", "no"), "yes"),
-        (Command("python3 -c 'print(6*7)'"), "42\n"),
+        pytest.param(Command("python3 -c 'print(6*7)'"), "42\n", marks=pytest.mark.process),
     ],
 )
 def test_a_substitution_gives_its_text(context: LaunchContext, substitution: Any, text: str) -> None:
@@ -98,9 +98,15 @@ def test_a_substitution_gives_its_text(context: LaunchContext, substitution: Any
         (FindExecutable(name="no_such_program"), "executable 'no_such_program' not found on the PATH"),
         (ThisLaunchFileDir(), "ThisLaunchFileDir used outside of a launch file (in a script)"),
         (NotSubstitution("maybe"), "Cannot convert value 'maybe' to '<class 'bool'>'"),
-        (Command("python3 -c 'import sys; sys.exit(2)'"), "executed command failed"),
-        (Command("python3 -c 'import sys; sys.stderr.write(chr(97))'"), "executed command showed stderr output"),
-        (Command("no_such_program x"), "file not found"),
+        pytest.param(
+            Command("python3 -c 'import sys; sys.exit(2)'"), "executed command failed", marks=pytest.mark.process
+        ),
+        pytest.param(
+            Command("python3 -c 'import sys; sys.stderr.write(chr(97))'"),
+            "executed command showed stderr output",
+            marks=pytest.mark.process,
+        ),
+        pytest.param(Command("no_such_program x"), "file not found", marks=pytest.mark.process),
     ],
 )
 def test_a_substitution_without_a_text_says_why(context: LaunchContext, substitution: Any, message: str) -> None:
@@ -109,6 +115,7 @@ def test_a_substitution_without_a_text_says_why(context: LaunchContext, substitu
     assert message in str(failure.value)
 
 
+@pytest.mark.process
 def test_what_a_command_says_on_stderr_may_be_taken_along(context: LaunchContext) -> None:
     line = "python3 -c 'import sys; sys.stderr.write(chr(97))'"
     assert Command(line, on_stderr="capture").perform(context) == "a"

@@ -21,6 +21,7 @@ WAYS = yaml.safe_load(Path(__file__).with_name("other_ways.yaml").read_text(enco
 CASES = [pytest.param(fault, way, id=f"{fault}: {way['name']}") for fault, ways in WAYS.items() for way in ways]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("fault", "way"), CASES)
 def test_a_way_of_ones_own_is_judged_by_its_effect(fault: str, way: dict[str, Any], tmp_path: Path) -> None:
     folder, pattern, name = ("days", *fault.split("/")) if "/" in fault else ("drills", f"{fault}_*", "")

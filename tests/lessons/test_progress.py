@@ -113,6 +113,7 @@ def test_a_name_that_cannot_be_is_refused(name: str, mistake: str) -> None:
     assert name_mistake(name) == mistake
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="kill -9 is POSIX")
 def test_kill_9_in_the_middle_of_saving_leaves_a_whole_file(tmp_path: Path) -> None:
     path = file_of(tmp_path, "anna")

@@ -25,12 +25,14 @@ def play(tmp_path: Path, only: str | None = None, **steps: str) -> list[Played]:
     return rehearse(read_lesson(path), tmp_path / "home", only=only)
 
 
+@pytest.mark.process
 def test_a_step_without_a_solution_is_told_at_once(tmp_path: Path) -> None:
     (played,) = play(tmp_path, one="check:\n  - file: ~/one\n")
     assert played.faults == ["has no 'solve' (the actions that solve it), so it cannot be played"]
     assert played.seconds < 1.0
 
 
+@pytest.mark.process
 def test_a_wrong_answer_is_told_with_its_line_and_with_what_holds(tmp_path: Path) -> None:
     text = "check:\n  - file: ~/one\nsolve:\n  - type: touch one\nwrong:\n  - do:\n      - type: touch one\n    says: There is\n"
     (played,) = play(tmp_path, one=text)
@@ -39,6 +41,7 @@ def test_a_wrong_answer_is_told_with_its_line_and_with_what_holds(tmp_path: Path
     assert played.faults == [f"takes the wrong answer 1 (line {line}) for right: 'the file ~/one is there' holds"]
 
 
+@pytest.mark.process
 def test_what_was_seen_is_not_taken_for_what_is_wanted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("day6_tui.core.lessons.rehearsal.SOLVED_WITHIN", 0.2)
     (played,) = play(tmp_path, one="check:\n  - window: turtlesim\nsolve:\n  - type: ls\n")
@@ -46,6 +49,7 @@ def test_what_was_seen_is_not_taken_for_what_is_wanted(tmp_path: Path, monkeypat
     assert "not yet 'the window turtlesim is open' (seen: Open windows: (none).)" in fault.replace("“", "")
 
 
+@pytest.mark.process
 def test_one_step_is_played_after_those_it_needs(tmp_path: Path) -> None:
     steps = {
         "one": "check:\n  - file: ~/one\nsolve:\n  - type: touch one\n",
@@ -57,6 +61,7 @@ def test_one_step_is_played_after_those_it_needs(tmp_path: Path) -> None:
     assert not (tmp_path / "home" / "two").exists()
 
 
+@pytest.mark.process
 def test_a_link_does_not_lead_a_lesson_out_of_the_home_folder(tmp_path: Path) -> None:
     outside = tmp_path / "outside"
     outside.mkdir()

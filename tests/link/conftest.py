@@ -12,7 +12,7 @@ import pytest
 # Tests are imported by path (--import-mode=importlib), their helpers by name.
 sys.path.insert(0, str(Path(__file__).parent))
 
-from link_harness import World
+from link_harness import HOUR, LEASE, World
 
 
 @pytest.fixture
@@ -25,7 +25,21 @@ def world(short_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     made.close()
 
 
-@pytest.fixture(params=["one graph", "two graphs", "two processes", "two processes on TCP"])
+@pytest.fixture
+def hour_of_lease(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever falls silent is missed after an hour only: one whose end is noticed was noticed at once, by his socket."""
+    from day6_tui.core.link import config
+
+    monkeypatch.setitem(config._COMMON, LEASE, HOUR)
+    monkeypatch.setenv("TEST_LEASE", HOUR)
+
+
+_APART = [
+    pytest.param(how, marks=pytest.mark.process) for how in ("two graphs", "two processes", "two processes on TCP")
+]
+
+
+@pytest.fixture(params=["one graph", *_APART])
 def pair(request: pytest.FixtureRequest, world: World, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, Any]:
     """Two participants, in every way in which they can be apart."""
     if request.param == "one graph":

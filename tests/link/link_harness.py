@@ -12,6 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from link_peer import Peer
+from waiting import until
+
+LEASE = "transport/link/tx/lease"
+HOUR = "3600000"
+HOUR_OF_LEASE = f'from day6_tui.core.link import config\nconfig._COMMON["{LEASE}"] = "{HOUR}"\n'
+"""Begins a program that Zenoh misses after an hour without a sign of life; see the fixture `hour_of_lease`."""
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -55,7 +61,8 @@ class ProcessPeer:
         """Let it come to its end by itself."""
         assert self.process.stdin is not None
         self.process.stdin.close()
-        return self.process.wait(timeout=10)
+        until(lambda: self.process.poll() is not None)
+        return int(self.process.returncode)
 
 
 class World:

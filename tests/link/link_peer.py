@@ -196,8 +196,10 @@ def _part(text: str) -> Any:
 
 
 def main() -> None:
-    from day6_tui.core.link import join
+    from day6_tui.core.link import config, join
 
+    if "TEST_LEASE" in os.environ:
+        config._COMMON["transport/link/tx/lease"] = os.environ["TEST_LEASE"]
     graph = Graph(int(os.environ.get("ROS_DOMAIN_ID", "0")))
     addresses = json.loads(os.environ.get("TEST_ADDRESSES", "{}"))
     link = join(graph, **addresses, part=_part(os.environ.get("TEST_PART", "")))

@@ -19,8 +19,6 @@ from day6_tui.core.link.classroom.pupil import Pupil
 from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.core.link.state import DoorState
 
-PATIENCE = 30.0
-
 
 class Class:
     """Makes the machines of a class: each has a meeting place of its own, as it would have."""
@@ -68,16 +66,18 @@ def sees(peer: Peer, *nodes: str) -> bool:
     return peer.nodes() == list(nodes)
 
 
+@pytest.mark.process
 def test_the_teacher_sees_each_pupil_below_a_name_and_no_pupil_another(school: Class) -> None:
     teacher, anna, ben = school.teacher(), school.pupil("anna"), school.pupil("ben", domain_id=7)
     for pupil in (anna, ben):
         pupil.node("turtlesim")
     teacher.node("desk")
-    assert until(lambda: teacher.nodes() == ["/anna/turtlesim", "/ben/turtlesim", "/desk"], PATIENCE)
+    assert until(lambda: teacher.nodes() == ["/anna/turtlesim", "/ben/turtlesim", "/desk"])
     assert anna.nodes() == ben.nodes() == ["/turtlesim"]
     assert state(anna) == state(ben) == DoorState.OPEN
 
 
+@pytest.mark.process
 def test_messages_go_both_ways_and_to_one_pupil_only(school: Class) -> None:
     teacher, anna, ben = school.teacher(), school.pupil("anna"), school.pupil("ben", domain_id=7)
     turtles = [pupil.subscription(pupil.node("turtlesim"), "/turtle1/cmd_vel") for pupil in (anna, ben)]
@@ -85,16 +85,17 @@ def test_messages_go_both_ways_and_to_one_pupil_only(school: Class) -> None:
     drive, news = teacher.publisher(desk, "/anna/turtle1/cmd_vel"), ben.publisher(talker, "/news")
     teacher.subscription(desk, "/anna/news")
     heard = teacher.subscription(desk, "/ben/news")
-    assert until(lambda: teacher.matched(drive) == 1 and ben.matched(news) == 1, PATIENCE)
-    assert until(lambda: anna.nodes() == ["/teacher/desk", "/turtlesim"], PATIENCE)
+    assert until(lambda: teacher.matched(drive) == 1 and ben.matched(news) == 1)
+    assert until(lambda: anna.nodes() == ["/teacher/desk", "/turtlesim"])
     # It says that it listens before it does: what is published in between is lost, as between any two of ROS.
-    told = until(lambda: anna.messages(turtles[0]), PATIENCE, meanwhile=lambda: teacher.publish(drive, data="forward"))
+    told = until(lambda: anna.messages(turtles[0]), meanwhile=lambda: teacher.publish(drive, data="forward"))
     assert set(told) == {"forward"}
-    told = until(lambda: teacher.messages(heard), PATIENCE, meanwhile=lambda: ben.publish(news, data="hello"))
+    told = until(lambda: teacher.messages(heard), meanwhile=lambda: ben.publish(news, data="hello"))
     assert set(told) == {"hello"}
     assert ben.messages(turtles[1]) == []
 
 
+@pytest.mark.process
 def test_services_and_kept_messages_reach_through_the_names(school: Class) -> None:
     teacher, anna = school.teacher(), school.pupil("anna", domain_id=5)
     node = anna.node("turtlesim")
@@ -103,66 +104,70 @@ def test_services_and_kept_messages_reach_through_the_names(school: Class) -> No
     anna.publish(map_, data="kept")
     desk = teacher.node("desk")
     client = teacher.client(desk, "/anna/spawn")
-    assert until(lambda: teacher.matched(client), PATIENCE)
+    assert until(lambda: teacher.matched(client))
     teacher.call(client, 1, 2)
-    assert [total for _, total in until(lambda: teacher.responses(client), PATIENCE)] == [103]
+    assert [total for _, total in until(lambda: teacher.responses(client))] == [103]
     late = teacher.subscription(desk, "/anna/map", latched=True)
-    assert until(lambda: teacher.messages(late) == ["kept"], PATIENCE)
+    assert until(lambda: teacher.messages(late) == ["kept"])
 
 
+@pytest.mark.process
 def test_a_name_is_given_once_and_again_when_it_is_free(school: Class) -> None:
     part, turned_away = Teacher(), list[tuple[str, str]]()
     part.turned_away = lambda *who: turned_away.append(who)
     school.teacher(part)
     first = school.pupil("anna")
-    assert until(lambda: state(first) == DoorState.OPEN, PATIENCE)
+    assert until(lambda: state(first) == DoorState.OPEN)
     second = school.pupil("anna")
-    assert until(lambda: state(second) == DoorState.NAME_TAKEN, PATIENCE)
-    assert until(lambda: turned_away == [("anna", "taken")], PATIENCE) and part.joined == 1
+    assert until(lambda: state(second) == DoorState.NAME_TAKEN)
+    assert until(lambda: turned_away == [("anna", "taken")]) and part.joined == 1
     leave(first.graph)
-    assert until(lambda: state(second) == DoorState.OPEN, PATIENCE)
+    assert until(lambda: state(second) == DoorState.OPEN)
 
 
+@pytest.mark.process
 def test_a_pupil_waits_for_the_teacher_and_finds_the_next_one(school: Class) -> None:
     met: list[bool] = []
     part = Pupil("anna")
     part.met = met.append
     anna = school.pupil("anna", part)
     anna.node("turtlesim")
-    assert until(lambda: state(anna) == DoorState.NOBODY, PATIENCE)
+    assert until(lambda: state(anna) == DoorState.NOBODY)
     for _ in range(2):
         teacher = school.teacher()
-        assert until(partial(sees, teacher, "/anna/turtlesim"), PATIENCE)
-        assert until(lambda: met[-1:] == [True], PATIENCE)
+        assert until(partial(sees, teacher, "/anna/turtlesim"))
+        assert until(lambda: met[-1:] == [True])
         leave(teacher.graph)
-        assert until(lambda: met[-1] is False, PATIENCE)
+        assert until(lambda: met[-1] is False)
 
 
+@pytest.mark.process
 def test_notes_come_and_orders_go(school: Class) -> None:
     part, pupil, notes, orders, came = Teacher(), Pupil("anna"), [], [], []
     part.noted, part.came = (lambda *note: notes.append(note)), (lambda *who: came.append(who))
     pupil.ordered = orders.append
     school.teacher(part)
     anna = school.pupil("anna", pupil)
-    assert until(lambda: came == [("anna", True)], PATIENCE)
+    assert until(lambda: came == [("anna", True)])
     pupil.tell(b"a note")
-    assert until(lambda: notes == [("anna", b"a note")], PATIENCE)
+    assert until(lambda: notes == [("anna", b"a note")])
     assert part.order("anna", b"an order")
-    assert until(lambda: orders == [b"an order"], PATIENCE)
+    assert until(lambda: orders == [b"an order"])
     assert not part.order("ben", b"an order")
     leave(anna.graph)
-    assert until(lambda: came[1:] == [("anna", False)], PATIENCE)
+    assert until(lambda: came[1:] == [("anna", False)])
 
 
+@pytest.mark.process
 def test_whoever_connects_past_the_class_reaches_no_pupil(school: Class) -> None:
     teacher, anna = school.teacher(), school.pupil("anna")
     turtle = anna.subscription(anna.node("turtlesim"), "/turtle1/cmd_vel")
     desk = teacher.node("desk")
     drive = teacher.publisher(desk, "/anna/turtle1/cmd_vel")
-    assert until(lambda: teacher.matched(drive) == 1, PATIENCE)
+    assert until(lambda: teacher.matched(drive) == 1)
     stranger = school.machine(connect=school.endpoint)
     own = stranger.publisher(stranger.node("stranger"), "/anna/turtle1/cmd_vel")
-    assert until(lambda: state(stranger) == DoorState.OPEN, PATIENCE)
+    assert until(lambda: state(stranger) == DoorState.OPEN)
     config = zenoh.Config.from_json5(f'{{mode: "client", connect: {{endpoints: ["{school.endpoint}"]}}}}')
     with zenoh.open(config) as session:
         spied: list[str] = []
@@ -170,7 +175,7 @@ def test_whoever_connects_past_the_class_reaches_no_pupil(school: Class) -> None
         tokens = session.liveliness().get("day6_class/up/*/@ros2_lv/**", timeout=2.0)
         session.put("day6_class/down/anna/0/turtle1/cmd_vel/std_msgs::msg::dds_::String_/x", b"prank")
         stranger.publish(own, data="prank")
-        heard = until(lambda: anna.messages(turtle), PATIENCE, meanwhile=lambda: teacher.publish(drive, data="real"))
+        heard = until(lambda: anna.messages(turtle), meanwhile=lambda: teacher.publish(drive, data="real"))
         assert set(heard) == {"real"}
         assert list(tokens) == []
         assert all(key.startswith("day6_class/down/anna/") for key in spied if "prank" not in key)
@@ -179,6 +184,7 @@ def test_whoever_connects_past_the_class_reaches_no_pupil(school: Class) -> None
     assert "/stranger" not in teacher.nodes()
 
 
+@pytest.mark.process
 def test_in_a_room_all_are_in_one_graph(school: Class) -> None:
     teacher = school.teacher(Teacher(room=True))
     anna, ben = school.pupil("anna"), school.pupil("ben")
@@ -186,17 +192,18 @@ def test_in_a_room_all_are_in_one_graph(school: Class) -> None:
     anna.node("turtlesim", "/anna")
     ben.node("turtlesim", "/ben")
     both = ["/anna/turtlesim", "/ben/turtlesim"]
-    assert until(lambda: teacher.nodes() == anna.nodes() == ben.nodes() == both, PATIENCE)
-    assert until(lambda: state(other) == DoorState.OTHER_DOMAIN, PATIENCE)
+    assert until(lambda: teacher.nodes() == anna.nodes() == ben.nodes() == both)
+    assert until(lambda: state(other) == DoorState.OTHER_DOMAIN)
     assert other.nodes() == []
 
 
+@pytest.mark.process
 def test_a_pupil_follows_a_teacher_who_begins_again_with_a_room_and_back(school: Class) -> None:
     anna = school.pupil("anna")
     anna.node("turtlesim")
     for room, seen in ((False, "/anna/turtlesim"), (True, "/turtlesim"), (False, "/anna/turtlesim")):
         teacher = school.teacher(Teacher(room=room))
-        assert until(partial(sees, teacher, seen), PATIENCE), seen
+        assert until(partial(sees, teacher, seen)), seen
         leave(teacher.graph)
 
 

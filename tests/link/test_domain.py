@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from waiting import run
 
 from day6_tui.core.graph.discovery import discovery_warning
 from day6_tui.core.graph.domain import DomainError, domain_from_text
@@ -58,6 +59,7 @@ def test_what_is_no_domain_is_refused_in_the_words_of_rcl(text: str, words: str)
     assert str(caught.value) == words
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("words", "status", "said"),
     [
@@ -72,6 +74,7 @@ def test_a_command_in_no_domain_ends_with_the_reason(words: tuple[str, ...], sta
     assert done.stderr.endswith(NO_NUMBER + "\n") and "Traceback" not in done.stderr
 
 
+@pytest.mark.process
 def test_a_program_of_a_student_in_no_domain_fails_in_init() -> None:
     done = _run("-m", "day6_tui.tui.main", "python", "-c", "import rclpy\nrclpy.init()")
     assert done.returncode == 1
@@ -79,13 +82,8 @@ def test_a_program_of_a_student_in_no_domain_fails_in_init() -> None:
 
 
 def _run(*words: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, *words],
-        env={**os.environ, "ROS_DOMAIN_ID": "abc", "DAY6_LINK": "off", "PYTHONPATH": ""},
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
+    environment = {**os.environ, "ROS_DOMAIN_ID": "abc", "DAY6_LINK": "off", "PYTHONPATH": ""}
+    return run([sys.executable, *words], env=environment)
 
 
 @pytest.mark.parametrize("value", ["", "OFF", "LOCALHOST", "SUBNET", "SYSTEM_DEFAULT"])
@@ -93,16 +91,13 @@ def test_a_known_discovery_range_is_taken_silently(value: str) -> None:
     assert discovery_warning({"ROS_AUTOMATIC_DISCOVERY_RANGE": value}) is None
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("value", ["off", "NOT_SET", "BANANA"])
 def test_an_unknown_discovery_range_is_warned_of_at_every_init_in_the_words_of_rcl(value: str) -> None:
     source = "import rclpy; rclpy.init(); rclpy.shutdown(); rclpy.init(); rclpy.shutdown()"
-    done = subprocess.run(
+    done = run(
         [sys.executable, "-m", "day6_tui.tui.main", "python", "-c", source],
         env={**os.environ, "ROS_AUTOMATIC_DISCOVERY_RANGE": value, "DAY6_LINK": "off", "PYTHONPATH": ""},
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        timeout=60,
     )
     words = f"[rcl]: Invalid value '{value}' specified for 'ROS_AUTOMATIC_DISCOVERY_RANGE', assuming localhost only"
     lines = done.stderr.splitlines()

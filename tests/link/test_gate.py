@@ -20,7 +20,6 @@ from day6_tui.core.link.secret import secret_of
 from day6_tui.core.link.state import Door, DoorState
 
 SECRET, OTHER_SECRET = "chalk-and-sponge", "sponge-and-chalk"
-PATIENCE = 60.0
 
 
 @pytest.fixture
@@ -46,22 +45,24 @@ def door(peer: Any) -> Door:
 
 
 def comes_to(peer: Any, *states: DoorState) -> bool:
-    return bool(until(lambda: door(peer).state in states, PATIENCE))
+    return bool(until(lambda: door(peer).state in states))
 
 
+@pytest.mark.process
 def test_a_taken_port_is_told_and_the_local_graph_goes_on(world: World, taken: socket.socket) -> None:
     port = taken.getsockname()[1]
     here = world.here(listen=f"tcp/127.0.0.1:{port}")
     beside = world.process()
     beside.node("pupil")
     here.node("desk")
-    assert until(lambda: here.nodes() == beside.nodes() == ["/desk", "/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == beside.nodes() == ["/desk", "/pupil"])
     assert comes_to(here, DoorState.IN_USE)
     taken.close()
     assert comes_to(here, DoorState.OPEN)
     assert here.nodes() == beside.nodes() == ["/desk", "/pupil"]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("listen", "state"),
     [
@@ -72,34 +73,37 @@ def test_a_taken_port_is_told_and_the_local_graph_goes_on(world: World, taken: s
 def test_an_address_that_is_not_this_machines_is_told(world: World, listen: str, state: DoorState) -> None:
     here, beside = world.here(listen=listen), world.process()
     beside.node("pupil")
-    assert until(lambda: here.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil"])
     assert comes_to(here, state)
     assert (door(here).reason != "") == (state == DoorState.FAILED)
 
 
+@pytest.mark.process
 def test_a_machine_that_nobody_answers_on_is_told_until_somebody_does(
     world: World, port: int, short_folder: Path
 ) -> None:
     here, beside = world.here(connect=f"tcp/127.0.0.1:{port}"), world.process()
     beside.node("pupil")
-    assert until(lambda: here.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil"])
     assert comes_to(here, DoorState.NOBODY)
     teacher = world.process(
         DAY6_RUNTIME_DIR=str(short_folder / "m2"), TEST_ADDRESSES=json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
     )
     teacher.node("teacher")
     assert comes_to(here, DoorState.OPEN)
-    assert until(lambda: here.nodes() == ["/pupil", "/teacher"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil", "/teacher"])
     teacher.kill()
     assert comes_to(here, DoorState.NOBODY)
-    assert until(lambda: here.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: here.nodes() == ["/pupil"])
 
 
+@pytest.mark.process
 def test_a_name_that_nobody_knows_is_told(world: World) -> None:
     here = world.here(connect="tcp/no-such-host.invalid:7447")
     assert comes_to(here, DoorState.NO_NAME)
 
 
+@pytest.mark.process
 def test_other_processes_of_the_user_read_how_it_stands_with_the_doors(world: World, port: int) -> None:
     here, beside = world.here(listen=f"tcp/127.0.0.1:{port}"), world.here()
     assert comes_to(beside, DoorState.OPEN)
@@ -113,20 +117,22 @@ def pupil(world: World, folder: Path, port: int, secret: str | None) -> Any:
     return world.process(DAY6_RUNTIME_DIR=str(folder), TEST_ADDRESSES=json.dumps(addresses))
 
 
+@pytest.mark.process
 def test_who_knows_the_secret_is_let_in(world: World, port: int, short_folder: Path) -> None:
     teacher = world.here(listen=f"tcp/127.0.0.1:{port}", secret=SECRET)
     teacher.node("teacher")
     student = pupil(world, short_folder / "m2", port, SECRET)
     student.node("student")
-    assert until(lambda: teacher.nodes() == student.nodes() == ["/student", "/teacher"], PATIENCE)
-    assert until(lambda: door(teacher).joined == 1, PATIENCE)
+    assert until(lambda: teacher.nodes() == student.nodes() == ["/student", "/teacher"])
+    assert until(lambda: door(teacher).joined == 1)
     assert door(teacher).secret
     publisher = student.publisher(student.node("talker"), "/chatter")
     subscription = teacher.subscription(teacher.node("listener"), "/chatter")
-    assert until(lambda: student.matched(publisher) == 1 and teacher.matched(subscription) == 1, PATIENCE)
-    assert until(lambda: student.publish(publisher, data="hello") or teacher.messages(subscription), PATIENCE)
+    assert until(lambda: student.matched(publisher) == 1 and teacher.matched(subscription) == 1)
+    assert until(lambda: student.publish(publisher, data="hello") or teacher.messages(subscription))
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("theirs", "ours"), [(SECRET, OTHER_SECRET), (SECRET, None), (None, SECRET)])
 def test_who_does_not_is_kept_out_and_told(
     world: World, port: int, short_folder: Path, theirs: str | None, ours: str | None
@@ -140,6 +146,7 @@ def test_who_does_not_is_kept_out_and_told(
     assert student.nodes() == ["/student"] and teacher.nodes() == ["/teacher"]
 
 
+@pytest.mark.process
 def test_no_password_is_left_in_a_file(world: World, port: int) -> None:
     here = world.here(listen=f"tcp/127.0.0.1:{port}", secret=SECRET)
     assert comes_to(here, DoorState.OPEN)

@@ -65,6 +65,7 @@ def test_an_error_of_zenoh_is_told_by_the_systems_number(text: str, state: DoorS
 # -- what is asked of the network --------------------------------------------------------------------------------------
 
 
+@pytest.mark.process
 def test_a_door_is_free_when_nobody_has_its_port(listener: socket.socket) -> None:
     taken = listener.getsockname()[1]
     assert not gate_module._is_free(f"tcp/127.0.0.1:{taken}")
@@ -88,6 +89,7 @@ def test_who_answers_without_joining_does_not_let_us_in(listener: socket.socket)
     assert (state, addresses) == (DoorState.NOT_LET_IN, {f"127.0.0.1:{port}"})
 
 
+@pytest.mark.process
 def test_a_port_without_a_program_a_name_without_a_machine_and_udp() -> None:
     port = unused_port()
     assert gate_module._probe(Address("tcp", "127.0.0.1", port)) == (DoorState.NOBODY, {f"127.0.0.1:{port}"})
@@ -258,6 +260,7 @@ def test_doors_are_read_by_others_as_they_were_written_and_by_nobody_else(place:
     assert read_doors(place) == () and list(place.folder.iterdir()) == []
 
 
+@pytest.mark.process
 def test_doors_of_several_processes_are_one_list_and_what_the_dead_left_goes(place: Place) -> None:
     with subprocess.Popen([sys.executable, "-c", ""]) as ended:
         ended.wait()

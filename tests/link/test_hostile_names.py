@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
+from folded import folded
 
 from day6_tui.core.graph.graph import Graph
 from day6_tui.core.link.keys import parse_token
@@ -50,8 +53,7 @@ def test_the_token_that_the_others_are_made_of_is_a_good_one() -> None:
     assert (said.namespace, said.node_name, said.topic) == ("/team", "talker", "/team/chatter")
 
 
-@pytest.mark.parametrize("part", [part for part in PARTS if part != "kind"])
-@pytest.mark.parametrize("what", HOSTILE)
+@folded("part, what", product(PARTS.keys() - {"kind"}, HOSTILE))
 def test_no_part_of_a_token_carries_signs_that_ros_names_cannot_have(part: str, what: str) -> None:
     value = PARTS[part]
     for bad in (value + HOSTILE[what], HOSTILE[what] + value, value[:1] + HOSTILE[what] + value[1:]):

@@ -11,12 +11,16 @@ import threading
 from collections.abc import Iterator
 
 import pytest
-from link_harness import World
+from link_harness import HOUR, LEASE, World
 from waiting import until
 
-pytestmark = pytest.mark.skipif(
-    importlib.util.find_spec("zenoh_ros2_sdk") is None, reason="zenoh-ros2-sdk is not installed (the test extra has it)"
-)
+pytestmark = [
+    pytest.mark.process,
+    pytest.mark.skipif(
+        importlib.util.find_spec("zenoh_ros2_sdk") is None,
+        reason="zenoh-ros2-sdk is not installed (the test extra has it)",
+    ),
+]
 
 STRING = "std_msgs/msg/String"
 START = """
@@ -35,7 +39,11 @@ class Stranger:
     def __init__(self, port: int, source: str) -> None:
         self.process = subprocess.Popen(
             [sys.executable, "-c", START + source, str(port)],
-            env={**os.environ, "PYTHONPATH": "", "ZENOH_CONFIG_OVERRIDE": 'listen/endpoints=["tcp/127.0.0.1:0"]'},
+            env={
+                **os.environ,
+                "PYTHONPATH": "",
+                "ZENOH_CONFIG_OVERRIDE": f'listen/endpoints=["tcp/127.0.0.1:0"];{LEASE}={HOUR}',
+            },
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
@@ -51,7 +59,7 @@ class Stranger:
             self.lines.append(line.strip())
 
     def says(self, *lines: str) -> bool:
-        return bool(until(lambda: self.lines == list(lines), 20))
+        return bool(until(lambda: self.lines == list(lines)))
 
     def end(self) -> None:
         self.process.kill()
@@ -84,7 +92,8 @@ def test_its_publisher_is_listed_and_heard_here_and_behind_the_gate(
             port,
             """
 publisher = sdk.ROS2Publisher("/chatter", node_name="stranger", namespace="/far", **text)
-time.sleep(1)
+while not publisher.pub.matching_status.matching:
+    time.sleep(0.01)
 for number in range(5):
     publisher.publish(data=f"hello {number}")
 sys.stdin.read()
@@ -92,14 +101,14 @@ sys.stdin.read()
         )
     )
     for each, subscription in subscriptions:
-        assert until(lambda each=each: "/far/stranger" in each.nodes(), 20)
-        assert until(lambda each=each, it=subscription: each.length(it) == 5, 20)
+        assert until(lambda each=each: "/far/stranger" in each.nodes())
+        assert until(lambda each=each, it=subscription: each.length(it) == 5)
         assert each.messages(subscription) == [f"hello {number}" for number in range(5)]
         (found,) = [found for found in each.endpoints("/chatter") if found[0] == "MP"]
         assert found[1:4] == ["/far/stranger", "/chatter", STRING]
         assert found[5] == "::,10:,:,:,,"
     strangers[0].process.kill()
-    assert until(lambda: "/far/stranger" not in behind.nodes(), 2)
+    assert until(lambda: "/far/stranger" not in behind.nodes())
 
 
 def test_it_hears_us(world: World, port: int, strangers: list[Stranger]) -> None:
@@ -114,11 +123,10 @@ sys.stdin.read()
 """,
         )
     )
-    assert until(lambda: behind.matched(publisher) == 1, 20)
+    assert until(lambda: behind.matched(publisher) == 1)
     # It says that it listens before it does: what is published in between is lost, as between any two of ROS.
     until(
         lambda: strangers[0].lines,
-        20,
         every=0.1,
         meanwhile=lambda: behind.publish(publisher, data="from behind the gate"),
     )
@@ -126,7 +134,7 @@ sys.stdin.read()
     direct = gate.publisher(gate.node("direct"), "/chatter")
     assert until(lambda: gate.matched(direct) == 1)
     gate.publish(direct, data="from the gate")
-    until(lambda: strangers[0].lines[-1] == "from the gate", 20)
+    until(lambda: strangers[0].lines[-1] == "from the gate")
 
 
 def test_its_client_asks_our_server(world: World, port: int, strangers: list[Stranger]) -> None:
@@ -138,7 +146,8 @@ def test_its_client_asks_our_server(world: World, port: int, strangers: list[Str
             port,
             """
 client = sdk.ROS2ServiceClient("/add", **add)
-time.sleep(1)
+while not client.session_mgr.session.declare_querier(client.keyexpr).matching_status.matching:
+    time.sleep(0.01)
 for a in range(3):
     print(client.call(a=a, b=40).sum, flush=True)
 sys.stdin.read()
@@ -165,6 +174,6 @@ sys.stdin.read()
 """,
         )
     )
-    assert until(lambda: behind.matched(client), 20)
+    assert until(lambda: behind.matched(client))
     number = behind.call(client, 3, 4)
     assert until(lambda: behind.responses(client)) == [[number, 7]]

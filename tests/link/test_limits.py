@@ -35,7 +35,6 @@ from day6_tui.core.link.remote import Origin, RemoteGraph, lives_here
 from day6_tui.core.link.state import DoorState
 from day6_tui.core.link.unannounced import UnannouncedSenders
 
-PATIENCE = 60.0
 MANY = 3000
 NODES = "@ros2_lv/0/ffffffffffffffff/{}/{}/NN/%/%/flood{}"
 PEERS = "@ros2_lv/0/f{}0/1/1/NN/%/%/flood{}"
@@ -161,28 +160,30 @@ def test_senders_that_nothing_announced_do_not_pile_up() -> None:
     assert len(remote._unannounced) == MOST_UNANNOUNCED
 
 
+@pytest.mark.process
 def test_thousands_of_nodes_of_a_stranger_are_bounded_and_forgotten_and_nobody_else_notices(
     world: World, open_desk: Peer, hostile: Hostile
 ) -> None:
     beside = world.process()
     beside.node("pupil")
     assert hostile.tokens(NODES, MANY) == MANY
-    assert until(lambda: refused(open_desk, "nodes") > 0, PATIENCE)
+    assert until(lambda: refused(open_desk, "nodes") > 0)
     assert len(open_desk.graph.nodes) <= MOST_NODES_OF_ONE + 1
     late = world.process()
     late.node("late")
     for peer in (open_desk, beside, late):
-        assert until(lambda peer=peer: {"/pupil", "/late"} <= set(peer.nodes()), PATIENCE)
+        assert until(lambda peer=peer: {"/pupil", "/late"} <= set(peer.nodes()))
     publisher = late.publisher(late.node("talker"), "/chatter")
     subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
-    assert until(lambda: late.matched(publisher) == 1 and open_desk.matched(subscription) == 1, PATIENCE)
+    assert until(lambda: late.matched(publisher) == 1 and open_desk.matched(subscription) == 1)
     late.publish(publisher, data="still here")
-    assert until(lambda: open_desk.messages(subscription) == ["still here"], PATIENCE)
+    assert until(lambda: open_desk.messages(subscription) == ["still here"])
     hostile.kill()
     everyone = ["/late", "/listener", "/pupil", "/talker"]
-    assert until(lambda: open_desk.nodes() == beside.nodes() == late.nodes() == everyone, PATIENCE)
+    assert until(lambda: open_desk.nodes() == beside.nodes() == late.nodes() == everyone)
 
 
+@pytest.mark.process
 def test_leaving_while_thousands_of_nodes_come_in_takes_no_longer_than_a_moment(
     open_desk: Peer, hostile: Hostile
 ) -> None:
@@ -193,13 +194,14 @@ def test_leaving_while_thousands_of_nodes_come_in_takes_no_longer_than_a_moment(
     assert open_desk.nodes() == []
 
 
+@pytest.mark.process
 def test_bad_messages_are_counted_and_the_good_ones_arrive(open_desk: Peer, hostile: Hostile) -> None:
     subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
     thing: Subscription = open_desk.things[subscription]
     key = data_key(thing)
     good = serialize(get_message("std_msgs/msg/String")(data="good")).hex()
     sender = pack(1, 1, b"\1" * 16).hex()
-    assert until(lambda: hostile.messages(key, good, sender, 1) and open_desk.messages(subscription), PATIENCE)
+    assert until(lambda: hostile.messages(key, good, sender, 1) and open_desk.messages(subscription))
     claims_4_gigabytes = "00010000ffffffff41"
     bad = [
         ("", sender),
@@ -212,54 +214,56 @@ def test_bad_messages_are_counted_and_the_good_ones_arrive(open_desk: Peer, host
     ]
     for payload, attachment in bad:
         hostile.messages(key, payload, attachment, 1)
-    assert until(lambda: refused(open_desk, "messages") == len(bad), PATIENCE)
+    assert until(lambda: refused(open_desk, "messages") == len(bad))
     hostile.messages(key, good, sender, 1)
-    assert until(lambda: "good" in open_desk.messages(subscription), PATIENCE)
+    assert until(lambda: "good" in open_desk.messages(subscription))
     assert all(len(problem) <= 500 for problem in open_desk.problems())
 
 
+@pytest.mark.process
 def test_a_flood_of_messages_from_ever_new_senders_fills_no_memory(open_desk: Peer, hostile: Hostile) -> None:
     subscription = open_desk.subscription(open_desk.node("listener"), "/chatter", depth=5)
     thing: Subscription = open_desk.things[subscription]
     good = serialize(get_message("std_msgs/msg/String")(data="x")).hex()
     sender = pack(1, 1, b"\2" * 16).hex()
-    assert until(
-        lambda: hostile.messages(data_key(thing), good, sender, 1) and open_desk.length(subscription), PATIENCE
-    )
+    assert until(lambda: hostile.messages(data_key(thing), good, sender, 1) and open_desk.length(subscription))
     link: Any = open_desk.graph.transport
 
     def flood() -> None:  # again and again: a busy machine drops a part of it, and senders are forgotten after a while
         hostile.messages(data_key(thing), good, sender, 3 * MOST_UNANNOUNCED, vary=True)
 
-    assert until(lambda: len(link._remote._unannounced) == MOST_UNANNOUNCED, PATIENCE, every=0.5, meanwhile=flood)
+    assert until(lambda: len(link._remote._unannounced) == MOST_UNANNOUNCED, every=0.5, meanwhile=flood)
     assert open_desk.length(subscription) == 5
 
 
+@pytest.mark.process
 def test_a_flood_of_bad_questions_leaves_the_server_answering(world: World, open_desk: Peer, hostile: Hostile) -> None:
     server = open_desk.service(open_desk.node("server"), "/add")
     key = data_key(open_desk.things[server])
     sender = pack(1, 1, b"\3" * 16).hex()
-    assert until(lambda: hostile.queries(key, "00", sender, 1) and refused(open_desk, "messages"), PATIENCE)
+    assert until(lambda: hostile.queries(key, "00", sender, 1) and refused(open_desk, "messages"))
     hostile.queries(key, "00", sender, 500)
     hostile.queries(key, "00", "0102", 500)
-    assert until(lambda: refused(open_desk, "messages") > 1000, PATIENCE)
+    assert until(lambda: refused(open_desk, "messages") > 1000)
     beside = world.process()
     client = beside.client(beside.node("asker"), "/add")
-    assert until(lambda: beside.matched(client) == 1, PATIENCE)
+    assert until(lambda: beside.matched(client) == 1)
     number = beside.call(client, 1, 2)
-    assert until(lambda: beside.responses(client) == [[number, 3]], PATIENCE)
+    assert until(lambda: beside.responses(client) == [[number, 3]])
 
 
+@pytest.mark.process
 def test_tokens_of_wrong_forms_are_counted_and_passed_over(world: World, open_desk: Peer, hostile: Hostile) -> None:
     for pattern in ("@day6/0/here", "@day6/0/nowhere/1", "@day6/0/here/1/2", "@ros2_lv/0/x", "@ros2_lv/0/a/b/c/d/e/f"):
         hostile.tokens(pattern, 1)
     # The first three are this machine's own way of telling, and nobody listens to it outside.
-    assert until(lambda: refused(open_desk, "names") == 2, PATIENCE)
+    assert until(lambda: refused(open_desk, "names") == 2)
     beside = world.process()
     beside.node("pupil")
-    assert until(lambda: open_desk.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: open_desk.nodes() == ["/pupil"])
 
 
+@pytest.mark.process
 def test_a_message_under_a_local_senders_name_is_passed_over(open_desk: Peer, hostile: Hostile) -> None:
     publisher = open_desk.publisher(open_desk.node("talker"), "/chatter")
     subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
@@ -270,34 +274,33 @@ def test_a_message_under_a_local_senders_name_is_passed_over(open_desk: Peer, ho
     (own,) = link._topics._own_gids
     key, sender = data_key(thing), pack(1, 1, b"\4" * 16).hex()
     text = {word: serialize(get_message("std_msgs/msg/String")(data=word)).hex() for word in ("forged", "theirs")}
-    assert until(
-        lambda: hostile.messages(key, text["theirs"], sender, 1) and open_desk.length(subscription) > 1, PATIENCE
-    )
+    assert until(lambda: hostile.messages(key, text["theirs"], sender, 1) and open_desk.length(subscription) > 1)
     hostile.messages(key, text["forged"], pack(7, 7, own).hex(), 1)
     hostile.messages(key, text["theirs"], pack(9, 9, b"\4" * 16).hex(), 1)
     heard: list[Any] = []
-    assert until(lambda: heard.extend(open_desk.samples(subscription)) or 9 in [it["number"] for it in heard], PATIENCE)
+    assert until(lambda: heard.extend(open_desk.samples(subscription)) or 9 in [it["number"] for it in heard])
     assert {it["data"] for it in heard} == {"own", "theirs"}
 
 
+@pytest.mark.process
 def test_nobody_outside_takes_the_name_of_a_process_of_this_machine(
     world: World, open_desk: Peer, hostile: Hostile
 ) -> None:
     beside = world.process()
     beside.node("pupil")
-    assert until(lambda: open_desk.nodes() == ["/pupil"], PATIENCE)
+    assert until(lambda: open_desk.nodes() == ["/pupil"])
     ours = open_desk.graph.nodes[0].origin
     assert isinstance(ours, Origin) and lives_here(ours, 0)
     hostile.tokens(f"@ros2_lv/0/{ours.zid}/{{}}/{{}}/NN/%/%/forged{{}}", 600)
     hostile.tokens(NODES, 1)
-    assert until(lambda: "/flood0" in open_desk.nodes(), PATIENCE)
-    assert until(lambda: refused(open_desk, "sessions") == 600, PATIENCE)
+    assert until(lambda: "/flood0" in open_desk.nodes())
+    assert until(lambda: refused(open_desk, "sessions") == 600)
     assert open_desk.nodes() == ["/flood0", "/pupil"]
-    assert until(lambda: beside.nodes() == ["/flood0", "/pupil"], PATIENCE)
+    assert until(lambda: beside.nodes() == ["/flood0", "/pupil"])
     (stranger,) = (node.origin for node in open_desk.graph.nodes if node.name == "flood0")
     assert not lives_here(stranger, 0)
     late = beside.node("late")
-    assert until(lambda: "/late" in open_desk.nodes(), PATIENCE), late
+    assert until(lambda: "/late" in open_desk.nodes()), late
 
 
 def test_a_machine_is_forgotten_with_its_last_link_and_not_token_by_token() -> None:
@@ -313,6 +316,7 @@ def test_a_machine_is_forgotten_with_its_last_link_and_not_token_by_token() -> N
     assert admission.tokens_of(None) == ["@ros2_lv/0/abc/1/1/NN/%/%/other"]
 
 
+@pytest.mark.process
 def test_a_second_gate_of_the_same_user_waits_until_the_first_is_closed(world: World, open_desk: Peer) -> None:
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
@@ -321,7 +325,7 @@ def test_a_second_gate_of_the_same_user_waits_until_the_first_is_closed(world: W
     (door,) = doors_of(second.graph)
     assert door.state == DoorState.FAILED and "another program of yours" in door.reason
     open_desk.leave()
-    assert until(lambda: doors_of(second.graph)[0].state == DoorState.OPEN, PATIENCE)
+    assert until(lambda: doors_of(second.graph)[0].state == DoorState.OPEN)
 
 
 def test_who_was_never_announced_is_forgotten_after_a_while() -> None:

@@ -14,7 +14,7 @@ import pytest
 from link_harness import ProcessPeer
 from waiting import until
 
-PATIENCE = 30.0
+pytestmark = pytest.mark.process
 TEACHER, PUPIL = "10.66.13.1", "10.66.13.2"
 PORT = 7447
 
@@ -83,12 +83,12 @@ def test_a_class_over_a_cable_that_is_pulled(hosts: Hosts) -> None:
     for pupil in pupils:
         pupil.node("turtlesim")
     both = ["/anna/turtlesim", "/ben/turtlesim"]
-    assert until(lambda: teacher.nodes() == both, PATIENCE)
+    assert until(lambda: teacher.nodes() == both)
     hosts.cable(False)
-    assert until(lambda: teacher.nodes() == [], PATIENCE)
+    assert until(lambda: teacher.nodes() == [])
     assert all(pupil.nodes() == ["/turtlesim"] for pupil in pupils)
     hosts.cable(True)
-    assert until(lambda: teacher.nodes() == both, PATIENCE)
+    assert until(lambda: teacher.nodes() == both)
 
 
 def test_routers_of_two_hosts_join_two_graphs(hosts: Hosts) -> None:
@@ -96,4 +96,4 @@ def test_routers_of_two_hosts_join_two_graphs(hosts: Hosts) -> None:
     other = hosts.peer("b", connect=f"tcp/{TEACHER}:{PORT}")
     one.node("talker")
     other.node("listener")
-    assert until(lambda: one.nodes() == other.nodes() == ["/listener", "/talker"], PATIENCE)
+    assert until(lambda: one.nodes() == other.nodes() == ["/listener", "/talker"])

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import ipaddress
 import shutil
-import subprocess
 import sys
 
 import pytest
+from waiting import run
 
 from day6_tui.core.link.addresses import own_address
 
 TELL = "from day6_tui.core.link.addresses import own_address; print(own_address())"
 
 
+@pytest.mark.process
 def test_it_is_an_address_or_this_machines_name() -> None:
     assert own_address()
 
 
+@pytest.mark.process
 @pytest.mark.skipif(shutil.which("unshare") is None, reason="needs unshare, of util-linux")
 def test_in_a_network_without_a_way_out_it_is_still_the_address() -> None:
     link = (
@@ -25,7 +27,7 @@ def test_in_a_network_without_a_way_out_it_is_still_the_address() -> None:
     )
     script = f'{link} && exec "$0" -c "{TELL}"'
     words = ["unshare", "--net", "--map-root-user", "sh", "-c", script, sys.executable]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=30, check=False)
+    done = run(words)
     if done.returncode:
         pytest.skip(f"no network of one's own here: {done.stderr.strip()[-80:]}")
     assert ipaddress.ip_address(done.stdout.strip()) == ipaddress.ip_address("10.77.1.5")

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-import time
 from typing import Any
 
+import pytest
 from link_harness import World
 from waiting import until
 
 from day6_tui.core.graph import EndpointKind
 from day6_tui.core.link import listen_in
+
+pytestmark = pytest.mark.process
 
 
 def publisher_of(peer: Any, topic: str) -> Any:
@@ -22,16 +24,16 @@ def test_messages_between_two_other_processes_are_counted_and_nobody_notices(wor
     says = talker.publisher(talker.node("talker"), "/chatter", depth=100)
     hears = listener.subscription(listener.node("listener"), "/chatter", depth=100)
     other = talker.publisher(talker.node("talker2"), "/chatter", depth=100)
-    assert until(lambda: talker.matched(says) == talker.matched(other) == listener.matched(hears) - 1 == 1)
-    assert until(lambda: len(here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter")) == 2)
+    last = talker.publisher(talker.node("talker3"), "/chatter", depth=100)
+    assert until(lambda: talker.matched(says) == talker.matched(last) == listener.matched(hears) - 2 == 1)
+    assert until(lambda: len(here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter")) == 3)
     before = talker.endpoints("/chatter"), listener.endpoints("/chatter"), listener.nodes()
-    first = next(
-        each for each in here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter") if each.node.name == "talker"
-    )
+    found = {each.node.name: each for each in here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter")}
+    first, third = found["talker"], found["talker3"]
     passing = listen_in(here.graph)
     assert passing is not None and passing.count(first) is None
-    passing.follow([first])
-    assert until(lambda: passing.count(first) == 0)
+    passing.follow([first, third])
+    assert until(lambda: passing.count(first) == passing.count(third) == 0)
     sent = 0
 
     def heard() -> bool:
@@ -42,12 +44,14 @@ def test_messages_between_two_other_processes_are_counted_and_nobody_notices(wor
         return bool(passing.count(first))
 
     assert until(heard), "as soon as Zenoh knows the way"
-    time.sleep(0.3)  # what was sent meanwhile arrives
+    talker.publish(last, data="behind them all")
+    assert until(lambda: passing.count(third) == 1), "and before it came what was sent meanwhile"
     now = passing.count(first)
     assert now is not None
     for number in range(50):
         talker.publish(says, data=f"more {number}")
-    assert until(lambda: passing.count(first) == now + 50)
+    talker.publish(last, data="behind them all")
+    assert until(lambda: passing.count(third) == 2) and passing.count(first) == now + 50
     assert (talker.endpoints("/chatter"), listener.endpoints("/chatter"), listener.nodes()) == before
     assert not here.graph.endpoints(EndpointKind.SUBSCRIPTION, topic="/chatter")[0].matched
     assert first.delivered == 0 and talker.matched(says) == 1

@@ -100,6 +100,7 @@ def test_who_comes_later_finds_those_who_had_to_go_elsewhere(folders: tuple[Path
     assert meeting_place(0).folder == usual / "0"
 
 
+@pytest.mark.process
 def test_where_sockets_are_tcp_a_taken_port_is_not_waited_for(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DAY6_LINK", "tcp")
     place = meeting_place(0)
@@ -108,5 +109,5 @@ def test_where_sockets_are_tcp_a_taken_port_is_not_waited_for(world: World, monk
         thief.listen()
         one, other = world.here(), world.process(DAY6_LINK="tcp")
         other.node("pupil")
-        assert until(lambda: one.nodes() == ["/pupil"], 60.0)
+        assert until(lambda: one.nodes() == ["/pupil"])
         assert place.meeting_port != thief.getsockname()[1]

@@ -166,6 +166,7 @@ def test_a_folder_that_cannot_be_made_is_told_with_the_systems_words(short_folde
 # -- who is there ------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.process
 def test_neighbours_are_the_sockets_of_processes_that_live(place: Place, dead: int) -> None:
     for name in (f"p-abc-{os.getpid()}", f"p-def-{dead}", "p-x-y", "q-abc-1", "meet", f"p-abc-{os.getpid()}.lock"):
         (place.folder / name).touch()
@@ -173,6 +174,7 @@ def test_neighbours_are_the_sockets_of_processes_that_live(place: Place, dead: i
     assert list(neighbours(place)) == [Neighbour("abc", os.getpid(), own)]
 
 
+@pytest.mark.process
 def test_a_neighbourhood_sees_who_comes_and_who_was_killed_though_the_folder_stays_as_it_is(place: Place) -> None:
     neighbourhood = Neighbourhood(place)
     assert "abc" not in neighbourhood
@@ -196,6 +198,7 @@ def test_of_two_who_come_within_one_tick_of_the_clock_both_are_seen(place: Place
         assert zid in neighbourhood
 
 
+@pytest.mark.process
 def test_what_the_dead_left_is_removed_with_its_lock(place: Place, dead: int, listening: Path) -> None:
     gone, here = place.folder / f"p-def-{dead}", place.own_socket("abc")
     for path in (gone, here):
@@ -207,6 +210,7 @@ def test_what_the_dead_left_is_removed_with_its_lock(place: Place, dead: int, li
     assert listening.exists(), "a process of another container listens"
 
 
+@pytest.mark.process
 def test_signs_of_the_dead_are_removed_where_sockets_are_tcp(tcp_place: Place, dead: int) -> None:
     gone, here = tcp_place.folder / f"p-def-{dead}", tcp_place.own_socket("abc")
     gone.touch()
@@ -215,6 +219,7 @@ def test_signs_of_the_dead_are_removed_where_sockets_are_tcp(tcp_place: Place, d
     assert not gone.exists() and here.exists()
 
 
+@pytest.mark.process
 def test_an_old_socket_on_which_nobody_listens_is_removed(place: Place, listening: Path) -> None:
     def neighbour(path: Path) -> Neighbour:
         return Neighbour("abc", os.getpid(), path)
@@ -254,6 +259,7 @@ def test_what_another_process_removes_first_is_no_error(place: Place, monkeypatc
     assert list(place.folder.iterdir()) == []
 
 
+@pytest.mark.process
 def test_a_process_exists_as_long_as_it_lives(dead: int) -> None:
     assert process_exists(os.getpid()) and process_exists(1)
     assert not process_exists(dead)

@@ -6,11 +6,10 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
 import pytest
-from link_harness import World
-from waiting import until
+from link_harness import HOUR_OF_LEASE, World
+from waiting import communicate, run, until
 
 needs_kill = pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
 
@@ -22,31 +21,26 @@ def sockets(world: World, domain: str = "0") -> list[str]:
 def run_python(world: World, source: str, **environment: str) -> subprocess.CompletedProcess[str]:
     """Run a student's program to its end."""
     settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
-    return subprocess.run(
-        [sys.executable, "-c", source],
-        env={**os.environ, **settings, **environment},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        encoding="utf-8",
-    )
+    return run([sys.executable, "-c", source], env={**os.environ, **settings, **environment})
 
 
+@pytest.mark.process
 @needs_kill
-def test_a_killed_process_is_gone_within_two_seconds(world: World) -> None:
+@pytest.mark.usefixtures("hour_of_lease")
+def test_a_killed_process_is_gone_at_once(world: World) -> None:
     stays, victim = world.here(), world.process()
     node = victim.node("victim")
     victim.publisher(node, "/chatter")
     victim.service(node, "/add")
     assert until(lambda: stays.endpoints("/add") and stays.endpoints("/chatter"))
     victim.kill()
-    killed = time.monotonic()
     assert until(lambda: stays.nodes() == [])
-    assert time.monotonic() - killed < 2.0
     assert stays.endpoints("/chatter") == stays.endpoints("/add") == []
 
 
+@pytest.mark.process
 @needs_kill
+@pytest.mark.usefixtures("hour_of_lease")
 def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: World) -> None:
     keeper = world.process()
     keeper.node("keeper")
@@ -57,10 +51,8 @@ def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: 
     assert keeper.keeps_meeting_point() and not talker.keeps_meeting_point()
     assert until(lambda: talker.nodes() == listener.nodes() == ["/keeper", "/listener", "/talker"])
     keeper.kill()
-    killed = time.monotonic()
     talker.publish_numbers(publisher, 0, 50)
     assert until(lambda: talker.nodes() == listener.nodes() == ["/listener", "/talker"])
-    assert time.monotonic() - killed < 2.0
     assert until(lambda: listener.length(subscription) == 50)
     assert listener.messages(subscription) == [str(number) for number in range(50)]
     assert until(lambda: talker.keeps_meeting_point() or listener.keeps_meeting_point())
@@ -69,10 +61,11 @@ def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: 
     newcomer.node("newcomer")
     everybody = ["/listener", "/newcomer", "/talker"]
     assert until(lambda: talker.nodes() == listener.nodes() == newcomer.nodes() == everybody)
-    assert time.monotonic() - killed < 5.0
 
 
+@pytest.mark.process
 @needs_kill
+@pytest.mark.usefixtures("hour_of_lease")
 def test_keepers_may_die_one_after_another(world: World) -> None:
     peers = {f"/n{number}": world.process() for number in range(4)}
     for name, peer in peers.items():
@@ -84,6 +77,7 @@ def test_keepers_may_die_one_after_another(world: World) -> None:
     assert until(lambda: all(peer.nodes() == sorted(peers) for peer in peers.values()))
 
 
+@pytest.mark.process
 def test_a_process_that_ends_leaves_nothing_behind(world: World) -> None:
     keeper = world.here()
     leaver = world.process()
@@ -96,6 +90,7 @@ def test_a_process_that_ends_leaves_nothing_behind(world: World) -> None:
     assert world.stderr.read_text(encoding="utf-8") == ""
 
 
+@pytest.mark.process
 def test_a_program_that_is_done_with_ros_still_lets_the_others_find_each_other(world: World) -> None:
     keeper = world.process()
     keeper.node("keeper")
@@ -114,6 +109,7 @@ def test_a_program_that_is_done_with_ros_still_lets_the_others_find_each_other(w
     assert world.stderr.read_text(encoding="utf-8") == ""
 
 
+@pytest.mark.process
 @needs_kill
 def test_the_next_process_clears_away_the_sockets_of_killed_ones(world: World) -> None:
     victims = [world.process() for _ in range(3)]
@@ -124,6 +120,7 @@ def test_the_next_process_clears_away_the_sockets_of_killed_ones(world: World) -
     assert len(sockets(world)) == 2
 
 
+@pytest.mark.process
 def test_three_processes_hear_each_message_once(world: World) -> None:
     peers = [world.here(), world.process(), world.process()]
     publishers, subscriptions = [], []
@@ -146,6 +143,7 @@ def test_three_processes_hear_each_message_once(world: World) -> None:
     assert all(peer.nodes() == ["/n0", "/n1", "/n2"] for peer in peers)
 
 
+@pytest.mark.process
 def test_two_domains_never_meet(world: World) -> None:
     zero, seven = world.here(), world.process(ROS_DOMAIN_ID="7")
     publisher = zero.publisher(zero.node("zero"), "/chatter")
@@ -160,6 +158,7 @@ def test_two_domains_never_meet(world: World) -> None:
     assert zero.nodes() == ["/also_zero", "/zero"]
 
 
+@pytest.mark.process
 def test_a_one_shot_command_sees_every_node_of_the_machine_before_it_answers(world: World) -> None:
     peers = [world.process() for _ in range(4)]
     for number, peer in enumerate(peers):
@@ -185,12 +184,11 @@ def test_a_one_shot_command_alone_answers_at_once(world: World) -> None:
 
     graph = Graph()
     link = join(graph, one_shot=True)
-    started = time.monotonic()
-    assert link.wait_settled(5.0)
-    assert time.monotonic() - started < 0.5
+    assert link.wait_settled(0.0), "there was nothing to wait for"
     leave(graph)
 
 
+@pytest.mark.process
 def test_a_one_shot_command_that_waits_finds_a_process_that_starts_later(world: World) -> None:
     command = world.here(one_shot=True)
     client = command.client(command.node("asker"), "/add")
@@ -201,6 +199,7 @@ def test_a_one_shot_command_that_waits_finds_a_process_that_starts_later(world: 
     assert until(lambda: command.responses(client)) == [[number, 42]]
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 @pytest.mark.parametrize("way_out", ["os._exit(0)", "sys.exit(0)", "raise SystemExit"])
 def test_a_program_that_forks_goes_on_and_its_child_ends(world: World, way_out: str) -> None:
@@ -240,15 +239,17 @@ sys.stdin.readline()
         assert program.stdout.readline() == "this process was forked from one that had joined already\n"
         assert program.stdout.readline() == "child 0\n"
         assert until(lambda: keeper.nodes() == ["/parent"])
-        program.communicate("\n", timeout=10)
+        communicate(program, "\n")
         assert program.returncode == 0
     assert until(lambda: keeper.nodes() == [])
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+@pytest.mark.usefixtures("hour_of_lease")
 def test_a_killed_program_is_gone_although_its_forked_child_lives(world: World) -> None:
     keeper = world.here()
-    source = """
+    source = f"""{HOUR_OF_LEASE}
 import os, time
 from day6_tui.core.graph import Graph
 from day6_tui.core.link import join
@@ -256,8 +257,8 @@ graph = Graph()
 link = join(graph)
 graph.create_node("parent")
 link.wait_settled(5.0)
-os.write(1, f"{os.fork()}\\n".encode())  # two processes, each line in one piece
-time.sleep(60)
+os.write(1, f"{{os.fork()}}\\n".encode())  # two processes, each line in one piece
+time.sleep(3600)
 """
     settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
     with subprocess.Popen(
@@ -272,13 +273,12 @@ time.sleep(60)
         try:
             assert until(lambda: keeper.nodes() == ["/parent"])
             program.kill()
-            killed = time.monotonic()
             assert until(lambda: keeper.nodes() == [])
-            assert time.monotonic() - killed < 2.0
         finally:
             os.kill(child, signal.SIGKILL)
 
 
+@pytest.mark.process
 def test_the_engine_never_writes_to_the_students_terminal(world: World) -> None:
     source = """
 from day6_tui.core.graph import Graph
@@ -292,6 +292,7 @@ link.wait_settled(2.0)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("ending", ["", "raise KeyboardInterrupt", "import sys; sys.exit(3)", "1/0"])
 def test_a_program_ends_as_python_ends_it_and_its_last_words_arrive(world: World, ending: str) -> None:
     keeper = world.here()
@@ -315,15 +316,14 @@ for number in range(500):
 {ending}
 """
     plain = run_python(world, ending, DAY6_LINK="off")
-    started = time.monotonic()
     done = run_python(world, source)
-    assert time.monotonic() - started < 10
     assert done.returncode == plain.returncode
     assert done.stderr.splitlines()[-1:] == plain.stderr.splitlines()[-1:]
     assert until(lambda: keeper.length(subscription) == 500)
     assert keeper.messages(subscription)[-1] == "499"
 
 
+@pytest.mark.process
 def test_importing_the_link_costs_nothing_and_nothing_heavy_comes_with_joining(world: World) -> None:
     source = """
 import sys

@@ -6,8 +6,12 @@ import re
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
+import pytest
+
 if TYPE_CHECKING:
     from kernel import Kernel
+
+pytestmark = pytest.mark.process
 
 TALKER = """\
 import rclpy

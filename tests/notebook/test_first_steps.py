@@ -6,6 +6,8 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import pytest
+
 if TYPE_CHECKING:
     from kernel import Kernel
 
@@ -17,6 +19,7 @@ def cells() -> list[str]:
     return ["".join(each["source"]) for each in found if each["cell_type"] == "code"]
 
 
+@pytest.mark.process
 def test_every_cell_does_what_the_text_above_it_says(kernel: Kernel) -> None:
     load, init, talker, listener, nodes, topic, stop, driver, pose, end = cells()
     assert "ROS 2 is here" in kernel.run(load)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 
 import pytest
+from folded import folded
 from pixel_terminal import ANSWERS, PixelTerminal
 from textual import events
 
@@ -83,7 +84,7 @@ def keys_of(messages: list[object]) -> list[str]:
     return [message.key for message in messages if isinstance(message, events.Key)]
 
 
-@pytest.mark.parametrize("cut", range(1, len(TALK)))
+@folded("cut", range(1, len(TALK)))
 def test_no_answer_is_typed_wherever_reading_cuts_it(cut: int) -> None:
     parser, messages = KeyboardParser(), []
     for part in (TALK[:cut], TALK[cut:]):

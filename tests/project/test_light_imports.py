@@ -11,6 +11,8 @@ import pytest
 
 from day6_tui.core.ros.environment import program_environment
 
+pytestmark = pytest.mark.process
+
 HEAVY = {"numpy", "asyncio", "yaml", "textual", "rich", "zenoh", "yourdfpy", "trimesh", "scipy", "pyte", "pygments"}
 
 

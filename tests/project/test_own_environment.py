@@ -28,6 +28,7 @@ CALLERS = {
 }
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="has no umask, and other signals")
 def test_nothing_of_the_callers_reaches_a_test(tmp_path: Path) -> None:
     """Plays the next test in an odd place: started by `nohup`, with a umask and variables of its own."""

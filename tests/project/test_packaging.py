@@ -59,6 +59,7 @@ def test_every_folder_with_python_in_it_is_a_package() -> None:
     assert bare == set()
 
 
+@pytest.mark.process
 def test_the_root_imports_nothing() -> None:
     code = (
         "import sys; before = set(sys.modules); import day6_tui; "
@@ -96,17 +97,20 @@ def content(wheel: zipfile.ZipFile) -> set[str]:
     return {name for name in wheel.namelist() if not name.split("/")[0].endswith(".dist-info")}
 
 
+@pytest.mark.process
 def test_the_wheel_holds_every_source_and_data_file(wheel: zipfile.ZipFile) -> None:
     packed = content(wheel)
     expected = {"day6_tui/" + path.relative_to(ROOT).as_posix() for path in sources()}
     assert packed == expected | {"day6_tui/__init__.py"}
 
 
+@pytest.mark.process
 def test_the_wheel_brings_no_other_top_level_name(wheel: zipfile.ZipFile) -> None:
     tops = {name.split("/")[0] for name in content(wheel)}
     assert tops == {"day6_tui"}
 
 
+@pytest.mark.process
 def test_the_wheel_declares_the_command(wheel: zipfile.ZipFile) -> None:
     (entry_points,) = [name for name in {*wheel.namelist()} - content(wheel) if name.endswith("entry_points.txt")]
     assert "day6-tui = day6_tui.tui.main:main" in wheel.read(entry_points).decode()

@@ -12,10 +12,10 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from source_files import ROOT, TOPS, nodes, trees
 
 from day6_tui.core.ros import executables
 from day6_tui.core.ros.environment import program_environment
@@ -24,8 +24,6 @@ from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.shell.desk import Desk
 
-ROOT = Path(__file__).resolve().parents[2]
-TOPS = ("core", "tui", "urdf")
 ON_THE_PATH = ROOT / "core" / "ros" / "python"
 OF_DISTRIBUTIONS = ROOT / "core" / "ros" / "python_of"
 OF_JAZZY = OF_DISTRIBUTIONS / "jazzy"
@@ -48,14 +46,9 @@ for name in ("fork forkpty killpg getpgid setsid getuid geteuid getgid getppid u
 """Libraries are loaded first: what they need on this system is not ours to take away."""
 
 
-def sources(*tops: str) -> Iterator[Path]:
-    for top in tops:
-        yield from (path for path in sorted((ROOT / top).rglob("*.py")) if "__pycache__" not in path.parts)
-
-
 def module_names() -> list[str]:
     names = []
-    for path in sources(*TOPS):
+    for path in (path for top in TOPS for path in sorted((ROOT / top).rglob("*.py"))):
         top = next((each for each in (ON_THE_PATH, OF_JAZZY, ROOT) if each in path.parents), ROOT)
         if OF_DISTRIBUTIONS in path.parents and top is ROOT:
             continue
@@ -77,6 +70,7 @@ def run(code: str, tmp_path: Path, **env: str) -> subprocess.CompletedProcess[st
     )
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="takes away what is not there")
 def test_every_module_imports_where_unix_is_missing(tmp_path: Path) -> None:
     code = f"""
@@ -93,6 +87,7 @@ print(json.dumps(failed))
     assert json.loads(done.stdout.splitlines()[-1]) == {}
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="takes away what is not there")
 def test_a_terminal_and_students_programs_do_without_unix(tmp_path: Path) -> None:
     (tmp_path / "talker.py").write_text(
@@ -126,27 +121,28 @@ sys.exit(status)
 def test_text_is_read_and_written_as_utf8_everywhere() -> None:
     """Without `encoding` Windows takes the old code page, and a Chinese comment in a student's file ends the program."""
     offenders = []
-    for path in sources(*TOPS):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for path, tree in trees(words=("read_text", "write_text", "subprocess", "open")):
+        for node in nodes(tree):
             if (
                 isinstance(node, ast.Call)
                 and _is_text(node)
                 and not {"encoding"} & {each.arg for each in node.keywords}
             ):
-                offenders.append(f"{path.relative_to(ROOT)}:{node.lineno}: {ast.unparse(node)}")
+                offenders.append(f"{path}:{node.lineno}: {ast.unparse(node)}")
     assert offenders == []
 
 
 def _is_text(call: ast.Call) -> bool:
     """Whether a call opens a text file or a text pipe."""
     function = call.func
-    owner = ast.unparse(function.value) if isinstance(function, ast.Attribute) else ""
+    owner = function.value if isinstance(function, ast.Attribute) else None
     name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
     if name in ("read_text", "write_text"):
-        return bool(owner) and owner.rpartition(".")[2] != "output"  # those of Path; `files.Output` always writes UTF-8
-    if owner == "subprocess":
+        # Those of Path; `files.Output` always writes UTF-8.
+        return owner is not None and ast.unparse(owner).rpartition(".")[2] != "output"
+    if isinstance(owner, ast.Name) and owner.id == "subprocess":
         return any(each.arg in ("text", "universal_newlines") for each in call.keywords)
-    if name == "fdopen" or (name == "open" and not owner):
+    if name == "fdopen" or (name == "open" and owner is None):
         modes = [*call.args[1:2], *(each.value for each in call.keywords if each.arg == "mode")]
         return not any(isinstance(mode, ast.Constant) and "b" in str(mode.value) for mode in modes)
     return False

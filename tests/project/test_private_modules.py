@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
+import sys
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
 import pytest
+from source_files import ROOT, statements, trees
 
-ROOT = Path(__file__).parents[2]
 ON_THE_PATH = ROOT / "core" / "ros" / "python"
 """What is imported by its own name there (rclpy, launch …), not as a part of day6_tui."""
 
@@ -40,9 +41,9 @@ def package_of(file: Path) -> str:
     return ".".join(("day6_tui", *file.relative_to(ROOT).parent.parts))
 
 
-def imported(tree: ast.AST) -> Iterator[tuple[int, str]]:
+def imported(tree: ast.Module) -> Iterator[tuple[int, str]]:
     """Line and name of every module that is imported, or might be one (`from package import _module`)."""
-    for node in ast.walk(tree):
+    for node in statements(tree):
         if isinstance(node, ast.Import):
             yield from ((node.lineno, alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module is not None and node.level == 0:
@@ -53,14 +54,13 @@ def imported(tree: ast.AST) -> Iterator[tuple[int, str]]:
 @cache
 def imports_of_all_files() -> list[tuple[str, str, str]]:
     """Package, place and imported name of every import in the repository."""
-    files = [file for folder in ("core", "tui", "urdf") for file in sorted((ROOT / folder).rglob("*.py"))]
-    assert len(files) > 800
-    return [
-        (package_of(file), f"{file.relative_to(ROOT)}:{line}", module)
-        for file in files
-        if "import" in (source := file.read_text(encoding="utf-8"))
-        for line, module in imported(ast.parse(source))
+    found = [
+        (package_of(ROOT / file), f"{file}:{line}", sys.intern(module))
+        for file, tree in trees(words=("import",))
+        for line, module in imported(tree)
     ]
+    assert len({place.partition(":")[0] for _, place, _ in found}) > 800
+    return found
 
 
 def folder_of(package: str) -> Path:

@@ -32,6 +32,7 @@ SUITE = {
 }
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("processes", ["0", "2"])
 def test_a_run_ends_with_a_list_of_what_was_skipped_and_why(tmp_path: Path, processes: str) -> None:
     for name, code in SUITE.items():

@@ -14,7 +14,7 @@ from disks import Disk, disk
 
 __all__ = ["disk"]
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has other disks")
+pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform == "win32", reason="Windows has other disks")]
 
 ROBOT = '<robot name="r"><link name="a"/></robot>'
 

@@ -133,6 +133,7 @@ while True:
 """
 
 
+@pytest.mark.process
 @posix
 def test_kill_9_in_the_middle_of_saving_leaves_one_whole_text(tmp_path: Path) -> None:
     target = tmp_path / "file"
@@ -254,6 +255,7 @@ def test_an_export_that_fails_half_way_leaves_no_zip(tmp_path: Path, monkeypatch
     assert not list(folder.iterdir())
 
 
+@pytest.mark.process
 def test_a_robot_that_was_half_copied_is_not_taken_for_ones_own_the_next_time(tmp_path: Path) -> None:
     resource = pytest.importorskip("resource")
     line = "from day6_tui.urdf.shipped import copy_model; from pathlib import Path; copy_model(Path('.'))"

@@ -104,6 +104,7 @@ def generate_launch_description():
 """
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name == "nt", reason="sends SIGTERM to a process")
 def test_a_launched_program_that_is_sent_sigterm_has_finished_cleanly(tmp_path: Path) -> None:
     (tmp_path / "stop.launch.py").write_text(LAUNCH, encoding="utf-8")
@@ -113,6 +114,7 @@ def test_a_launched_program_that_is_sent_sigterm_has_finished_cleanly(tmp_path: 
     assert "[INFO] [talker-1]: process has finished cleanly [pid " in done
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name == "nt", reason="sends signals to a process")
 @pytest.mark.parametrize(("signals", "status"), [([2], 0), ([2, 2], 0), ([15], 143)])
 def test_in_a_real_terminal_it_is_the_same(tmp_path: Path, signals: list[int], status: int) -> None:

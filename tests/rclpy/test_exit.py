@@ -10,6 +10,8 @@ import pytest
 
 from day6_tui.core.ros.environment import program_environment
 
+pytestmark = pytest.mark.process
+
 ACTION_IN_FLIGHT = """
 import builtins
 import rclpy

@@ -35,12 +35,14 @@ def _run(code: str) -> str:
     return done.stdout
 
 
+@pytest.mark.process
 def test_a_node_needs_neither_numpy_nor_asyncio_nor_yaml() -> None:
     loaded = set(_run(_NODE + "print('\\n'.join(sys.modules))").split())
     heavy = {"numpy", "asyncio", "yaml", "zenoh", "textual", "rich", "concurrent.futures", "json", "uuid"}
     assert loaded & heavy == set()
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="memory is read from /proc")
 def test_a_process_with_a_node_stays_under_24_megabytes() -> None:
     code = _NODE + "print(next(line for line in open('/proc/self/status') if line.startswith('VmRSS')))"
@@ -60,6 +62,7 @@ def test_a_further_node_costs_less_than_two_milliseconds(world: Any) -> None:
     assert min(times) < 0.002, "in the quietest moment"
 
 
+@pytest.mark.process
 def test_the_names_of_rclpy_modules_appear_as_in_real_rclpy() -> None:
     code = """
 import rclpy

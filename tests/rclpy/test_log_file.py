@@ -33,6 +33,7 @@ def logs(folder: Path) -> list[str]:
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
 
 
+@pytest.mark.process
 def test_a_program_leaves_a_log_file_with_what_it_said_and_no_colours(tmp_path: Path) -> None:
     done = run(tmp_path, RCUTILS_COLORIZED_OUTPUT="1")
     assert "\x1b[33m" in done.stderr
@@ -41,6 +42,7 @@ def test_a_program_leaves_a_log_file_with_what_it_said_and_no_colours(tmp_path: 
     assert re.fullmatch(r"\[WARN\] \[\d+\.\d{9}\] \[ns\.n\]: loud\n", (tmp_path / name).read_text())
 
 
+@pytest.mark.process
 def test_the_folder_is_named_by_ros_log_dir_or_ros_home(tmp_path: Path) -> None:
     run(tmp_path, ROS_LOG_DIR=str(tmp_path / "a"), ROS_HOME=str(tmp_path / "b"))
     run(tmp_path, ROS_LOG_DIR="", ROS_HOME=str(tmp_path / "b"))
@@ -48,6 +50,7 @@ def test_the_folder_is_named_by_ros_log_dir_or_ros_home(tmp_path: Path) -> None:
     assert [name.rpartition("/")[0] for name in logs(tmp_path)] == ["a", "b/log", "c"]
 
 
+@pytest.mark.process
 def test_arguments_name_the_file_or_switch_it_off(tmp_path: Path) -> None:
     run(tmp_path, "--ros-args", "--log-file-name", "mine", "--disable-stdout-logs")
     run(tmp_path, "--ros-args", "--disable-external-lib-logs")
@@ -57,6 +60,7 @@ def test_arguments_name_the_file_or_switch_it_off(tmp_path: Path) -> None:
     assert "spdlog logging backend doesn't currently support external configuration" in refused.stderr
 
 
+@pytest.mark.process
 def test_a_folder_that_cannot_be_made_is_an_error_only_where_it_was_asked_for(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     asked = run(tmp_path, ROS_LOG_DIR=str(tmp_path / "file" / "x"))

@@ -296,6 +296,7 @@ def logged_by(script: str, **variables: str) -> tuple[str, str]:
     return done.stdout, done.stderr
 
 
+@pytest.mark.process
 def test_the_console_can_have_another_format() -> None:
     script = "import rclpy.logging\nrclpy.logging.get_logger('a.b').error('look')\n"
     form = (
@@ -313,6 +314,7 @@ def test_the_console_can_have_another_format() -> None:
     assert match[1].endswith("<string>")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("variables", "to_stdout", "before", "after"),
     [

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from folded import folded
 from rcl_interfaces.msg import (
     FloatingPointRange,
     IntegerRange,
@@ -88,8 +89,7 @@ def test_what_is_no_value_of_a_parameter_is_refused(value: Any) -> None:
         Parameter("p", value=value)
 
 
-@pytest.mark.parametrize("type_", list(Type))
-@pytest.mark.parametrize(("value", "own", "_field"), VALUES)
+@folded("type_, value, own, _field", ((type_, *each) for type_ in Type for each in VALUES))
 def test_value_and_type_have_to_agree(type_: Type, value: Any, own: Type, _field: str) -> None:
     fits = type_ == own or (type_, own) in ((Type.INTEGER, Type.BOOL), (Type.INTEGER_ARRAY, Type.BOOL_ARRAY))
     assert type_.check(value) == fits

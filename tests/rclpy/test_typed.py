@@ -101,12 +101,14 @@ def diagnostics(tmp_path_factory: pytest.TempPathFactory) -> Diagnostics:
     return found
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("name", [path.name for path in PROGRAMS if path.name != "slips.py"])
 def test_a_tutorials_program_has_no_error_and_every_type_is_inferred(diagnostics: Diagnostics, name: str) -> None:
     assert "assert_type(" in (HERE / "typed" / name).read_text(encoding="utf-8")
     assert diagnostics[name] == []
 
 
+@pytest.mark.process
 def test_every_slip_is_an_error_and_nothing_else_is(diagnostics: Diagnostics) -> None:
     lines = (HERE / "typed" / "slips.py").read_text(encoding="utf-8").splitlines()
     expected = {number for number, line in enumerate(lines, start=1) if "# error: " in line}
@@ -114,6 +116,7 @@ def test_every_slip_is_an_error_and_nothing_else_is(diagnostics: Diagnostics) ->
     assert {line for line, severity, _ in diagnostics["slips.py"] if severity == "error"} == expected
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("name", "types"),
     [

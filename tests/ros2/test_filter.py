@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from folded import folded
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
@@ -78,7 +79,7 @@ def test_a_misspelt_field_and_bad_syntax_raise_what_python_raises():
         evaluate("m.data ==", String())
 
 
-@pytest.mark.parametrize(
+@folded(
     "expression",
     [
         *(

@@ -68,6 +68,7 @@ def test_what_is_no_dot_says_where(text: str, message: str) -> None:
         read_dot(text)
 
 
+@pytest.mark.process
 @pytest.mark.skipif(shutil.which("dot") is None, reason="Graphviz is not installed")
 def test_graphviz_takes_the_file() -> None:
     done = subprocess.run(["dot", "-Tplain"], input=write_dot(BOXES, EDGES), capture_output=True, text=True)

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from folded import folded
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -24,15 +25,23 @@ def name(case: tuple[str, dict[str, bool], object]) -> str:
     return "-".join((case[0], *(switch for switch, on in case[1].items() if on)))
 
 
-@pytest.mark.parametrize("case", CASES, ids=name)
+def sensible(boxes, edges) -> set[tuple[str, ...]]:
+    """The edges that end at boxes which are shown."""
+    return {tuple(edge) for edge in edges if {edge[0], edge[1]} <= set(boxes)}
+
+
+@folded("case", CASES, ids=name)
 def test_a_combination_of_the_controls_shows_what_the_real_one_shows(case) -> None:
     mode, switches, (boxes, edges) = case
-    expected = {tuple(edge) for edge in edges}
-    sensible = {edge for edge in expected if {edge[0], edge[1]} <= set(boxes)}
-    assert shown(select(FACTS, Options(TYPES[mode], **switches))) == (set(boxes), sensible)
-    if sensible != expected:
-        assert switches["group_tf"] and switches["hide_debug"]
-        pytest.xfail(HIDDEN_END)
+    assert shown(select(FACTS, Options(TYPES[mode], **switches))) == (set(boxes), sensible(boxes, edges))
+
+
+def test_the_real_one_shows_edges_to_a_node_that_it_hides() -> None:
+    odd = [
+        switches for _, switches, (boxes, edges) in CASES if len(sensible(boxes, edges)) < len(set(map(tuple, edges)))
+    ]
+    assert odd and all(switches["group_tf"] and switches["hide_debug"] for switches in odd)
+    pytest.xfail(HIDDEN_END)
 
 
 def test_all_combinations_are_recorded_and_the_pictures_differ() -> None:

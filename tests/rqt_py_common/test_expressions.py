@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from folded import folded
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -54,7 +55,7 @@ def test_a_message_can_be_made_of_its_type() -> None:
     assert (point.x, point.y) == (1.0, 0.0)
 
 
-@pytest.mark.parametrize(
+@folded(
     "text",
     [
         "turtle2",

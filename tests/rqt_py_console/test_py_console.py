@@ -50,6 +50,7 @@ def machine(tmp_path: Path) -> Iterator[Machine]:
     found.close()
 
 
+@pytest.mark.process
 def test_lines_run_one_after_the_other_in_one_interpreter(machine: Machine) -> None:
     assert machine.model.lines[0][1].startswith(f"Python {sys.version.split()[0]}")
     assert machine.run("x = 6", "x * 7", "print('a', end='')") == [("output", "42")]
@@ -57,6 +58,7 @@ def test_lines_run_one_after_the_other_in_one_interpreter(machine: Machine) -> N
     assert machine.run("__name__, __import__('os').getcwd()") == [("output", str(("__main__", str(machine.desk.home))))]
 
 
+@pytest.mark.process
 def test_a_block_is_awaited_to_its_empty_line(machine: Machine) -> None:
     assert machine.run("for i in range(2):") == [] and machine.model.prompt == "... "
     assert machine.run("    print(i)", "") == [("output", "0"), ("output", "1")]
@@ -67,6 +69,7 @@ def test_a_block_is_awaited_to_its_empty_line(machine: Machine) -> None:
     ]
 
 
+@pytest.mark.process
 def test_errors_are_pythons_own_and_stand_where_they_happened(machine: Machine) -> None:
     assert machine.run("print(1); 1/0") == [
         ("output", "1"),
@@ -81,12 +84,14 @@ def test_errors_are_pythons_own_and_stand_where_they_happened(machine: Machine) 
     ]
 
 
+@pytest.mark.process
 def test_input_asks_in_the_window(machine: Machine) -> None:
     machine.run("name = input('Who? ')")
     assert machine.model.prompt == "Who? "
     assert machine.run("小明", "name") == [("output", "'小明'")]
 
 
+@pytest.mark.process
 def test_output_is_seen_while_the_line_still_runs_and_ctrl_c_ends_it(machine: Machine) -> None:
     machine.model.run("import time")
     machine.model.run("while True: print('again'); time.sleep(0.01)")
@@ -101,6 +106,7 @@ def test_output_is_seen_while_the_line_still_runs_and_ctrl_c_ends_it(machine: Ma
     assert (Kind.OUTPUT, "never") not in machine.model.lines
 
 
+@pytest.mark.process
 def test_ctrl_c_at_the_prompt_gives_up_a_block(machine: Machine) -> None:
     machine.run("if True:")
     machine.model.interrupt()
@@ -108,6 +114,7 @@ def test_ctrl_c_at_the_prompt_gives_up_a_block(machine: Machine) -> None:
     assert machine.model.lines[-1] == (Kind.ERROR, "KeyboardInterrupt")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("line", "status"), [("exit()", 0), ("raise SystemExit(3)", 3), (None, 0)])
 def test_it_ends_by_exit_or_ctrl_d_and_another_one_begins(machine: Machine, line: str | None, status: int) -> None:
     machine.run("x = 1")
@@ -123,20 +130,23 @@ def test_it_ends_by_exit_or_ctrl_d_and_another_one_begins(machine: Machine, line
     assert machine.run("x")[-1] == ("error", "NameError: name 'x' is not defined")
 
 
+@pytest.mark.process
 def test_an_interpreter_that_is_killed_is_told_with_its_status(machine: Machine) -> None:
     machine.model.run("import os; os.kill(os.getpid(), 9)")
     machine.wait(lambda: machine.model.status is not None)
     assert machine.model.status == 137
 
 
+@pytest.mark.process
 def test_closing_the_window_ends_python_in_whatever_it_does(machine: Machine) -> None:
     machine.model.run("while True: pass")
     machine.model.run("")
-    machine.wait(lambda: machine.model.prompt is None and len(running_processes()) == 1)
+    machine.wait(lambda: machine.model.prompt is None and len(running_processes(machine.desk.scheduler)) == 1)
     machine.display.windows[0].close_by_user()
-    machine.wait(lambda: machine.program.status is not None and not running_processes())
+    machine.wait(lambda: machine.program.status is not None and not running_processes(machine.desk.scheduler))
 
 
+@pytest.mark.process
 def test_a_node_made_here_is_seen_in_the_terminals(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("DAY6_LINK")
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(make_short_folder()))
@@ -170,6 +180,7 @@ def test_why_there_is_no_python_is_said_in_the_users_language(lang: str, told: s
     use(model, act, lang=lang)
 
 
+@pytest.mark.process
 def test_too_many_programs_are_told(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*given: Any, **more: Any) -> Program:
         raise BlockingIOError(11, "Resource temporarily unavailable")

@@ -11,11 +11,12 @@ import threading
 import time
 
 import pytest
+from waiting import communicate, until
 
 from day6_tui.core.session import cores
 from day6_tui.core.session.ending import Ending, Step
 
-NEVER, PATIENCE = 1000.0, 30.0
+NEVER = 1000.0
 
 
 def test_the_first_wish_takes_the_first_step_and_no_other() -> None:
@@ -23,7 +24,7 @@ def test_the_first_wish_takes_the_first_step_and_no_other() -> None:
     ending = Ending(Step(first.set, NEVER), Step(second.set, NEVER))
     ending.begin()
     ending.begin()
-    assert first.wait(PATIENCE)
+    until(first.is_set)
     assert (ending.begun, ending.status, second.is_set()) == (True, 0, False)
     ending.over()
 
@@ -32,7 +33,7 @@ def test_a_step_that_brings_no_end_in_its_time_is_followed_by_the_next() -> None
     second = threading.Event()
     ending = Ending(Step(lambda: None, 0.0), Step(second.set, NEVER))
     ending.begin()
-    assert second.wait(PATIENCE)
+    until(second.is_set)
     ending.over()
 
 
@@ -45,7 +46,7 @@ def test_seconds_in_which_the_machine_is_busy_with_others_do_not_count(monkeypat
     monkeypatch.setattr(cores, "waited_for_a_core", waits)
     ending = Ending(Step(lambda: None, 0.01), Step(lambda: second.set() if next(asked) > 6 else None, NEVER))
     ending.begin()
-    assert second.wait(PATIENCE)
+    until(second.is_set)
     ending.over()
 
 
@@ -57,7 +58,7 @@ def test_a_step_that_fails_does_not_hold_up_the_others() -> None:
 
     ending = Ending(Step(fail, 0.0), Step(second.set, NEVER))
     ending.begin()
-    assert second.wait(PATIENCE)
+    until(second.is_set)
     ending.over()
 
 
@@ -83,10 +84,11 @@ def run(*signals: str, last: float = NEVER) -> tuple[int, list[str]]:
     for name in signals:
         said.append(child.stdout.readline().strip())
         child.send_signal(getattr(signal, name))
-    rest, _ = child.communicate(timeout=PATIENCE)
+    rest, _ = communicate(child)
     return child.returncode, [*said[1:], *rest.split("\n")[:-1]]
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_a_process_that_no_step_ends_is_ended_by_force_with_the_status_of_the_signal(name: str) -> None:
@@ -94,6 +96,7 @@ def test_a_process_that_no_step_ends_is_ended_by_force_with_the_status_of_the_si
     assert (status, said) == (128 + getattr(signal, name), ["first", "second", "given back"])
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")
 def test_a_second_signal_takes_the_next_step_at_once() -> None:
     assert run("SIGTERM", "SIGINT", "SIGTERM") == (143, ["first", "second", "given back"])

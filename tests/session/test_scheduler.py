@@ -8,6 +8,7 @@ import time
 import warnings
 
 import pytest
+from waiting import until
 
 from day6_tui.core.session.clock import NANOSECONDS, WorldClock
 from day6_tui.core.session.scheduler import MAX_LAG_NS, Scheduler
@@ -196,7 +197,7 @@ def test_programs_that_keep_waking_each_other_do_not_stop_time() -> None:
 
     scheduler.spawn(restless())
     scheduler.spawn(sleeper())
-    assert scheduler.run(lambda: bool(woke), timeout=10)
+    until(lambda: scheduler.run(lambda: bool(woke), 0.05), every=0.0)
 
 
 def test_a_world_under_load_falls_behind_but_skips_no_tick() -> None:
@@ -213,7 +214,7 @@ def test_a_world_under_load_falls_behind_but_skips_no_tick() -> None:
 
     task = scheduler.spawn(slow_program())
     wall_ns[0] += 16 * MS
-    assert scheduler.run(lambda: task.finished, timeout=10)
+    until(lambda: scheduler.run(lambda: task.finished, 0.05), every=0.0)
     assert ticks == [number * 16 for number in range(1, 11)]
     assert wall_ns[0] - clock.target_ns() == clock.lost_ns > 10 * MAX_LAG_NS
 
@@ -247,7 +248,7 @@ def test_another_thread_wakes_a_scheduler_that_waits_without_a_deadline() -> Non
     scheduler.start()
     scheduler.spawn(program())
     signal.set()
-    assert woke.wait(5)
+    until(woke.is_set)
     scheduler.stop()
     assert scheduler._thread is None
 
@@ -282,7 +283,7 @@ def test_activity_is_announced_after_work_only() -> None:
         await let_others_run()
 
     task = scheduler.spawn(program())
-    scheduler.run(lambda: task.finished and bool(calls), timeout=5)
+    until(lambda: scheduler.run(lambda: task.finished and bool(calls), 0.05), every=0.0)
     assert len(calls) == 1
     scheduler.run(lambda: False, timeout=0.05)
     assert len(calls) == 1
@@ -301,7 +302,7 @@ def test_what_a_program_does_after_it_wrote_is_announced_too() -> None:
         await wait_for(Signal())
 
     scheduler.spawn(editor())
-    assert scheduler.run(lambda: bool(seen) and seen[-1] == ["window"], timeout=5)
+    until(lambda: scheduler.run(lambda: bool(seen) and seen[-1] == ["window"], 0.05), every=0.0)
 
 
 def test_what_was_started_too_late_ends_without_a_word_of_python() -> None:

@@ -97,6 +97,7 @@ def test_a_process_in_a_folder_that_was_removed_says_so(machine: Any) -> None:
     assert result.out == "1\n" and result.err.startswith("python3: ") and result.err.count("\n") == 1
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("piped", [True, False])
 def test_a_process_that_cannot_be_started_ends_its_command(
     machine: Any, seat: Any, monkeypatch: pytest.MonkeyPatch, piped: bool
@@ -108,7 +109,7 @@ def test_a_process_that_cannot_be_started_ends_its_command(
     seat.line("python3 -c 1 | cat" if piped else "python3 -c 1")
     seat.wait_prompt()
     assert "Resource temporarily unavailable" in seat.look()
-    assert running_processes() == []
+    assert running_processes(machine.desk.scheduler) == []
     assert seat.line("echo goes on").splitlines()[-2] == "goes on"
 
 
@@ -144,13 +145,14 @@ def test_a_process_stands_still_as_long_as_anybody_wants_it_to(machine: Any) -> 
     assert sent.numbers[-2:] == [2, 9]
 
 
+@pytest.mark.process
 @posix
 def test_a_signal_from_before_the_process_began_arrives(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     begin = threading.Event()
     launch = Process._launch
 
     def late(self: Process) -> None:
-        assert begin.wait(30)
+        assert begin.wait()
         launch(self)
 
     monkeypatch.setattr(Process, "_launch", late)
@@ -175,6 +177,7 @@ def test_a_process_that_is_gone_is_sent_nothing(machine: Any, monkeypatch: pytes
     gone.keys("x")
 
 
+@pytest.mark.process
 @posix
 @pytest.mark.parametrize("problem", [ProcessLookupError, PermissionError])
 def test_what_is_left_of_a_group_gets_term_and_then_kill(
@@ -249,7 +252,7 @@ def test_a_feeder_is_full_when_more_than_its_bound_waits() -> None:
 
     class Slow(Pipe):
         def write(self, data: Any) -> int:
-            assert begin.wait(30)
+            assert begin.wait()
             return super().write(data)
 
     pipe = Slow()
@@ -279,6 +282,7 @@ def test_all_that_is_there_is_read_at_once_and_what_breaks_is_the_end() -> None:
         process_module._read_waiting(reading)
 
 
+@pytest.mark.process
 def test_a_process_without_input_meets_its_end_at_once(machine: Any) -> None:
     (machine.desk.home / "a.py").write_text("import sys\nprint(repr(sys.stdin.read()))\n", encoding="utf-8")
     assert machine.run("python3 a.py < /dev/null").out == "''\n"
@@ -288,6 +292,7 @@ def test_a_process_without_input_meets_its_end_at_once(machine: Any) -> None:
     assert machine.run("echo q > f; python3 a.py < f").out == "'q\\n'\n"
 
 
+@pytest.mark.process
 def test_bytes_that_are_no_text_pass_a_process_unchanged(machine: Any) -> None:
     home: Path = machine.desk.home
     (home / "up.py").write_text("import sys\nsys.stdout.buffer.write(sys.stdin.buffer.read())\n", encoding="utf-8")

@@ -68,6 +68,7 @@ def test_sequences_of_ncurses_do_what_xterm_does(text: str, lines: list[str]) ->
     assert screen.text.split("\n") == lines
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")
 @pytest.mark.parametrize("unicode", ["0", "1"])
 def test_a_box_of_curses_is_a_box(seat: Any, unicode: str) -> None:

@@ -9,10 +9,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from waiting import communicate
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the signals and devices of Unix")
 
-PATIENCE = 30.0
 ENDLESS = {
     "commands that end at once": "while true; do :; done",
     "conditions": "until false; do true; done",
@@ -65,7 +65,7 @@ def test_ctrl_c_ends_what_never_ends(what: str, tmp_path: Path) -> None:
     assert process.stdout.readline() == "begun\n"
     process.send_signal(signal.SIGINT)
     try:
-        _, error = process.communicate(timeout=PATIENCE)
+        _, error = communicate(process)
     finally:
         process.kill()
     assert (process.returncode, error.strip()) == (130, "")
@@ -77,7 +77,7 @@ def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: s
         (tmp_path / name).write_text(text)
     process = start(line, tmp_path)
     try:
-        _, error = process.communicate(timeout=PATIENCE)
+        _, error = communicate(process)
     finally:
         process.kill()
     status, message = BOUNDED[line]
@@ -100,7 +100,7 @@ def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: s
 def test_others_go_on_beside_a_command_that_never_waits(commands: str, tmp_path: Path) -> None:
     process = start(f"{commands} sleep 0.1; echo on; kill $(jobs -p)", tmp_path)
     try:
-        said, _ = process.communicate(timeout=PATIENCE)
+        said, _ = communicate(process)
     finally:
         process.kill()
     assert (process.returncode, said) == (0, "on\n")
@@ -121,7 +121,7 @@ EXPRESSIONS = {
 def test_no_regular_expression_stops_everything(line: str, tmp_path: Path) -> None:
     process = start(f"{line} 2>&1", tmp_path)
     try:
-        said, _ = process.communicate(timeout=PATIENCE)
+        said, _ = communicate(process)
     finally:
         process.kill()
     status, shown = EXPRESSIONS[line]
@@ -136,7 +136,7 @@ def test_others_go_on_and_ctrl_c_works_beside_a_long_search(tmp_path: Path) -> N
         assert [process.stdout.readline() for _ in range(3)] == ["tick\n"] * 3
         assert process.poll() is None  # it still searches
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=PATIENCE)
+        communicate(process)
     finally:
         process.kill()
     assert process.returncode == 130
@@ -169,7 +169,7 @@ def test_a_pipe_without_a_writer_and_a_device_without_end_keep_nobody_waiting(li
     os.mkfifo(tmp_path / "src" / "p" / "package.xml")
     process = start(f"{line} 2>&1", tmp_path)
     try:
-        said, _ = process.communicate(timeout=PATIENCE)
+        said, _ = communicate(process)
     finally:
         process.kill()
     assert process.returncode == WAITING[line], said
@@ -179,7 +179,7 @@ def test_a_pipe_without_a_writer_and_a_device_without_end_keep_nobody_waiting(li
 def test_the_streams_have_their_names_as_files(tmp_path: Path) -> None:
     process = start("echo a > /dev/stdout; echo b > /dev/stderr; echo c | cat /dev/stdin; echo d > /dev/tty", tmp_path)
     try:
-        said, errors = process.communicate(timeout=PATIENCE)
+        said, errors = communicate(process)
     finally:
         process.kill()
     assert said == "a\nc\n"
@@ -190,7 +190,7 @@ def test_a_pipe_with_a_reader_is_written_to(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "f")
     process = start("python3 -c \"print(open('f').read(), end='')\" & sleep 2; echo x > f; wait", tmp_path)
     try:
-        said, _ = process.communicate(timeout=PATIENCE)
+        said, _ = communicate(process)
     finally:
         process.kill()
     assert said == "x\n"
@@ -208,7 +208,7 @@ def test_others_go_on_and_ctrl_c_works_beside_a_message_of_megabytes(tmp_path: P
         assert process.stdout is not None
         assert [process.stdout.readline() for _ in range(ticks)] == ["tick\n"] * ticks
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=PATIENCE)
+        communicate(process)
     finally:
         process.kill()
 
@@ -220,7 +220,7 @@ def test_others_go_on_and_ctrl_c_works_beside_a_pattern_that_finds_half_the_disk
         assert process.stdout is not None
         assert [process.stdout.readline() for _ in range(3)] == ["tick\n"] * 3
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=PATIENCE)
+        communicate(process)
     finally:
         process.kill()
     assert process.returncode in (130, -signal.SIGINT)

@@ -59,6 +59,7 @@ def test_exec_runs_lines_and_exits_with_their_status(
     assert said.err.startswith(err) and bool(said.err) == bool(err)
 
 
+@pytest.mark.process
 def test_exec_ends_with_the_signals_that_end_a_shell(
     here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -117,6 +118,7 @@ def test_the_sub_shell_is_the_users_with_a_start_file_that_goes_away(
     assert subshell.main([]) == 5 and calls.pop()[0] == ["/bin/sh"]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("code", "status"), [("raise SystemExit(3)", 3), ("import os; os.kill(os.getpid(), 9)", 137)])
 def test_the_status_of_a_child_that_has_the_terminal(code: str, status: int) -> None:
     assert subshell.call([sys.executable, "-S", "-c", code], dict(os.environ)) == status

@@ -23,7 +23,7 @@ from day6_tui.core.shell import process
 from day6_tui.core.shell.feeder import Feeder
 from day6_tui.core.workspace import build
 
-PATIENCE = 20.0
+NEVER = 1000.0
 posix = pytest.mark.skipif(os.name != "posix", reason="needs Unix's pipes and processes")
 pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
 
@@ -47,10 +47,10 @@ def test_what_copies_output_reads_on_so_that_the_process_can_end() -> None:
     for _ in range(100):
         os.write(writing, b"x" * 65536)  # far more than a pipe holds
     os.close(writing)
-    pump.join(PATIENCE)
-    assert not pump.is_alive()
+    until(lambda: not pump.is_alive())
 
 
+@pytest.mark.process
 @posix
 @pytest.mark.parametrize("planted", ["_end_group", "end_marked", "release", "_set_window_size", "guard"])
 def test_a_process_whose_thread_fails_gives_the_prompt_back(
@@ -58,7 +58,7 @@ def test_a_process_whose_thread_fails_gives_the_prompt_back(
 ) -> None:
     monkeypatch.setattr(process, planted, breaks)
     machine.run("python3 -c 'print(1)'")
-    assert not process.running_processes()
+    assert not process.running_processes(machine.desk.scheduler)
     monkeypatch.undo()
     assert machine.run("echo 42").out == "42\n"
 
@@ -90,7 +90,7 @@ def test_the_scheduler_goes_on_with_everybody_else(monkeypatch: pytest.MonkeyPat
         for _ in range(3):
             heard = threading.Event()
             scheduler.call_soon_threadsafe(heard.set)
-            assert heard.wait(PATIENCE)
+            until(heard.is_set)
     finally:
         scheduler.on_activity = None
         scheduler.stop()
@@ -107,14 +107,14 @@ def test_a_reader_of_standard_input_that_fails_is_its_end(monkeypatch: pytest.Mo
 
     scheduler = Scheduler(WorldClock())
     task = scheduler.spawn(read())
-    assert scheduler.run(lambda: task.finished, PATIENCE)
+    until(lambda: scheduler.run(lambda: task.finished, 0.05), every=0.0)
     assert lines == [""]
 
 
 @posix
 def test_a_signal_is_heard_although_waking_the_application_failed() -> None:
     heard = threading.Event()
-    ending = Ending(Step(heard.set, PATIENCE), Step(breaks, PATIENCE))
+    ending = Ending(Step(heard.set, NEVER), Step(breaks, NEVER))
     ending.wake_main_thread = breaks
     numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR2)
     before = {number: signal.getsignal(number) for number in numbers}
@@ -123,7 +123,7 @@ def test_a_signal_is_heard_although_waking_the_application_failed() -> None:
     try:
         os.kill(os.getpid(), signal.SIGUSR2)  # only wakes
         os.kill(os.getpid(), signal.SIGTERM)
-        assert heard.wait(PATIENCE)
+        until(heard.is_set)
     finally:
         ending.over()
         for number, handler in before.items():
@@ -161,6 +161,7 @@ sys.exit(main())
 """
 
 
+@pytest.mark.process
 def test_a_thread_that_fails_outside_the_desktop_is_told_in_one_line(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-c", PLANTED, str(tmp_path)],

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from random import Random
 from time import process_time
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from day6_tui.core.session.harmless import for_emulation
@@ -73,8 +74,7 @@ LINES = [
 printed = st.sampled_from(WORDS + CHINESE + ENDS + COLOURS + LINES + LINES)
 anything = st.sampled_from(WORDS + CHINESE + MARKS + ENDS + COLOURS + MOVES + MODES + LINES)
 texts = st.one_of(st.lists(printed, max_size=60), st.lists(anything, max_size=60)).map("".join)
-# Not one or two columns: there a row of blanks before a wide character that does not fit is '' or ' ' (known, harmless).
-sizes = st.tuples(st.integers(1, 12), st.sampled_from([3, 8, 10, 16, 17, 40, 80]))
+sizes = st.tuples(st.integers(1, 12), st.sampled_from([1, 2, 3, 8, 10, 16, 17, 40, 80]))
 
 
 class DrawnScreen(Screen):
@@ -118,6 +118,10 @@ def picture(screen: Screen) -> dict[str, Any]:
 
 
 @given(st.lists(st.tuples(texts, st.none() | sizes), min_size=1, max_size=4), sizes, st.randoms(use_true_random=False))
+# A tab skips the cells before the fold, inserting takes the last one of a folded row, another width cuts it off.
+@example([("aaaaaaaaaaaaaaaaa\t aaa\u3000\u3000\x1b[A\u3000", None)], (2, 8), Random(0))
+@example([("\x1b[99;99H 你\x1b[A\u3000\x1b[99C\x1b[@", None)], (4, 10), Random(0))
+@example([("\x1b[?1049h\x1b[99;99Ha\u3000", (5, 8))], (6, 10), Random(0))
 @settings(max_examples=400, deadline=None)
 def test_a_flood_leaves_the_same_picture_as_drawing_every_character(parts: Any, size: Any, random: Any) -> None:
     lines, columns = size
@@ -136,6 +140,20 @@ def test_a_flood_leaves_the_same_picture_as_drawing_every_character(parts: Any, 
             fast.resize(*other)
             drawn.resize(*other)
             assert picture(fast) == picture(drawn)
+
+
+def test_a_row_keeps_the_blanks_before_a_wide_character_that_did_not_fit() -> None:
+    for written in ("a\t你", "a\x1b[8G你", "\r\nb\x1b[Ha\t你"):
+        screen = Screen(8, 3)
+        screen.feed(written)
+        screen.resize(3, 20)
+        assert screen.text.split("\n")[0] == "a      你"
+
+
+def test_deleting_a_line_above_an_empty_one_removes_it() -> None:
+    screen = Screen(8, 4)
+    screen.feed("one\r\n\r\nthree\x1b[H\x1b[M")
+    assert screen.text == "\nthree"
 
 
 @pytest.mark.parametrize("columns", [1, 2, 5, 80])

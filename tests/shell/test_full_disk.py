@@ -64,6 +64,7 @@ def test_what_cannot_be_written_is_told_and_makes_the_status(
     assert result.status == status
 
 
+@pytest.mark.process
 @pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
 @pytest.mark.parametrize("line", [line for line, _, _ in COMMANDS])
 def test_real_bash_ends_with_the_same_status(machine: Any, tmp_path: Path, line: str) -> None:
@@ -83,11 +84,13 @@ def test_the_ros2_command_ends_as_a_python_program_whose_output_is_lost(machine:
     assert (result.status, result.err.splitlines()[-1]) == (120, f"OSError: [Errno 28] {NO_SPACE}")
 
 
+@pytest.mark.process
 def test_a_program_of_python_has_the_file_itself_and_its_own_words(machine: Any) -> None:
     result = machine.run("python3 -c 'print(1)' > /dev/full")
     assert result.status in (1, 120) and NO_SPACE in result.err
 
 
+@pytest.mark.process
 def test_as_much_as_fits_is_in_the_file(tmp_path: Path) -> None:
     """A limit of the size of files stops a normal user's program where a full disk stops everybody's."""
     resource = pytest.importorskip("resource")
@@ -104,6 +107,7 @@ def test_as_much_as_fits_is_in_the_file(tmp_path: Path) -> None:
     assert (tmp_path / "numbers").read_text() == "".join(f"{number}\n" for number in range(1, 5001))[:8192]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("line", "says", "status"),
     [
@@ -137,6 +141,7 @@ print('alive')
 """
 
 
+@pytest.mark.process
 def test_a_program_that_logs_to_a_full_disk_goes_on(machine: Any, tmp_path: Path) -> None:
     (tmp_path / "logger.py").write_text(LOGGER)
     result = machine.run(f"cd '{tmp_path}'; DAY6_LINK=off python3 logger.py 2> /dev/full")

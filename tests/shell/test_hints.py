@@ -12,6 +12,7 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="a terminal there has no
 SLIP = "count = 1\nprint(cuont)\n"
 
 
+@pytest.mark.process
 def test_a_traceback_is_followed_by_a_hint_in_the_language_of_the_terminal(machine: Any, seat: Any) -> None:
     (machine.desk.home / "slip.py").write_text(SLIP)
     seat.line("python3 slip.py")
@@ -24,6 +25,7 @@ def test_a_traceback_is_followed_by_a_hint_in_the_language_of_the_terminal(machi
     assert "提示" not in seat.wait_prompt()
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     "line", ["python3 slip.py 2>&1 | cat", "python3 slip.py 2> f; cat f", "echo $(python3 slip.py 2>&1)"]
 )
@@ -35,7 +37,7 @@ def test_there_is_no_hint_where_nobody_reads_it(machine: Any, seat: Any, line: s
     assert "hint:" not in machine.run(line).out + machine.run("python3 slip.py").err
 
 
-@pytest.mark.parametrize("command", ["cd", "ls", "source", "python3", "cat"])
+@pytest.mark.parametrize("command", ["cd", "ls", "source", pytest.param("python3", marks=pytest.mark.process), "cat"])
 def test_a_path_typed_from_the_article_is_told_where_home_is(machine: Any, seat: Any, command: str) -> None:
     seat.line(f"{command} /home/student/ros2_ws/src")
     seen = "".join(seat.wait_prompt().split())  # lines break anywhere, by the length of the home folder's name
@@ -70,6 +72,7 @@ def test_a_command_that_exists_and_ends_with_127_is_no_slip(seat: Any) -> None:
     assert "over" in seen and "hint" not in seen
 
 
+@pytest.mark.process
 def test_a_package_that_is_not_built_or_not_sourced_is_told_so(machine: Any, seat: Any) -> None:
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python --node-name go car").status == 0
     seat.line("ros2 run car go")
@@ -101,6 +104,7 @@ def test_a_package_whose_build_failed_is_told_so(machine: Any, seat: Any) -> Non
     assert "its last build failed: what colcon build prints says why" in " ".join(seat.wait_prompt().split())
 
 
+@pytest.mark.process
 def test_colcon_is_coloured_and_explains_what_failed_on_a_terminal_only(machine: Any, seat: Any) -> None:
     package = machine.desk.home / "ros2_ws" / "src" / "car"
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python car").status == 0

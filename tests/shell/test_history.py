@@ -29,6 +29,7 @@ COMMANDS = [
 ]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_of_several_lines_is_kept_as_bash_keeps_it(command: str, tmp_path: Path) -> None:
     bash = shutil.which("bash")

@@ -187,6 +187,7 @@ def test_the_stubs_have_every_interface_with_its_fields_and_constants() -> None:
     assert "Request = SetCameraInfo_Request" in stubs["sensor_msgs/srv/__init__.pyi"]
 
 
+@pytest.mark.process
 def test_a_plain_python3_with_the_editors_variables_is_a_ros_program(project: Path) -> None:
     print_environment(["--vscode", str(project)])
     launch = json.loads((project / ".vscode" / "launch.json").read_text(encoding="utf-8"))
@@ -205,6 +206,7 @@ def test_a_plain_python3_with_the_editors_variables_is_a_ros_program(project: Pa
 PYRIGHT = os.environ.get("DAY6_PYRIGHT") or shutil.which("basedpyright", path=os.path.dirname(sys.executable))
 
 
+@pytest.mark.process
 @pytest.mark.skipif(PYRIGHT is None, reason="basedpyright is not installed (DAY6_PYRIGHT may name another pyright)")
 def test_pyright_finds_nothing_wrong_with_a_lesson_and_much_with_a_slip(project: Path) -> None:
     print_environment(["--vscode", str(project)])

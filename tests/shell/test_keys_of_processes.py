@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import sys
 import threading
-import time
 from typing import Any
 
 import pytest
-from waiting import until
+from waiting import Deadline, until
 
 from day6_tui.core.shell import pty_keys
+from day6_tui.core.shell.process import running_processes
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")
+pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")]
 
 SLEEPER = """\
 import sys, termios, time, tty
@@ -34,15 +34,26 @@ with open("got", "wb") as file:
         file.write(data)
         left -= len(data)
 """
+SHORT = """\
+import os, time
+print("ready", flush=True)
+while not os.path.exists("go"):
+    time.sleep(0.01)
+"""
+COPY_OF_A_FULL_PIPE = """\
+import fcntl, sys, termios, time
+while int.from_bytes(fcntl.ioctl(0, termios.FIONREAD, bytes(4)), sys.byteorder) < 16_000:
+    time.sleep(0.01)
+open("copy.txt", "w").write(sys.stdin.read())
+"""
 MODES = {"cooked": "", "cbreak": "tty.setcbreak(0)", "raw": "tty.setraw(0)"}
 
 
-def within(seconds: float, function: Any) -> None:
+def returns(function: Any) -> None:
     """Fail, rather than hang, if `function` does not return."""
     worker = threading.Thread(target=function, daemon=True)
     worker.start()
-    worker.join(seconds)
-    assert not worker.is_alive(), "it blocks"
+    until(lambda: not worker.is_alive(), told=lambda: "it blocks")
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -52,7 +63,7 @@ def test_a_paste_into_a_program_that_does_not_read_stops_nobody(seat: Any, mode:
     seat.wait(lambda text: "ready" in text)
     other = type(seat)(seat.desk)
     seat.terminal.paste(("some text" + "\n" * (mode != "raw")) * 20_000)
-    within(20, seat.desk.scheduler.advance)
+    returns(seat.desk.scheduler.advance)
     assert "42" in other.line("echo $((6*7))").split("\n")
     if mode != "raw":
         seat.terminal.send("\x03")
@@ -69,7 +80,7 @@ def test_a_program_that_reads_late_gets_every_key_in_its_order(seat: Any) -> Non
     seat.wait(lambda shown: "ready" in shown)
     for at in range(0, len(text), 100_000):
         seat.terminal.send(text[at : at + 100_000])
-    within(20, seat.desk.scheduler.advance)
+    returns(seat.desk.scheduler.advance)
     (seat.desk.home / "go").touch()
     seat.wait_prompt()
     assert (seat.desk.home / "got").read_bytes().decode() == text
@@ -85,18 +96,19 @@ def test_what_does_not_fit_beyond_all_bounds_beeps(seat: Any, monkeypatch: pytes
     seat.terminal.write = lambda text: (written.append(text), write(text))
     for _ in range(20):
         seat.terminal.send("x" * 10_000)
-    within(20, seat.desk.scheduler.advance)
+    returns(seat.desk.scheduler.advance)
     assert "\a" in written
     seat.terminal.send("\x03")
     seat.wait_prompt()
 
 
 def test_keys_nobody_read_are_the_shells_also_when_they_were_many(seat: Any) -> None:
-    (seat.desk.home / "short.py").write_text("import time\nprint('ready', flush=True)\ntime.sleep(1.5)\n")
+    (seat.desk.home / "short.py").write_text(SHORT)
     seat.line("python3 short.py")
     seat.wait(lambda text: "ready" in text)
     seat.terminal.send("".join(f"echo {number:04} >> out\r" for number in range(1000)))
     seat.desk.scheduler.advance()
+    (seat.desk.home / "go").touch()
     out = seat.desk.home / "out"
 
     def meanwhile() -> None:
@@ -112,7 +124,7 @@ def test_a_pipe_into_a_program_that_does_not_read_stops_nobody(seat: Any) -> Non
     (home / "big.txt").write_text("a line of a file\n" * 60_000)
     (home / "sleeper.py").write_text("import time\nprint('ready', flush=True)\ntime.sleep(60)\n")
     seat.terminal.send("cat big.txt | python3 sleeper.py\r")
-    within(20, seat.desk.scheduler.advance)
+    returns(seat.desk.scheduler.advance)
     seat.wait(lambda text: "ready" in text)
     other = type(seat)(seat.desk)
     assert "42" in other.line("echo $((6*7))").split("\n")
@@ -124,7 +136,7 @@ def test_a_program_behind_a_pipe_gets_everything_and_one_that_stops_early_breaks
     home = seat.desk.home
     text = "".join(f"line {number}\n" for number in range(60_000))
     (home / "big.txt").write_text(text)
-    (home / "copy.py").write_text("import sys, time\ntime.sleep(0.3)\nopen('copy.txt', 'w').write(sys.stdin.read())\n")
+    (home / "copy.py").write_text(COPY_OF_A_FULL_PIPE)
     (home / "first.py").write_text("import sys\nprint('first:', sys.stdin.readline(), end='')\n")
     seat.line("cat big.txt | python3 copy.py")
     seat.wait_prompt()
@@ -135,14 +147,20 @@ def test_a_program_behind_a_pipe_gets_everything_and_one_that_stops_early_breaks
 
 def test_what_is_typed_around_a_programs_end_arrives_in_its_order(seat: Any) -> None:
     """Some keys reach the program, some nobody, some the shell: together they are the lines that were typed."""
-    (seat.desk.home / "short.py").write_text("import time\nprint('ready', flush=True)\ntime.sleep(0.2)\n")
+    (seat.desk.home / "short.py").write_text(SHORT)
     seat.line("python3 short.py")
     seat.wait(lambda text: "ready" in text)
-    numbers = [str(number) for number in range(400)]
-    for number in numbers:
-        seat.terminal.send(f"echo {number} >> numbers\r")
-        seat.desk.scheduler.advance()
-        time.sleep(0.001)  # so that the program ends in the midst of it
+    numbers: list[str] = []
+    after = 0
+    deadline = Deadline()
+    while after < 100 and not deadline.is_over():
+        if len(numbers) == 100:
+            (seat.desk.home / "go").touch()
+        numbers.append(str(len(numbers)))
+        seat.terminal.send(f"echo {numbers[-1]} >> numbers\r")
+        seat.desk.scheduler.run(lambda: False, 0.001)
+        after += len(numbers) > 100 and not running_processes(seat.desk.scheduler)
+    assert after == 100
     seat.terminal.send("echo all of ''them\r")
     seat.wait(lambda text: "all of them" in text)
     assert (seat.desk.home / "numbers").read_text().split() == numbers

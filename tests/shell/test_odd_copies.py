@@ -175,6 +175,7 @@ def tree(folder: Path) -> list[str]:
     return found
 
 
+@pytest.mark.process
 @gnu
 @pytest.mark.parametrize("line", LINES)
 def test_it_says_and_leaves_what_the_real_tool_does(machine: Any, tmp_path: Path, line: str) -> None:
@@ -248,6 +249,7 @@ def limited(line: str, folder: Path, size: int) -> subprocess.CompletedProcess[s
     )
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("line", "says", "status"),
     [

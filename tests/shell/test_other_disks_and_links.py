@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from waiting import until
 
 from day6_tui.core import link
 from day6_tui.core.graph.graph import Graph
@@ -314,7 +315,7 @@ def test_a_started_desk_runs_by_itself_and_links_where_it_may(tmp_path: Path, li
     desk.start(link=linked)
     done = threading.Event()
     desk.scheduler.call_soon_threadsafe(done.set)
-    assert done.wait(30)
+    until(done.is_set)
     desk.close()
     desk.close()
     assert len(links.joined) == len(links.left) == linked

@@ -87,6 +87,7 @@ def test_ordinary_files_are_no_streams(tmp_path: Path) -> None:
     assert stream_number(Path("/dev/tty")) == TTY
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="by the numbers of Linux' devices")
 def test_a_device_that_is_our_own_terminal_is_refused_under_every_name(tmp_path: Path) -> None:
     import pty

@@ -42,12 +42,14 @@ def with_tool(tool: Callable[[str, str], Path], request: pytest.FixtureRequest) 
     return request.getfixturevalue("machine")
 
 
+@pytest.mark.process
 def test_a_program_of_the_real_machine_runs_in_pipes_and_files(with_tool: Any) -> None:
     done = with_tool.run("printf 'a\\nb\\n' | zawk3 '{x}' | tail -n 2 > f; cat f; zawk3 1 < f | head -n 1")
     assert done == (0, "a\nb\nawk: 1\n", "")
     assert with_tool.run("zawk3 < /dev/null > /dev/null; env zawk3 2 < /dev/null").out == "awk: 2\n"
 
 
+@pytest.mark.process
 def test_on_the_terminal_it_has_a_pty_and_its_keys(tool: Callable[[str, str], Path], request: Any) -> None:
     tool("asks", "#!/bin/sh\ntest -t 0 && test -t 1 && echo pty\nread answer\necho got $answer\nexec sleep 1000\n")
     seat = request.getfixturevalue("seat")
@@ -104,6 +106,7 @@ def test_a_path_of_the_folder_one_is_in_and_odd_entries(tmp_path: Path) -> None:
     assert tools_beginning_with("t", variables, tmp_path) == {"t1"}
 
 
+@pytest.mark.process
 def test_a_program_that_no_system_starts_says_so(tool: Callable[[str, str], Path], request: Any) -> None:
     place = tool("broken", "\x7fELF\0\0")
     done = request.getfixturevalue("machine").run('broken; echo $?; cp "$(which broken)" .; ./broken')

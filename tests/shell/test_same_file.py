@@ -130,6 +130,7 @@ def save_without_rights(path: Path, state: Path, text: str) -> str:
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
+@pytest.mark.process
 def test_a_file_of_ones_own_in_a_folder_that_is_not_can_be_saved(tmp_path: Path) -> None:
     folder = tmp_path / "locked"
     folder.mkdir()
@@ -140,6 +141,7 @@ def test_a_file_of_ones_own_in_a_folder_that_is_not_can_be_saved(tmp_path: Path)
     folder.chmod(0o700)
 
 
+@pytest.mark.process
 def test_a_file_that_may_only_be_read_is_not_replaced(tmp_path: Path) -> None:
     path = tmp_path / "a.py"
     path.write_text("old\n")

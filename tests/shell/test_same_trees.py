@@ -17,6 +17,7 @@ pytestmark = pytest.mark.skipif(
 )
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("seed", [2, 1024, 1023, 3001])
 def test_random_command_lines_leave_the_same_tree(seed: int) -> None:
     assert "\n".join(differences(seed)) == ""

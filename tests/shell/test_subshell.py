@@ -22,6 +22,7 @@ def bash(folder: Path, home: Path, line: str) -> subprocess.CompletedProcess[str
     return subprocess.run(["bash", "-c", f". '{rc}'; {line}"], env=env, capture_output=True, encoding="utf-8")
 
 
+@pytest.mark.process
 @posix
 def test_our_commands_come_first_even_if_the_users_own_file_puts_others_there(tmp_path: Path) -> None:
     home, scripts = tmp_path / "home", tmp_path / "scripts"
@@ -35,6 +36,7 @@ def test_our_commands_come_first_even_if_the_users_own_file_puts_others_there(tm
     assert place == f"{subshell.environment()['PATH'].split(os.pathsep)[0]}/ros2"
 
 
+@pytest.mark.process
 @posix
 def test_every_command_of_ours_runs(tmp_path: Path) -> None:
     wrong = tmp_path / "wrong.urdf"
@@ -57,6 +59,7 @@ def test_zsh_reads_the_users_file_and_then_ours(tmp_path: Path) -> None:
     assert lines[1] == 'export PATH=/ours:"$PATH"'
 
 
+@pytest.mark.process
 def test_a_child_that_has_the_terminal_gets_ctrl_c_alone(tmp_path: Path) -> None:
     code = "import os, signal; os.kill(os.getppid(), signal.SIGINT); os.kill(os.getpid(), signal.SIGINT)"
     if os.name != "posix":

@@ -66,6 +66,7 @@ SAME_AS_THE_TOOLS = [
 ]
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform != "linux" or shutil.which("bash") is None, reason="compares with GNU tools")
 @pytest.mark.parametrize("command", SAME_AS_THE_TOOLS)
 def test_a_tool_prints_what_the_real_one_prints(machine: Any, tmp_path: Path, command: str) -> None:

@@ -44,6 +44,7 @@ def test_a_new_terminal_has_nothing_to_explain_and_says_so(seat: Any) -> None:
     assert "why: Nothing that this terminal printed lately has a card" in said(seat, "why; echo status $?")
 
 
+@pytest.mark.process
 def test_built_and_not_sourced(machine: Any, tall: Any) -> None:
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python --node-name go car").status == 0
     said(tall, "ros2 run car go")
@@ -61,6 +62,7 @@ def test_built_and_not_sourced(machine: Any, tall: Any) -> None:
     assert "setup.py of car names these programs only: go" in said(tall, "why")
 
 
+@pytest.mark.process
 def test_a_program_that_setup_py_does_not_name_and_one_that_was_not_built(machine: Any, tall: Any) -> None:
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python --node-name go car").status == 0
     assert machine.run("cd ~/ros2_ws; colcon build").status == 0
@@ -78,6 +80,7 @@ def test_a_program_that_setup_py_does_not_name_and_one_that_was_not_built(machin
     assert "names listener, but it was not installed" in seen and "colcon build --packages-select car" in seen
 
 
+@pytest.mark.process
 def test_a_launch_file_that_is_not_installed(machine: Any, tall: Any) -> None:
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python car").status == 0
     package = machine.desk.home / "ros2_ws" / "src" / "car"
@@ -133,6 +136,7 @@ def test_paths_and_commands(machine: Any, tall: Any) -> None:
         assert (f"Type next {next_}" in seen) if next_ else "Type next" not in seen, (typed, seen)
 
 
+@pytest.mark.process
 def test_a_traceback_is_explained_by_the_rules_of_the_hints(machine: Any, tall: Any) -> None:
     (machine.desk.home / "slip.py").write_text("count = 1\nprint(cuont)\n")
     said(tall, "python3 slip.py")
@@ -155,6 +159,7 @@ def test_explain_takes_a_text_a_topic_a_card_or_what_is_piped(machine: Any) -> N
     assert machine.run("ros2 run car go 2>&1 | why").status == 0
 
 
+@pytest.mark.process
 def test_the_first_line_appears_below_a_failure_in_chinese_only(machine: Any, seat: Any) -> None:
     seen = seat.line("ls nothing")
     seen = seat.wait_prompt()
@@ -179,6 +184,7 @@ def test_the_first_line_appears_below_a_failure_in_chinese_only(machine: Any, se
         assert "意思" not in seat.wait_prompt(), line
 
 
+@pytest.mark.process
 def test_a_certain_hint_comes_in_its_place(machine: Any, seat: Any) -> None:
     (machine.desk.home / "slip.py").write_text("count = 1\nprint(cuont)\n")
     seat.line("export DAY6_LANG=zh; clear; python3 slip.py")
@@ -186,6 +192,7 @@ def test_a_certain_hint_comes_in_its_place(machine: Any, seat: Any) -> None:
     assert "提示：这里没有叫 cuont 的东西，是不是想写 count？" in seen and "意思" not in seen
 
 
+@pytest.mark.process
 def test_ctrl_c_and_programs_that_go_well_get_no_line(machine: Any, seat: Any) -> None:
     seat.line("export DAY6_LANG=zh; clear; echo 'KeyError: 1'")
     assert "意思" not in seat.wait_prompt()

@@ -83,6 +83,7 @@ def test_a_slip_of_the_line_gets_its_hint_and_the_line_put_right(
     assert "apt" not in seen and "jazzy" not in seen  # of ROS that is not sourced nobody spoke
 
 
+@pytest.mark.process
 def test_what_is_no_slip_gets_no_hint(machine: Any, tall: Any) -> None:
     typed = (
         "b",
@@ -283,6 +284,7 @@ def test_an_open_quote_is_told_once_at_the_continuation_prompt(machine: Any, tal
     assert "提示" not in seen
 
 
+@pytest.mark.process
 def test_a_comma_between_entry_points_that_is_missing(machine: Any, tall: Any) -> None:
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python --node-name hello car").status == 0
     setup = machine.desk.home / "ros2_ws" / "src" / "car" / "setup.py"

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import time
-from collections.abc import Callable
-from typing import TypeVar
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import Any, TypeVar
 
 T = TypeVar("T")
+
+_sleep = time.sleep
+"""Looking now and then is allowed where sleeping is not (`one_process`)."""
 
 PATIENCE = 30.0
 """Seconds something may take, on the clock of `Deadline`; nothing waits that long unless it is broken."""
@@ -62,15 +67,29 @@ def until(
             raise AssertionError(f"after {limit} s the answer is still {answer!r}; {told() if told else ''}")
         if meanwhile is not None:
             meanwhile()
-        time.sleep(every)
+        _sleep(every)
     return answer
 
 
-def never(condition: Callable[[], object], seconds: float, *, every: float = 0.005) -> bool:
-    """Say whether the answer stayed false for so long."""
-    end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > end:
-            return True
-        time.sleep(every)
-    return False
+def communicate(process: subprocess.Popen[str], said: str | None = None, limit: float = PATIENCE) -> tuple[str, str]:
+    """Say this to a program and return what it printed until its end; one that does not end is killed: AssertionError."""
+    deadline = Deadline(limit)
+    while True:
+        with suppress(subprocess.TimeoutExpired):
+            return process.communicate(said, timeout=0.2)
+        said = None  # it goes on with what it was given
+        if deadline.is_over():
+            process.kill()
+            raise AssertionError(f"after {limit} s it has not ended; it printed {process.communicate()}")
+
+
+def run(command: Sequence[str], limit: float = PATIENCE, **options: Any) -> subprocess.CompletedProcess[str]:
+    """Run a program to its end, as `subprocess.run` that captures text."""
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "encoding": "utf-8"}
+    with subprocess.Popen(command, **{**pipes, **options}) as process:
+        return subprocess.CompletedProcess(command, *_result(process, limit))
+
+
+def _result(process: subprocess.Popen[str], limit: float) -> tuple[int, str, str]:
+    printed = communicate(process, limit=limit)
+    return process.returncode, *printed

@@ -91,6 +91,7 @@ def test_a_listener_may_hear_other_topics_or_fixed_frames_only(node: Node) -> No
     assert node.count_subscribers("/tf_static") == 0
 
 
+@pytest.mark.process
 def test_a_lookup_in_a_callback_waits_in_vain_with_one_thread(node: Node) -> None:
     buffer = tf2_ros.Buffer()
     tf2_ros.TransformListener(buffer, node)
@@ -131,6 +132,7 @@ def test_a_lookup_in_a_callback_succeeds_with_several_threads(node: Node) -> Non
     assert outcome[0].child_frame_id == "car"
 
 
+@pytest.mark.process
 def test_a_listener_with_its_own_thread_hears_while_the_program_waits(ros: None) -> None:
     node = Node("own_thread")
     buffer = tf2_ros.Buffer()
@@ -245,6 +247,7 @@ def test_many_threads_may_use_one_buffer() -> None:
     assert problems == []
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     "statement",
     [

@@ -6,6 +6,7 @@ import random
 from pathlib import Path
 
 import pytest
+from folded import folded
 from pdf_text import pdf_size, pdf_text
 from tf2_ros import Buffer
 
@@ -25,7 +26,7 @@ def drawn(frames: list[Frame], file: Path) -> str:
     return pdf_text(file)
 
 
-@pytest.mark.parametrize(
+@folded(
     "name",
     ["car", "底盘", "轮子_左", "it's", 'a "quoted" one', "back\\slash", "a: b", "- x", "# y", "1", "true", "null", "x" * 3000,
      "a\nb", "\x1b[31m", "{", "'", "[]", "*a", "&a", "!x", "%y", "@z", "`", "? k", "1.5", "2026-01-01", "a #b", "~", "é"],

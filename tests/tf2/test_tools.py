@@ -348,6 +348,7 @@ def test_view_frames_without_frames(machine: Machine) -> None:
     assert pdf_text(machine.folder / "tree.pdf") == "Notfdatareceived"
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
 def test_graphviz_draws_where_it_is_installed(machine: Machine) -> None:
     install_dot(machine.folder, 'read line < "$2"; echo "%PDF by $1 of $line"; echo "Warning: of dot" >&2')
@@ -357,6 +358,7 @@ def test_graphviz_draws_where_it_is_installed(machine: Machine) -> None:
     assert view.errors.endswith("\nWarning: of dot\n")
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
 @pytest.mark.parametrize(
     ("script", "told"),
@@ -373,6 +375,7 @@ def test_what_graphviz_does_not_draw_is_drawn_without_it(machine: Machine, scrip
     assert "wheel" in pdf_text(machine.folder / "tree.pdf")
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
 def test_graphviz_has_a_time_limit(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("day6_tui.core.ros.programs._drawn_pdf.LIMIT_SECONDS", 0.05)
@@ -382,6 +385,7 @@ def test_graphviz_has_a_time_limit(machine: Machine, monkeypatch: pytest.MonkeyP
     assert "wheel" in pdf_text(machine.folder / "tree.pdf")
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
 def test_a_graphviz_that_hangs_ends_with_view_frames(machine: Machine) -> None:
     install_dot(machine.folder, f"echo $$ > '{machine.folder}/pid'; exec /bin/sleep 600")

@@ -6,6 +6,7 @@ import random
 
 import pyte
 import pytest
+from folded import folded
 from rich.console import Console
 from rich.segment import Segment
 from rich.style import Style
@@ -41,7 +42,7 @@ def _screen(data: str) -> list[list[object]]:
     return [[screen.buffer[y][x] for x in range(WIDTH)] for y in range(HEIGHT)]
 
 
-@pytest.mark.parametrize("seed", range(30))
+@folded("seed", range(30))
 def test_exactly_the_dirty_cells_are_sent(seed: int) -> None:
     picker = random.Random(seed)
     lines, ends, whole = [], [], []

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
+from folded import folded
 from rich.cells import cell_len as cells_on_the_terminal
 from rich.segment import Segment
 from screens import UTF8
@@ -69,8 +72,7 @@ def test_every_bar_has_its_width_and_holds_text_only(text: str) -> None:
     assert cells_on_the_terminal(line) == 30
 
 
-@pytest.mark.parametrize("text", HOSTILE)
-@pytest.mark.parametrize("width", [2, 5, 40])
+@folded("text, width", product(HOSTILE, [2, 5, 40]))
 def test_what_is_measured_is_what_is_shown(text: str, width: int) -> None:
     assert cell_len(text) == cells_on_the_terminal(one_line(text))
     assert cells_on_the_terminal(clip(text, width)) <= width

@@ -5,9 +5,11 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
+import pytest
 from test_real_desk import _shows, opened, until
 
 
+@pytest.mark.process
 async def test_the_edge_tells_the_step_that_the_page_shows(tmp_path: Path) -> None:
     async with opened(tmp_path, lesson="day1") as (app, pilot):
         await until(app, pilot, _shows(app, "Step 1 of"))

@@ -41,6 +41,7 @@ def test_glyphs_follow_the_terminal(environ, name) -> None:
     assert glyphs.detect(environ, "linux") == name
 
 
+@pytest.mark.process
 def test_what_python_adds_to_the_environment_is_not_taken_for_the_terminals_word() -> None:
     """In the C locale Python sets LC_CTYPE=C.UTF-8 for itself (PEP 538)."""
     code = "import os; from day6_tui.tui.glyphs import detect; print(os.environ.get('LC_CTYPE'), detect())"

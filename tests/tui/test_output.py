@@ -101,6 +101,7 @@ def test_a_slow_terminal_gets_everything_that_gives_it_back(monkeypatch: pytest.
         assert f"<mode {number} off>".encode() in got
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
 def test_a_whole_frame_is_written_at_once_where_it_is_made() -> None:
     output.install()
@@ -121,6 +122,7 @@ def test_a_whole_frame_is_written_at_once_where_it_is_made() -> None:
     os.close(theirs)
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
 def test_what_a_full_terminal_does_not_take_follows_in_order() -> None:
     output.install()

@@ -75,6 +75,7 @@ def home(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.mark.process
 def test_quitting_restores_the_terminal_and_is_quick(home) -> None:
     terminal = Pty(home)
     terminal.until(b"student@day6")
@@ -117,6 +118,7 @@ def _gone(pid: int) -> bool:
         return True
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="looks into /proc")
 @pytest.mark.parametrize("end", ["quit", "SIGTERM", "hang up", "SIGKILL"])
 def test_no_student_process_outlives_the_desktop(home, end) -> None:
@@ -136,6 +138,7 @@ def test_no_student_process_outlives_the_desktop(home, end) -> None:
     until(lambda: _gone(pid), every=0.02)
 
 
+@pytest.mark.process
 def test_the_first_frame_needs_neither_numpy_nor_pygments_nor_the_link(home) -> None:
     code = (
         "import sys\n"
@@ -153,6 +156,7 @@ def test_the_first_frame_needs_neither_numpy_nor_pygments_nor_the_link(home) -> 
     assert done.stdout.strip() == "[]", done.stdout + done.stderr
 
 
+@pytest.mark.process
 def test_the_desktop_does_without_openssl_and_leaves_it_importable() -> None:
     code = (
         "import sys, day6_tui.tui.app, asyncio\n"
@@ -163,6 +167,7 @@ def test_the_desktop_does_without_openssl_and_leaves_it_importable() -> None:
     assert done.stdout.split() == ["False", "True"], done.stderr
 
 
+@pytest.mark.process
 def test_without_a_terminal_it_says_so_and_what_to_use_instead(home) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "day6_tui.tui.main", "--home", str(home)],
@@ -205,6 +210,7 @@ def test_the_command_line_knows_every_scene() -> None:
     assert tuple(option.choices) == tuple(SCENES)
 
 
+@pytest.mark.process
 def test_a_home_that_is_a_file_is_told_after_the_terminal_is_restored(tmp_path) -> None:
     (tmp_path / "file").write_text("")
     terminal = Pty(tmp_path / "file")

@@ -142,6 +142,7 @@ async def test_it_says_so_in_the_users_language(
         await until(app, pilot, _shows(app, start))
 
 
+@pytest.mark.process
 async def test_a_terminal_from_before_the_drill_has_no_hints_either(tmp_path: Path) -> None:
     package = tmp_path / "home/ros2_ws/src/my_pkg/package.xml"
     package.parent.mkdir(parents=True)

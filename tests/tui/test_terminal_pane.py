@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from fakes import FakeTerminal
+from folded import folded
 from rich.cells import cell_len
 from screens import opened, screen_lines, screen_text, step, step_until
 from textual import events
@@ -13,8 +14,8 @@ from day6_tui.tui.terminal_keys import _PLAIN, decode, encode
 from day6_tui.tui.terminal_view import TerminalView, tab_name
 
 
-@pytest.mark.parametrize(
-    ("key", "character", "sent"),
+@folded(
+    "key, character, sent",
     [
         ("a", "a", "a"),
         ("upper_a", "A", "A"),
@@ -375,7 +376,7 @@ async def test_page_up_alone_looks_back_at_a_prompt_and_goes_to_a_program_that_r
         assert desk.terminals[0].sent == "\x1b[5~"
 
 
-@pytest.mark.parametrize("text", [*_PLAIN.values(), *"aZ好~^", "\x01", "\x18", "\x1b[A", "\x1b[H", "\x1bOF"])
+@folded("text", [*_PLAIN.values(), *"aZ好~^", "\x01", "\x18", "\x1b[A", "\x1b[H", "\x1bOF"])
 def test_what_a_terminal_sends_is_read_as_the_key_that_sends_it(text) -> None:
     assert encode(*decode(text)) == text.replace("\x1bO", "\x1b[") or decode(text)[0] in ("f1", "f2", "f3", "f4")
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import itertools
 import math
+from itertools import product
 from types import SimpleNamespace
 
 import pytest
 from fakes import FakeSimulation, turtle
+from folded import folded
 from screens import UTF8, make_look, opened, screen_text, step
 from textual.geometry import Size
 
@@ -32,8 +34,7 @@ def test_the_world_is_as_wide_as_high(room, shape) -> None:
     assert square(*room) == shape or room == (1, 1)
 
 
-@pytest.mark.parametrize("size", [3, 5, 7, 9, 15, 24])
-@pytest.mark.parametrize("step_", range(0, HEADINGS, 4))
+@folded("size, step_", product([3, 5, 7, 9, 15, 24], range(0, HEADINGS, 4)))
 def test_the_head_of_a_turtle_points_where_it_looks(size, step_) -> None:
     heads = [(dx, dy) for dx, dy, part in pixels(size, step_) if part == 3]
     assert heads

@@ -8,6 +8,7 @@ import random
 from collections.abc import Callable
 
 import pytest
+from folded import folded
 
 from day6_tui.urdf import check_text, parse_robot, yourdfpy_robot
 from day6_tui.urdf.advice import advice_of
@@ -152,8 +153,8 @@ def shape(text: str) -> str:
     return link_text(f"<visual><geometry>{text}</geometry></visual>")
 
 
-@pytest.mark.parametrize(
-    ("text", "said", "line"),
+@folded(
+    "text, said, line",
     [
         (shape("<sphere/>"), "Sphere shape must have a radius attribute", 117),
         (shape('<sphere radius="x"/>'), "radius [x] is not a valid float", 126),

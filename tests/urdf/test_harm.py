@@ -97,6 +97,7 @@ def test_two_roots_and_fifty_megabytes_say_why() -> None:
         assert said in str(error.value)
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="measures memory with the module resource")
 def test_reading_harm_from_a_file_stays_small(tmp_path: Path) -> None:
     """In a process of its own: 50 MB on the disk may not become 50 MB in memory."""

@@ -8,6 +8,7 @@ import random
 from collections.abc import Callable
 
 import pytest
+from folded import folded
 
 from day6_tui.urdf import parse_robot, shipped_model, yourdfpy_robot
 from day6_tui.urdf.kinematics import (
@@ -24,7 +25,7 @@ from day6_tui.urdf.kinematics import (
 from day6_tui.urdf.model import Pose, quaternion_from_rpy
 
 
-@pytest.mark.parametrize("seed", range(30))
+@folded("seed", range(30))
 def test_every_link_of_random_robots_stands_where_yourdfpy_puts_it(
     seed: int, random_description: Callable[..., str]
 ) -> None:

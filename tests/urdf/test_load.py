@@ -15,6 +15,7 @@ from types import ModuleType
 
 import pytest
 import yaml
+from folded import folded
 
 from day6_tui.urdf import RobotError, copy_model, load_robot, parse_robot, shipped_model, shipped_models
 from day6_tui.urdf.model import Box, Collision, Cylinder, Inertial, Joint, Link, Pose, Robot, Sphere, Visual
@@ -86,7 +87,7 @@ def test_yourdfpy_reads_the_shipped_car_as_our_parser_does() -> None:
     assert rough(load_robot(shipped_model())) == rough(parse_robot(shipped_model()))
 
 
-@pytest.mark.parametrize("seed", range(40))
+@folded("seed", range(40))
 def test_yourdfpy_reads_random_robots_as_our_parser_does(seed: int, random_description: Callable[..., str]) -> None:
     text = random_description(random.Random(seed))
     assert rough(load_robot(text)) == rough(parse_robot(text))
@@ -146,6 +147,7 @@ def fresh(code: str) -> str:
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
 
 
+@pytest.mark.process
 def test_loading_a_robot_leaves_scipy_and_networkx_out() -> None:
     code = (
         "import sys; from day6_tui.urdf import load_robot, shipped_model; load_robot(shipped_model())\n"
@@ -155,6 +157,7 @@ def test_loading_a_robot_leaves_scipy_and_networkx_out() -> None:
     assert fresh(code).splitlines() == ["['yourdfpy']", "scipy"]
 
 
+@pytest.mark.process
 def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
     code = (
         "import sys; from day6_tui.urdf import parse_robot, shipped_model; import day6_tui.urdf.topview\n"
@@ -163,6 +166,7 @@ def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
     assert fresh(code).strip() == "none"
 
 
+@pytest.mark.process
 def test_when_the_light_import_fails_the_plain_one_is_used() -> None:
     code = (
         "import sys, importlib.util\n"

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from folded import folded
 
 from day6_tui.urdf import parse_robot, shipped_model
 from day6_tui.urdf.canvas import Canvas, cell_width
@@ -180,7 +181,7 @@ def written() -> dict[str, list[str]]:
     return found
 
 
-@pytest.mark.parametrize("case", CASES)
+@folded("case", CASES)
 def test_the_picture_is_the_one_written_down(case: str) -> None:
     assert drawn(**CASES[case]) == written()[case]
 

@@ -6,6 +6,7 @@ import itertools
 import math
 
 import pytest
+from folded import folded
 
 from day6_tui.urdf import parse_robot, shipped_model
 from day6_tui.urdf.canvas import Canvas, cell_width
@@ -180,7 +181,7 @@ def test_a_wheel_is_what_turns_about_a_level_axis_and_is_round(part: str, is_whe
     assert len(picture(car, 40, 12)) == 12
 
 
-@pytest.mark.parametrize("columns", range(5, 40))
+@folded("columns", range(5, 40))
 def test_a_ball_is_never_too_small_to_be_drawn(columns: int) -> None:
     far = (
         '<link name="far"><visual><geometry><box size="9 9 1"/></geometry></visual></link>'

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from waiting import run
 
 from day6_tui.core.ros.environment import SHARE_PATH
 from day6_tui.urdf.check import check_text
@@ -15,14 +15,19 @@ from day6_tui.urdf.check import check_text
 ROBOTS = SHARE_PATH / "urdf_tutorial/urdf"
 LAUNCHED = """
 ros2 launch urdf_tutorial display.launch.py model:=urdf/08-macroed.urdf.xacro > /dev/null 2>&1 &
-ros2 topic echo --once /joint_states --field name
-ros2 node list
+ros2 topic echo --once /joint_states sensor_msgs/msg/JointState --field name
+{wait}
 kill %1
 """
 
 
+def wait_for(*nodes: str) -> str:
+    """Lines that wait for nodes, which a launch starts one after the other: what one of them says tells nothing of the rest."""
+    return "\n".join(f"until ros2 node list | grep -x /{node}; do sleep 0.1; done" for node in nodes)
+
+
 def typed(tmp_path: Path, lines: str) -> str:
-    done = subprocess.run(
+    done = run(
         [
             sys.executable,
             "-m",
@@ -30,16 +35,11 @@ def typed(tmp_path: Path, lines: str) -> str:
             "exec",
             "--home",
             str(tmp_path / "home"),
-            "--timeout",
-            "60",
             "-c",
             lines,
         ],
         cwd=tmp_path,
         env={**os.environ, "DAY6_RUNTIME_DIR": str(tmp_path), "DAY6_LINK": "off"},
-        capture_output=True,
-        text=True,
-        timeout=90,
     )
     return done.stdout
 
@@ -58,6 +58,7 @@ def test_a_robot_is_right(file: str, links: int, moving: int) -> None:
     assert len([joint for joint in found.robot.joints if joint.type != "fixed"]) == moving
 
 
+@pytest.mark.process
 def test_the_robot_with_macros_is_the_one_with_physics(tmp_path: Path) -> None:
     pytest.importorskip("xacro")
     made = check_text(typed(tmp_path, f"xacro '{ROBOTS}/08-macroed.urdf.xacro'")).robot
@@ -70,16 +71,17 @@ def test_the_robot_with_macros_is_the_one_with_physics(tmp_path: Path) -> None:
     assert ends[0] == ends[1]
 
 
+@pytest.mark.process
 def test_display_takes_a_model_of_its_package(tmp_path: Path) -> None:
     pytest.importorskip("xacro")
-    shown = typed(tmp_path, LAUNCHED)
-    assert "gripper_extension" in shown and "/robot_state_publisher" in shown and "/rviz" in shown
+    shown = typed(tmp_path, LAUNCHED.format(wait=wait_for("robot_state_publisher", "rviz")))
+    assert "gripper_extension" in shown
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("kind", ["py", "xml", "yaml"])
 def test_the_dummy_robot_comes_up_by_each_of_its_launch_files(tmp_path: Path, kind: str) -> None:
     lines = f"ros2 launch dummy_robot_bringup dummy_robot_bringup_launch.{kind} > /dev/null 2>&1 &\n"
-    shown = typed(tmp_path, lines + "ros2 topic echo --once /tf\nros2 node list\nkill %1")
+    nodes = wait_for("dummy_joint_states", "dummy_laser", "dummy_map_server", "robot_state_publisher")
+    shown = typed(tmp_path, f"{lines}ros2 topic echo --once /tf tf2_msgs/msg/TFMessage\n{nodes}\nkill %1")
     assert "single_rrbot_link" in shown
-    for node in ("dummy_joint_states", "dummy_laser", "dummy_map_server", "robot_state_publisher"):
-        assert f"/{node}\n" in shown

@@ -7,9 +7,10 @@ import threading
 from collections.abc import Coroutine
 from typing import Any, TypeVar
 
-T = TypeVar("T")
+from in_time import in_time
+from waiting import PATIENCE
 
-LONGEST_SECONDS = 30.0
+T = TypeVar("T")
 
 
 class Background:
@@ -20,9 +21,9 @@ class Background:
         self._thread = threading.Thread(target=self.loop.run_forever, name="background loop", daemon=True)
         self._thread.start()
 
-    def run(self, coroutine: Coroutine[Any, Any, T], seconds: float = LONGEST_SECONDS) -> T:
+    def run(self, coroutine: Coroutine[Any, Any, T], seconds: float = PATIENCE) -> T:
         """The coroutine's result. Raises TimeoutError."""
-        return asyncio.run_coroutine_threadsafe(asyncio.wait_for(coroutine, seconds), self.loop).result(seconds + 5)
+        return asyncio.run_coroutine_threadsafe(in_time(coroutine, seconds), self.loop).result()
 
     def close(self) -> None:
         self.loop.call_soon_threadsafe(self.loop.stop)

@@ -15,13 +15,13 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import aiohttp
 from background import Background
+from waiting import until
 
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
 SWITCHES = (
@@ -41,9 +41,6 @@ SWITCHES = (
     "--renderer-process-limit=1",
     "--lang=en-US",
 )
-START_SECONDS = 20.0
-ANSWER_SECONDS = 15.0
-WAIT_SECONDS = 10.0
 
 CODES = {
     "Enter": 13,
@@ -91,13 +88,15 @@ class Chromium:
 
     def _address(self) -> str:
         """Where the browser listens, which it writes into its profile."""
-        note, end = self._profile / "DevToolsActivePort", time.monotonic() + START_SECONDS
-        while time.monotonic() < end and self._process.poll() is None:
+
+        def noted() -> str:
+            assert self._process.poll() is None, f"Chromium ended at once with {self._process.returncode}"
             with contextlib.suppress(OSError, ValueError):
-                port, path = note.read_text().split("\n")[:2]
+                port, path = (self._profile / "DevToolsActivePort").read_text().split("\n")[:2]
                 return f"ws://127.0.0.1:{int(port)}{path}"
-            time.sleep(0.02)
-        raise TimeoutError("Chromium did not start")
+            return ""
+
+        return until(noted)
 
     async def _connect(self, address: str) -> None:
         self._session = aiohttp.ClientSession()
@@ -119,7 +118,7 @@ class Chromium:
         self._answers[number] = asyncio.get_running_loop().create_future()
         message: dict[str, Any] = {"id": number, "method": method, "params": dict(parameters)}
         await self._socket.send_json(message | ({"sessionId": session} if session else {}))
-        answer = await asyncio.wait_for(self._answers[number], ANSWER_SECONDS)
+        answer = await self._answers[number]
         if "error" in answer:
             raise RuntimeError(f"{method}: {answer['error']['message']}")
         result: dict[str, Any] = answer["result"]
@@ -201,15 +200,14 @@ class Page:
             raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", "failed"))
         return answer["result"].get("value")
 
-    def wait_for(self, expression: str, seconds: float = WAIT_SECONDS) -> Any:
-        """The expression's value as soon as it is true. Raises TimeoutError with what it was at last."""
-        end, value = time.monotonic() + seconds, None
-        while time.monotonic() < end:
+    def wait_for(self, expression: str) -> Any:
+        """The expression's value as soon as it is true."""
+
+        def value() -> Any:
             with contextlib.suppress(RuntimeError):  # the page is just being loaded
-                if value := self.evaluate(expression):
-                    return value
-            time.sleep(0.02)
-        raise TimeoutError(f"never true: {expression} (last {value!r}; {self.troubles})")
+                return self.evaluate(expression)
+
+        return until(value, every=0.02, told=lambda: f"{expression} ({self.troubles})")
 
     def press(self, key: str, *held: str, command: str = "") -> None:
         """Press and release a key, named as in KeyboardEvent.key, with `held` of alt, ctrl, meta, shift.

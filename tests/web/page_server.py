@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import asyncio
 import json
-import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from aiohttp import WSMsgType, web
 from background import Background
+from waiting import until
 
 from day6_tui.tui import web as door
+
+T = TypeVar("T")
 
 STATIC = Path(door.__file__).parent / "static"
 POLICY = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:;"
     " object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'"
 )
-WAIT_SECONDS = 10.0
 
 
 class PageServer:
@@ -112,18 +113,13 @@ class PageServer:
         """What the page said of one kind."""
         return [message for message in self.messages if message["t"] == kind]
 
-    def wait_for(self, condition: Any, what: str = "", seconds: float = WAIT_SECONDS) -> Any:
+    def wait_for(self, condition: Callable[[], T]) -> T:
         """The condition's value as soon as it is true."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if value := condition():
-                return value
-            time.sleep(0.01)
-        raise TimeoutError(f"{what or 'never'}: keys {self.keys!r}, messages {self.messages[-5:]!r}")
+        return until(condition, told=lambda: f"keys {self.keys!r}, messages {self.messages[-5:]!r}")
 
     def wait_for_keys(self, expected: bytes) -> None:
         """Wait until the page sent just these keys since the last `forget`."""
-        self.wait_for(lambda: expected in self.keys, f"no {expected!r}")
+        until(lambda: expected in self.keys, told=lambda: f"{expected!r} is not in {self.keys!r}")
 
     def close(self) -> None:
         self._background.run(self._runner.cleanup())

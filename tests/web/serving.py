@@ -10,7 +10,6 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -19,6 +18,8 @@ from typing import Any
 
 import pyte
 import pytest
+from in_time import LOOK_SECONDS, in_time
+from waiting import PATIENCE, Deadline
 
 pytest.importorskip("termios", reason="this system has no pseudo-terminals, and the server no keepers")
 pytest.importorskip("aiohttp", reason="needs the extra: pip install 'day6-tui[serve]'")
@@ -26,7 +27,6 @@ pytest.importorskip("segno", reason="needs the extra: pip install 'day6-tui[serv
 
 import aiohttp
 
-PATIENCE = 15.0
 WORD = "open sesame"
 
 
@@ -69,9 +69,15 @@ class Serving:
 
     def end(self, number: int = signal.SIGTERM) -> int:
         self.process.send_signal(number)
-        rest, _ = self.process.communicate(timeout=PATIENCE)
-        self.said += rest.splitlines()
-        return self.process.returncode
+        deadline = Deadline()
+        while True:
+            try:
+                rest, _ = self.process.communicate(timeout=LOOK_SECONDS)
+            except subprocess.TimeoutExpired:
+                assert not deadline.is_over(), "the server does not end"
+            else:
+                self.said += rest.splitlines()
+                return self.process.returncode
 
     def cells(self) -> list[int]:
         """The processes of this machine that belong to a pupil of this server."""
@@ -114,9 +120,24 @@ class Tab:
     async def type(self, keys: str) -> None:
         await self.ws.send_bytes(keys.encode())
 
-    async def hear(self, timeout: float = PATIENCE) -> bool:
+    @asynccontextmanager
+    async def not_idle(self) -> AsyncIterator[None]:
+        """Type something all the time that the desktop does not take for a key: that the terminal has the focus."""
+
+        async def type_on() -> None:
+            while True:
+                await self.type("\x1b[I")
+                await asyncio.sleep(0.2)
+
+        typing = asyncio.create_task(type_on())
+        try:
+            yield
+        finally:
+            typing.cancel()
+
+    async def hear(self) -> bool:
         """Take one message; False at the end."""
-        message = await self.ws.receive(timeout)
+        message = await in_time(self.ws.receive())
         if message.type == aiohttp.WSMsgType.BINARY:
             self.got += len(message.data)
             self._stream.feed(message.data)
@@ -131,10 +152,10 @@ class Tab:
 
     async def see(self, wanted: str | Callable[[str], bool]) -> str:
         """Wait until the screen shows this."""
-        ends = time.monotonic() + PATIENCE
+        deadline = Deadline()
         is_there = (lambda text: wanted in text) if isinstance(wanted, str) else wanted
         while not is_there(self.text()):
-            assert time.monotonic() < ends and await self.hear(), f"{wanted!r} is not in\n{self.text()}"
+            assert not deadline.is_over() and await self.hear(), f"{wanted!r} is not in\n{self.text()}"
         return self.text()
 
     async def end(self) -> str:
@@ -179,4 +200,4 @@ async def browser(base: str) -> AsyncIterator[Browser]:
 
 
 def run(deed: Any) -> None:
-    asyncio.run(asyncio.wait_for(deed, 3 * PATIENCE))
+    asyncio.run(in_time(deed, 3 * PATIENCE))

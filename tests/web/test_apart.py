@@ -16,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "isolation"))
 school = pytest.importorskip("school", reason="pupils are kept apart on Linux only")
 
 
+@pytest.mark.process
 def test_pupils_in_sandboxes_see_nothing_of_each_other_and_outlive_the_server() -> None:
     python = school.python_for_others()
     if python is None:

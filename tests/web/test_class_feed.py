@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from collections.abc import Callable
 from typing import Any
 
 import aiohttp
 import pytest
-from serving import PATIENCE, Serving, browser, run
+from in_time import in_time
+from serving import Serving, browser, run
+from waiting import Deadline
 
 Rows = dict[str, dict[str, Any]]
 
 
 async def told(ws: aiohttp.ClientWebSocketResponse, wanted: Callable[[Rows], object]) -> Rows:
     """The first rows of which this is true."""
-    ends = time.monotonic() + PATIENCE
+    deadline = Deadline()
     rows: Rows = {}
-    while time.monotonic() < ends:
-        message = await ws.receive_json(timeout=PATIENCE)
+    while not deadline.is_over():
+        message = await in_time(ws.receive_json())
         if message["t"] == "rows":
             rows = {row["name"]: row for row in message["rows"]}
             if wanted(rows):
@@ -27,6 +28,7 @@ async def told(ws: aiohttp.ClientWebSocketResponse, wanted: Callable[[Rows], obj
     raise AssertionError(rows)
 
 
+@pytest.mark.process
 def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_all(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door, browser(class_server.base) as teacher:
@@ -58,6 +60,7 @@ def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_a
     run(deed())
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     "sent", ["[]", '{"t": "order", "name": "*", "order": {"do": "rm"}}', "{}", "nothing", '{"t": 1}']
 )
@@ -69,13 +72,14 @@ def test_orders_that_are_none_close_the_teachers_line(class_server: Serving, sen
             await ws.send_str(sent)
             if sent == '{"t": 1}':
                 await ws.send_str("{}")
-            while (await ws.receive(PATIENCE)).type == aiohttp.WSMsgType.TEXT:
+            while (await in_time(ws.receive())).type == aiohttp.WSMsgType.TEXT:
                 pass
             assert ws.close_code == 1008
 
     run(deed())
 
 
+@pytest.mark.process
 def test_a_pupil_does_not_reach_the_teachers_line(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:

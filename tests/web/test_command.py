@@ -13,6 +13,8 @@ import pytest
 from serving import PATIENCE, Browser, Serving, run
 from short_folder import make_short_folder
 
+pytestmark = pytest.mark.process
+
 
 def refused(*words: str, folder: Path | None = None) -> tuple[int, str]:
     data = make_short_folder("d6w-") if folder is None else folder

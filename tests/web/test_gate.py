@@ -27,6 +27,7 @@ async def status_of_socket(door: Browser, **headers: str) -> int:
     return 101
 
 
+@pytest.mark.process
 def test_without_a_token_there_is_the_start_page_and_nothing_else(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -42,6 +43,7 @@ def test_without_a_token_there_is_the_start_page_and_nothing_else(class_server: 
     run(deed())
 
 
+@pytest.mark.process
 def test_a_page_of_another_site_opens_no_socket_and_sends_no_form(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -58,6 +60,7 @@ def test_a_page_of_another_site_opens_no_socket_and_sends_no_form(class_server: 
     run(deed())
 
 
+@pytest.mark.process
 def test_every_answer_forbids_what_our_pages_never_do(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -73,6 +76,7 @@ def test_every_answer_forbids_what_our_pages_never_do(class_server: Serving) -> 
     run(deed())
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(("path", "up"), [("nothing", ""), ("no/such/page", "../../"), ("enter", ""), ("p/", "../")])
 def test_an_address_without_a_page_says_so_in_words_and_leads_back(class_server: Serving, path: str, up: str) -> None:
     async def deed() -> None:
@@ -86,6 +90,7 @@ def test_an_address_without_a_page_says_so_in_words_and_leads_back(class_server:
     run(deed())
 
 
+@pytest.mark.process
 def test_tokens_are_hashed_on_the_disk(class_server: Serving) -> None:
     file = class_server.folder / "class" / "server" / "tokens.json"
     assert stat.S_IMODE(file.stat().st_mode) == 0o600
@@ -95,6 +100,7 @@ def test_tokens_are_hashed_on_the_disk(class_server: Serving) -> None:
     assert {each["name"] for each in json.loads(text)["tickets"]} >= {"anna", "李雷", "bert", ""}
 
 
+@pytest.mark.process
 def test_the_list_gave_each_pupil_a_link_and_its_bad_lines_are_named(class_server: Serving) -> None:
     said = "\n".join(class_server.said)
     assert "pupils.csv, line 4 “,2”: no name" in said
@@ -102,6 +108,7 @@ def test_the_list_gave_each_pupil_a_link_and_its_bad_lines_are_named(class_serve
     assert len({class_server.link(name) for name in ("anna", "李雷", "bert")}) == 3
 
 
+@pytest.mark.process
 def test_the_teacher_gets_links_to_print_and_makes_new_ones(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -133,6 +140,7 @@ def listed(class_server: Serving) -> Serving:
     return Serving(folder, "--class", str(folder / "pupils.csv"), "--word", WORD, "--isolation", "none")
 
 
+@pytest.mark.process
 def test_after_a_restart_links_still_work_and_the_class_can_be_printed_anew(listed: Serving) -> None:
     async def deed() -> None:
         async with browser(listed.base) as door, browser(listed.base) as dora, browser(listed.base) as anna:
@@ -172,12 +180,14 @@ def test_links_that_only_this_machine_can_use_are_known(tmp_path: Path, base: st
     assert Links(Tokens(tmp_path / "tokens.json"), base).are_local is local
 
 
+@pytest.mark.process
 def test_a_list_without_names_is_told(tmp_path: Path) -> None:
     (tmp_path / "pupils.csv").write_text("name\n", encoding="utf-8")
     with Serving(tmp_path, "--class", str(tmp_path / "pupils.csv"), "--isolation", "none") as serving:
         assert f"day6-tui: {tmp_path / 'pupils.csv'}: no names" in serving.said
 
 
+@pytest.mark.process
 def test_who_knows_the_word_chooses_a_name_that_nobody_has(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door, browser(class_server.base) as other:
@@ -206,6 +216,7 @@ def tried() -> Iterator[Serving]:
         yield serving
 
 
+@pytest.mark.process
 def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Serving) -> None:
     async def deed() -> None:
         async with browser(tried.base) as door:
@@ -222,6 +233,7 @@ def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Servin
 FORM = "application/x-www-form-urlencoded"
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("headers", "body", "status"),
     [

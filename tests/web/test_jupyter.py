@@ -13,6 +13,7 @@ import pytest
 pytest.importorskip("aiohttp", reason="needs the extra: pip install 'day6-tui[serve]'")
 
 
+@pytest.mark.process
 def test_jupyter_finds_the_tile_without_loading_a_desktop() -> None:
     code = """
 import json, sys

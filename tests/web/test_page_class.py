@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from chromium import Chromium, Page
     from page_server import PageServer
 
+pytestmark = pytest.mark.browser
+
 LESSON = {
     "name": "day1",
     "title": {"zh": "第 1 天：终端和环境", "en": "Day 1: terminal and environment"},

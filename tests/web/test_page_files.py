@@ -6,7 +6,11 @@ import hashlib
 import re
 from pathlib import Path
 
+import pytest
+
 from day6_tui.tui import web
+
+pytestmark = pytest.mark.browser
 
 STATIC = Path(web.__file__).parent / "static"
 PAGES = ("links", "class/log.csv")

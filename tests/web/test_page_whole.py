@@ -13,6 +13,8 @@ from short_folder import make_short_folder
 if TYPE_CHECKING:
     from chromium import Chromium, Page
 
+pytestmark = pytest.mark.browser
+
 SCREEN = (
     "[...Array(desk._terminal.rows).keys()]"
     ".map(row => desk._terminal.buffer.active.getLine(row).translateToString(true)).join('\\n')"
@@ -21,7 +23,6 @@ PICTURE = (
     "(c => Boolean(c) && [...c.getContext('2d').getImageData(0, 0, c.width, c.height).data]"
     ".some((part, at) => at % 4 === 3 && part))(document.querySelector('.xterm-image-layer'))"
 )
-PATIENCE = 30.0
 
 
 @pytest.fixture(scope="module")
@@ -42,23 +43,23 @@ def page(chromium: Chromium) -> Iterator[Page]:
 
 
 def shows(page: Page, text: str) -> None:
-    page.wait_for(f"Boolean(window.desk) && ({SCREEN}).includes({text!r})", PATIENCE)
+    page.wait_for(f"Boolean(window.desk) && ({SCREEN}).includes({text!r})")
 
 
 def test_a_pupil_opens_a_link_types_sees_pixels_and_finds_everything_again(serving: Serving, page: Page) -> None:
     page.navigate(serving.link("anna"))
     shows(page, "What would you like")
     page.press("5")
-    page.wait_for(f"!({SCREEN}).includes('What would you like')", PATIENCE)
+    page.wait_for(f"!({SCREEN}).includes('What would you like')")
     page.compose("n", "ni", result="echo 你好; ros2 run turtlesim turtlesim_node")
     shows(page, "你好")
     page.press("Enter")
-    page.wait_for(f"({SCREEN}).split('你好').length > 2", PATIENCE)  # as it was typed, and as it was printed
+    page.wait_for(f"({SCREEN}).split('你好').length > 2")  # as it was typed, and as it was printed
     shows(page, "Spawning")
-    page.wait_for(PICTURE, PATIENCE)
+    page.wait_for(PICTURE)
     page.reload()
     shows(page, "Spawning")
-    page.wait_for(PICTURE, PATIENCE)
+    page.wait_for(PICTURE)
     assert page.evaluate("document.getElementById('strip').hidden")
     assert page.troubles == []
     assert all(serving.base.split("//")[1].split("/")[0] in address for address in page.requests)
@@ -68,7 +69,7 @@ def test_a_pupil_who_detaches_is_told_that_the_desktop_goes_on_and_opens_it_agai
     page.navigate(serving.link("ben"))
     shows(page, "What would you like")
     page.press("5")
-    page.wait_for(f"!({SCREEN}).includes('What would you like')", PATIENCE)
+    page.wait_for(f"!({SCREEN}).includes('What would you like')")
     page.compose("s", result="sleep 600")
     shows(page, "sleep 600")
     page.press("Enter")
@@ -76,7 +77,7 @@ def test_a_pupil_who_detaches_is_told_that_the_desktop_goes_on_and_opens_it_agai
     page.press("q", "ctrl")
     shows(page, "Detach")
     page.press("d")
-    page.wait_for("document.getElementById('strip').dataset.state === 'left'", PATIENCE)
+    page.wait_for("document.getElementById('strip').dataset.state === 'left'")
     page.click_on("#strip button")
     shows(page, "sleep 600")
 

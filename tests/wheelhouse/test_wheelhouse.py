@@ -226,6 +226,7 @@ def check(stick: Path, *before: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", cwd="/")
 
 
+@pytest.mark.process
 def test_the_check_on_the_stick_finds_what_was_damaged_on_the_way(tmp_path: Path) -> None:
     stick = tmp_path / "stick"
     here = Target(PLATFORMS[this_platform() or "linux-x86_64"], this_python())
@@ -236,6 +237,7 @@ def test_the_check_on_the_stick_finds_what_was_damaged_on_the_way(tmp_path: Path
     assert check(stick).returncode == 1 and "a-1.0" in check(stick).stdout
 
 
+@pytest.mark.process
 def test_the_check_on_the_stick_says_which_machine_and_python_it_is_for(tmp_path: Path) -> None:
     stick = tmp_path / "stick"
     folder.fill(stick, [], texts_for(HERE))
@@ -267,6 +269,7 @@ def test_the_guide_names_machines_and_versions_and_types_the_right_python() -> N
     assert "write its number in place of 3.12" in several and "python3.12 -m venv" in several
 
 
+@pytest.mark.process
 def test_the_wheel_of_an_installed_day6_holds_what_was_installed(tmp_path: Path) -> None:
     from importlib.metadata import distribution
 

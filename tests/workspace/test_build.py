@@ -24,6 +24,7 @@ def site_packages(workshop: Workshop, package: str) -> Path:
     return workshop.workspace / "install" / package / f"lib/python3.{sys.version_info.minor}/site-packages"
 
 
+@pytest.mark.process
 def test_the_script_that_is_installed_runs_the_student_s_code(workshop: Workshop) -> None:
     package = workshop.create("hello", "--node-name hi")
     assert workshop.run("colcon build").status == 0
@@ -36,6 +37,7 @@ def test_the_script_that_is_installed_runs_the_student_s_code(workshop: Workshop
     assert workshop.run(again).out == "Bye from hello.\n"
 
 
+@pytest.mark.process
 @posix_only
 def test_with_symlink_install_a_change_counts_at_once_and_back_again(workshop: Workshop) -> None:
     package = workshop.create("hello", "--node-name hi")
@@ -52,6 +54,7 @@ def test_with_symlink_install_a_change_counts_at_once_and_back_again(workshop: W
     assert workshop.run(run).out == "Later from hello.\n"
 
 
+@pytest.mark.process
 def test_a_package_is_built_after_those_it_needs(workshop: Workshop) -> None:
     workshop.create("z_base")
     workshop.create("a_user", "--dependencies z_base")
@@ -62,6 +65,7 @@ def test_a_package_is_built_after_those_it_needs(workshop: Workshop) -> None:
     )
 
 
+@pytest.mark.process
 def test_when_one_fails_those_that_need_it_are_not_started(workshop: Workshop) -> None:
     base = workshop.create("z_base")
     workshop.create("a_user", "--dependencies z_base")
@@ -75,6 +79,7 @@ def test_when_one_fails_those_that_need_it_are_not_started(workshop: Workshop) -
     assert "ModuleNotFoundError: No module named 'nothing_of_that_name'\n" in done.err
 
 
+@pytest.mark.process
 def test_ctrl_c_aborts_the_build_and_leaves_no_process(workshop: Workshop) -> None:
     package = workshop.create("slow")
     text = (package / "setup.py").read_text(encoding="utf-8")
@@ -91,6 +96,7 @@ def test_ctrl_c_aborts_the_build_and_leaves_no_process(workshop: Workshop) -> No
     assert running.err.text == ""
 
 
+@pytest.mark.process
 def test_a_file_that_setup_py_cannot_be_read_in_is_told(workshop: Workshop) -> None:
     package = workshop.create("hello")
     (package / "setup.py").write_bytes("# 中文\nfrom setuptools import setup\nsetup(name='hello')\n".encode("gbk"))
@@ -99,6 +105,7 @@ def test_a_file_that_setup_py_cannot_be_read_in_is_told(workshop: Workshop) -> N
     assert "SyntaxError: " in done.err and "Failed   <<< hello" in done.err
 
 
+@pytest.mark.process
 def test_names_with_spaces_and_chinese_build(workshop: Workshop) -> None:
     folder = workshop.home / "我的 工作区"
     (folder / "src").mkdir(parents=True)
@@ -121,6 +128,7 @@ def test_a_folder_that_cannot_be_written_is_named(workshop: Workshop) -> None:
     assert "Permission denied" in done.err and "Traceback" not in done.err
 
 
+@pytest.mark.process
 def test_a_full_disk_is_told_and_leaves_no_half_file(workshop: Workshop, monkeypatch: pytest.MonkeyPatch) -> None:
     workshop.create("hello")
     assert workshop.run("colcon build").status == 0
@@ -140,6 +148,7 @@ def test_a_full_disk_is_told_and_leaves_no_half_file(workshop: Workshop, monkeyp
 # -- sourcing ----------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.process
 @pytest.mark.skipif(BASH is None, reason="no bash")
 @pytest.mark.parametrize("option", ["", "--symlink-install", "--merge-install"])
 def test_a_real_bash_sources_the_workspace_to_the_same_environment(workshop: Workshop, option: str) -> None:
@@ -165,6 +174,7 @@ def test_a_real_bash_sources_the_workspace_to_the_same_environment(workshop: Wor
         assert len(ours.out.splitlines()) == 3
 
 
+@pytest.mark.process
 @pytest.mark.skipif(BASH is None, reason="no bash")
 def test_an_overlay_brings_its_underlay_along(workshop: Workshop) -> None:
     workshop.create("one")
@@ -191,6 +201,7 @@ def test_an_overlay_brings_its_underlay_along(workshop: Workshop) -> None:
     assert local.out == f"{over}/install/two\n"
 
 
+@pytest.mark.process
 def test_a_terminal_that_was_open_before_the_build_learns_nothing_by_itself(workshop: Workshop) -> None:
     terminal = workshop.terminal()
     workshop.create("hello", "--node-name hi")
@@ -272,6 +283,7 @@ def messages(workshop: Workshop) -> Path:
     return package
 
 
+@pytest.mark.process
 def test_messages_of_one_s_own_can_be_imported_shown_and_published(workshop: Workshop) -> None:
     messages(workshop)
     done = workshop.run(
@@ -355,6 +367,7 @@ def test_a_c_plus_plus_package_is_refused_honestly(workshop: Workshop) -> None:
 # -- terminals ---------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.process
 def test_a_new_terminal_reads_bashrc_and_an_old_one_does_not(workshop: Workshop) -> None:
     workshop.create("hello", "--node-name hi")
     workshop.run("colcon build")
@@ -392,6 +405,7 @@ def test_tab_knows_verbs_options_and_packages(workshop: Workshop) -> None:
     assert offered("colcon build --packages-select day6_one day6_") == ["day6_two"]
 
 
+@pytest.mark.process
 def test_a_log_that_cannot_be_written_fails_no_build(workshop: Workshop, monkeypatch: pytest.MonkeyPatch) -> None:
     workshop.create("hello")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+import pytest
 from workshop import Workshop, edit
 
 
@@ -11,6 +12,7 @@ def timeless(text: str) -> str:
     return re.sub(r"\[\d+\.\d+s", "[<T>", text)
 
 
+@pytest.mark.process
 def test_a_package_whose_need_was_never_built_cannot_be_built_alone(workshop: Workshop) -> None:
     workshop.create("base")
     workshop.create("user", "--dependencies base")
@@ -27,6 +29,7 @@ def test_a_package_whose_need_was_never_built_cannot_be_built_alone(workshop: Wo
     assert workshop.run("colcon build --packages-select user").status == 0
 
 
+@pytest.mark.process
 def test_what_an_underlay_has_need_not_be_built_again(workshop: Workshop) -> None:
     workshop.create("base")
     assert workshop.run("colcon build").status == 0
@@ -39,6 +42,7 @@ def test_what_an_underlay_has_need_not_be_built_again(workshop: Workshop) -> Non
     assert done.status == 0, done
 
 
+@pytest.mark.process
 def test_what_setup_py_prints_spoils_the_build(workshop: Workshop) -> None:
     package = workshop.create("hello")
     edit(package / "setup.py", "package_name =", "print('hi')\npackage_name =")
@@ -60,6 +64,7 @@ def test_without_setup_py_the_build_says_what_it_could_not_open(workshop: Worksh
     assert f"can't open file '{package / 'setup.py'}': [Errno 2] No such file or directory" in done.err
 
 
+@pytest.mark.process
 def test_what_follows_cmake_args_belongs_to_cmake(workshop: Workshop) -> None:
     workshop.create("hello")
     assert workshop.run("colcon build --cmake-args -DCMAKE_BUILD_TYPE=Release -G Ninja --symlink-install").status == 0

@@ -21,6 +21,7 @@ REAL_COLCON = os.environ.get("DAY6_REAL_COLCON") or shutil.which("colcon")
 """The real one, wherever it is installed."""
 
 
+@pytest.mark.process
 def test_the_zip_has_the_sources_and_nothing_that_a_build_made(workshop: Workshop, tmp_path: Path) -> None:
     workshop.create("one", "--node-name hi")
     workshop.create("two")

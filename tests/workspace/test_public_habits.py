@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from test_build import site_packages
 from workshop import Workshop, edit
 
@@ -24,6 +25,7 @@ def cmake_package(workshop: Workshop, lists: str, files: dict[str, str] | None =
     return package
 
 
+@pytest.mark.process
 def test_the_setup_cfg_of_foxy_with_dashes_puts_programs_where_ros2_run_finds_them(workshop: Workshop) -> None:
     package = workshop.create("hello", "--node-name hi")
     (package / "setup.cfg").write_text(
@@ -35,6 +37,7 @@ def test_the_setup_cfg_of_foxy_with_dashes_puts_programs_where_ros2_run_finds_th
         assert not (workshop.workspace / "install/hello/bin").exists()
 
 
+@pytest.mark.process
 def test_a_license_classifier_is_no_reason_for_a_warning(workshop: Workshop) -> None:
     package = workshop.create("hello", "--node-name hi")
     edit(
@@ -45,6 +48,7 @@ def test_a_license_classifier_is_no_reason_for_a_warning(workshop: Workshop) -> 
     assert workshop.run("colcon build").err == ""
 
 
+@pytest.mark.process
 def test_a_package_that_fails_still_has_the_hook_of_ros(workshop: Workshop) -> None:
     package = workshop.create("hello", "--node-name hi")
     edit(package / "setup.py", "packages=", "packages==")
@@ -56,6 +60,7 @@ def test_a_package_that_fails_still_has_the_hook_of_ros(workshop: Workshop) -> N
     ]
 
 
+@pytest.mark.process
 def test_python_programs_of_a_cmake_package_run_though_it_names_rclcpp(workshop: Workshop) -> None:
     cmake_package(
         workshop,

@@ -10,19 +10,17 @@ from pathlib import Path
 
 import pytest
 from shapes import CMAKE, PYTHON, STEPS, Shape, changes, lay_out, snapshot
-from todays import todays
+from waiting import PATIENCE
 from workshop import Workshop, edit
 
 from day6_tui.core.workspace import build as build_task
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="most shapes need links")
 
-PATIENCE = 600.0
-
 
 def build(workshop: Workshop, options: str, cwd: Path | None = None) -> tuple[int, str]:
     running = workshop.start(f"colcon build {options}", workshop.terminal(cwd))
-    workshop.wait(lambda: running.program.status is not None, PATIENCE)
+    workshop.wait(lambda: running.program.status is not None, 20 * PATIENCE)
     assert running.program.status is not None
     return running.program.status, running.out.text + running.err.text
 
@@ -43,7 +41,7 @@ def to_build(shapes: Mapping[str, Shape], step: int) -> dict[str, Shape]:
     return {name: shape for name, shape in shapes.items() if name not in alike or alike.index(name) % 4 == 0}
 
 
-@pytest.mark.parametrize("number", todays(range(WORKSPACES)))
+@pytest.mark.parametrize("number", range(WORKSPACES))
 def test_no_shape_of_a_package_costs_a_source_file(workshop: Workshop, number: int) -> None:
     shapes = dict(list({**PYTHON, **CMAKE}.items())[number::WORKSPACES])
     assert len(shapes) * WORKSPACES >= 88

@@ -14,6 +14,8 @@ from workshop import Workshop
 
 from day6_tui.core.ros.programs.xacro import xacro as program
 
+pytestmark = pytest.mark.process
+
 HEAD = '<?xml version="1.0"?>\n{}<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>\n'
 LAUGHS = "".join(f'<!ENTITY e{n} "{f"&e{n - 1};" * 10}">' for n in range(1, 12))
 MACROS = "".join(f'<xacro:macro name="m{n}">{f"<xacro:m{n - 1}/>" * 10}</xacro:macro>' for n in range(1, 12))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from waiting import until
+from waiting import PATIENCE, until
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
@@ -15,7 +15,6 @@ from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.redirection import Streams
 
-PATIENCE = 60.0
 """Seconds a command may take at most."""
 
 TALKER = """\

@@ -169,8 +169,8 @@ def find_program(shell: Shell, pid: int) -> Program | None:
     """The running program with this process id: ours, or that of the process behind a `python3`."""
     from day6_tui.core.shell.process import running_processes
 
-    for process in running_processes():
-        if process.pid == pid:
+    for process in running_processes(shell.desk.scheduler):
+        if 0 != process.pid == pid:
             pid = process.session.pid
     return shell.desk.programs.get(abs(pid))
 

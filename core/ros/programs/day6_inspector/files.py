@@ -49,6 +49,8 @@ class Package(NamedTuple):
     """Whether the executables went to `bin`, where `ros2 run` does not look: setup.cfg is missing."""
     unreadable: bool = False
     """Whether setup.py could not be understood."""
+    files: tuple[str, ...] = ()
+    """What is in it, relative to its folder."""
 
 
 class Workspace(NamedTuple):
@@ -221,6 +223,7 @@ def _package(workspace: Path, manifest: Path) -> Package:
         setup is not None,
         tuple(setup.entry_points) if setup is not None else (),
         unreadable=setup is not None and setup.unreadable,
+        files=tuple(path.relative_to(folder).as_posix() for path in _files(folder)),
     )
     prefix = _prefix(workspace / "install", name)
     if prefix is None:

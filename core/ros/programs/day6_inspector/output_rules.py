@@ -16,6 +16,9 @@ from day6_tui.core.ros.programs.day6_inspector.finding import Finding, finding
 from day6_tui.core.ros.programs.day6_inspector.frame_rules import NO_FRAME, of_extrapolation, of_frame
 from day6_tui.core.ros.programs.day6_inspector.outputs import Output, outputs, shortened, sourced
 
+_OWN = Path(__file__).resolve().parents[4]
+"""Where this program is: in a checkout, not among the libraries."""
+
 _FRAME = re.compile(r'^\s*File "([^"]+)", line (\d+)', re.MULTILINE)
 _ERROR = re.compile(
     r"^([A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Exists|Exit|Warning)\w*)(?::[ ]?(.*))?$", re.MULTILINE
@@ -89,13 +92,13 @@ def _no_executable(output: Output, match: re.Match[str], facts: Facts) -> Findin
     for entry in package.entry_points:
         if entry.name == executable:
             return finding("error", "entry_not_built", **said, then=build)
-    module = package.folder / name / f"{executable.removesuffix('.py')}.py"
+    module = executable.removesuffix(".py")
     if (
         package.python
-        and module.is_file()
-        and not any(each.module.endswith(module.stem) for each in package.entry_points)
+        and f"{name}/{module}.py" in package.files
+        and not any(each.module.endswith(module) for each in package.entry_points)
     ):
-        entry_line = f"'{module.stem} = {name}.{module.stem}:main'"
+        entry_line = f"'{module} = {name}.{module}:main'"
         return finding("error", "no_entry_point", **said, entry=entry_line, then=f"nano {setup_file}")
     return finding("error", "no_executable", **said, then=f"ros2 pkg executables {name}")
 
@@ -106,13 +109,13 @@ def _no_launch_file(output: Output, match: re.Match[str], facts: Facts) -> Findi
     share = match[3] if match.lastindex and match.lastindex >= 3 else ""
     if found is not None:
         workspace, package = found
-        there = next((each for each in package.folder.rglob(name) if each.is_file()), None)
+        there = next((each for each in package.files if each.rpartition("/")[2] == name), None)
         if there is not None and "setup.py" in package.changed:
             build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
             return finding("error", "launch_not_built", line=output.source, file=name, package=package_name, then=build)
         if there is not None:
             where = package.folder / ("setup.py" if package.python else "CMakeLists.txt")
-            said = {"file": there.relative_to(package.folder), "package": package_name, "where": where.name}
+            said = {"file": there, "package": package_name, "where": where.name}
             return finding("error", "launch_not_installed", **said, then=f"nano {shlex.quote(str(where))}")
     then = f"ls {shlex.quote(share)}/launch" if share else ""
     return finding("error", "no_launch_file", file=name, package=package_name, then=then)
@@ -161,7 +164,7 @@ def own_frame(output: Output) -> tuple[str, int] | None:
             continue
         if file.startswith("<") or (any(part.startswith("python3") for part in parts[:-1]) and "install" not in parts):
             continue
-        if {"core", "ros", "python"} <= set(parts) or "rclpy" in parts:
+        if {"core", "ros", "python"} <= set(parts) or "rclpy" in parts or _OWN in Path(file).parents:
             continue
         last = file, int(line)
     return last

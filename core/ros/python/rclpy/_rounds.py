@@ -170,6 +170,8 @@ class ExecutorRounds:
                     continue
                 if self._begin(item):  # type: ignore[arg-type]
                     return item
+            # Before the condition is looked at: who makes it true a moment later wakes the wait below.
+            self._woken = False
             if self._is_shutdown or condition():
                 return None
             if self._tasks and not tasks_had_their_turn:
@@ -181,7 +183,6 @@ class ExecutorRounds:
                 if waited:
                     raise ExternalShutdownException
                 raise RCLError(_INVALID_TIMER if timeout_ns > 0 else _INVALID_WAIT_SET)
-            self._woken = False
             if self._collect() or self._tasks:
                 continue
             if timeout_ns == 0:
