@@ -498,8 +498,9 @@ class Day6App(TerminalApp):
                     raise
                 self.window_failed(pane, error)
             if isinstance(pane, TerminalPane):
-                if titles:
-                    pane.key_back = self.switching.key_to(pane)
+                if titles and pane.key_back != (key := self.switching.key_to(pane)):
+                    pane.key_back = key
+                    pane.touch_lines((pane.inner_height - 1,))  # where its hint is
                 pane.place_cursor()
         return again
 

@@ -213,7 +213,7 @@ class TerminalPane(Pane):
             return []
         hint = self._hint(width - 2) if y == self.inner_height - 1 else ""
         if hint:
-            return [Segment(fit(f" {hint} ", width, self.look.glyphs.ellipsis), self.look.colours.hint)]
+            return [Segment(fit(f" {hint}", width, self.look.glyphs.ellipsis), self.look.colours.hint)]
         return view.segments(y, self.look.colours, focused=self.has_focus)
 
     def place_cursor(self) -> None:

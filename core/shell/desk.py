@@ -16,6 +16,7 @@ from day6_tui.core.graph.domain import DomainError, domain_from_text
 from day6_tui.core.graph.graph import Graph
 from day6_tui.core.places import default_home
 from day6_tui.core.ros.environment import activate, program_environment
+from day6_tui.core.session import cores
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
 from day6_tui.core.session.program import Program
@@ -335,7 +336,7 @@ class Desk:
         for terminal in self.terminals:
             terminal.close()
         for thread in self._link_threads:
-            thread.join(GRACE)
+            cores.join(thread, GRACE)
         if self._joined:
             from day6_tui.core.link import leave
 

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import IO
 
 from day6_tui.core.guardian import guard, release
+from day6_tui.core.session.cores import join
 from day6_tui.core.workspace.events import INTERRUPTED, Event, Events, Result
 
 TICK = 0.1
@@ -151,7 +152,7 @@ class Work:
         """Wait until a command has ended and its last line is read; returns its exit status. May be called again."""
         status = process.wait()
         for reader in readers:
-            reader.join(1.0)
+            join(reader, 1.0)
         if process in self._processes:
             self._processes.remove(process)
             release(process.pid)

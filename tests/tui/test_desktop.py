@@ -569,6 +569,23 @@ async def test_each_teleop_is_named_with_its_own_keys(desk, command: str, keys: 
         assert f"{keys} only drive in terminal 1: F3 goes there" in screen_text(app)
 
 
+async def test_the_key_that_leads_back_is_told_whole_and_anew_when_it_is_another_one(desk, monkeypatch) -> None:
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        desk.terminals[0].busy, desk.terminals[0].title = True, "ros2 run turtlesim turtle_teleop_key"
+        app.desktop.focus_pane(app.desktop.panes[window.number])
+        await step(app, pilot)
+        assert "Arrow keys: click here or F3" in screen_text(app)
+        monkeypatch.setattr(app.switching, "key_to", lambda pane: "Alt+3")
+        while "Arrow keys: click here or F3" in screen_text(app):
+            await step(app, pilot)
+        assert "Arrow keys: click here or Alt+3" in screen_text(app)
+        pane = app.desktop.slots[1]
+        (hint,) = pane.content_line(pane.inner_height - 1, 32)  # as wide as it is
+        assert hint.text == " Arrow keys: click here or Alt+3"
+
+
 async def test_a_window_without_a_place_is_announced_and_f4_shows_it(desk) -> None:
     async with opened(desk, 40, 10, lang="en", scene="empty") as (app, pilot):
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())

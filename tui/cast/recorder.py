@@ -15,6 +15,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from queue import SimpleQueue
 
+from day6_tui.core.session.cores import join
+
 MOST_WAITING = 32_000_000
 """Characters that may wait for the disk; a slower one ends the recording."""
 
@@ -117,7 +119,7 @@ class Recorder:
                 self._over = True
                 self._queue.put(None)
         if threading.current_thread() is not self._thread:
-            self._thread.join(PATIENCE)
+            join(self._thread, PATIENCE)
 
     def _put(self, line: object) -> None:
         data = json.dumps(line, ensure_ascii=False).encode("utf-8", "replace") + b"\n"

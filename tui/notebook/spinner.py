@@ -16,6 +16,7 @@ from contextvars import copy_context
 from types import FrameType
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from day6_tui.core.session.cores import join
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 
 if TYPE_CHECKING:
@@ -105,7 +106,7 @@ class Spinner:
         self._executor.shutdown()
         if self._thread is threading.current_thread():
             return
-        self._thread.join(END_SECONDS)
+        join(self._thread, END_SECONDS)
         if self._thread.is_alive():
             kind = ctypes.py_object(_Ended)
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread.ident or 0), kind)
