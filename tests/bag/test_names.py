@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 
 import pytest
 import rosbag2_py
+from waiting import run
 
 
 @pytest.mark.process
@@ -25,7 +25,7 @@ import rosbag2_py
 )
 def test_modules_that_programs_name_are_there_after_the_first_import(line):
     program = f"import sys; sys.path[:0] = {sys.path!r}; import rosbag2_py; print({line} is not None)"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    done = run([sys.executable, "-c", program])
     assert (done.stdout, done.stderr) == ("True\n", "")
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 import textwrap
 from pathlib import Path
@@ -16,6 +15,7 @@ from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._qos import from_yaml, offer_for, yaml_lines
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
+from waiting import run
 
 from rclpy.serialization import deserialize_message, serialize_message
 
@@ -237,7 +237,7 @@ def test_a_recording_that_was_killed_is_readable_at_once(tmp_path, storage):
         writer = test_storage.write(Path("bag"), {storage!r}, 300, close=False)
         os.kill(os.getpid(), 9)
     """)
-    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, timeout=60, capture_output=True, text=True)
+    done = run([sys.executable, "-c", program], cwd=tmp_path)
     assert done.returncode == -9, done.stderr
     assert len(texts(read(tmp_path / "bag"))) == 300
     count = MetadataIo().read_metadata(str(tmp_path / "bag")).message_count
@@ -289,7 +289,7 @@ def test_a_bag_that_nobody_closed_is_closed_when_the_program_ends(tmp_path):
         from pathlib import Path
         writer = test_storage.write(Path("bag"), "mcap", 20, close=False)
     """)
-    subprocess.run([sys.executable, "-c", program], cwd=tmp_path, timeout=60, check=True)
+    assert run([sys.executable, "-c", program], cwd=tmp_path).returncode == 0
     assert len(texts(read(tmp_path / "bag"))) == 20
 
 

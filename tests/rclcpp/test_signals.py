@@ -12,10 +12,12 @@ import signal
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
+from waiting import PATIENCE, communicate, until
 
 from day6_tui.core.ros import distribution
 
@@ -108,7 +110,7 @@ def generate_launch_description():
 @pytest.mark.skipif(os.name == "nt", reason="sends SIGTERM to a process")
 def test_a_launched_program_that_is_sent_sigterm_has_finished_cleanly(tmp_path: Path) -> None:
     (tmp_path / "stop.launch.py").write_text(LAUNCH, encoding="utf-8")
-    done = _real("launch", "stop.launch.py", cwd=tmp_path).communicate(timeout=60)[0]
+    done = communicate(_real("launch", "stop.launch.py", cwd=tmp_path))[0]
     assert "sending signal 'SIGTERM' to process[talker-1]" in done
     assert "signal_handler(SIGINT/SIGTERM)" in done
     assert "[INFO] [talker-1]: process has finished cleanly [pid " in done
@@ -131,7 +133,7 @@ def test_in_a_real_terminal_it_is_the_same(tmp_path: Path, signals: list[int], s
 
 
 def _real(*words: str, cwd: Path) -> subprocess.Popen[str]:
-    """Start `ros2 WORDS…` as a process; it is killed after a minute."""
+    """Start `ros2 WORDS…` as a process; it is killed when it does not end."""
     code = "import sys; from day6_tui.tui.main import main; sys.exit(main())"
     process = subprocess.Popen(
         [sys.executable, "-c", code, "ros2", *words],
@@ -143,7 +145,11 @@ def _real(*words: str, cwd: Path) -> subprocess.Popen[str]:
         text=True,
         start_new_session=True,
     )
-    timer = threading.Timer(60.0, process.kill)
-    timer.daemon = True
-    timer.start()
+    threading.Thread(target=_kill_at_last, args=(process,), daemon=True).start()
     return process
+
+
+def _kill_at_last(process: subprocess.Popen[str]) -> None:
+    with suppress(AssertionError):
+        until(lambda: process.poll() is not None, 2 * PATIENCE, every=0.2)
+    process.kill()

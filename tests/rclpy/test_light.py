@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 import time
 from typing import Any
 
 import pytest
+from waiting import run
 
 from day6_tui.core.ros.environment import program_environment
 
@@ -30,7 +30,7 @@ node.get_logger().info('x')
 def _run(code: str) -> str:
     env = program_environment()
     env["DAY6_LINK"] = "off"
-    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, timeout=60)
+    done = run([sys.executable, "-c", code], env=env)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
+
+from waiting import run
 
 SCRIPT = """
 import sys
+from waiting import run
+
 from day6_tui.core.ros.environment import activate
 activate()
 from day6_tui.core.graph import Graph
@@ -27,5 +30,5 @@ print(sorted(heavy), verbs)
 
 
 def test_a_list_loads_no_heavy_library_and_no_other_verb():
-    done = subprocess.run([sys.executable, "-c", SCRIPT], capture_output=True, text=True, timeout=60, check=True)
+    done = run([sys.executable, "-c", SCRIPT])
     assert done.stdout.strip() == "[] ['day6_tui.core.ros.ros2.topic.list']"
