@@ -37,6 +37,8 @@ def of_slip(slip: Slip) -> Found:
 
 def chinese_cause(scene: Scene) -> Found | None:
     """Return the Chinese sign in a command that failed; whatever the card, this is why."""
+    if scene.command.isascii():
+        return None
     words = scene.words() or scene.command.split()
     slip = chinese_sign(words, scene.command)
     return of_slip(slip) if slip is not None else None

@@ -11,7 +11,7 @@ from day6_tui.core.advice import known
 from day6_tui.core.advice.looking import Found, Scene, found, looker
 from day6_tui.core.advice.typed import CLOSE_AMONG_FEW
 
-_TYPE = re.compile(r"[a-z]\w*/(?:(?:msg|srv|action)/)?[A-Z]\w*")
+_TYPE = re.compile(r"\b[a-z]\w*/(?:(?:msg|srv|action)/)?[A-Z]\w*")
 _DEEPEST = 4
 """Messages within messages that are looked at."""
 

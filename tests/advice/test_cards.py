@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import time
 from pathlib import Path
 
 import pytest
@@ -273,3 +274,18 @@ def test_a_text_is_broken_between_words_and_chinese_characters() -> None:
         "".join(wrapped("在 ROS 2 里，`ros2 topic list` 列出话题", 12)).replace(" ", "")
         == "在ROS2里，`ros2topiclist`列出话题"
     )
+
+
+def test_ten_times_as_long_a_word_takes_ten_times_as_long() -> None:
+    match = Match("x", next(iter(all_cards())), {})
+
+    def time_of(length: int) -> float:
+        scene = scene_of(match, HERE, command="a" * length)
+        times = []
+        for _ in range(5):
+            start = time.thread_time()
+            assert LOOKERS["unquoted"](scene) is None
+            times.append(time.thread_time() - start)
+        return min(times)
+
+    assert time_of(20_000) < 40 * time_of(2_000)
