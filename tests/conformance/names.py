@@ -19,7 +19,7 @@ import sys
 from collections.abc import Mapping
 from enum import Enum
 from pathlib import Path
-from typing import Any
+from typing import Any, Union, get_origin
 
 RECORDED = Path(__file__).resolve().parents[1] / "rclpy" / "names.json"
 _OPERATORS = "eq ne lt le gt ge add radd sub mul rmul truediv neg iadd hash str repr"
@@ -104,7 +104,8 @@ def _member(cls: type, name: str) -> Any:
         return "class" if value.__qualname__.startswith(f"{cls.__qualname__}.") else None
     if inspect.isfunction(value):
         return arguments(value)
-    return "callable" if callable(value) else "attribute"
+    # A union of types can be called before Python 3.14, to no purpose.
+    return "callable" if callable(value) and get_origin(value) is not Union else "attribute"
 
 
 def arguments(function: Any) -> list[str] | None:

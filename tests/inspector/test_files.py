@@ -55,11 +55,12 @@ def test_a_folder_in_a_circle_and_thousands_of_files_end(tmp_path: Path) -> None
     assert len(look(Where(tmp_path)).workspaces[0].packages) == 1
 
 
-@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may read everything")
-def test_what_may_not_be_read_does_not_end_it(tmp_path: Path) -> None:
+def test_what_may_not_be_read_does_not_end_it(tmp_path: Path, plain_user: None) -> None:
     folder = package(tmp_path, "a", "setup()")
     folder.chmod(0)
     try:
+        with pytest.raises(PermissionError):
+            (folder / "setup.py").read_text()
         look(Where(tmp_path))
     finally:
         folder.chmod(0o755)
