@@ -8,8 +8,6 @@ from waiting import run
 
 SCRIPT = """
 import sys
-from waiting import run
-
 from day6_tui.core.ros.environment import activate
 activate()
 from day6_tui.core.graph import Graph
