@@ -29,6 +29,7 @@ ROOT = TESTS.parent
 sys.path.insert(0, str(TESTS / "stepped"))
 
 import one_process  # noqa: E402
+import skips  # noqa: E402
 import waiting  # noqa: E402, F401 - before sleeping is watched
 from rights import plain_user  # noqa: E402, F401
 from short_folder import make_short_folder, remove_short_folders  # noqa: E402
@@ -135,6 +136,7 @@ one_process.install()
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--whole", action="store_true", help="all tests, not only those of the default layer")
+    skips.add_option(parser)
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -204,29 +206,12 @@ def nothing_waits_on_the_schedulers_thread(own_environment: None) -> Iterator[No
         pytest.fail(said, pytrace=False)
 
 
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    skips.judge(session)
+
+
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """End the run with what it did not prove here, and why."""
-    skipped = [(_skip_reason(each), each.nodeid) for each in terminalreporter.stats.get("skipped", ())]
-    differs = [(each.wasxfail, each.nodeid) for each in terminalreporter.stats.get("xfailed", ())]
-    for title, tests in (("skipped here", skipped), ("known differences", differs)):
-        if tests:
-            terminalreporter.section(f"{title}: {len(tests)}")
-            for line in _grouped(tests):
-                terminalreporter.write_line(line)
-
-
-def _skip_reason(report: pytest.TestReport) -> str:
-    where = report.longrepr
-    return (where[2] if isinstance(where, tuple) else str(where)).removeprefix("Skipped: ")
-
-
-def _grouped(tests: list[tuple[str, str]]) -> list[str]:
-    """Return a line for every reason, the most frequent first: how often, why, in which files."""
-    files: dict[str, list[str]] = {}
-    for reason, test in tests:
-        files.setdefault(reason, []).append(test.partition("::")[0].removeprefix("tests/"))
-    ordered = sorted(files.items(), key=lambda item: (-len(item[1]), item[0]))
-    return [f"{len(each):4}  {reason}  ({', '.join(sorted(set(each)))})" for reason, each in ordered]
+    skips.tell(terminalreporter)
 
 
 @pytest.fixture

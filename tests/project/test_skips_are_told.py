@@ -1,4 +1,4 @@
-"""The end of a test run: what was skipped and why, also where several processes run the tests."""
+"""The end of a test run: what was skipped and why, also where several processes run the tests; what may not be skipped."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from skips import ALLOWED
 
 TESTS = Path(__file__).resolve().parents[1]
 SUITE = {
@@ -32,22 +33,26 @@ SUITE = {
 }
 
 
-@pytest.mark.process
-@pytest.mark.parametrize("processes", ["0", "2"])
-def test_a_run_ends_with_a_list_of_what_was_skipped_and_why(tmp_path: Path, processes: str) -> None:
+def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     for name, code in SUITE.items():
-        (tmp_path / name).write_text("\n".join(line[8:] for line in code.splitlines()), encoding="utf-8")
-    done = subprocess.run(
+        (folder / name).write_text("\n".join(line[8:] for line in code.splitlines()), encoding="utf-8")
+    return subprocess.run(
         # In the usual place for temporary files pytest removes those of earlier runs, gigabytes after a whole suite.
         [
             *(sys.executable, "-m", "pytest", "-q", "-p", "conftest", "-p", "no:cacheprovider"),
-            *("-n", processes, f"--basetemp={tmp_path / 'base'}", "."),
+            *(*words, f"--basetemp={folder / 'base'}", "."),
         ],
-        cwd=tmp_path,
+        cwd=folder,
         env={**os.environ, "PYTHONPATH": str(TESTS), "PYTEST_ADDOPTS": "", "COLUMNS": "80"},
         capture_output=True,
         text=True,
     )
+
+
+@pytest.mark.process
+@pytest.mark.parametrize("processes", ["0", "2"])
+def test_a_run_ends_with_a_list_of_what_was_skipped_and_why(tmp_path: Path, processes: str) -> None:
+    done = run(tmp_path, "-n", processes)
     assert done.returncode == 0, done.stdout + done.stderr
     lines = done.stdout.splitlines()
     skipped = next(n for n, line in enumerate(lines) if " skipped here: 5 " in line)
@@ -57,3 +62,21 @@ def test_a_run_ends_with_a_list_of_what_was_skipped_and_why(tmp_path: Path, proc
     ]
     assert " known differences: 1 " in lines[skipped + 3]
     assert lines[skipped + 4] == "   1  the original is wrong  (test_one.py)"
+
+
+@pytest.mark.process
+@pytest.mark.parametrize("processes", ["0", "2"])
+def test_a_skip_that_is_not_known_fails_the_run_that_is_asked_to(tmp_path: Path, processes: str) -> None:
+    reason = next(iter(ALLOWED))
+    (tmp_path / "test_four.py").write_text(f"import pytest\ndef test_known(): pytest.skip({reason!r})\n")
+    done = run(tmp_path, "-n", processes, "--no-unknown-skips")
+    assert done.returncode == 1, done.stdout + done.stderr
+    lines = done.stdout.splitlines()
+    assert any(" skipped here: 1 " in line for line in lines) and f"   1  {reason}  (test_four.py)" in lines
+    unknown = next(n for n, line in enumerate(lines) if "skipped, which fails this run" in line)
+    assert lines[unknown + 1] == "   4  no such tool here  (test_one.py, test_three.py)"
+
+
+def test_every_known_reason_is_one_that_a_test_has() -> None:
+    sources = "".join(path.read_text(encoding="utf-8") for path in TESTS.glob("*/test_*.py"))
+    assert [reason for reason in ALLOWED if f'"{reason}"' not in sources] == []
