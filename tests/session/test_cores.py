@@ -18,6 +18,7 @@ linux = pytest.mark.skipif(not Path("/proc/self/schedstat").exists(), reason="th
 
 
 @linux
+@pytest.mark.process
 def test_who_shares_a_core_waits_for_it() -> None:
     core = min(os.sched_getaffinity(0))
     other = subprocess.Popen(
@@ -41,6 +42,7 @@ def test_who_shares_a_core_waits_for_it() -> None:
     assert waited and waited[0] > 0
 
 
+@pytest.mark.process
 def test_a_clock_of_idleness_stands_still_while_there_is_work() -> None:
     before, began = cores.idle_seconds(), time.thread_time()
     while time.thread_time() - began < 0.1:

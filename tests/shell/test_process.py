@@ -90,6 +90,7 @@ def test_a_reader_that_stops_early_ends_the_writer(machine: Any) -> None:
     assert until(lambda: not running_processes(machine.desk.scheduler))
 
 
+@pytest.mark.process
 def test_a_reader_that_takes_its_time_gets_everything_though_the_writer_has_long_ended(machine: Any) -> None:
     # More than waits in a pipe of ours, and the rest of it fits into one of the system.
     write(machine.desk.home, "many.py", "open('begun', 'w')\nfor n in range(5400): print('x' * 59)\n")
@@ -101,6 +102,7 @@ def test_a_reader_that_takes_its_time_gets_everything_though_the_writer_has_long
     assert machine.out.text == "5400\n"
 
 
+@pytest.mark.process
 @posix
 def test_a_reader_that_never_reads_is_waited_for_until_ctrl_c(machine: Any) -> None:
     write(machine.desk.home, "many.py", "open('begun', 'w')\nfor n in range(5400): print('x' * 59)\n")
@@ -112,6 +114,7 @@ def test_a_reader_that_never_reads_is_waited_for_until_ctrl_c(machine: Any) -> N
     assert program.status == 130
 
 
+@pytest.mark.process
 @posix
 def test_a_terminal_shows_the_end_of_the_output_though_it_is_read_late(
     seat: Any, monkeypatch: pytest.MonkeyPatch
