@@ -163,7 +163,7 @@ def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_late
             tab = await anna(door, class_server, "cols=200&rows=60")
             tab.acknowledges, before = False, tab.got
             await tab.type(
-                "\x1b[200~while :; do x=$((++n*999331)); echo $x$x$x$x$x$x$x$x$x$x$x$x; echo $n > n; done\x1b[201~\r"
+                "\x1b[200~n=0; while :; do x=$((++n*999331)); echo $x$x$x$x$x$x$x$x$x$x$x$x; echo $n > n; done\x1b[201~\r"
             )
             while tab.got - before < MOST_UNACKNOWLEDGED:
                 assert await tab.hear()
