@@ -43,6 +43,15 @@ LONGEST = 20.0
 """Seconds after which a command that should have ended is given up."""
 
 
+def is_stepped(case: Case) -> bool:
+    """Whether the case is played in stepped time, within this process."""
+    return not SLEEPING & set(case.nodes) and not starts_processes(case)
+
+
+def starts_processes(case: Case) -> bool:
+    return bool(PROCESSES & set(case.argv[1:2]))
+
+
 class Machine:
     """Plays cases. `nodes_folder` has the stand-in nodes, `files` is the working directory of the commands."""
 
@@ -54,15 +63,11 @@ class Machine:
     def play(self, case: Case) -> str:
         """Play a case with its setup and return how the answer differs from the recording, '' if it does not."""
         world = self._world
-        with_processes = bool(PROCESSES & set(case.argv[1:2]))
-        if world is None or (world.nodes, world.with_daemon, world.with_processes) != (
-            case.nodes,
-            case.daemon,
-            with_processes,
-        ):
+        block = case.nodes, case.daemon, starts_processes(case)
+        if world is None or world.block != block:
             # Only where a block of cases begins: those of a block build on each other, as they did when recorded.
             self.close()
-            world = self._world = World(self, case.nodes, case.daemon, with_processes)
+            world = self._world = World(self, block, stepped=is_stepped(case))
         for argv in STEPS_BEFORE.get(case.name, ()):
             world.run(argv)
         return differences(case, *world.run(case.argv, case.stdin, case.interrupt_after), PREFIXES)
@@ -76,14 +81,12 @@ class Machine:
 class World:
     """One graph with its stand-ins, in stepped time or (with a sleeping stand-in) by the wall."""
 
-    def __init__(
-        self, machine: Machine, nodes: tuple[str, ...], with_daemon: bool, with_processes: bool = False
-    ) -> None:
+    def __init__(self, machine: Machine, block: tuple[tuple[str, ...], bool, bool], *, stepped: bool) -> None:
         self.machine = machine
-        self.nodes = nodes
-        self.with_daemon = with_daemon
-        self.with_processes = with_processes
-        self.stepped = not SLEEPING & set(nodes) and not with_processes
+        self.block = block
+        """Its nodes, whether a daemon runs, whether commands start processes."""
+        self.stepped = stepped
+        nodes, with_daemon, self.with_processes = block
         self.graph = Graph(DOMAIN)
         self.scheduler = Scheduler(WorldClock(wall=None) if self.stepped else WorldClock())
         self._pids = itertools.count(4000)

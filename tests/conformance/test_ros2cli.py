@@ -7,25 +7,13 @@ from collections.abc import Iterator
 
 import pytest
 from golden_cases import GOLDEN, Case, load_cases, load_exceptions
-from machine import Machine
+from machine import Machine, is_stepped
 
 from day6_tui.core.ros.differences import VALUES
 from day6_tui.core.ros.distribution import NAMES
 
 CASES = load_cases()
 EXCEPTIONS = load_exceptions()
-PROCESSES = (
-    "launch_arg_",
-    "launch_debug_flag",
-    "launch_dies",
-    "launch_nofunc",
-    "launch_show_args",
-    "launch_syntax",
-    "launch_xml",
-    "launch_yaml",
-    "run_prefix",
-)
-"""How the names of cases begin in which files are launched: in a process."""
 
 
 def _parameters() -> list:
@@ -35,7 +23,7 @@ def _parameters() -> list:
 def _marks(case: Case) -> list:
     reason = EXCEPTIONS.get(case.name, "")
     differs = [pytest.mark.xfail(reason=reason, strict=True)] if reason else []
-    return [*differs, pytest.mark.process] if case.name.startswith(PROCESSES) else differs
+    return [*differs, pytest.mark.process] if not is_stepped(case) or case.name == "run_prefix" else differs
 
 
 @pytest.fixture(scope="module")
