@@ -17,6 +17,8 @@ from differential import difference
 from known_differences import KNOWN, TIMING
 from played import Case, play, program_cases, reference_cases
 
+pytestmark = pytest.mark.process
+
 _REFERENCE = reference_cases()
 _PROGRAMS = program_cases()
 
