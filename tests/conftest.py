@@ -143,9 +143,8 @@ def pytest_configure(config: pytest.Config) -> None:
     """Choose the default layer, unless `-m` or `--whole` chooses, or all that is named are files."""
     for name, what in one_process.LAYERS.items():
         config.addinivalue_line("markers", f"{name}: {what}")
-    if hasattr(config, "workerinput") or any(word.startswith("-m") for word in config.invocation_params.args):
-        return  # the controller of pytest-xdist has chosen for its workers
-    if not config.getoption("--whole") and not all(".py" in word for word in config.args):
+    chosen = config.getoption("--whole") or any(word.startswith("-m") for word in config.invocation_params.args)
+    if not chosen and not all(".py" in word for word in config.args):
         config.option.markexpr = f"not ({' or '.join(one_process.LAYERS)})"
 
 

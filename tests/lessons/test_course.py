@@ -17,6 +17,8 @@ from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.redirection import Streams
 
+pytestmark = pytest.mark.process
+
 TEXT = """
 ## zh 题目
 

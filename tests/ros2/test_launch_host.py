@@ -20,6 +20,8 @@ from day6_tui.core.session.task import Signal
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.redirection import Streams
 
+pytestmark = pytest.mark.process
+
 
 class Launch:
     """A `ros2 launch` on a desk, and the other end of its socket: what the launch process would send and hear."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 
+import pytest
 from waiting import run
 
 SCRIPT = """
@@ -27,6 +28,7 @@ print(sorted(heavy), verbs)
 """
 
 
+@pytest.mark.process
 def test_a_list_loads_no_heavy_library_and_no_other_verb():
     done = run([sys.executable, "-c", SCRIPT])
     assert done.stdout.strip() == "[] ['day6_tui.core.ros.ros2.topic.list']"

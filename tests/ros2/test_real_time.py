@@ -20,6 +20,8 @@ from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.redirection import Streams
 from rclpy.qos import qos_profile_sensor_data
 
+pytestmark = pytest.mark.process
+
 LINE = re.compile(r"\[INFO\] \[(\d+)\.(\d{9})\] \[turtlesim\]: (.*)")
 
 

@@ -122,6 +122,7 @@ def test_a_thread_that_outlives_its_test_is_not_the_next_ones_fault(
     assert "write()" in first.read_text() and not second.exists()
 
 
+@pytest.mark.process
 def test_other_threads_may_wait(told: Callable[[Callable[[], object]], str]) -> None:
     time.sleep(0.001)
     assert told(lambda: None) == ""

@@ -58,6 +58,7 @@ def start(line: str, folder: Path) -> subprocess.Popen[str]:
     )
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("what", ENDLESS)
 def test_ctrl_c_ends_what_never_ends(what: str, tmp_path: Path) -> None:
     process = start(f"echo begun; {ENDLESS[what]}", tmp_path)
@@ -71,6 +72,7 @@ def test_ctrl_c_ends_what_never_ends(what: str, tmp_path: Path) -> None:
     assert (process.returncode, error.strip()) == (130, "")
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("line", BOUNDED)
 def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: str, tmp_path: Path) -> None:
     for name, text in DEEP.items():
@@ -84,6 +86,7 @@ def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: s
     assert (process.returncode, error.splitlines()[0][: len(message)]) == (status, message)
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     "commands",
     [
@@ -117,6 +120,7 @@ EXPRESSIONS = {
 }
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("line", EXPRESSIONS)
 def test_no_regular_expression_stops_everything(line: str, tmp_path: Path) -> None:
     process = start(f"{line} 2>&1", tmp_path)
@@ -128,6 +132,7 @@ def test_no_regular_expression_stops_everything(line: str, tmp_path: Path) -> No
     assert (process.returncode, said.strip()[: len(shown)]) == (status, shown)
 
 
+@pytest.mark.process
 def test_others_go_on_and_ctrl_c_works_beside_a_long_search(tmp_path: Path) -> None:
     (tmp_path / "long.txt").write_text("ab" * 500_000)
     process = start("(for i in 1 2 3; do sleep 0.01; echo tick; done) & grep -E '((a|b)+)+c' long.txt", tmp_path)
@@ -162,6 +167,7 @@ WAITING = {
 }
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("line", WAITING)
 def test_a_pipe_without_a_writer_and_a_device_without_end_keep_nobody_waiting(line: str, tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "f")
@@ -176,6 +182,7 @@ def test_a_pipe_without_a_writer_and_a_device_without_end_keep_nobody_waiting(li
     assert "Traceback" not in said
 
 
+@pytest.mark.process
 def test_the_streams_have_their_names_as_files(tmp_path: Path) -> None:
     process = start("echo a > /dev/stdout; echo b > /dev/stderr; echo c | cat /dev/stdin; echo d > /dev/tty", tmp_path)
     try:
@@ -186,6 +193,7 @@ def test_the_streams_have_their_names_as_files(tmp_path: Path) -> None:
     assert errors == "b\nbash: /dev/tty: No such device or address\n"
 
 
+@pytest.mark.process
 def test_a_pipe_with_a_reader_is_written_to(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "f")
     line = "until echo x > f 2> /dev/null; do sleep 0.1; done"  # there is no reader at first
@@ -197,6 +205,7 @@ def test_a_pipe_with_a_reader_is_written_to(tmp_path: Path) -> None:
     assert said == "x\n"
 
 
+@pytest.mark.process
 def test_others_go_on_and_ctrl_c_works_beside_a_message_of_megabytes(tmp_path: Path) -> None:
     (tmp_path / "big.yaml").write_text("{data: [" + ",".join(map(str, range(500_000))) + "]}")
     ticks = 20
@@ -214,6 +223,7 @@ def test_others_go_on_and_ctrl_c_works_beside_a_message_of_megabytes(tmp_path: P
         process.kill()
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs folders without number: /proc of Linux")
 def test_others_go_on_and_ctrl_c_works_beside_a_pattern_that_finds_half_the_disk(tmp_path: Path) -> None:
     process = start("(for i in 1 2 3; do sleep 0.1; echo tick; done) & : /proc/*/task/*/*/*/*/* /*/*/*/*/*", tmp_path)

@@ -65,6 +65,7 @@ def client(ros: None) -> Iterator[tf2_ros.BufferClient]:
     node.destroy_node()
 
 
+@pytest.mark.process
 def test_a_client_gets_the_servers_transform(client: tf2_ros.BufferClient) -> None:
     assert client.lookup_transform("world", "car", Time(seconds=2)).transform.translation.x == 2.0
     full = client.lookup_transform_full("car", Time(seconds=3), "car", Time(seconds=1), "world", Duration(seconds=1))
@@ -73,6 +74,7 @@ def test_a_client_gets_the_servers_transform(client: tf2_ros.BufferClient) -> No
     assert client.can_transform("world", "palm", Time()) is False
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("target", "source", "seconds", "kind"),
     [

@@ -66,6 +66,7 @@ def test_a_character_that_the_terminal_has_not_costs_this_character_alone() -> N
     assert data.getvalue() == b"one ?? two"
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="needs a terminal as a pipe")
 def test_a_slow_terminal_gets_everything_that_gives_it_back(monkeypatch: pytest.MonkeyPatch) -> None:
     output.install()

@@ -16,6 +16,8 @@ from day6_tui.core.shell.desk import Desk
 from day6_tui.tui.app import Day6App
 from day6_tui.tui.options import Options
 
+pytestmark = pytest.mark.process
+
 
 @asynccontextmanager
 async def opened(home: Path, width: int = 120, height: int = 40, **options: Any) -> AsyncIterator[tuple[Day6App, Any]]:

@@ -6,6 +6,8 @@ import typing
 from importlib import import_module
 from pathlib import Path
 
+import pytest
+
 from day6_tui.core.lessons.program import lessons_of
 from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.core.session.display import Window
@@ -85,6 +87,7 @@ def open_windows(home: Path) -> list[Window[object]]:
         desk.close()
 
 
+@pytest.mark.process
 def test_a_pane_is_typed_with_the_model_that_its_program_hands_over(tmp_path) -> None:
     assert {*COMMANDS, *STARTED} == KINDS.keys()
     handed_over = {window.kind: type(window.model).__name__ for window in open_windows(tmp_path)}

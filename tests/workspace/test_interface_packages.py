@@ -61,6 +61,7 @@ def test_what_the_dependencies_bring_with_them_may_be_used(
     assert (done.status, done.err) == (0, ""), done
 
 
+@pytest.mark.process
 def test_a_package_of_the_same_workspace_and_one_sourced_before_bring_theirs(workshop: Workshop) -> None:
     package(workshop, "day6_a", generate("msg/A.msg", "geometry_msgs"), {"msg/A.msg": "geometry_msgs/Point p\n"})
     package(
@@ -209,6 +210,7 @@ install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}/)
 """
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("lists", [PLAIN, IN_A_LOOP, BY_A_FUNCTION, AUTO], ids=["plain", "loop", "function", "auto"])
 def test_of_a_package_with_c_plus_plus_everything_else_is_built_and_the_rest_is_named(
     workshop: Workshop, lists: str
@@ -238,6 +240,7 @@ def test_ros2_run_of_what_was_left_out_says_why_there_is_no_such_program(worksho
     assert workshop.run("source install/setup.bash; ros2 run day6_mixed talker").err == "No executable found\n"
 
 
+@pytest.mark.process
 def test_the_words_of_install_may_stand_in_any_order(workshop: Workshop) -> None:
     """As packages of the ROS 2 tutorial of SmartArmStack have it: the permissions before the destination."""
     lists = """
@@ -262,6 +265,7 @@ install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
 """
 
 
+@pytest.mark.process
 def test_a_program_that_was_left_out_is_the_one_that_day6_has_in_a_package_of_that_name(workshop: Workshop) -> None:
     """Built from source, ros2/demos hides the demo_nodes_cpp that was there before, with all of its programs."""
     launch = '<launch><node pkg="demo_nodes_cpp" exec="talker"/></launch>\n'
@@ -344,6 +348,7 @@ message(FATAL_ERROR "never")"""
     assert (done.status, done.err) == (0, ""), done
 
 
+@pytest.mark.process
 def test_other_files_of_the_package_are_read_too(workshop: Workshop) -> None:
     files = {
         "src/CMakeLists.txt": "add_executable(talker talker.cpp)\ninstall(PROGRAMS say.py DESTINATION lib/${PROJECT_NAME})\n",

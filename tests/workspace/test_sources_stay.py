@@ -41,6 +41,7 @@ def to_build(shapes: Mapping[str, Shape], step: int) -> dict[str, Shape]:
     return {name: shape for name, shape in shapes.items() if name not in alike or alike.index(name) % 4 == 0}
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("number", range(WORKSPACES))
 def test_no_shape_of_a_package_costs_a_source_file(workshop: Workshop, number: int) -> None:
     shapes = dict(list({**PYTHON, **CMAKE}.items())[number::WORKSPACES])
@@ -78,6 +79,7 @@ def lost(before: dict[str, tuple[object, ...]], folder: Path) -> list[str]:
     return [line for line in changes(before, snapshot(folder)) if not line.endswith(": made")]
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("option", ["", "--symlink-install"])
 def test_a_package_that_is_its_own_workspace_keeps_what_lies_in_its_folder_build(
     workshop: Workshop, option: str
@@ -138,6 +140,7 @@ def test_a_log_base_that_holds_sources_is_refused_and_stays_as_it_is(workshop: W
     assert not (workshop.workspace / "src/COLCON_IGNORE").exists()
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("option", ["", "--symlink-install"])
 def test_a_base_may_be_a_link_to_another_disk(workshop: Workshop, option: str) -> None:
     before = package_at(workshop.workspace / "src/one", "one", Shape())
@@ -149,6 +152,7 @@ def test_a_base_may_be_a_link_to_another_disk(workshop: Workshop, option: str) -
     assert (workshop.home / "disk/install/one/share/one/package.xml").is_file()
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("option", ["", "--symlink-install"])
 @pytest.mark.parametrize("place", ["build/one", "install/one", "install/one/lib", "install/one/share/one"])
 def test_a_link_below_a_base_that_leads_elsewhere_is_not_written_through(
@@ -170,6 +174,7 @@ def test_a_link_below_a_base_that_leads_elsewhere_is_not_written_through(
     assert link.is_symlink()
 
 
+@pytest.mark.process
 def test_a_package_may_be_a_link_to_where_its_sources_are(workshop: Workshop) -> None:
     before = package_at(workshop.home / "git/one", "one", PYTHON["slash_below_package"])
     (workshop.workspace / "src").mkdir(parents=True, exist_ok=True)
@@ -211,6 +216,7 @@ def test_one_module_alone_removes_and_writes() -> None:
                     assert name in _ITS_OWN.get(module.name, ()), f"{module.name}:{node.lineno}: {ast.unparse(node)}"
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("step", ["mv src build install elsewhere && cd elsewhere", "rm -r build"])
 def test_links_to_nothing_in_a_prefix_are_no_hindrance(workshop: Workshop, step: str) -> None:
     """As in a public repository that has its `build` and `install` in it: its links lead to a folder of another computer."""
@@ -227,6 +233,7 @@ def test_links_to_nothing_in_a_prefix_are_no_hindrance(workshop: Workshop, step:
     assert there.read_text(encoding="utf-8") == "a: 1\n" and not there.is_symlink()
 
 
+@pytest.mark.process
 def test_links_of_others_in_a_merged_prefix_stay_when_a_package_is_built_without_links(workshop: Workshop) -> None:
     for name in ("one", "two"):
         Shape(data="('share/{n}', ['a.txt']),", files={"a.txt": "a\n"}).write(workshop.workspace / "src" / name, name)

@@ -25,6 +25,7 @@ def package(workshop: Workshop) -> Path:
     return folder
 
 
+@pytest.mark.process
 def test_passing_tests_finish_and_are_counted(workshop: Workshop, package: Path) -> None:
     done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
     assert timeless(done.out) == (
@@ -35,6 +36,7 @@ def test_passing_tests_finish_and_are_counted(workshop: Workshop, package: Path)
     assert (done.status, done.err) == (0, "")
 
 
+@pytest.mark.process
 def test_a_failing_test_is_no_failed_build_but_is_told(workshop: Workshop, package: Path) -> None:
     (package / "test" / "test_bad.py").write_text(BAD, encoding="utf-8")
     done = workshop.run("colcon build > /dev/null\ncolcon test\necho status $?\ncolcon test-result --verbose")
@@ -48,6 +50,7 @@ def test_a_failing_test_is_no_failed_build_but_is_told(workshop: Workshop, packa
     assert done.status == 1
 
 
+@pytest.mark.process
 def test_without_pytest_nothing_is_green(workshop: Workshop, package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A Python without it is played by a module of that name that says what `python -m` says then."""
     blocked = workshop.workspace / "blocked"
@@ -60,6 +63,7 @@ def test_without_pytest_nothing_is_green(workshop: Workshop, package: Path, monk
     assert workshop.run("colcon test-result").status == 1
 
 
+@pytest.mark.process
 def test_results_can_be_asked_for_as_a_status(workshop: Workshop, package: Path) -> None:
     (package / "test" / "test_bad.py").write_text(BAD, encoding="utf-8")
     assert workshop.run("colcon build > /dev/null\ncolcon test --return-code-on-test-failure").status == 1
@@ -71,6 +75,7 @@ def test_without_results_there_is_nothing_to_tell(workshop: Workshop) -> None:
     assert done.err.endswith("error: argument --test-result-base: Path 'build' does not exist\n")
 
 
+@pytest.mark.process
 def test_the_tests_of_a_new_package_find_its_slips(workshop: Workshop) -> None:
     folder = workshop.create("hello", "--node-name hi")
     done = workshop.run(
@@ -143,6 +148,7 @@ def cmake_package(workshop: Workshop, more: str = "", test: str = MOOD) -> None:
     (folder / "test" / "test_sum.py").write_text(test, encoding="utf-8")
 
 
+@pytest.mark.process
 def test_the_pytest_tests_of_a_cmake_package_run(workshop: Workshop) -> None:
     cmake_package(workshop)
     done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
@@ -187,6 +193,7 @@ add_ros_isolated_launch_test(test/test_launch.py TIMEOUT 30 ARGS colour:=red ENV
 """
 
 
+@pytest.mark.process
 def test_the_launch_tests_of_a_cmake_package_run_isolated(workshop: Workshop) -> None:
     """The official page "Writing Basic Integration Tests with launch_testing" adds its test in this way."""
     cmake_package(workshop, ISOLATED)
@@ -223,6 +230,7 @@ def test_xml_files_are_looked_at(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert f"{file}:2: parser error : mismatched tag" in capsys.readouterr().err
 
 
+@pytest.mark.process
 def test_tests_that_cannot_run_here_are_named_and_counted_as_skipped(workshop: Workshop) -> None:
     cmake_package(workshop, "ament_add_gtest(speed test/speed.cpp)\n  ament_lint_auto_find_test_dependencies()")
     done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")

@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 LESSON = """
 ros2 launch day6_world world.launch.py world:=walls robot:=car.urdf.xacro > /dev/null &
 sleep 2
@@ -19,6 +21,7 @@ kill %1
 """
 
 
+@pytest.mark.process
 def test_a_xacro_robot_in_the_world_of_a_launch_file(tmp_path: Path) -> None:
     from day6_tui.urdf import shipped_model
 
