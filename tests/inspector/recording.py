@@ -1,4 +1,4 @@
-"""The facts of real machines as text: what `record.py` writes down once, and rules judge again without any process.
+"""The facts of real machines as text: what `record_facts.py` writes down once, and rules judge again without any process.
 
 Only fields that are not as they are by default are written. Paths, times, numbers of processes and the like, which are others on
 every machine, are replaced by the same ones everywhere.

@@ -1,6 +1,6 @@
 """Every drill, healthy scene and tutorial as it once was on a real machine: the rules find in it what they found then.
 
-No process, no clock and no disk: `record.py` wrote down the facts, and `recording.py` says how.
+No process, no clock and no disk: `record_facts.py` wrote down the facts, and `recording.py` says how.
 """
 
 from __future__ import annotations

@@ -17,7 +17,6 @@ from stepped_time import move_on
 from textual._context import active_app
 from textual.app import App
 from textual.pilot import Pilot
-from textual.screen import Screen
 from waiting import Deadline
 
 ROUNDS = 256
@@ -56,20 +55,10 @@ def _finish(app: App[object]) -> bool:
         app.animator()  # each 1/60 s, until the animation's time is over
         return True
     for screen in app.screen_stack:
-        if screen.is_current and not app._batch_count and _is_dirty(screen):
-            screen._on_timer_update()  # up to 33 ms later
+        if screen.is_running and screen._update_timer._active.is_set():
+            screen._on_timer_update()  # up to 33 ms later; it pauses its timer
             return True
     return False
-
-
-def _is_dirty(screen: Screen[object]) -> bool:
-    return bool(
-        screen._layout_required
-        or screen._scroll_required
-        or screen._repaint_required
-        or screen._recompose_required
-        or screen._dirty_widgets
-    )
 
 
 async def _settle_screen(pilot: Pilot[object], timeout: float = 0) -> bool:

@@ -9,6 +9,7 @@ too. A test that wants the real clocks has imported them by name.
 from __future__ import annotations
 
 import asyncio
+import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -19,7 +20,6 @@ import textual._time
 
 from day6_tui.tui import key_order
 
-START = 4096.0
 STEP = 1 / 64
 """Seconds; sums of it are exact."""
 
@@ -28,7 +28,7 @@ class SteppedTime:
     """What `time.monotonic` returns."""
 
     def __init__(self) -> None:
-        self.now = START
+        self.now = math.ceil(time.monotonic())  # what was noted before lies before it
 
     def __call__(self) -> float:
         return self.now
@@ -70,7 +70,7 @@ def stepped_time() -> Iterator[SteppedTime]:
     try:
         with (
             patch.object(time, "monotonic", clock),
-            patch.object(time, "thread_time", lambda: START),
+            patch.object(time, "thread_time", lambda: 0.0),
             patch.object(key_order, "idle_seconds", clock),
             patch.object(textual._time, "get_time", clock),
             patch.object(selector, "select", select_or_move_on),

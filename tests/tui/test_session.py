@@ -15,6 +15,8 @@ from day6_tui.tui.layouts import build, describe
 from day6_tui.tui.settings import Settings
 from day6_tui.tui.splits import Tree
 
+pytestmark = pytest.mark.process
+
 
 def session_file(home: Path) -> Path:
     return home / ".config" / "day6-tui" / "session.json"
