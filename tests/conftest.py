@@ -6,6 +6,7 @@ time zone, home folder, umask and current folder are the same on every machine; 
 
 from __future__ import annotations
 
+import gc
 import importlib.util
 import itertools
 import os
@@ -146,6 +147,13 @@ def pytest_configure(config: pytest.Config) -> None:
     chosen = config.getoption("--whole") or any(word.startswith("-m") for word in config.invocation_params.args)
     if not chosen and not all(".py" in word for word in config.args):
         config.option.markexpr = f"not ({' or '.join(one_process.LAYERS)})"
+
+
+def pytest_collection_finish() -> None:
+    """Spare the garbage collector what stays until the end: it took a fourteenth of the time of a run."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 50)
 
 
 @pytest.hookimpl(wrapper=True)

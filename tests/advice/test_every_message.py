@@ -6,6 +6,8 @@ import re
 import sys
 from pathlib import Path
 
+import pytest
+
 sys.path.insert(0, str(Path(__file__).parent))
 
 from emitted import Emitted, emitted
@@ -54,6 +56,7 @@ def test_every_text_has_a_card() -> None:
     assert not without, "\n".join([f"{len(without)} texts have no card:", *without])
 
 
+@pytest.mark.long
 def test_the_enumeration_sees_what_is_printed() -> None:
     """What is known to be there is found: one of each way to say something."""
     texts = {message.text for message in emitted()}

@@ -180,6 +180,7 @@ def test_a_long_file_has_no_more_blocks_than_a_timeline_can_use(tmp_path, monkey
     file.close()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("storage", STORAGES)
 def test_bytes_that_are_wrong_anywhere_are_told_as_a_damaged_bag(tmp_path, storage):
     path = write(tmp_path, storage, count=400)

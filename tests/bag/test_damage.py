@@ -55,6 +55,7 @@ def test_a_file_that_ends_anywhere(tmp_path, storage):
         assert counts == sorted(counts) and counts[-1] == 60
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("storage", STORAGES)
 def test_bytes_that_are_wrong_anywhere(tmp_path, storage):
     data = whole(tmp_path, storage)

@@ -161,6 +161,7 @@ def test_lessons_speak_of_it() -> None:
         distribution.choose(before)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
 def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     from day6_tui.core.lessons import reading

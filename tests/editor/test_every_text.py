@@ -109,6 +109,7 @@ def test_a_save_writes_the_bytes_that_were_read_and_the_edit(whole: str, data: s
         assert path.read_bytes() == (whole[:before] + "#" + whole[before:]).encode()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("data", SHAPES, ids=repr)
 @pytest.mark.parametrize("name", ["a.py", "a.txt"])
 def test_a_file_is_unchanged_on_the_screen_and_a_save_gives_the_same_bytes(

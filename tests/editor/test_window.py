@@ -297,6 +297,7 @@ def test_a_very_long_line_can_be_walked_to_its_end(tmp_path: Path) -> None:
     Bench(tmp_path).run(act)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(40, 10), (80, 24), (300, 100)])
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_every_size_shows_the_text_and_the_question(tmp_path: Path, size: tuple[int, int], language: str) -> None:

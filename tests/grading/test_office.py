@@ -98,6 +98,7 @@ def test_answers_are_kept_by_the_progress_file(tmp_path: Path) -> None:
 # -- report ------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["zh", "en"])
 def test_the_report_of_a_machine(language: str, home: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     evil = "<script>alert(1)</script>=1+1"

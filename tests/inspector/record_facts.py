@@ -1,4 +1,4 @@
-"""Writes `recorded.jsonl` anew: `python tests/inspector/record_facts.py [WORD…]` plays drills and healthy scenes on a real machine.
+"""Writes `recorded.jsonl` anew: `python tests/inspector/record_facts.py [WORD…]` plays drills and healthy scenes for real.
 
 With words only the cases whose names begin with one of them; the others stay as they are. To be run by hand, after the drills
 or the facts have changed.

@@ -86,6 +86,7 @@ def use(lab: Lab, act: Callable[[_Window], Awaitable[None]], size: tuple[int, in
     use_window(("kitchen", "Kitchen", lab.kitchen), act, size, _Window, **options)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(36, 14), (80, 24), (120, 40), (40, 10), (200, 60)])
 @pytest.mark.parametrize("lang", ["zh", "en"])
 @pytest.mark.parametrize("glyphs", ["half", "braille", "cell", "ascii"])

@@ -133,6 +133,7 @@ def test_many_that_give_themselves_many_names_leave_room_for_the_processes_of_th
     assert len(graph.nodes) == MOST_NODES + 1
 
 
+@pytest.mark.long
 def test_one_process_has_so_many_endpoints_and_no_more() -> None:
     graph, remote, refusals = remote_graph()
     for number in range(20_000):

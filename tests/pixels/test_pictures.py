@@ -23,6 +23,8 @@ from day6_tui.tui.pixels.ask import IS_READY, ITERM, KITTY, SIXEL, Ability, Answ
 from day6_tui.tui.pixels.pictures import LOST_SECONDS, SLOW_SECONDS, Pictures
 from day6_tui.tui.windows.turtlesim import TurtleSimPane
 
+pytestmark = pytest.mark.long
+
 GROUND = (69, 86, 255)
 KINDS = [KITTY, SIXEL, ITERM]
 

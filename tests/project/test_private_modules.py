@@ -121,6 +121,7 @@ def test_what_is_ones_own_or_not_ours_is_not(package: str, source: str) -> None:
     assert not any(intrudes(package, module) for _, module in imported(ast.parse(source)))
 
 
+@pytest.mark.long
 def test_every_friend_still_needs_what_it_is_allowed() -> None:
     used = {
         friend

@@ -236,6 +236,7 @@ class Held:
     """Something a task is given; whether it lives on can be told."""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("fails", [True, False])
 @pytest.mark.parametrize("is_coroutine", [True, False])
 def test_a_task_lets_go_of_what_it_was_given_when_it_is_over(fails: bool, is_coroutine: bool) -> None:

@@ -73,6 +73,7 @@ def options_of(command: str, verb: str) -> list[str]:
     return [option for option in parser._option_string_actions if option not in ("-h", "--help")]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("command", "verb"), PAIRS, ids=lambda each: each or "-")
 def test_any_words_behind_a_verb_are_answered(command, verb):
     start = [command, verb] if verb else [command]

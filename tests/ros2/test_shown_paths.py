@@ -11,6 +11,8 @@ import pytest
 from day6_tui.core.ros import distribution
 from day6_tui.core.ros.program_index import named_by
 
+pytestmark = pytest.mark.long
+
 PATH = re.compile(r"(?<![\w:/.~-])/(?:[\w.+-]+/)+[\w.+-]+")
 OURS = ("day6_tui", "core.ros", "python_of", "share_of", "dist-info", "Traceback", "site-packages/day6")
 

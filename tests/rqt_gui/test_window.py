@@ -80,6 +80,7 @@ def test_every_plugin_is_offered_in_one_line(lang: str, size: tuple[int, int]) -
     assert len(lines) >= len(plugins()) and ("Visualization" in screen) == (size[0] == 80)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize("size", [(67, 24), (80, 24), (120, 40)])
 def test_what_a_plugin_is_for_is_told_in_full(lang: str, size: tuple[int, int]) -> None:

@@ -311,6 +311,7 @@ def test_the_end_is_told_and_enter_begins_anew() -> None:
     use(model, act)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(80, 24), (10, 4), (120, 40)])
 @pytest.mark.parametrize("options", [{}, {"lang": "zh"}, {"glyphs": "ascii"}])
 def test_it_is_drawn_at_every_size(size, options) -> None:

@@ -234,6 +234,7 @@ def test_several_nodes_and_five_hundred_parameters_are_open_at_once(machine: Mac
     assert machine.parameter("p499", "/many").value == 499
 
 
+@pytest.mark.long
 def test_three_hundred_nodes_are_listed(machine: Machine) -> None:
     machine.open()
     for number in range(300):
@@ -279,6 +280,7 @@ def test_parameters_are_saved_to_a_file_and_loaded_from_it(machine: Machine) -> 
     assert "nobody" in machine.opened().message
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("content", "told"),
     [

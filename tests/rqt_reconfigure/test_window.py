@@ -194,6 +194,7 @@ def test_the_nodes_and_the_parameters_can_be_filtered() -> None:
     use(Model(SIM), act)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(80, 24), (30, 10), (12, 4), (120, 40)])
 @pytest.mark.parametrize("options", [{}, {"lang": "zh"}, {"glyphs": "ascii"}, {"glyphs": "cell"}])
 def test_it_is_drawn_at_every_size_with_hostile_and_many_parameters(size, options) -> None:

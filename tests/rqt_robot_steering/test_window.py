@@ -144,6 +144,7 @@ def test_the_truth_about_the_topic_is_told(given, told) -> None:
     use(Model(**given), act)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(80, 24), (24, 8), (10, 4), (40, 12), (120, 40)])
 @pytest.mark.parametrize("options", [{}, {"lang": "zh"}, {"glyphs": "ascii"}])
 @pytest.mark.parametrize(

@@ -148,6 +148,7 @@ def test_keys_type_run_and_recall_and_the_newest_lines_are_seen() -> None:
     use_window(("rqt_shell", "SimpleShell", model), act, (80, 24), ToolWindow)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(80, 24), (10, 4), (120, 40)])
 @pytest.mark.parametrize("options", [{}, {"lang": "zh"}, {"glyphs": "ascii"}])
 def test_it_is_drawn_at_every_size(size, options) -> None:

@@ -54,6 +54,7 @@ def write_stl(path: Path, count: int) -> None:
             file.write(part.tobytes())
 
 
+@pytest.mark.long
 def test_a_mesh_of_two_million_triangles_is_made_coarser(tmp_path: Path) -> None:
     file = tmp_path / "huge.stl"
     write_stl(file, 2_000_000)
@@ -82,6 +83,7 @@ def test_reading_stops_when_nobody_wants_the_mesh_any_more(tmp_path: Path) -> No
     assert len(looks) == 4
 
 
+@pytest.mark.long
 def test_the_window_goes_on_while_a_large_mesh_is_read(machine: RVizMachine, tmp_path: Path) -> None:
     file = tmp_path / "huge.stl"
     write_stl(file, 1_000_000)
@@ -219,6 +221,7 @@ def test_sizes_that_are_no_numbers_are_not_drawn(machine: RVizMachine) -> None:
     assert np.isfinite(picture.colour).all()
 
 
+@pytest.mark.long
 def test_a_robot_of_three_thousand_links_does_not_stop_the_others(machine: RVizMachine) -> None:
     count = 3000
     links = "".join(

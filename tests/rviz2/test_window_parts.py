@@ -277,6 +277,7 @@ def test_a_value_line_closes_with_its_panel_and_with_its_property(machine: RVizM
 # -- the Add dialog ----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize("typed", ["robot", "robotmodel", "model", "Robot"])
 def test_robot_means_a_robot_model(machine: RVizMachine, lang: str, typed: str) -> None:
@@ -511,6 +512,7 @@ def test_a_window_without_changes_closes_at_once(machine: RVizMachine) -> None:
     run(walk())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("answer", "open_then", "saved"), [("save", False, True), ("discard", False, False), ("cancel", True, False)]
 )

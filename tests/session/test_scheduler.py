@@ -305,6 +305,7 @@ def test_what_a_program_does_after_it_wrote_is_announced_too() -> None:
     until(lambda: scheduler.run(lambda: bool(seen) and seen[-1] == ["window"], 0.05), every=0.0)
 
 
+@pytest.mark.long
 def test_what_was_started_too_late_ends_without_a_word_of_python() -> None:
     scheduler = Scheduler(WorldClock(wall=None, epoch_ns=0))
 

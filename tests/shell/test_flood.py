@@ -117,6 +117,7 @@ def picture(screen: Screen) -> dict[str, Any]:
     }
 
 
+@pytest.mark.long
 @given(st.lists(st.tuples(texts, st.none() | sizes), min_size=1, max_size=4), sizes, st.randoms(use_true_random=False))
 # A tab skips the cells before the fold, inserting takes the last one of a folded row, another width cuts it off.
 @example([("aaaaaaaaaaaaaaaaa\t aaa\u3000\u3000\x1b[A\u3000", None)], (2, 8), Random(0))
@@ -292,6 +293,7 @@ def seconds_for(text: str) -> float:
     return best
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", FLOODS)
 def test_eight_times_as_much_output_takes_eight_times_as_long(kind: str) -> None:
     piece = FLOODS[kind]

@@ -26,8 +26,12 @@ LAYERS = {
     "browser": "opens pages in a real Chromium",
     "timing": "measures time: runs alone",
     "outside": "needs a tool that may be missing",
+    "long": "stays in this process, but plays more than the default layer has time for",
 }
 """The markers of tests that are not in the default layer, and what such a test does."""
+
+CONFINED = ("long",)
+"""Which of them are confined all the same."""
 
 _PROCESSES = (
     "subprocess.Popen",
@@ -53,8 +57,8 @@ class NotInOneProcess(RuntimeError):
 
 
 def confined(item: pytest.Item) -> bool:
-    """Whether the test is in the default layer."""
-    return not any(item.get_closest_marker(name) for name in LAYERS)
+    """Whether the test has to stay in this process."""
+    return not any(item.get_closest_marker(name) for name in LAYERS if name not in CONFINED)
 
 
 def begin(item: pytest.Item) -> None:

@@ -110,6 +110,7 @@ def test_the_legend_of_graphviz_hangs_on_the_root_that_is_named_last() -> None:
     assert as_dot(frames, 1.0).endswith('"Recorded at time: 1.0"[ shape=plaintext ] ;\n}->"x";\n}')
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("shape", ["chain", "star", "random"])
 def test_three_hundred_frames_are_one_page_that_every_viewer_opens(tmp_path: Path, shape: str) -> None:
     parents = {"chain": lambda number: number - 1, "star": lambda _: 0, "random": random.Random(1).randrange}[shape]

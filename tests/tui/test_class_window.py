@@ -594,6 +594,7 @@ async def test_at_80_columns_the_keys_used_most_are_on_the_key_line_and_all_in_t
         assert texts("teacher.key.end") in page
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize("word", ["hand", "teacher"])
 async def test_the_manual_has_a_page_for_the_pupils_of_a_class(class_of: Class, word: str, lang: str) -> None:

@@ -10,6 +10,7 @@ from screens import step
 from test_real_desk import _shows, opened, until
 
 
+@pytest.mark.long
 @pytest.mark.process
 async def test_the_edge_tells_the_step_that_the_page_shows(tmp_path: Path) -> None:
     async with opened(tmp_path, lesson="day1") as (app, pilot):

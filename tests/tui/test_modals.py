@@ -213,6 +213,7 @@ async def test_an_error_is_shown_as_it_is_and_its_button_closes_it(desk: FakeDes
         assert app.desktop.overlay is None
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("width", [80, 120])
 async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk: FakeDesk, width: int) -> None:
     from day6_tui.tui.manual import PAGES

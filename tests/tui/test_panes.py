@@ -194,6 +194,7 @@ async def test_the_tab_behind_the_one_that_closes_gets_the_keyboard_if_it_was_us
         assert desk.terminals[0].sent == "x"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(20, 5), (40, 10), (80, 24), (120, 40), (400, 120)])
 async def test_thirty_terminals_and_a_storm_of_sizes(desk, size) -> None:
     desk.display.open("turtlesim", "TurtleSim", FakeSimulation())

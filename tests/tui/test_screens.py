@@ -55,6 +55,7 @@ async def test_the_palette_lists_every_command(desk, golden) -> None:
         golden("palette-zh-80x30", screen_text(app))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("width", [80, 100, 121, 150])
 async def test_no_chinese_character_of_an_overlay_is_lost_at_the_edge_of_a_pane_below(desk, width) -> None:
     async with opened(desk, width, 40, lang="zh") as (app, pilot):

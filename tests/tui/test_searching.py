@@ -90,6 +90,7 @@ SLIPS = ("rso2 topic list", "python3 -c 'count = 1; cuont'", "ros2 run my_pkg my
 """Lines that fail, with a hint below."""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("exam", [False, True], ids=["drill", "exam"])
 async def test_the_inspector_names_nothing_until_the_drill_is_solved(tmp_path: Path, exam: bool) -> None:
     async with drill(tmp_path, exam=exam) as (app, pilot):
@@ -104,6 +105,7 @@ async def test_the_inspector_names_nothing_until_the_drill_is_solved(tmp_path: P
         await until(app, pilot, lambda: "search yourself" not in screen_text(app))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", ["solution", "next", "list"])
 async def test_it_works_again_once_the_drill_is_given_up(tmp_path: Path, how: str) -> None:
     async with drill(tmp_path) as (app, pilot):
@@ -127,6 +129,7 @@ async def test_an_inspector_that_was_open_before_falls_silent(tmp_path: Path) ->
         await until(app, pilot, _shows(app, "search yourself"))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("language", "exam"), [("zh", False), ("zh", True), ("en", True)])
 @pytest.mark.parametrize("size", [(80, 24), (120, 40)])
 async def test_it_says_so_in_the_users_language(
@@ -176,6 +179,7 @@ async def ask(app: Day6App, pilot: Any, how: str) -> None:
 WAYS = ["f1", "click", "why", "explain \"Package 'turtlesm' not found\""]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", WAYS, ids=["f1", "click", "why", "explain"])
 async def test_in_an_exam_there_are_no_cards_until_the_drill_is_solved(tmp_path: Path, how: str) -> None:
     async with drill(tmp_path, exam=True) as (app, pilot):
@@ -189,6 +193,7 @@ async def test_in_an_exam_there_are_no_cards_until_the_drill_is_solved(tmp_path:
         await until(app, pilot, lambda: "Why here" in screen_text(app))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", WAYS, ids=["f1", "click", "why", "explain"])
 async def test_in_a_drill_for_practice_cards_are_allowed(tmp_path: Path, how: str) -> None:
     async with drill(tmp_path) as (app, pilot):

@@ -32,6 +32,7 @@ operations = st.lists(
 )
 
 
+@pytest.mark.long
 @settings(max_examples=200, deadline=None)
 @given(operations, st.sampled_from(SIZES))
 def test_whatever_is_done_every_pane_is_somewhere_and_the_places_fill_the_desktop(done, size) -> None:

@@ -65,6 +65,7 @@ TEXTS: dict[str, Callable[[], str]] = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", TEXTS)
 def test_it_is_answered_soon(name: str) -> None:
     text = TEXTS[name]()

@@ -69,6 +69,7 @@ def test_a_huge_file_is_not_read(tmp_path: Path) -> None:
         read_scenery(write(tmp_path, "# " + "x" * 300_000))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(8))
 def test_rays_find_the_same_as_walking_along_them(seed: int) -> None:
     import random
