@@ -133,6 +133,7 @@ def test_a_killed_program_is_off_the_list_within_two_seconds(place: Place) -> No
     assert process.wait() == -signal.SIGKILL
 
 
+@pytest.mark.timing
 def test_the_wheels_turn_as_the_students_program_says(place: Place) -> None:
     place.home_file("wheel_spinner.py", WHEEL_SPINNER)
     place.home_file("wrong_names.py", WRONG_NAMES)
@@ -172,6 +173,7 @@ def test_two_programs_that_fight_over_the_wheels_are_both_named(place: Place) ->
         assert len(set(gids)) == len(gids) == 4  # robot_state_publisher and the car's window listen
 
 
+@pytest.mark.timing
 def test_the_wheels_are_told_fifty_times_a_second(place: Place) -> None:
     file = place.file("wheel_spinner.py", WHEEL_SPINNER)
     process = place.start("python", str(file))

@@ -3,7 +3,7 @@
     python tests/perf/runs.py --times 50 --busy 2 --cores 1 --memory 2G
     python tests/perf/runs.py --times 20 --busy 2 --busy-every 2 -- --whole -n 3
 
-What follows `--` goes to pytest (default: `-n auto`). Every run is in another random order, whose seed is printed: it repeats
+What follows `--` goes to pytest (default: `-n logical`). Every run is in another random order, whose seed is printed: it repeats
 the run with `--random-order-seed=SEED`. `--busy N` has N loops beside that take all the time they get (`--busy-every 2`: in every
 second run), `--cores N` has everything on N cores, `--memory SIZE` in a control group of that size (Linux, root). Status 1 if a
 run failed.
@@ -88,7 +88,7 @@ def main() -> int:
     parser.add_argument("--busy-every", type=int, default=1, metavar="N")
     parser.add_argument("--cores", type=int, metavar="N")
     parser.add_argument("--memory", default="", metavar="SIZE")
-    parser.add_argument("words", nargs="*", default=["-n", "auto"], metavar="PYTEST OPTION")
+    parser.add_argument("words", nargs="*", default=["-n", "logical"], metavar="PYTEST OPTION")
     given = parser.parse_args()
     if given.cores:
         os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[: given.cores])

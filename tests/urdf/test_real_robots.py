@@ -19,6 +19,8 @@ from day6_tui.urdf.kinematics import link_transforms, matrix
 from day6_tui.urdf.load import load_robot
 from day6_tui.urdf.xmlreader import read_xml, write_xml
 
+pytestmark = pytest.mark.outside
+
 PACKAGES = (
     "jvrc_description",
     "robot_properties_fingers",

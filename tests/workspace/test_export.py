@@ -60,6 +60,7 @@ def test_a_loop_of_links_is_not_followed(workshop: Workshop, tmp_path: Path) -> 
     assert export(workshop.workspace, [], tmp_path / "out.zip").packages == ["one"]
 
 
+@pytest.mark.outside
 @pytest.mark.process
 @pytest.mark.skipif(REAL_COLCON is None, reason="the real colcon is not installed here")
 @pytest.mark.skipif(sys.platform == "win32", reason="sources by bash")
