@@ -11,15 +11,15 @@ from waiting import run
 
 from day6_tui.core.link.addresses import own_address
 
+pytestmark = pytest.mark.process
+
 TELL = "from day6_tui.core.link.addresses import own_address; print(own_address())"
 
 
-@pytest.mark.process
 def test_it_is_an_address_or_this_machines_name() -> None:
     assert own_address()
 
 
-@pytest.mark.process
 @pytest.mark.skipif(shutil.which("unshare") is None, reason="needs unshare, of util-linux")
 def test_in_a_network_without_a_way_out_it_is_still_the_address() -> None:
     link = (

@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.process
+
 ROOT = Path(__file__).resolve().parents[2]
 CHECK = ROOT / ".ci" / "import_rules.py"
 SCREEN = "day6_tui.tui.main"
@@ -126,41 +128,34 @@ def planted(tmp_path_factory: pytest.TempPathFactory) -> str:
     return output
 
 
-@pytest.mark.process
 def test_the_tree_as_it_is_keeps_every_rule() -> None:
     output, status = said(ROOT)
     assert "3 kept, 0 broken" in output
     assert status == 0, output
 
 
-@pytest.mark.process
 def test_a_forbidden_import_is_seen_in_every_layer_at_the_top_and_inside_a_function(planted: str) -> None:
     faults = in_every_layer()
     assert {"launch", "rclpy", "tf2_ros", "day6_tui.core.graph"} <= {each.module for each in faults}
     assert [line for each in faults for line in each.missing(planted)] == []
 
 
-@pytest.mark.process
 def test_neighbours_in_a_layer_do_not_know_each_other(planted: str) -> None:
     assert [line for each in NEIGHBOURS for line in each.missing(planted)] == []
 
 
-@pytest.mark.process
 def test_what_is_imported_only_for_the_type_checker_counts_too(planted: str) -> None:
     assert FOR_TYPES.missing(planted) == []
 
 
-@pytest.mark.process
 def test_the_screen_zenoh_and_yourdfpy_have_one_door_each(planted: str) -> None:
     assert [line for each in DOORS for line in each.missing(planted)] == []
 
 
-@pytest.mark.process
 def test_no_module_escapes_the_layers(planted: str) -> None:
     assert [name for name, why in ESCAPED.items() if f"{name} {why}" not in planted] == []
 
 
-@pytest.mark.process
 def test_a_higher_layer_is_not_reached_by_its_name_in_a_string_either(planted: str) -> None:
     assert "core/link/by_name.py names day6_tui.tui.app, which is in a higher layer" in planted
     assert "core/ros/python/rclpy/by_name.py names day6_tui.core.session.session, which is in a higher" in planted

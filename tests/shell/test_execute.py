@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from waiting import Deadline, until
 
+pytestmark = pytest.mark.process
+
 MAIN = [sys.executable, "-m", "day6_tui.tui.main"]
 posix = pytest.mark.skipif(os.name != "posix", reason="needs signals and ptys")
 
@@ -30,7 +32,6 @@ def own_home(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
 
 
-@pytest.mark.process
 def test_exec_prints_what_the_terminal_would_and_exits_with_the_last_status(tmp_path: Path) -> None:
     result = day6("exec", "-c", "echo out; echo err >&2; cd nowhere; (exit 7)", cwd=tmp_path)
     assert result.stdout == "out\n"
@@ -38,7 +39,6 @@ def test_exec_prints_what_the_terminal_would_and_exits_with_the_last_status(tmp_
     assert result.returncode == 7
 
 
-@pytest.mark.process
 def test_exec_begins_where_it_was_called_and_has_a_home_of_its_own(tmp_path: Path) -> None:
     result = day6("exec", "-c", "pwd; cd; pwd; ls", cwd=tmp_path)
     assert result.stdout.splitlines() == [str(tmp_path), str(tmp_path / "data" / "day6-tui" / "home"), "ros2_ws"]
@@ -46,7 +46,6 @@ def test_exec_begins_where_it_was_called_and_has_a_home_of_its_own(tmp_path: Pat
     assert elsewhere.stdout == f"{tmp_path / 'h'}\n"
 
 
-@pytest.mark.process
 def test_exec_runs_a_file_with_arguments_or_standard_input(tmp_path: Path) -> None:
     (tmp_path / "lesson.sh").write_text("echo $1-$2\n")
     assert day6("exec", "lesson.sh", "a", "b", cwd=tmp_path).stdout == "a-b\n"
@@ -54,13 +53,11 @@ def test_exec_runs_a_file_with_arguments_or_standard_input(tmp_path: Path) -> No
     assert day6("exec", "-c", "cat; read x", cwd=tmp_path, stdin="typed\n").stdout == "typed\n"
 
 
-@pytest.mark.process
 def test_exec_without_its_file_says_so(tmp_path: Path) -> None:
     result = day6("exec", "nowhere.sh", cwd=tmp_path)
     assert (result.returncode, result.stderr) == (127, "day6-tui exec: nowhere.sh: No such file or directory\n")
 
 
-@pytest.mark.process
 def test_exec_with_a_home_that_cannot_be_says_so(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     result = day6("exec", "--home", "file", "-c", "true", cwd=tmp_path)
@@ -69,12 +66,10 @@ def test_exec_with_a_home_that_cannot_be_says_so(tmp_path: Path) -> None:
     assert "Traceback" not in result.stderr
 
 
-@pytest.mark.process
 def test_exec_ends_after_its_timeout_with_status_124(tmp_path: Path) -> None:
     assert day6("exec", "--timeout", "0.2", "-c", "sleep 9999", cwd=tmp_path).returncode == 124
 
 
-@pytest.mark.process
 def test_jobs_timeout_and_kill_work_in_exec(tmp_path: Path) -> None:
     lines = "sleep 100 & jobs; kill %1; wait %1; echo $?; timeout 0.1 sleep 5; echo $?; sleep 50 &"
     result = day6("exec", "-c", lines, cwd=tmp_path)
@@ -82,21 +77,18 @@ def test_jobs_timeout_and_kill_work_in_exec(tmp_path: Path) -> None:
     assert result.returncode == 0
 
 
-@pytest.mark.process
 def test_a_subshell_lists_the_jobs_of_the_shell_around_it(tmp_path: Path) -> None:
     lines = "sleep 50 & sleep 60 & jobs | wc -l; echo $(jobs | grep -c Running); (sleep 40 & jobs)"
     expected = ["2", "2", "[1]+  Running                 sleep 40 &"]
     assert day6("exec", "-c", lines, cwd=tmp_path).stdout.splitlines() == expected
 
 
-@pytest.mark.process
 def test_sleep_is_paced_by_the_wall(tmp_path: Path) -> None:
     start = time.monotonic()
     day6("exec", "-c", "sleep 0.5", cwd=tmp_path)
     assert time.monotonic() - start >= 0.5
 
 
-@pytest.mark.process
 def test_a_reader_that_goes_away_ends_exec_without_a_word(tmp_path: Path) -> None:
     exec_ = subprocess.Popen(
         [*MAIN, "exec", "-c", "seq 1000000"], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE
@@ -109,7 +101,6 @@ def test_a_reader_that_goes_away_ends_exec_without_a_word(tmp_path: Path) -> Non
     exec_.stderr.close()
 
 
-@pytest.mark.process
 @posix
 def test_ctrl_c_ends_the_line_and_what_runs_in_the_background(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text("import os, time\nprint(os.getpid(), flush=True)\ntime.sleep(1000)\n")
@@ -126,7 +117,6 @@ def test_ctrl_c_ends_the_line_and_what_runs_in_the_background(tmp_path: Path) ->
         os.kill(pid, 0)
 
 
-@pytest.mark.process
 def test_python_becomes_python3_with_our_packages(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text("import sys, rclpy\nprint(sys.argv, rclpy.__name__)\nsys.exit(5)\n")
     result = day6("python", "a.py", "--flag", "x", cwd=tmp_path)
@@ -136,7 +126,6 @@ def test_python_becomes_python3_with_our_packages(tmp_path: Path) -> None:
     assert "can't open file" in missing.stderr
 
 
-@pytest.mark.process
 def test_an_unknown_command_is_told_in_one_line(tmp_path: Path) -> None:
     result = day6("turtle", cwd=tmp_path)
     assert (result.returncode, result.stderr) == (
@@ -145,7 +134,6 @@ def test_an_unknown_command_is_told_in_one_line(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.process
 def test_env_prints_lines_that_a_shell_can_evaluate(tmp_path: Path) -> None:
     script = f'eval "$({shlex.quote(sys.executable)} -m day6_tui.tui.main env)"; python3 -c "import rclpy; print(rclpy.__file__)"'
     if os.name != "posix":
@@ -155,7 +143,6 @@ def test_env_prints_lines_that_a_shell_can_evaluate(tmp_path: Path) -> None:
     assert result.stdout.rstrip().endswith(os.path.join("ros", "python", "rclpy", "__init__.py"))
 
 
-@pytest.mark.process
 @posix
 def test_the_sub_shell_has_ros2_and_our_python(tmp_path: Path) -> None:
     env = {**os.environ, "SHELL": "/bin/sh"}
@@ -218,7 +205,6 @@ def teleop(tmp_path: Path) -> Iterator[RealTerminal]:
     terminal.close()
 
 
-@pytest.mark.process
 @posix
 def test_one_key_press_in_a_real_terminal_moves_the_turtle_for_63_ticks(teleop: RealTerminal) -> None:
     import termios
@@ -232,7 +218,6 @@ def test_one_key_press_in_a_real_terminal_moves_the_turtle_for_63_ticks(teleop: 
     assert termios.tcgetattr(teleop.master)[3] & termios.ECHO
 
 
-@pytest.mark.process
 @posix
 def test_the_headless_example_prints_the_real_answers(tmp_path: Path) -> None:
     lines = (
@@ -246,7 +231,6 @@ def test_the_headless_example_prints_the_real_answers(tmp_path: Path) -> None:
     assert result.stdout.endswith("---\n/turtlesim\n")
 
 
-@pytest.mark.process
 @posix
 def test_ctrl_c_in_a_real_terminal_ends_a_ros2_command(tmp_path: Path) -> None:
     terminal = RealTerminal("exec", "-c", "ros2 topic pub -r 20 /a std_msgs/msg/String; echo ended $?", cwd=tmp_path)
@@ -260,7 +244,6 @@ def test_ctrl_c_in_a_real_terminal_ends_a_ros2_command(tmp_path: Path) -> None:
         terminal.close()
 
 
-@pytest.mark.process
 def test_ros2_answers_in_a_real_terminal(tmp_path: Path) -> None:
     result = day6("ros2", "topic", "list", cwd=tmp_path)
     assert (result.returncode, result.stdout) == (0, "/parameter_events\n/rosout\n")
@@ -268,7 +251,6 @@ def test_ros2_answers_in_a_real_terminal(tmp_path: Path) -> None:
     assert (wrong.returncode, wrong.stderr) == (1, "Package 'nowhere' not found\n")
 
 
-@pytest.mark.process
 def test_a_script_without_ros_loads_nothing_heavy(tmp_path: Path) -> None:
     script = (
         "import sys\nfrom day6_tui.core.shell.execute import main\n"
@@ -280,7 +262,6 @@ def test_a_script_without_ros_loads_nothing_heavy(tmp_path: Path) -> None:
     assert result.stdout == "hi\n[]\n", result.stderr
 
 
-@pytest.mark.process
 def test_without_a_screen_no_terminal_opens(tmp_path: Path) -> None:
     result = day6("exec", "-c", "xterm -e ls; echo $?; gnome-terminal -- ls; echo $?", cwd=tmp_path)
     assert result.stdout == "1\n1\n"

@@ -12,6 +12,8 @@ from in_time import in_time
 from serving import Serving, browser, run
 from waiting import Deadline
 
+pytestmark = pytest.mark.process
+
 Rows = dict[str, dict[str, Any]]
 
 
@@ -28,7 +30,6 @@ async def told(ws: aiohttp.ClientWebSocketResponse, wanted: Callable[[Rows], obj
     raise AssertionError(rows)
 
 
-@pytest.mark.process
 def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_all(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door, browser(class_server.base) as teacher:
@@ -60,7 +61,6 @@ def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_a
     run(deed())
 
 
-@pytest.mark.process
 @pytest.mark.parametrize(
     "sent", ["[]", '{"t": "order", "name": "*", "order": {"do": "rm"}}', "{}", "nothing", '{"t": 1}']
 )
@@ -79,7 +79,6 @@ def test_orders_that_are_none_close_the_teachers_line(class_server: Serving, sen
     run(deed())
 
 
-@pytest.mark.process
 def test_a_pupil_does_not_reach_the_teachers_line(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:

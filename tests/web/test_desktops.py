@@ -15,6 +15,8 @@ from waiting import until
 
 from day6_tui.tui.web.viewer import MOST_UNACKNOWLEDGED
 
+pytestmark = pytest.mark.process
+
 MADE = "echo made-by-$((40+2))"
 
 
@@ -35,7 +37,6 @@ def printed(serving: Serving) -> int:
     return int((serving.folder / "class" / "homes" / "anna" / "n").read_text() or 0)
 
 
-@pytest.mark.process
 def test_a_link_opens_a_desktop_and_a_reload_shows_the_same_screen_again(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -54,7 +55,6 @@ def test_a_link_opens_a_desktop_and_a_reload_shows_the_same_screen_again(class_s
     run(deed())
 
 
-@pytest.mark.process
 def test_pupils_have_desktops_and_homes_of_their_own(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as hers, browser(class_server.base) as his:
@@ -73,7 +73,6 @@ def test_pupils_have_desktops_and_homes_of_their_own(class_server: Serving) -> N
     assert (homes / "anna" / "mine.txt").read_text() == "of-anna\n" and (homes / "李雷").is_dir()
 
 
-@pytest.mark.process
 def test_who_watches_sees_the_same_and_types_nothing(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door, browser(class_server.base) as teacher:
@@ -92,7 +91,6 @@ def test_who_watches_sees_the_same_and_types_nothing(class_server: Serving) -> N
     run(deed())
 
 
-@pytest.mark.process
 def test_sizes_that_no_screen_has_are_made_fit(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -112,7 +110,6 @@ def test_sizes_that_no_screen_has_are_made_fit(class_server: Serving) -> None:
     run(deed())
 
 
-@pytest.mark.process
 def test_a_tab_that_changes_its_size_while_the_desktop_begins_gets_the_last_one() -> None:
     with Serving(make_short_folder("d6w-"), "--word", WORD, "--isolation", "none") as serving:
 
@@ -129,7 +126,6 @@ def test_a_tab_that_changes_its_size_while_the_desktop_begins_gets_the_last_one(
         run(deed())
 
 
-@pytest.mark.process
 @pytest.mark.parametrize(
     ("sent", "code"),
     [
@@ -156,7 +152,6 @@ def test_what_no_page_of_ours_says_closes_the_socket_and_the_desktop_stays(
     run(deed())
 
 
-@pytest.mark.process
 def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_later(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -183,7 +178,6 @@ def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_late
     run(deed())
 
 
-@pytest.mark.process
 def test_two_hundred_tabs_of_one_pupil_leave_one(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door:
@@ -202,7 +196,6 @@ def test_two_hundred_tabs_of_one_pupil_leave_one(class_server: Serving) -> None:
     run(deed())
 
 
-@pytest.mark.process
 def test_a_pupil_more_than_there_may_be_is_told_so(class_server: Serving) -> None:
     async def deed() -> None:
         doors = []
@@ -221,7 +214,6 @@ def test_a_pupil_more_than_there_may_be_is_told_so(class_server: Serving) -> Non
     run(deed())
 
 
-@pytest.mark.process
 @pytest.mark.parametrize("record", [b"", None, b"{"], ids=["whole", "missing", "broken"])
 def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_leaves_nothing(
     record: bytes | None,
@@ -257,7 +249,6 @@ def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_lea
         assert (folder / "class" / "homes" / "anna" / "kept.txt").read_text() == "kept\n"
 
 
-@pytest.mark.process
 def test_a_desktop_nobody_types_at_ends_and_its_files_stay() -> None:
     folder = make_short_folder("d6w-")
     with Serving(folder, "--word", WORD, "--isolation", "none", "--idle", "0.05") as serving:
@@ -278,7 +269,6 @@ def test_a_desktop_nobody_types_at_ends_and_its_files_stay() -> None:
         assert any("anna: ended after 0.05 minutes without a key" in line for line in serving.said)
 
 
-@pytest.mark.process
 def test_a_home_that_grows_too_large_is_told_and_then_the_desktop_ends_with_its_files(tmp_path: Path) -> None:
     table = tmp_path / "pupils.csv"
     table.write_text("name\nanna\n")
