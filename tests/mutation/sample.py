@@ -1,11 +1,12 @@
 """Plants faults by chance in a part of day6-tui and prints the share that the tests of the same folder catch.
 
-    python tests/mutation/sample.py [--parts rclpy,graph,…] [--number 50] [--seed 1] [--jobs 2]
+    python tests/mutation/sample.py [--parts rclpy,graph,…] [--number 50] [--seed 1] [--jobs 2] [--default-layer]
 
 The faults (mutants) are those of cosmic-ray (an operator, a comparison, a number, a condition, a loop, an exception changed),
 and a few more that people make: a call forgotten, min for max, any for all. A part's places are all equally likely, whatever
 can be done at them. Every mutant is planted in a copy of the checkout, which has an environment of its own; the tests that run
-its line come first, then the rest of the folder. A run that takes far too long counts as caught.
+its line come first, then the rest of the folder; with `--default-layer` only those of that layer. A run that takes far too long
+counts as caught.
 
 Survivors are printed as they would be typed. One that changes nothing that can be observed is entered, with the reason, into
 `equivalent.json` beside this file, and counted apart from then on. Started by hand, on Linux or macOS, with the extra `mutation`.
@@ -208,7 +209,9 @@ def sampled(part: str, number: int, seed: int) -> list[Mutant]:
 class Copy:
     """A copy of the checkout in which a mutant can be planted without touching what anybody works on."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, layer: tuple[str, ...] = ("--whole",)) -> None:
+        """`layer` is what tells pytest which tests to play."""
+        self._layer = layer
         self._root = folder / "checkout"
         listed = subprocess.run(
             ["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, stdout=subprocess.PIPE, check=True
@@ -244,7 +247,7 @@ class Copy:
             "addopts=--import-mode=importlib",
         ]
         process = subprocess.Popen(
-            [*command, *arguments], cwd=self._root, env={**os.environ, **env},
+            [*command, *self._layer, *arguments], cwd=self._root, env={**os.environ, **env},
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
         )  # fmt: skip
         try:
@@ -350,6 +353,7 @@ def main() -> int:
     parser.add_argument("--number", type=int, default=50, help="mutants of each part")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2, help="mutants tried at the same time")
+    parser.add_argument("--default-layer", action="store_true", help="plays the tests of the default layer only")
     parser.add_argument("--verbose", action="store_true", help="print those that were caught, too")
     options = parser.parse_args()
     rows = []
@@ -358,7 +362,7 @@ def main() -> int:
         copies = []
         for number in range(options.jobs):
             (folder / str(number)).mkdir()
-            copies.append(Copy(folder / str(number)))
+            copies.append(Copy(folder / str(number), () if options.default_layer else ("--whole",)))
         for part in options.parts.split(","):
             print(f"== {part}", flush=True)
             rows.append((part, *measure(part, options, copies, folder)))
