@@ -112,12 +112,12 @@ def _guard(place: Any, name: str, what: str) -> None:
 
 
 def _audit(event: str, arguments: tuple[Any, ...]) -> None:
+    if event == "socket.bind":  # also what a fixture for several tests binds
+        _own.add(arguments[0])
     if not _names or threading.get_ident() in _elsewhere:
         return
     if event in _PROCESSES:
         _refuse(f"starts a process ({event})")
-    elif event == "socket.bind":
-        _own.add(arguments[0])
     elif event == "socket.connect" and not _is_own(arguments[1]):
         _refuse(f"connects to {arguments[1]!r}, which is not its own")
     elif event == "socket.getaddrinfo" and _is_name(arguments[0]):
