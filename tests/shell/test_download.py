@@ -6,9 +6,11 @@ import socket
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
+from select import select
 from typing import Any
 
 import pytest
+from waiting import until
 
 TEXT = "import rclpy\nprint('你好')\n"
 
@@ -87,7 +89,7 @@ def test_ctrl_c_gives_up_waiting(machine: Any) -> None:
         silent.bind(("127.0.0.1", 0))
         silent.listen()
         program = machine.start(f"wget http://127.0.0.1:{silent.getsockname()[1]}/x")
-        machine.go(1.0)
+        until(lambda: select([silent], [], [], 0)[0], meanwhile=lambda: machine.go(1.0))  # it has asked
         assert program.status is None
         program.interrupt()
         machine.wait(lambda: program.status is not None)
