@@ -10,8 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from ended import run
-from waiting import PATIENCE, until
+from waiting import PATIENCE, run, until
 
 
 def day6(*words: str, **variables: str) -> subprocess.CompletedProcess[str]:

@@ -12,9 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from ended import run
 from short_folder import make_short_folder
-from waiting import PATIENCE, until
+from waiting import PATIENCE, run, until
 
 if TYPE_CHECKING:
     from terminal import Terminal

@@ -7,8 +7,8 @@ import sys
 from typing import TYPE_CHECKING
 
 import pytest
-from ended import run
 from place import DAY6
+from waiting import run
 
 if TYPE_CHECKING:
     from place import Place

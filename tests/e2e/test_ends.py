@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from ended import communicate
 from place import DAY6
-from waiting import until
+from waiting import communicate, until
 
 if TYPE_CHECKING:
     from place import Place

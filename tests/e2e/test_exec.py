@@ -7,8 +7,7 @@ import signal
 from typing import TYPE_CHECKING
 
 import pytest
-from ended import communicate
-from waiting import until
+from waiting import communicate, until
 
 if TYPE_CHECKING:
     from place import Place

@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from ended import communicate
-from waiting import until
+from waiting import communicate, until
 from waits import READY
 
 if TYPE_CHECKING:

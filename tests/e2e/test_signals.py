@@ -14,8 +14,8 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from typing import NamedTuple
 
 import pytest
-from ended import communicate
 from place import Place
+from waiting import communicate
 from waits import READY
 
 from day6_tui.core.ros.environment import program_environment

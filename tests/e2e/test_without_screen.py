@@ -6,7 +6,7 @@ import signal
 from typing import TYPE_CHECKING
 
 import pytest
-from ended import communicate
+from waiting import communicate
 
 if TYPE_CHECKING:
     from place import Place

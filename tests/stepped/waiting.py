@@ -68,25 +68,27 @@ def until(
     return answer
 
 
-def communicate(process: subprocess.Popen[str], said: str | None = None, limit: float = PATIENCE) -> tuple[str, str]:
-    """Say this to a program and return what it printed until its end; one that does not end is killed: AssertionError."""
+def communicate(process: subprocess.Popen[Any], given: Any = None, limit: float = PATIENCE) -> tuple[Any, Any]:
+    """Do what `Popen.communicate` does; a process that does not end is killed, and AssertionError tells what it wrote."""
     deadline = Deadline(limit)
     while True:
         with suppress(subprocess.TimeoutExpired):
-            return process.communicate(said, timeout=0.2)
-        said = None  # it goes on with what it was given
+            return process.communicate(given, timeout=0.2)
+        given = None  # it goes on with what it was given
         if deadline.is_over():
             process.kill()
-            raise AssertionError(f"after {limit} s it has not ended; it printed {process.communicate()}")
+            raise AssertionError(f"after {limit} s it still runs: {process.args!r}", process.communicate())
 
 
-def run(command: Sequence[str], limit: float = PATIENCE, **options: Any) -> subprocess.CompletedProcess[str]:
-    """Run a program to its end, as `subprocess.run` that captures text."""
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "encoding": "utf-8"}
+def run(command: Sequence[Any], given: Any = None, limit: float = 2 * PATIENCE, **options: Any) -> Any:
+    """Do what `subprocess.run` does, with both streams captured, in UTF-8 unless `text` says otherwise."""
+    pipes: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    if options.setdefault("text", True):
+        options.setdefault("encoding", "utf-8")
     with subprocess.Popen(command, **{**pipes, **options}) as process:
-        return subprocess.CompletedProcess(command, *_result(process, limit))
+        return subprocess.CompletedProcess(command, *_result(process, given, limit))
 
 
-def _result(process: subprocess.Popen[str], limit: float) -> tuple[int, str, str]:
-    printed = communicate(process, limit=limit)
+def _result(process: subprocess.Popen[Any], given: Any, limit: float) -> tuple[int, Any, Any]:
+    printed = communicate(process, given, limit)
     return process.returncode, *printed
