@@ -127,6 +127,7 @@ for number in {
     if signal.getsignal(number) is signal.SIG_IGN:
         signal.signal(number, signal.default_int_handler if number == signal.SIGINT else signal.SIG_DFL)
 
+from day6_tui.core.interfaces import registry  # noqa: E402
 from day6_tui.core.ros.environment import activate  # noqa: E402
 
 activate()
@@ -181,10 +182,13 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 @pytest.fixture(autouse=True)
 def own_environment() -> Iterator[None]:
-    """Start in an empty folder; what a test does to variables, current folder and umask ends with it."""
-    before, folder = dict(os.environ), os.getcwd()
+    """Start in an empty folder; what a test does to variables, current folder, umask and sourced packages ends with it."""
+    before, folder, sourced = dict(os.environ), os.getcwd(), list(registry._more_prefixes)
     os.chdir(os.environ["HOME"])
     yield
+    if registry._more_prefixes != sourced:
+        registry._more_prefixes[:] = sourced
+        registry.forget("")
     os.umask(0o022)
     os.chdir(folder)
     if dict(os.environ) != before:
