@@ -199,6 +199,7 @@ def own_environment() -> Iterator[None]:
 def needs_nothing_but_this_process(own_environment: None) -> Iterator[None]:
     """Fail a test of the default layer that did what only others may, also where the error was swallowed."""
     yield
+    one_process.end()  # what fixtures of several tests do at their end isn't this one's doing
     if said := one_process.violations():
         pytest.fail("\n".join(said), pytrace=False)
 
