@@ -65,7 +65,10 @@ def test_the_guesses_are_those_of_python_itself(capsys):
         (AttributeError("no name"), "AttributeError: no name\n"),
         (AttributeError("x", name="dat", obj=None), "AttributeError: x\n"),
         (AttributeError("x", name="reel", obj=1.0), "AttributeError: x. Did you mean: 'real'?\n"),
-        (AttributeError("x. Did you mean: 'y'?", name="reel", obj=1.0), "AttributeError: x. Did you mean: 'y'?\n"),
+        (
+            AttributeError("x. Did you mean: 'y'?", name="reel", obj=1.0),
+            "AttributeError: x. Did you mean: 'y'?. Did you mean: 'real'?\n",
+        ),
         (AttributeError("x", name="qqqq", obj=1.0), "AttributeError: x\n"),
     ],
 )

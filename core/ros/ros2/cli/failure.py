@@ -5,11 +5,14 @@ from __future__ import annotations
 import traceback
 
 
+_GUESS = "Did you mean"
+
+
 def failure_text(error: BaseException) -> str:
     """Return what Python prints below the traceback of an uncaught exception, with the hint `Did you mean`."""
     text = "".join(traceback.format_exception_only(type(error), error))
-    # Python 3.12 and later, and a backport that some packages install, have put it into the text already.
-    hint = "" if "Did you mean" in text else _hint(error)
+    # Python 3.12 and later, and a backport that some packages install, have put it behind the message already.
+    hint = "" if text.count(_GUESS) > str(error).count(_GUESS) else _hint(error)
     return f"{text.rstrip()}{hint}\n" if hint else text
 
 
@@ -17,7 +20,7 @@ def _hint(error: BaseException) -> str:
     if not isinstance(error, AttributeError) or not isinstance(error.name, str) or error.obj is None:
         return ""
     guess = nearest_name(error.name, dir(error.obj))
-    return f". Did you mean: {guess!r}?" if guess else ""
+    return f". {_GUESS}: {guess!r}?" if guess else ""
 
 
 def nearest_name(wrong: str, names: list[str]) -> str | None:
