@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import traceback
 
-
 _GUESS = "Did you mean"
 
 
