@@ -490,6 +490,8 @@ class Day6App(TerminalApp):
         for pane in self.desktop.shown():
             try:
                 pane.measure()
+                if titles and isinstance(pane, TerminalPane):
+                    pane.key_back = self.switching.key_to(pane)  # before it looks whether its hint has changed
                 again = pane.pull(now) or again
                 if titles:
                     pane.pull_title()
@@ -498,9 +500,6 @@ class Day6App(TerminalApp):
                     raise
                 self.window_failed(pane, error)
             if isinstance(pane, TerminalPane):
-                if titles and pane.key_back != (key := self.switching.key_to(pane)):
-                    pane.key_back = key
-                    pane.touch_lines((pane.inner_height - 1,))  # where its hint is
                 pane.place_cursor()
         return again
 
