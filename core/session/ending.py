@@ -156,7 +156,7 @@ class Ending:
         self._force()
 
     def _within(self, seconds: float | None) -> bool | None:
-        """Return the next order, None where there is none in the seconds of a step."""
+        """Return the next order, or None if none comes within the seconds of a step."""
         if seconds is None:
             return self._orders.get()
         allowance = Allowance(seconds, threading.main_thread())

@@ -443,8 +443,8 @@ def _launcher(mode: str) -> list[str]:
 def _pump(
     source: int | IO[bytes],
     target: OutputStream,
-    seen: Callable[[str], None] | None = None,
-    wait: Callable[[], None] | None = None,
+    seen: Callable[[str], None] | None,
+    wait: Callable[[], None],
 ) -> None:
     """Copy a process's output to a stream, and tell `seen`, as it comes, until its end; waits while the stream is full.
 
@@ -459,8 +459,7 @@ def _pump(
     try:
         while True:
             try:
-                if wait is not None:
-                    wait()
+                wait()
                 data = read(fd)
             except OSError:
                 data = b""  # Linux: the last process left the pty

@@ -1,8 +1,9 @@
 """What a test of the default layer may not do, because it depends on more than this process: an error where it is done.
 
 That is: start a process, open a terminal, sleep, connect to a socket that is not the test's own, ask for a machine's name, or
-join the link. A test that does has one of the markers in `LAYERS` and is left to the whole run (`pytest --whole`). Waiting for a
-condition that a thread of this process brings about (`waiting.until`) is none of these.
+join the link (noticed from the first test on that finds Zenoh loaded). A test that does has one of the markers in `LAYERS` and is
+left to the whole run (`pytest --whole`). Waiting for a condition that a thread of this process brings about (`waiting.until`) is
+none of these.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ _PROCESSES = (
     "pty.spawn",
 )
 
-_names = ""
+_test = ""
 """The test that is confined now."""
 _elsewhere: frozenset[int] = frozenset()
 """Threads that ran before it: what they do isn't its doing."""
@@ -63,10 +64,10 @@ def confined(item: pytest.Item) -> bool:
 
 def begin(item: pytest.Item) -> None:
     """Confine a test, if it is in the default layer."""
-    global _names, _elsewhere
+    global _test, _elsewhere
     _violations.clear()
     _elsewhere = frozenset(each.ident or 0 for each in threading.enumerate() if each is not threading.current_thread())
-    _names = item.nodeid if confined(item) else ""
+    _test = item.nodeid if confined(item) else ""
     zenoh = sys.modules.get("zenoh")
     if zenoh is not None and not hasattr(zenoh.open, "__wrapped__"):
         _guard(zenoh, "open", "joins the link")
@@ -74,8 +75,8 @@ def begin(item: pytest.Item) -> None:
 
 def end() -> None:
     """Let everything be done again."""
-    global _names
-    _names = ""
+    global _test
+    _test = ""
 
 
 def violations() -> list[str]:
@@ -90,7 +91,7 @@ def install() -> None:
     sleep = time.sleep
 
     def watched(seconds: float) -> None:
-        if seconds and _names and threading.current_thread() is threading.main_thread():
+        if seconds and _test and threading.current_thread() is threading.main_thread():
             _refuse(f"sleeps for {seconds} s")
         sleep(seconds)
 
@@ -103,7 +104,7 @@ def _guard(place: Any, name: str, what: str) -> None:
         return  # not on this system
 
     def guarded(*arguments: Any, **keywords: Any) -> Any:
-        if _names and threading.get_ident() not in _elsewhere:
+        if _test and threading.get_ident() not in _elsewhere:
             _refuse(what)
         return original(*arguments, **keywords)
 
@@ -114,7 +115,7 @@ def _guard(place: Any, name: str, what: str) -> None:
 def _audit(event: str, arguments: tuple[Any, ...]) -> None:
     if event == "socket.bind":  # also what a fixture for several tests binds
         _own.add(arguments[0])
-    if not _names or threading.get_ident() in _elsewhere:
+    if not _test or threading.get_ident() in _elsewhere:
         return
     if event in _PROCESSES:
         _refuse(f"starts a process ({event})")
@@ -141,6 +142,6 @@ def _is_name(host: object) -> bool:
 def _refuse(what: str) -> NoReturn:
     calls = "".join(traceback.format_stack(sys._getframe(2))[-8:])
     _violations.append(
-        f"{_names} {what}, which a test of the default layer may not: it needs a marker (tests/stepped/one_process.py)\n{calls}"
+        f"{_test} {what}, which a test of the default layer may not: it needs a marker (tests/stepped/one_process.py)\n{calls}"
     )
     raise NotInOneProcess(f"the test {what}")
