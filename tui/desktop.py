@@ -236,7 +236,7 @@ class Desktop(PaneHost):
                 self.panes[window.number] = pane
                 self.add(pane)
                 if pane.takes_focus:
-                    self.call_after_refresh(self.focus_pane, pane)
+                    self.call_after_refresh(self._focus_new, pane, self.focused_pane)
                 elif not self.is_shown(pane):
                     unseen.append(pane)
         return unseen
@@ -339,6 +339,11 @@ class Desktop(PaneHost):
         self._note_focus(pane)
         if self.overlay is None:
             self.give_keyboard(pane)
+
+    def _focus_new(self, pane: Pane, before: Pane | None) -> None:
+        """Focus a pane that has appeared, unless the person has gone from where the keyboard was before to another one."""
+        if self.focused_pane is before:
+            self.focus_pane(pane)
 
     def type_at_terminal(self, keys: Sequence[events.Key]) -> None:
         used = [

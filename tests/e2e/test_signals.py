@@ -152,8 +152,10 @@ REAL = os.environ.get("DAY6_REAL_PYTHON")
 def outcomes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Future[tuple[int, list[str], str]]]]:
     """All of them at once: they mostly wait."""
     place = Place(tmp_path_factory.mktemp("signals"))
+    # Here and not in the threads: pytest changes os.environ before and after every test.
+    env = {name: value for name, value in {**os.environ, **place.environment()}.items() if value is not None}
     with ThreadPoolExecutor(4) as pool:
-        yield {name: pool.submit(_run, place, number, case) for number, (name, case) in enumerate(CASES.items())}
+        yield {name: pool.submit(_run, place, env, number, case) for number, (name, case) in enumerate(CASES.items())}
     place.close()
 
 
@@ -165,8 +167,7 @@ def test_a_signal_ends_a_program_as_on_real_rclpy(name: str, outcomes: dict[str,
     assert error.startswith(case.error) if case.error else not error
 
 
-def _run(place: Place, number: int, case: Case) -> tuple[int, list[str], str]:
-    env = {name: value for name, value in {**os.environ, **place.environment()}.items() if value is not None}
+def _run(place: Place, env: dict[str, str], number: int, case: Case) -> tuple[int, list[str], str]:
     file = place.file(f"case{number}.py", START + case.code)
     handler = signal.SIG_IGN if "#ignore" in case.code else signal.SIG_DFL
     process = subprocess.Popen(

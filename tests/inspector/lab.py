@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import shutil
+import sys
+import threading
 import time
+import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -13,7 +16,7 @@ from waiting import PATIENCE, Deadline, until
 from day6_tui.core.ros.programs import load
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding
 from day6_tui.core.ros.programs.day6_inspector.model import Inspector
-from day6_tui.core.session.streams import InputStream, OutputStream
+from day6_tui.core.session.streams import InputStream, Pipe
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.terminal import Terminal
@@ -42,7 +45,8 @@ class Lab:
         self._follow_looks()
 
     def _open_inspector(self) -> Inspector:
-        streams = Streams(InputStream(), OutputStream(), OutputStream())
+        self._printed = Pipe()
+        streams = Streams(InputStream(), self._printed.writer, self._printed.writer)
 
         def start() -> None:
             main = load("day6_inspector", "inspector")
@@ -161,7 +165,23 @@ class Lab:
         self._wait_for_looks(lambda: self._looks - max(begin, self._changed_at) > SETTLING)
 
     def _wait_for_looks(self, condition: Callable[[], bool]) -> None:
-        until(condition, told=lambda: f"{self._looks} looks, a change at {self._changed_at}", meanwhile=self._update)
+        until(condition, told=self._how_it_stands, meanwhile=self._update)
+
+    def _how_it_stands(self) -> str:
+        """For a failure: whether the inspector has ended, or what it hangs in."""
+        clock, names = self.desk.clock, {thread.ident: thread.name for thread in threading.enumerate()}
+        stacks = [
+            f"{names.get(number, number)}\n{''.join(traceback.format_stack(frame))}"
+            for number, frame in sys._current_frames().items()
+        ]
+        return "\n".join(
+            [
+                f"{self._looks} looks, a change at {self._changed_at}; world {clock.steady_ns() / 1e9:.1f} s, {clock.paused=}",
+                f"programs {[program.session.argv for program in self.desk.programs.values()]}",
+                f"the inspector printed {''.join(self._printed._chunks)!r}",
+                *stacks,
+            ]
+        )
 
     def _update(self) -> None:
         for terminal in list(self.desk.terminals):

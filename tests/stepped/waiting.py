@@ -14,6 +14,9 @@ T = TypeVar("T")
 PATIENCE = 30.0
 """Seconds something may take, on the clock of `Deadline`; nothing waits that long unless it is broken."""
 
+LONGEST_LOOK = 1.0
+"""Seconds that one look at the clock counts at most: who looks hundreds of times a second and misses more was stopped itself."""
+
 _CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
@@ -21,7 +24,8 @@ class Deadline:
     """Ends after `limit` seconds of a core: its clock goes as fast as one more program would get on here.
 
     With three programs that want to run on one core, it goes at a third of the wall's speed, so that a busy machine makes a test
-    slow but not red. Where the system does not tell how many want to run (`/proc/loadavg` of Linux), it is the wall's clock.
+    slow but not red. Where the system does not tell how many want to run (`/proc/loadavg` of Linux), it is the wall's clock. Time
+    in which the whole machine stood still, a virtual one that is moved to another host for instance, does not count.
     """
 
     def __init__(self, limit: float = PATIENCE) -> None:
@@ -31,7 +35,7 @@ class Deadline:
     def is_over(self) -> bool:
         """Look at the clock; it has to be asked more often than the load changes."""
         now = monotonic()
-        self._left -= (now - self._last) * share_of_a_core()
+        self._left -= min(now - self._last, LONGEST_LOOK) * share_of_a_core()
         self._last = now
         return self._left < 0
 

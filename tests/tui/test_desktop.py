@@ -489,6 +489,21 @@ async def test_a_new_window_never_covers_the_pane_with_the_keyboard(desk) -> Non
                 assert app.desktop.focused_pane.slot == slot and app.desktop.is_shown(app.desktop.focused_pane)
 
 
+async def test_who_goes_elsewhere_while_a_new_window_appears_stays_there(desk) -> None:
+    for goes in (False, True):
+        desk = type(desk)()
+        async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+            await pilot.press("f2")
+            await step(app, pilot)
+            window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation(), chosen=True)
+            app.desktop.show_windows(desk.display.windows)
+            if goes:
+                app.desktop.focus_pane(app.desktop.slots[1])
+            await step(app, pilot)
+            there = app.desktop.slots[1] if goes else app.desktop.panes[window.number]
+            assert app.desktop.focused_pane is there and app.screen.focused is there.focus_target
+
+
 async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) -> None:
     async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
         await pilot.press("f2", "f2", "f2")
