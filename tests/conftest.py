@@ -17,6 +17,7 @@ import sys
 import tempfile
 import time
 import types
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -71,6 +72,9 @@ SPREAD = (
     *(f"tests/workspace/test_{name}.py" for name in ("interface_packages", "sources_stay", "tests")),
 )
 """Files of long tests that share nothing, not even a fixture of their module."""
+
+FIRST = ("tests/inspector/test_lessons_end.py", "tests/lessons/test_played.py", "tests/grading/test_")
+"""Files of tests that wait for half a minute and more: the others are done meanwhile."""
 
 # Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
 OWN = make_short_folder("d6t-")
@@ -167,17 +171,31 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
         one_process.end()
 
 
+def _unit(nodeid: str) -> str:
+    """The piece of work that a test belongs to: its file, or the test alone."""
+    file = nodeid.partition("::")[0]
+    return nodeid if file.startswith(SPREAD) else file
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """With pytest-xdist, order by what takes longest, so that nobody is left with it in the end."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        sizes = Counter(_unit(item.nodeid) for item in items)
+        items.sort(key=lambda item: (not item.nodeid.startswith(FIRST), -sizes[_unit(item.nodeid)]))
+
+
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """Give each process of pytest-xdist whole files, the largest first; the tests of SPREAD one by one, in the end."""
+    """Give each process of pytest-xdist one unit after the other, in the order of `pytest_collection_modifyitems`."""
     from xdist.scheduler import LoadScopeScheduling
 
-    class ByFile(LoadScopeScheduling):
+    class ByUnit(LoadScopeScheduling):
         def _split_scope(self, nodeid: str) -> str:
-            file = nodeid.partition("::")[0]
-            return nodeid if file.startswith(SPREAD) else file
+            return _unit(nodeid)
 
-    return ByFile(config, log)
+    config.option.loadscopereorder = False
+    return ByUnit(config, log)
 
 
 @pytest.fixture(autouse=True)

@@ -197,8 +197,8 @@ class Scheduler:
                 self._turn(wait=True, longest=math.inf)
             except KeyboardInterrupt:
                 continue  # from `insist`, for a step that ended at this very moment
-            except Exception:
-                # All programs need this thread, and the others have not failed.
+            except BaseException:
+                # All programs need this thread, and the others have not failed. A panic of Zenoh's is no Exception.
                 _log.exception("a turn of the scheduler failed")
                 with contextlib.suppress(Empty):
                     self._run_item(self._inbox.get(timeout=PAUSE_AFTER_FAILURE))

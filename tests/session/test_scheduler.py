@@ -274,6 +274,26 @@ def test_a_broken_call_from_outside_does_not_end_the_scheduler(scheduler: Schedu
     assert ran == [1]
 
 
+class Panic(BaseException):
+    """What a library written in Rust raises when something in it has failed."""
+
+
+def test_a_panic_in_a_call_from_outside_does_not_end_the_thread_of_all_programs() -> None:
+    scheduler = Scheduler(WorldClock())
+    ran: list[int] = []
+
+    def panic() -> None:
+        raise Panic
+
+    scheduler.start()
+    scheduler.call_soon_threadsafe(panic)
+    scheduler.call_soon_threadsafe(lambda: ran.append(1))
+    try:
+        until(lambda: ran)
+    finally:
+        scheduler.close()
+
+
 def test_activity_is_announced_after_work_only() -> None:
     scheduler = Scheduler(WorldClock())
     calls: list[int] = []
