@@ -56,9 +56,9 @@ def test_a_further_node_costs_less_than_two_milliseconds(world: Any) -> None:
     nodes = [Node("warm_up", context=world.context)]
     times = []
     for number in range(30):
-        start = time.perf_counter()
+        start = time.thread_time()
         nodes.append(Node(f"n{number}", context=world.context))
-        times.append(time.perf_counter() - start)
+        times.append(time.thread_time() - start)
     assert min(times) < 0.002, "in the quietest moment"
 
 

@@ -41,7 +41,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         (["nowhere.sh"], "", 127, "", "day6-tui exec: nowhere.sh: No such file or directory\n"),
         (["--home", "file.sh", "-c", "true"], "", 1, "", "day6-tui exec: the home folder cannot be used: "),
         (["--home", "h", "-c", "cd; pwd; ls"], "", 0, "HERE/h\nros2_ws\n", ""),
-        (["--timeout", "0.05", "-c", "echo a; sleep 60"], "", 124, "a\n", ""),
+        (["--timeout", "0.5", "-c", "echo a; sleep 60"], "", 124, "a\n", ""),
         (["-c", "break; echo on"], "", 0, "", ""),
         (["-c", "sleep 60 & echo behind"], "", 0, "behind\n", ""),
         (["-c", "if"], "", 2, "", "bash: syntax error: unexpected end of file\n"),

@@ -69,14 +69,14 @@ TEXTS: dict[str, Callable[[], str]] = {
 @pytest.mark.parametrize("name", TEXTS)
 def test_it_is_answered_soon(name: str) -> None:
     text = TEXTS[name]()
-    began = time.perf_counter()
+    began = time.process_time()
     report = check_text(text)
     assert report.robot is not None or report.diagnostics
     if report.robot is not None and not report.robot.loop:
         assert link_transforms(report.robot, {})
         rows = render_top(report.robot, {}, 60, 20)
         assert len(rows) == 20
-    assert time.perf_counter() - began < 8.0
+    assert time.process_time() - began < 8.0
 
 
 @pytest.mark.parametrize("text", [LAUGHS, EXTERNAL], ids=["billion laughs", "external entity"])

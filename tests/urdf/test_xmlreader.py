@@ -61,10 +61,10 @@ def test_the_five_entities_and_character_numbers_are_replaced_and_no_others() ->
 
 def test_a_billion_laughs_stay_a_few_words() -> None:
     levels = "".join(f'<!ENTITY l{n} "{f"&l{n - 1};" * 10}">' for n in range(1, 30))
-    started = time.monotonic()
+    started = time.process_time()
     elements = read_xml(f'<!DOCTYPE r [<!ENTITY l0 "ha">{levels}]><r name="&l29;"/>')
     assert elements[-1].attributes == {"name": "&l29;"}
-    assert time.monotonic() - started < 1
+    assert time.process_time() - started < 1
 
 
 def test_an_external_entity_opens_no_file() -> None:
