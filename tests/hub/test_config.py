@@ -63,6 +63,9 @@ def load(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Load:
 
     def read(uid: int | None = None, **variables: str) -> Any:
         monkeypatch.setattr(os, "getuid", lambda: real if uid is None else uid)
+        if uid not in (None, real):  # what is made here belongs to this user then
+            stat = Path.stat
+            monkeypatch.setattr(Path, "stat", lambda path: os.stat_result((*stat(path)[:4], uid, *stat(path)[5:])))
         if uid is None and real == 0:
             variables["AS_ROOT"] = "1"
         for name, value in {"DATA": str(tmp_path / "data"), **variables}.items():

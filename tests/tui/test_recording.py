@@ -31,15 +31,15 @@ async def test_a_recording_that_breaks_is_told_and_over(desk: FakeDesk, tmp_path
         assert not app.recording.running and app._driver.recorder is None
 
 
-async def test_what_cannot_be_recorded_is_told(desk: FakeDesk, tmp_path: Path) -> None:
-    (tmp_path / "mine").write_text("mine")
+async def test_what_cannot_be_recorded_is_told(desk: FakeDesk, short_folder: Path) -> None:
+    (short_folder / "mine").write_text("mine")
     async with opened(desk, 250, 24, lang="en", scene="empty") as (app, pilot):
-        app.recording.begin(tmp_path / "a.cast")
+        app.recording.begin(short_folder / "a.cast")
         await step(app, pilot)
         assert "cannot be recorded on this system" in screen_text(app)
     async with opened(desk, 250, 24, lang="en", scene="empty") as (app, pilot):
         app._driver.recorder = None
-        app.recording.begin(tmp_path / "mine")
+        app.recording.begin(short_folder / "mine")
         await step(app, pilot)
         assert "File exists" in screen_text(app) and not app.recording.running
-        assert (tmp_path / "mine").read_text() == "mine"
+        assert (short_folder / "mine").read_text() == "mine"
