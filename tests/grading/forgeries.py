@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import textwrap
 from dataclasses import dataclass
+from itertools import zip_longest
 
 from article import HELLO, INNER, LAUNCH, LISTENER, PACKAGE_XML, SETUP, SPINNER, STAR, TALKER, TOP, URDF
 
@@ -305,3 +306,11 @@ def _groups() -> dict[str, tuple[tuple[str, ...], list[list[Forgery | None]]]]:
 
 GROUPS = _groups()
 """Which lessons are played, and the parts that are spoiled independently of one another (None: this part is left good)."""
+
+
+def together(group: str) -> list[list[Forgery]]:
+    """The forgeries of each submission, one of each part: parts of one lesson do not disturb one another."""
+    return [[each for each in spoiled if each is not None] for spoiled in zip_longest(*GROUPS[group][1])]
+
+
+ALL = [forgery for group in GROUPS for spoiled in together(group) for forgery in spoiled]

@@ -6,7 +6,6 @@ import re
 import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from itertools import zip_longest
 from pathlib import Path
 
 import pytest
@@ -14,23 +13,15 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from article import write
-from forgeries import GROUPS, Forgery
+from forgeries import ALL, GROUPS, Forgery, together
 
 from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
 from day6_tui.core.lessons.grading.scenarios import gradings
 
 
-def _spoiled(group: str) -> list[list[Forgery]]:
-    """The forgeries of each submission, one of each part: parts of one lesson do not disturb one another."""
-    return [[each for each in together if each is not None] for together in zip_longest(*GROUPS[group][1])]
-
-
-ALL = [forgery for group in GROUPS for spoiled in _spoiled(group) for forgery in spoiled]
-
-
 def _submissions(folder: Path, group: str) -> Iterator[tuple[Path, list[Forgery]]]:
     """Pack the submissions."""
-    for number, spoiled in enumerate(_spoiled(group)):
+    for number, spoiled in enumerate(together(group)):
         changed: dict[str, str | None] = {}
         for forgery in spoiled:
             changed.update(forgery.files)

@@ -64,8 +64,7 @@ class Play:
             await stage.perform(filled(list(scenario.before), values))
             live.begin_step()
             # Those that listen have to do so before there is anything to hear.
-            for check in checks:
-                check.judge(live)
+            self._look(live, checks)
             await stage.perform(filled(list(scenario.run), values))
             verdicts = await self._judged(live, checks, scenario.within)
             wrong = [(verdict.wanted, verdict.saw) for verdict in verdicts if not verdict.ok]
@@ -92,12 +91,15 @@ class Play:
         """Look until all hold at once, the time is over, or nothing of the pupil's runs any more."""
         waited = idle = 0.0
         while True:
-            verdicts = [check.judge(live) for check in checks]
+            verdicts = self._look(live, checks)
             if all(verdict.ok for verdict in verdicts) or waited >= within or idle >= IDLE_SECONDS:
                 return verdicts
             idle = 0.0 if live.running() else idle + LOOK
             await self._session.sleep(LOOK)
             waited += LOOK
+
+    def _look(self, live: Live, checks: list[Condition]) -> list[Verdict]:
+        return [check.judge(live) for check in checks]
 
     @staticmethod
     def _with_output(live: Live, saw: Say | None) -> Say | None:
