@@ -10,8 +10,10 @@ import platform
 import re
 import sys
 import tempfile
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -22,6 +24,7 @@ from recorded_live import ROOT, read_lines
 from recorded_runs import ATTACKS, GOOD, RECORDED, Graded, graded_again, reasons, submissions
 
 from day6_tui.core.lessons.grading.scenarios import gradings
+from day6_tui.core.lessons.texts import Say
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="paths were recorded as Linux has them")
 
@@ -51,6 +54,19 @@ def test_a_good_submission_passes() -> None:
     found = graded(GOOD)
     assert list(found) == [scenario.name for grading in gradings() for scenario in grading.scenarios]
     assert {name: each.problems for name, each in found.items() if each.problems} == {}
+
+
+def test_what_needs_a_scenario_that_failed_is_not_played(tmp_path: Path) -> None:
+    spoiled = SUBMISSIONS[WHERE["urdf: is empty"]]
+    (day6,) = (each for each in gradings() if each.lesson == "day6")
+    both = replace(day6, scenarios=tuple(each for each in day6.scenarios if each.name in ("urdf", "launch")))
+    heard: dict[str, Any] = {}
+    submission, runs = spoiled._replace(gradings=(both,)), RUNS[spoiled.name]["runs"]
+    played = graded_again(submission, runs, tmp_path, lambda **said: heard.update({said["scenario"]: said}))
+    assert list(played) == ["urdf"]
+    assert {name: each["ok"] for name, each in heard.items()} == {"urdf": False, "launch": False}
+    needs, saw = Say("grade.needs", name="urdf"), Say("grade.needs_saw")
+    assert heard["launch"]["problems"] == [[needs.text("zh"), needs.text("en"), saw.text("zh"), saw.text("en")]]
 
 
 @pytest.mark.parametrize("name", SUBMISSIONS)
