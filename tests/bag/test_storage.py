@@ -13,6 +13,7 @@ from geometry_msgs.msg import PoseStamped
 from rosbag2_py._mcap_write import McapWriter
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._qos import from_yaml, offer_for, yaml_lines
+from rosbag2_py._sqlite import SqliteReader
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from waiting import run
@@ -73,6 +74,15 @@ def test_a_bag_gives_back_every_message_in_the_order_of_time(tmp_path, storage):
     times = [moment for _, _, moment in messages]
     assert times == sorted(times) and times[0] == START and times[1] == START + 5
     assert texts(messages) == [f"hi {number}" for number in range(100)]
+
+
+def test_who_stops_in_the_middle_of_a_file_that_is_closed_meanwhile_hears_nothing_of_it(tmp_path):
+    write(tmp_path / "bag", "sqlite3")
+    reader = SqliteReader(next((tmp_path / "bag").glob("*.db3")))
+    rows = reader.rows("SELECT id FROM messages ORDER BY id")
+    assert next(rows) == (1,)
+    reader.close()
+    rows.close()
 
 
 @pytest.mark.parametrize("storage", STORAGES)

@@ -204,7 +204,8 @@ class SqliteReader:
 
     def rows(self, query: str, *values: object) -> Iterator[tuple[Any, ...]]:
         try:
-            yield from self._database.execute(query, values)
+            # From the cursor itself, who is left early would close the cursor, maybe after the database.
+            yield from map(tuple, self._database.execute(query, values))
         except sqlite3.DatabaseError as error:
             raise BadBag(f"Error when reading {self._path.name}: {error}") from None
 
