@@ -73,7 +73,10 @@ SPREAD = (
 )
 """Files of long tests that share nothing, not even a fixture of their module."""
 
-FIRST = ("tests/inspector/test_lessons_end.py", "tests/lessons/test_played.py", "tests/grading/test_")
+FIRST = tuple(
+    f"tests/{name}.py"
+    for name in ("inspector/test_lessons_end", "lessons/test_played", "grading/test_forgeries", "grading/test_office")
+)
 """Files of tests that wait for half a minute and more: the others are done meanwhile."""
 
 # Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
