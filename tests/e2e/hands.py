@@ -176,8 +176,7 @@ class Pointer(Hands):
 
     def enlarge(self, title: str) -> None:
         column, row = self.mouse.find(f" {title}")
-        self.mouse.click(column + 2, row)
-        self.mouse.click(column + 2, row)
+        self.mouse.double_click(column + 2, row)
 
     def inspect(self) -> None:
         self._press_in_bar("F7")
@@ -208,8 +207,7 @@ class Pointer(Hands):
         column, row = self.mouse.find("RobotModel")
         self.mouse.wheel(column, row, -4)
         column, row = self.mouse.find("▸ Description Topic")
-        self.mouse.click(column + 4, row)
-        self.mouse.click(column + 4, row)
+        self.mouse.double_click(column + 4, row)
         self.screen.wait(self.texts("rviz.type_it"))
         self.mouse.click_on(f" {topic} ")
 

@@ -192,6 +192,7 @@ def test_section_5_the_wheels_turn_on_the_screen(place: Place, hands: str, lang:
         person.look_closely()
         screen.wait(lambda seen: blue(person) > LARGE)
         person.enlarge("2 RViz")
+        screen.wait(lambda seen: not screen.pane("1 day6_display"))  # without it, RViz may be as high before
         screen.wait(lambda seen: len(screen.pane("2 RViz")) == size[1] - 4 and blue(person) > LARGE)
         person.enlarge("2 RViz")
         screen.wait(pane(person, "1 day6_display", "Robot initialized"), lambda seen: blue(person) > LARGE)
