@@ -192,10 +192,16 @@ def test_ctrl_c_is_the_kernels_and_the_traceback_pythons(seat: Any) -> None:
 
 PRINTS_AND_NOTES_WHEN_IT_CANNOT = """\
 import itertools, os, select, time
+os.set_blocking(1, False)
 for n in itertools.count():
-    if os.path.exists('pressed') and not os.path.exists('stopped') and not select.select([], [1], [], 0)[1]:
-        open('stopped', 'w').write(f'{n}.')
-    print('line', n)
+    while True:
+        try:
+            os.write(1, f'line {n}\\n'.encode())
+            break
+        except BlockingIOError:
+            if os.path.exists('pressed') and not os.path.exists('stopped'):
+                open('stopped', 'w').write(f'{n}.')
+            select.select([], [1], [], 0.01)
     time.sleep(0.001)
 """
 
