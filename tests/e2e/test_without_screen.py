@@ -79,7 +79,8 @@ def test_the_shipped_launch_file_takes_sliders_and_another_robot(place: Place) -
         f"ros2 launch day6_bot display.launch.py sliders:=true robot:='{robot}' > log 2>&1 &\n"
         "ros2 topic echo --once --full-length --qos-durability transient_local "
         "/robot_description std_msgs/msg/String --field data\n"
-        "until ros2 node list | grep -q rviz2; do sleep 0.05; done\n"
+        "for node in joint_state_publisher robot_state_publisher rviz2; do\n"
+        "  until ros2 node list | grep -q $node; do sleep 0.05; done\ndone\n"
         "ros2 node list | grep -v transform\nkill -INT %1; wait\n"
     )
     assert '<robot name="cart">' in done.stdout, done.stdout + done.stderr
