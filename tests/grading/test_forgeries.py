@@ -19,6 +19,10 @@ from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
 from day6_tui.core.lessons.grading.scenarios import gradings
 
 
+AT_A_TIME = 8
+"""Of each group; more would make the machine slow for the tests beside."""
+
+
 def _submissions(folder: Path, group: str) -> Iterator[tuple[Path, list[Forgery]]]:
     """Pack the submissions."""
     for number, spoiled in enumerate(together(group)):
@@ -36,7 +40,7 @@ def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Result]:
     def graded(group: str) -> dict[str, Result]:
         packed = list(_submissions(folder, group))
         chosen = [each for each in gradings() if each.lesson in GROUPS[group][0]]
-        done: list[Graded] = Grader(chosen, seconds=150, answers={}).grade([file for file, _ in packed], 20)
+        done: list[Graded] = Grader(chosen, seconds=150, answers={}).grade([file for file, _ in packed], AT_A_TIME)
         return {
             forgery.id: result
             for each, (_, forgeries) in zip(done, packed, strict=True)
