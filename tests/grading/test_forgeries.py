@@ -18,7 +18,6 @@ from forgeries import ALL, GROUPS, Forgery, together
 from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
 from day6_tui.core.lessons.grading.scenarios import gradings
 
-
 AT_A_TIME = 8
 """Of each group; more would make the machine slow for the tests beside."""
 
