@@ -504,6 +504,15 @@ async def test_who_goes_elsewhere_while_a_new_window_appears_stays_there(desk) -
             assert app.desktop.focused_pane is there and app.screen.focused is there.focus_target
 
 
+async def test_of_two_new_windows_the_last_gets_the_keyboard(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        for title in ("First", "Second"):
+            window = desk.display.open("turtlesim", title, FakeSimulation(), chosen=True)
+        app.desktop.show_windows(desk.display.windows)
+        await step(app, pilot)
+        assert app.desktop.focused_pane is app.desktop.panes[window.number]
+
+
 async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) -> None:
     async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
         await pilot.press("f2", "f2", "f2")
