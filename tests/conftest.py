@@ -194,8 +194,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     from xdist.scheduler import LoadScopeScheduling
 
     class ByUnit(LoadScopeScheduling):
-        def _split_scope(self, nodeid: str) -> str:
-            return _unit(nodeid)
+        _split_scope = staticmethod(_unit)
 
     config.option.loadscopereorder = False
     return ByUnit(config, log)

@@ -198,7 +198,7 @@ class Scheduler:
             except KeyboardInterrupt:
                 continue  # from `insist`, for a step that ended at this very moment
             except BaseException:
-                # All programs need this thread, and the others have not failed. A panic of Zenoh's is no Exception.
+                # All programs need this thread, and the others have not failed. A panic in Zenoh isn't an Exception.
                 _log.exception("a turn of the scheduler failed")
                 with contextlib.suppress(Empty):
                     self._run_item(self._inbox.get(timeout=PAUSE_AFTER_FAILURE))

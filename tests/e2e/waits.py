@@ -30,5 +30,5 @@ def ready():
 """
 """Code of a function that has 'ready' printed once the main thread waits where it is, which is in the call that follows.
 
-On a busy machine it may stay anywhere for a while, because it is not its turn: then it doesn't sleep.
+On a busy machine it can be held up anywhere while others run, but then it isn't asleep.
 """

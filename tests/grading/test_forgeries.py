@@ -19,7 +19,7 @@ from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
 from day6_tui.core.lessons.grading.scenarios import gradings
 
 AT_A_TIME = 8
-"""Of each group; more would make the machine slow for the tests beside."""
+"""Submissions of each group that are graded at once; more would slow down the tests that run beside."""
 
 
 def _submissions(folder: Path, group: str) -> Iterator[tuple[Path, list[Forgery]]]:

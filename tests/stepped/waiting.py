@@ -15,7 +15,7 @@ PATIENCE = 30.0
 """Seconds something may take, on the clock of `Deadline`; nothing waits that long unless it is broken."""
 
 LONGEST_LOOK = 1.0
-"""Seconds that one look at the clock counts at most: who looks hundreds of times a second and misses more was stopped itself."""
+"""Seconds that one look at the clock counts at most: what looks hundreds of times a second and misses more was itself stopped."""
 
 _CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 

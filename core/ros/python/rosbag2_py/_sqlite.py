@@ -204,7 +204,7 @@ class SqliteReader:
 
     def rows(self, query: str, *values: object) -> Iterator[tuple[Any, ...]]:
         try:
-            # From the cursor itself, who is left early would close the cursor, maybe after the database.
+            # Closed early, a generator closes what it yields from: the cursor, perhaps after its database. A map is not closed.
             yield from map(tuple, self._database.execute(query, values))
         except sqlite3.DatabaseError as error:
             raise BadBag(f"Error when reading {self._path.name}: {error}") from None
