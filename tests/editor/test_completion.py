@@ -51,7 +51,7 @@ def at_the_end(text: str, tmp_path: Path) -> tuple[list[str], int]:
         ("from turtlesim.srv import Ki", ["Kill"], 26),
         ("from geometry_msgs.msg import Twist, Vec", ["Vector3", "Vector3Stamped"], 37),
         ("from rclpy.executors import SingleT", ["SingleThreadedExecutor"], 28),
-        ("import own_", ["own_module"], 7),
+        ("import pupils_", ["pupils_module"], 7),
         ("import no_such_thing", [], 7),
         ("import rclpy  # so.", [], 19),
         ("x = 1", [], 5),
@@ -59,7 +59,7 @@ def at_the_end(text: str, tmp_path: Path) -> tuple[list[str], int]:
     ],
 )
 def test_modules_and_their_names(tmp_path: Path, text: str, choices: list[str], start: int) -> None:
-    (tmp_path / "own_module.py").write_text("")
+    (tmp_path / "pupils_module.py").write_text("")
     found, begin = at_the_end(text, tmp_path)
     assert (found, begin) == (choices, start) if choices else found == []
 
