@@ -230,7 +230,7 @@ class Desktop(PaneHost):
         for number in [number for number in self.panes if number not in open_numbers]:
             self.drop(self.panes.pop(number))
         unseen: list[WindowPane[object]] = []
-        keyboard, newest = self.focused_pane, None
+        newest: Pane | None = None
         for window in windows:
             if window.number not in self.panes:
                 pane = make_window(window, self.look)
@@ -241,7 +241,7 @@ class Desktop(PaneHost):
                 elif not self.is_shown(pane):
                     unseen.append(pane)
         if newest is not None:
-            self.call_after_refresh(self._focus_new, newest, keyboard)
+            self.call_after_refresh(self._focus_new, newest, self.focused_pane)
         return unseen
 
     def break_window(self, pane: WindowPane[object], error: Exception) -> None:
