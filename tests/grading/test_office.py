@@ -15,17 +15,18 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from article import FILES, write
 
-from day6_tui.core.lessons.catalogue import days
+from day6_tui.core.lessons.catalogue import HERE
 from day6_tui.core.lessons.grading import reports
 from day6_tui.core.lessons.grading.archive import unpack
 from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
 from day6_tui.core.lessons.grading.scenarios import gradings, read_grading
 from day6_tui.core.lessons.progress import FOLDER, Progress, StepDone, file_of, load, save
+from day6_tui.core.lessons.reading import read_lesson
 from day6_tui.core.lessons.texts import TEXTS
 from day6_tui.core.width import text_width
 from day6_tui.tui.main import main
 
-ONE, TWO = (step.name for step in days()[0].steps[:2])
+ONE, TWO = (step.name for step in read_lesson(HERE / "days" / "day1.md").steps[:2])
 
 
 @pytest.fixture

@@ -9,8 +9,9 @@ import pytest
 from lab import Lab
 from lesson_player import play
 
-from day6_tui.core.lessons.catalogue import days
+from day6_tui.core.lessons.catalogue import HERE
 from day6_tui.core.lessons.document import Step
+from day6_tui.core.lessons.reading import read_lesson
 
 ON_PURPOSE = {
     ("day4", "not-found"): {"not_sourced"},  # the new package is not found before it is sourced
@@ -32,7 +33,7 @@ ON_PURPOSE = {
 LOOKED = 2
 """Looks of the inspector after a step."""
 
-DAYS = {lesson.name: lesson for lesson in days()}
+DAYS = {path.stem: path for path in (HERE / "days").glob("*.md")}
 
 
 @pytest.mark.process
@@ -46,9 +47,9 @@ def test_after_a_step_there_is_no_alarm_but_what_the_step_is_about(lab: Lab, nam
         missing = [key for key in wanted - set(said) if lab.finds(key)[0] is None]
         wrong.extend(f"{step.name}: {key} is not found" for key in missing)
 
-    play(lab, DAYS[name], look)
+    play(lab, read_lesson(DAYS[name]), look)
     assert not wrong, "\n".join(wrong)
 
 
 def test_the_steps_on_purpose_are_there() -> None:
-    assert set(ON_PURPOSE) <= {(name, step.name) for name, lesson in DAYS.items() for step in lesson.steps}
+    assert set(ON_PURPOSE) <= {(name, step.name) for name, path in DAYS.items() for step in read_lesson(path).steps}

@@ -6,6 +6,7 @@ No process and no real time: `record_histories.py` wrote down what the checks we
 from __future__ import annotations
 
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -23,25 +24,30 @@ from day6_tui.core.lessons.reading import read_lesson
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="paths were recorded as Linux has them")
 
 HISTORIES = {(each["file"], step["step"]): step["moments"] for each in read_histories() for step in each["steps"]}
-STEPS = {(path.name, step.name): (step, path.parent) for path in SHIPPED for step in read_lesson(path).steps}
-IDS = [f"{file.removesuffix('.md')}/{step}" for file, step in STEPS]
+IDS = [f"{file.removesuffix('.md')}/{step}" for file, step in HISTORIES]
 
 OTHERS = frozenset({"changes", "listens", "no_file", "no_topic", "points", "service", "talks"})
 """Checks that no shipped lesson has; those that hidden scenarios have are in tests/grading/test_recorded_runs.py."""
 
 
-@pytest.mark.parametrize("where", STEPS, ids=IDS)
+@cache
+def steps() -> dict[tuple[str, str], tuple[Step, Path]]:
+    """Every step that ships, by its file and name, with the folder of the file."""
+    return {(path.name, step.name): (step, path.parent) for path in SHIPPED for step in read_lesson(path).steps}
+
+
+@pytest.mark.parametrize("where", HISTORIES, ids=IDS)
 def test_checks_judge_what_they_were_told_as_they_did(where: tuple[str, str]) -> None:
-    step, folder = STEPS[where]
+    step, folder = steps()[where]
     moments = HISTORIES[where]
     found = judged(step, moments, folder)
     assert found == [each["verdicts"] for each in moments]
     assert not any(_is_broken(verdict) for verdicts in found for verdict in verdicts)
 
 
-@pytest.mark.parametrize("where", STEPS, ids=IDS)
+@pytest.mark.parametrize("where", HISTORIES, ids=IDS)
 def test_a_step_begins_unsolved_refuses_wrong_answers_and_is_solved_at_the_end(where: tuple[str, str]) -> None:
-    step, folder = STEPS[where]
+    step, folder = steps()[where]
     moments = HISTORIES[where]
     found = list(zip(moments, judged(step, moments, folder), strict=True))
     assert moments[0]["part"] == "before"
@@ -56,18 +62,18 @@ def test_a_step_begins_unsolved_refuses_wrong_answers_and_is_solved_at_the_end(w
 
 
 def test_every_step_with_all_its_wrong_answers_is_recorded_and_nothing_else() -> None:
-    assert set(HISTORIES) == set(STEPS)
-    for where, (step, _) in STEPS.items():
+    assert set(HISTORIES) == set(steps())
+    for where, (step, _) in steps().items():
         parts = ["before", *(f"wrong {number}" for number in range(1, len(step.wrong) + 1)), "solve"]
         assert list(dict.fromkeys(each["part"] for each in HISTORIES[where])) == parts, where
 
 
 def test_every_check_is_seen_to_hold_and_not_to_hold() -> None:
-    used = {name for step, _ in STEPS.values() for name in _names(step)}
+    used = {name for step, _ in steps().values() for name in _names(step)}
     assert set(kinds()) - used == OTHERS
     seen = {
         (part.name, verdict[0])
-        for where, (step, _) in STEPS.items()
+        for where, (step, _) in steps().items()
         for moment in HISTORIES[where]
         for part, verdict in zip(step.checks, moment["verdicts"], strict=True)
     }
