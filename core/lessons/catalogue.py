@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from itertools import islice
 from pathlib import Path
 
@@ -49,14 +50,16 @@ def shipped_names() -> set[str]:
     return found
 
 
-def days() -> list[Lesson]:
+@cache
+def days() -> tuple[Lesson, ...]:
     """The six days."""
-    return lessons_in(HERE / "days").lessons
+    return tuple(lessons_in(HERE / "days").lessons)
 
 
-def drills() -> list[Lesson]:
+@cache
+def drills() -> tuple[Lesson, ...]:
     """The drills, by topic and the number of their fault."""
-    return by_topic(lessons_in(HERE / "drills").lessons)
+    return tuple(by_topic(lessons_in(HERE / "drills").lessons))
 
 
 def is_shipped(lesson: Lesson) -> bool:

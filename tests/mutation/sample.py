@@ -1,12 +1,12 @@
 """Plants faults by chance in a part of day6-tui and prints the share that the tests of the same folder catch.
 
-    python tests/mutation/sample.py [--parts rclpy,graph,…] [--number 50] [--seed 1] [--jobs 2] [--default-layer]
+    python tests/mutation/sample.py [--parts rclpy,graph,…] [--number 50] [--seed 1] [--jobs 2]
 
 The faults (mutants) are those of cosmic-ray (an operator, a comparison, a number, a condition, a loop, an exception changed),
 and a few more that people make: a call forgotten, min for max, any for all. A part's places are all equally likely, whatever
 can be done at them. Every mutant is planted in a copy of the checkout, which has an environment of its own; the tests that run
-its line come first, then the rest of the folder; with `--default-layer` only those of that layer. A run that takes far too long
-counts as caught.
+its line come first, then the rest of the folder: those of the default layer, and if these do not notice, all. A run that takes
+far too long counts as caught.
 
 Survivors are printed as they would be typed. One that changes nothing that can be observed is entered, with the reason, into
 `equivalent.json` beside this file, and counted apart from then on. Started by hand, on Linux or macOS, with the extra `mutation`.
@@ -17,6 +17,7 @@ from __future__ import annotations
 import argparse
 import ast
 import contextlib
+import itertools
 import json
 import os
 import random
@@ -28,6 +29,7 @@ import sysconfig
 import tempfile
 import time
 import venv
+from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -40,6 +42,10 @@ from cosmic_ray.mutating import MutationVisitor
 from cosmic_ray.operators.provider import OperatorProvider
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "stepped"))
+
+import one_process  # noqa: E402
+
 ROOT = HERE.parents[1]
 # Where the sources of a part are, and the folder of its tests.
 PARTS = {
@@ -50,6 +56,7 @@ PARTS = {
     "shell": ("core/shell", "tests/shell"),
     "urdf": ("urdf", "tests/urdf"),
 }
+NONE_PLAYED = 5  # a status of pytest
 OPERATORS = OperatorProvider()
 # These two need to be told which variable. Whether `is` or `==` stands there (ReplaceComparisonOperator_…_Is…) changes nothing
 # for None, small numbers and members of enumerations.
@@ -209,9 +216,7 @@ def sampled(part: str, number: int, seed: int) -> list[Mutant]:
 class Copy:
     """A copy of the checkout in which a mutant can be planted without touching what anybody works on."""
 
-    def __init__(self, folder: Path, layer: tuple[str, ...] = ("--whole",)) -> None:
-        """`layer` is what tells pytest which tests to play."""
-        self._layer = layer
+    def __init__(self, folder: Path) -> None:
         self._root = folder / "checkout"
         listed = subprocess.run(
             ["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, stdout=subprocess.PIPE, check=True
@@ -247,11 +252,11 @@ class Copy:
             "addopts=--import-mode=importlib",
         ]
         process = subprocess.Popen(
-            [*command, *self._layer, *arguments], cwd=self._root, env={**os.environ, **env},
+            [*command, *arguments], cwd=self._root, env={**os.environ, **env},
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
         )  # fmt: skip
         try:
-            return process.wait(timeout) == 0
+            return process.wait(timeout) in (0, NONE_PLAYED)
         except subprocess.TimeoutExpired:
             return False
         finally:
@@ -271,10 +276,15 @@ def end_group(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
+LAYERS = {"default layer": (), "whole": ("-m", " or ".join(one_process.LAYERS))}
+"""What tells pytest which tests to play; those of the second come after those of the first."""
+
+
 @dataclass
 class Lines:
-    """Which tests run which line of a part, and how long each takes."""
+    """Which tests of a layer run which line of a part, and how long each takes."""
 
+    layer: str
     tests: dict[str, dict[int, list[str]]]
     seconds: dict[str, float]
     failing: list[str]
@@ -286,20 +296,22 @@ class Lines:
         return sorted(found, key=lambda test: self.seconds.get(test, 0.0))
 
 
-def mapped(copy: Copy, part: str, folder: Path) -> Lines:
-    """Run a part's tests once and return which lines each of them runs.
+def mapped(copy: Copy, part: str, layer: str, folder: Path) -> Lines:
+    """Run a part's tests of a layer once and return which lines each of them runs.
 
     Raises:
         SystemExit: more than a few of them fail without any mutant.
     """
     source, tests = PARTS[part]
-    out = folder / f"{part}.json"
-    copy.tests(tests, "-p", "lines_of_tests", "--maxfail=6", MUTATION_SOURCE=source, MUTATION_OUT=str(out))
+    out = folder / f"{part} {layer}.json"
+    copy.tests(
+        *LAYERS[layer], tests, "-p", "lines_of_tests", "--maxfail=6", MUTATION_SOURCE=source, MUTATION_OUT=str(out)
+    )
     data = json.loads(out.read_text(encoding="utf-8"))
     if len(data["failed"]) > 5:
         sys.exit(f"{tests} fails as it is: {', '.join(data['failed'])}")
     by_file = {file: {int(line): names for line, names in lines.items()} for file, lines in data["lines"].items()}
-    return Lines(by_file, data["seconds"], data["failed"])
+    return Lines(layer, by_file, data["seconds"], data["failed"])
 
 
 def caught(copy: Copy, mutant: Mutant, lines: Lines, tests: str) -> bool:
@@ -313,15 +325,16 @@ def caught(copy: Copy, mutant: Mutant, lines: Lines, tests: str) -> bool:
             return True
         known = [*lines.failing, *(first if len(first) < 1000 else ())]
         others = [option for test in known for option in ("--deselect", test)]
-        return not copy.tests("-x", tests, *others, timeout=60 + 3 * sum(lines.seconds.values()))
+        return not copy.tests("-x", *LAYERS[lines.layer], tests, *others, timeout=60 + 3 * sum(lines.seconds.values()))
     finally:
         copy.plant(mutant.file, original)
 
 
-def measure(part: str, options: argparse.Namespace, copies: list[Copy], folder: Path) -> tuple[int, int, int]:
-    """Print a part's survivors and return how many mutants there were, how many were caught, how many are equivalent."""
+def measure(part: str, options: argparse.Namespace, copies: list[Copy], folder: Path) -> Counter[str]:
+    """Print a part's survivors and count the mutants: by the layer that caught them, "survived", "equivalent"."""
     mutants = sampled(part, options.number, options.seed)
-    lines = mapped(copies[0], part, folder)
+    with ThreadPoolExecutor(len(copies)) as workers:
+        maps = list(workers.map(lambda copy, layer: mapped(copy, part, layer, folder), itertools.cycle(copies), LAYERS))
     known = json.loads((HERE / "equivalent.json").read_text(encoding="utf-8"))
     free: SimpleQueue[Copy] = SimpleQueue()
     for copy in copies:
@@ -333,18 +346,18 @@ def measure(part: str, options: argparse.Namespace, copies: list[Copy], folder: 
             return f"equivalent: {reason}"
         copy = free.get()
         try:
-            return "caught" if caught(copy, mutant, lines, PARTS[part][1]) else "survived"
+            return next((lines.layer for lines in maps if caught(copy, mutant, lines, PARTS[part][1])), "survived")
         finally:
             free.put(copy)
 
-    counts = {"caught": 0, "survived": 0, "equivalent": 0}
+    counts: Counter[str] = Counter()
     with ThreadPoolExecutor(len(copies)) as workers:
         for mutant, result in zip(mutants, workers.map(outcome, mutants), strict=True):
             counts[result.partition(":")[0]] += 1
-            if result != "caught" or options.verbose:
+            if result not in LAYERS or options.verbose:
                 print(f"{mutant.file}:{mutant.line} {mutant.operator}: {result}")
                 print(f"    - {mutant.before}\n    + {mutant.after}", flush=True)
-    return len(mutants), counts["caught"], counts["equivalent"]
+    return counts
 
 
 def main() -> int:
@@ -353,23 +366,27 @@ def main() -> int:
     parser.add_argument("--number", type=int, default=50, help="mutants of each part")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2, help="mutants tried at the same time")
-    parser.add_argument("--default-layer", action="store_true", help="plays the tests of the default layer only")
     parser.add_argument("--verbose", action="store_true", help="print those that were caught, too")
     options = parser.parse_args()
-    rows = []
+    rows: dict[str, Counter[str]] = {}
     with tempfile.TemporaryDirectory(prefix="mutants-") as name:
         folder = Path(name)
         copies = []
         for number in range(options.jobs):
             (folder / str(number)).mkdir()
-            copies.append(Copy(folder / str(number), () if options.default_layer else ("--whole",)))
+            copies.append(Copy(folder / str(number)))
         for part in options.parts.split(","):
             print(f"== {part}", flush=True)
-            rows.append((part, *measure(part, options, copies, folder)))
-    rows.append(("all", *(sum(row[i] for row in rows) for i in (1, 2, 3))))
-    print("\n| part | mutants | caught | equivalent | caught of the others |\n| --- | --- | --- | --- | --- |")
-    for part, number, found, same in rows:
-        print(f"| {part} | {number} | {found} | {same} | {found / max(1, number - same):.0%} |")
+            rows[part] = measure(part, options, copies, folder)
+    rows["all"] = sum(rows.values(), Counter())
+    print(
+        f"\n| part | mutants | equivalent | caught of the others by the {' | by the '.join(LAYERS)} |\n{'| --- ' * 5}|"
+    )
+    for part, counts in rows.items():
+        real = counts.total() - counts["equivalent"]
+        shares = (sum(counts[layer] for layer in list(LAYERS)[: at + 1]) / max(1, real) for at in range(len(LAYERS)))
+        cells = (part, counts.total(), counts["equivalent"], *(f"{share:.0%}" for share in shares))
+        print(f"| {' | '.join(map(str, cells))} |")
     return 0
 
 
