@@ -79,6 +79,9 @@ FIRST = tuple(
 )
 """Files of tests that wait for half a minute and more: the others are done meanwhile."""
 
+MUCH_GARBAGE, MANY_COLLECTIONS = 50_000, 20
+"""Objects that are new since the last collection; collections of young objects since the last one of all."""
+
 # Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
 OWN = make_short_folder("d6t-")
 # Where it is told that a program makes all the others wait (core/session/watch.py), if it was started for several tests.
@@ -145,11 +148,14 @@ one_process.install()
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--whole", action="store_true", help="all tests, not only those of the default layer")
+    parser.addoption("--switch-interval", type=float, metavar="SECONDS", help="how soon Python lets another thread run")
     skips.add_option(parser)
 
 
 def pytest_configure(config: pytest.Config) -> None:
     """Choose the default layer, unless `-m` or `--whole` chooses, or all that is named are files."""
+    if (interval := config.getoption("--switch-interval")) is not None:
+        sys.setswitchinterval(interval)
     for name, what in one_process.LAYERS.items():
         config.addinivalue_line("markers", f"{name}: {what}")
     chosen = config.getoption("--whole") or any(word.startswith("-m") for word in config.invocation_params.args)
@@ -158,10 +164,13 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Spare the garbage collector what stays until the end: it took a fourteenth of the time of a run."""
+    """Collect garbage only between tests: finalizers of an earlier one have no place in deep recursions of the next.
+
+    What stays until the end is spared: it took a fourteenth of the time of a run.
+    """
     gc.collect()
     gc.freeze()
-    gc.set_threshold(20_000, 20, 50)
+    gc.disable()
 
 
 @pytest.hookimpl(wrapper=True)
@@ -172,6 +181,8 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
         return (yield)
     finally:
         one_process.end()
+        if gc.get_count()[0] > MUCH_GARBAGE:
+            gc.collect(2 if gc.get_count()[2] > MANY_COLLECTIONS else 1)
 
 
 def _unit(nodeid: str) -> str:
