@@ -9,16 +9,17 @@ machine's own meeting point requires a password.)
 
 from __future__ import annotations
 
-import queue
 import threading
 import time
 from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
+from queue import Empty
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.endpoints import EndpointKind
+from day6_tui.core.inbox import Inbox
 from day6_tui.core.link.admission import Admission, Token, token_of
 from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
@@ -66,7 +67,7 @@ class Bridge:
         self._report = report
         self._refusals = refusals
         self._is_neighbour = is_neighbour
-        self._work: queue.SimpleQueue[Callable[[], object] | None] = queue.SimpleQueue()
+        self._work: Inbox[Callable[[], object] | None] = Inbox()
         self._tokens: tuple[dict[str, Any], dict[str, Any]] = {}, {}
         """The tokens we declared, by side; each mirrors one of the other side."""
         self._routes: dict[tuple[int, str, str], tuple[Any, Counter[str]]] = {}
@@ -185,7 +186,7 @@ class Bridge:
         while True:
             try:
                 work = self._work.get(timeout=_RETRY_SECONDS)
-            except queue.Empty:
+            except Empty:
                 work = self._do_upkeep
             if work is None:
                 return

@@ -7,12 +7,13 @@ import time
 from collections import Counter, defaultdict, deque
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from queue import Empty, SimpleQueue
+from queue import Empty
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId, Service
 from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.graph.node import Node
+from day6_tui.core.inbox import Inbox
 from day6_tui.core.link.announcing import Announcements
 from day6_tui.core.link.classroom.part import Part
 from day6_tui.core.link.config import command_config, process_config
@@ -114,7 +115,7 @@ class Link:
         self._insides: zenoh.Queryable[None] | None = None
         self._remove_listener: Callable[[], None] | None = None
         # Zenoh's threads never touch the graph's structure, they only put entries here: they may hold locks of Zenoh's.
-        self._inbox: SimpleQueue[_Entry] = SimpleQueue()
+        self._inbox: Inbox[_Entry] = Inbox()
         self._changed = threading.Condition()
         self._presence: defaultdict[str, set[str]] = defaultdict(set)
         self._closed = False

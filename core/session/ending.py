@@ -14,9 +14,10 @@ import signal
 import sys
 import threading
 from collections.abc import Callable
-from queue import Empty, SimpleQueue
+from queue import Empty
 from typing import NamedTuple
 
+from day6_tui.core.inbox import Inbox
 from day6_tui.core.session.cores import Allowance, join
 
 RESTORE_SECONDS = 0.5
@@ -52,8 +53,7 @@ class Ending:
         self.wake_main_thread: Callable[[], object] | None = None
         """Called after every signal, from another thread: wakes the main thread, where signal handlers run."""
         self._steps = steps
-        # SimpleQueue is the only queue that is safe in a signal handler which interrupts another use of it.
-        self._orders: SimpleQueue[bool] = SimpleQueue()
+        self._orders: Inbox[bool] = Inbox()
         """True: take the next step. False: everything has ended."""
         threading.Thread(target=self._watch, name="day6-ending", daemon=True).start()
 

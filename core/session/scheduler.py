@@ -19,9 +19,10 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Coroutine
-from queue import Empty, SimpleQueue
+from queue import Empty
 from typing import Any
 
+from day6_tui.core.inbox import Inbox
 from day6_tui.core.session import blocking_files
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.task import YIELD, Task, Wait
@@ -58,7 +59,7 @@ class Scheduler:
         self.may_wait = may_wait
         """Whether its program may block: it is the only one, at a real terminal, and may for instance open a named pipe."""
         clock.on_change = self.wake
-        self._inbox: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
+        self._inbox: Inbox[Callable[[], None] | None] = Inbox()
         self._ready: deque[tuple[Task, int, bool]] = deque()
         self._deadlines: list[tuple[int, int, Task, int]] = []
         self._order = itertools.count()

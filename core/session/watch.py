@@ -21,6 +21,8 @@ from collections.abc import Callable
 from types import FrameType
 from typing import Any
 
+from day6_tui.core.inbox import Inbox
+
 VARIABLE = "DAY6_WATCH"
 EVERY = 0.1
 SAMPLES = 10
@@ -125,7 +127,7 @@ def _sample() -> None:
         frames = sys._current_frames()
         for thread, file in list(_threads.items()):
             frame = frames.get(thread)
-            if frame is None or frame.f_code.co_name == "_turn":  # waiting in its inbox for work
+            if frame is None or _idles(frame):
                 standing.pop(thread, None)
                 continue
             place = (id(frame), frame.f_lasti)
@@ -138,6 +140,12 @@ def _sample() -> None:
                 standing[thread] = (place, used, 0)
             else:
                 standing[thread] = (place, before[1], before[2] + 1)
+
+
+def _idles(frame: FrameType) -> bool:
+    """Whether the scheduler waits in its inbox for work."""
+    caller = frame.f_back
+    return frame.f_code is Inbox.get.__code__ and caller is not None and caller.f_code.co_name == "_turn"
 
 
 def _report(path: str, what: str, frame: FrameType | None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from queue import Empty
 from types import SimpleNamespace
 from typing import Any
 
@@ -303,7 +304,7 @@ def test_upkeep_is_done_when_a_second_brings_no_work(it: Bridged) -> None:
         def get(self, *, timeout: float) -> Any:
             waits.append(timeout)
             if len(waits) == 1:
-                raise bridge_module.queue.Empty
+                raise Empty
             return None
 
         def empty(self) -> bool:

@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from source_files import ROOT, TOPS, nodes, trees
+from source_files import ROOT, TOPS, nodes, sources, trees
 
 from day6_tui.core.ros import executables
 from day6_tui.core.ros.environment import program_environment
@@ -130,6 +130,12 @@ def test_text_is_read_and_written_as_utf8_everywhere() -> None:
             ):
                 offenders.append(f"{path}:{node.lineno}: {ast.unparse(node)}")
     assert offenders == []
+
+
+def test_nobody_waits_for_some_time_at_a_queue_that_may_forget_to_end_it() -> None:
+    """`SimpleQueue.get(timeout=…)` of Python 3.10 to 3.12: see core/inbox.py."""
+    for path, text in sources():
+        assert "SimpleQueue" not in text or "get(timeout" not in text or path.name == "inbox.py", path
 
 
 def _is_text(call: ast.Call) -> bool:

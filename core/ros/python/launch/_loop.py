@@ -12,8 +12,10 @@ import itertools
 import threading
 import time
 from collections.abc import Callable, Coroutine
-from queue import Empty, SimpleQueue
+from queue import Empty
 from typing import Any
+
+from day6_tui.core.inbox import Inbox
 
 
 class Future:
@@ -105,7 +107,7 @@ class Loop:
     """See the module's docstring. `run_next` is for the loop's own thread, `call_soon_threadsafe` for all threads."""
 
     def __init__(self) -> None:
-        self._inbox: SimpleQueue[Callable[[], object]] = SimpleQueue()
+        self._inbox: Inbox[Callable[[], object]] = Inbox()
         self._timers: list[tuple[float, int, Timer]] = []
         self._count = itertools.count()
         self._thread: int | None = None
