@@ -35,7 +35,9 @@ curses.wrapper(main)
 print('curses over')
 """
 
-TELEOP = """\
+TELEOP = (
+    READY
+    + """\
 import select
 import sys
 import termios
@@ -46,8 +48,9 @@ print('reading keys')
 try:
     while True:
         tty.setraw(sys.stdin.fileno())
-        ready, _, _ = select.select([sys.stdin], [], [], 0.1)
-        key = sys.stdin.read(1) if ready else ''
+        ready()
+        readable, _, _ = select.select([sys.stdin], [], [], 600.0)
+        key = sys.stdin.read(1) if readable else ''
         termios.tcsetattr(sys.stdin, termios.TCSADRAIN, settings)
         if key == '\\x03':
             break
@@ -57,7 +60,10 @@ finally:
     termios.tcsetattr(sys.stdin, termios.TCSADRAIN, settings)
     print('restored')
 """
-"""How every teleop script of a course reads the keyboard."""
+)
+"""How every teleop script of a course reads the keyboard, but they look for a tenth of a second only. What is typed between two
+looks is flushed by `setraw`, and a Ctrl-C is a signal then.
+"""
 
 GETPASS = """\
 import getpass
@@ -117,9 +123,9 @@ def test_a_teleop_script_reads_single_keys_and_its_ctrl_c(place: Place) -> None:
     place.home_file("keys.py", TELEOP)
     with desk(place) as screen:
         screen.line("python3 keys.py")
-        screen.wait_lines("reading keys")
+        screen.wait("reading keys", "ready")
         screen.send("w")
-        screen.wait_lines("key <w>")
+        screen.wait("key <w>", lambda seen: seen.count("ready") == 2)
         screen.press("Ctrl-C")
         screen.wait_lines("restored")
         screen.line("echo still $?")
