@@ -10,6 +10,7 @@ import gc
 import importlib.util
 import itertools
 import os
+import platform
 import shutil
 import signal
 import string
@@ -142,7 +143,7 @@ from day6_tui.core.ros.environment import activate  # noqa: E402
 
 activate()
 
-
+platform.processor()  # asks another program, once in a process: a test that comes first must not have to
 one_process.install()
 
 
