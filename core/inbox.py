@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import threading
 import time
 from collections import deque
@@ -13,10 +14,10 @@ T = TypeVar("T")
 
 
 class Inbox(Generic[T]):
-    """An unbounded queue that one thread reads. Any thread may put something in; so may a signal handler, whatever it interrupts.
+    """An unbounded queue that one thread reads. Any thread may put something in, and so may a signal handler at any moment.
 
-    `queue.SimpleQueue` until Python 3.12 waits for ever, not for `timeout`, where the thread loses its core for longer than that
-    inside of `get`: a short timeout on a slow machine. `queue.Queue` is not for signal handlers.
+    Up to Python 3.12, `queue.SimpleQueue.get(timeout=…)` can wait forever: if the thread loses its core inside the call for
+    longer than the timeout, as happens with short ones on slow machines. `queue.Queue` isn't safe in signal handlers.
     """
 
     def __init__(self) -> None:
@@ -28,28 +29,28 @@ class Inbox(Generic[T]):
         """Append an item and wake the reader."""
         self._items.append(item)
         if self._nothing_new.locked():
-            with contextlib.suppress(RuntimeError):  # somebody else was faster
+            with contextlib.suppress(RuntimeError):  # another thread has just done it
                 self._nothing_new.release()
 
     def get(self, timeout: float | None = None) -> T:
-        """Take the oldest item, waiting for one.
+        """Remove and return the oldest item, waiting until there is one.
 
         Raises:
-            queue.Empty: there was none for `timeout` seconds.
+            queue.Empty: none came within `timeout` seconds.
         """
-        end = None if timeout is None else time.monotonic() + timeout
+        end = math.inf if timeout is None else time.monotonic() + timeout
         while not self._items:
-            left = threading.TIMEOUT_MAX if end is None else min(end - time.monotonic(), threading.TIMEOUT_MAX)
-            if not self._nothing_new.acquire(timeout=max(0.0, left)) and not self._items:
+            left = max(0.0, end - time.monotonic())
+            if not self._nothing_new.acquire(timeout=min(left, threading.TIMEOUT_MAX)) and not left:
                 raise Empty
         return self._items.popleft()
 
     def get_nowait(self) -> T:
-        """Take the oldest item. Raises queue.Empty if there is none."""
+        """Remove and return the oldest item; raise queue.Empty if there is none."""
         return self.get(0.0)
 
     def empty(self) -> bool:
-        """Whether there is nothing to take now."""
+        """Whether there are no items now."""
         return not self._items
 
     def qsize(self) -> int:

@@ -241,6 +241,7 @@ class Desktop(PaneHost):
                 elif not self.is_shown(pane):
                     unseen.append(pane)
         if newest is not None:
+            # Where nobody had the keyboard yet, the newest pane counts as its owner by now.
             self.call_after_refresh(self._focus_new, newest, self.focused_pane)
         return unseen
 

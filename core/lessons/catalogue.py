@@ -24,7 +24,7 @@ _NAMED = re.compile(r"(?:lesson|drill): *([\w-]+)")
 class Found:
     """The lessons of a folder in their order, and what is wrong with the others."""
 
-    lessons: list[Lesson]
+    lessons: tuple[Lesson, ...]
     mistakes: list[LessonMistakes]
 
 
@@ -38,7 +38,7 @@ def lessons_in(folder: Path) -> Found:
             lessons.append(read_lesson(path))
         except LessonMistakes as error:
             mistakes.append(error)
-    return Found(sorted(lessons, key=lambda each: (each.is_drill, each.order, each.name)), mistakes)
+    return Found(tuple(sorted(lessons, key=lambda each: (each.is_drill, each.order, each.name))), mistakes)
 
 
 def shipped_names() -> set[str]:
@@ -52,13 +52,13 @@ def shipped_names() -> set[str]:
 
 @cache
 def days() -> tuple[Lesson, ...]:
-    """The six days."""
-    return tuple(lessons_in(HERE / "days").lessons)
+    """The six days, read once in a process."""
+    return lessons_in(HERE / "days").lessons
 
 
 @cache
 def drills() -> tuple[Lesson, ...]:
-    """The drills, by topic and the number of their fault."""
+    """The drills, by topic and the number of their fault, read once in a process."""
     return tuple(by_topic(lessons_in(HERE / "drills").lessons))
 
 

@@ -109,7 +109,7 @@ def _print_mistakes(path: Path, mistakes: Iterable[Mistake]) -> None:
         print(one_line(f"{path}:{each.line}: {told}"), file=sys.stderr)
 
 
-def _one(options: argparse.Namespace, lesson: Lesson, others: list[Lesson]) -> int:
+def _one(options: argparse.Namespace, lesson: Lesson, others: Iterable[Lesson]) -> int:
     if options.verb == "check":
         remarks = [*_same_name(lesson, others), *lesson.remarks]
         _print_mistakes(lesson.path, remarks)
@@ -125,7 +125,7 @@ def _one(options: argparse.Namespace, lesson: Lesson, others: list[Lesson]) -> i
     return _play(lesson, options.step)
 
 
-def _same_name(lesson: Lesson, others: list[Lesson]) -> list[Mistake]:
+def _same_name(lesson: Lesson, others: Iterable[Lesson]) -> list[Mistake]:
     """Progress is kept under the name: two lessons of one name would share it."""
     line = lesson.line
     if HERE not in lesson.path.resolve().parents and lesson.name in shipped_names():

@@ -162,7 +162,7 @@ class Course:
     async def load(self) -> None:
         """Read the lessons and how far the pupil is."""
         pupil, folder = self.progress.pupil, self._folder
-        found = await in_thread(lambda: lessons_in(folder) if folder is not None else Found(list(days()), []))
+        found = await in_thread(lambda: lessons_in(folder) if folder is not None else Found(days(), []))
         self.lessons = tuple(lesson for lesson in found.lessons if not lesson.is_drill)
         own = [lesson for lesson in found.lessons if lesson.is_drill]
         self.drills = (*by_topic(own), *await in_thread(drills))

@@ -173,7 +173,7 @@ def main(arguments: list[str], language: str) -> int:
         tell("report.broken", file=path, reason=reason)
     if not pupils:
         return tell("report.none", folder=folder)
-    own = days() if options.lessons is None else tuple(lessons_in(options.lessons).lessons)
+    own = lessons_in(options.lessons).lessons if options.lessons is not None else days()
     faults = [*(lesson for lesson in own if lesson.is_drill), *drills()]
     found = lines_of(pupils, [lesson for lesson in own if not lesson.is_drill], faults)
     try:

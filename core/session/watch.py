@@ -127,7 +127,7 @@ def _sample() -> None:
         frames = sys._current_frames()
         for thread, file in list(_threads.items()):
             frame = frames.get(thread)
-            if frame is None or _idles(frame):
+            if frame is None or _waits_for_work(frame):
                 standing.pop(thread, None)
                 continue
             place = (id(frame), frame.f_lasti)
@@ -142,8 +142,8 @@ def _sample() -> None:
                 standing[thread] = (place, before[1], before[2] + 1)
 
 
-def _idles(frame: FrameType) -> bool:
-    """Whether the scheduler waits in its inbox for work."""
+def _waits_for_work(frame: FrameType) -> bool:
+    """Whether this is the scheduler, waiting in its inbox."""
     caller = frame.f_back
     return frame.f_code is Inbox.get.__code__ and caller is not None and caller.f_code.co_name == "_turn"
 

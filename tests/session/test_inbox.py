@@ -6,35 +6,40 @@ import signal
 import threading
 from collections.abc import Callable
 from queue import Empty
+from typing import TypeVar
 
 import pytest
 from waiting import until
 
 from day6_tui.core.inbox import Inbox
 
+T = TypeVar("T")
+
 TIMES = 20_000
 """Shortly before the end of a short timeout a thread loses its core often enough in so many."""
 
 
-def is_over(act: Callable[[], object]) -> bool:
-    """Whether what is done in a thread ends; a thread that waits for ever is left behind."""
-    thread = threading.Thread(target=act, daemon=True)
+def in_thread(act: Callable[[], T]) -> T:
+    """What a function returns that is called in a thread; a thread that waits forever is left behind."""
+    returned: list[T] = []
+    thread = threading.Thread(target=lambda: returned.append(act()), daemon=True)
     thread.start()
     until(lambda: not thread.is_alive())
-    return not thread.is_alive()
+    return returned[0]
 
 
 def test_a_wait_ends_after_its_time_however_short_it_was() -> None:
     inbox: Inbox[int] = Inbox()
 
-    def wait() -> None:
+    def wait() -> int:
         for number in range(TIMES):
             inbox.put(number)
             assert inbox.get() == number
             with pytest.raises(Empty):
                 inbox.get(timeout=1e-6)
+        return TIMES
 
-    assert is_over(wait)
+    assert in_thread(wait) == TIMES
 
 
 def test_what_several_put_in_is_taken_once_and_by_each_in_its_order() -> None:
@@ -43,10 +48,9 @@ def test_what_several_put_in_is_taken_once_and_by_each_in_its_order() -> None:
         threading.Thread(target=lambda who=who: [inbox.put((who, number)) for number in range(TIMES)])
         for who in range(3)
     ]
-    taken: list[tuple[int, int]] = []
     for putter in putters:
         putter.start()
-    assert is_over(lambda: taken.extend(inbox.get() for _ in range(3 * TIMES)))
+    taken = in_thread(lambda: [inbox.get() for _ in range(3 * TIMES)])
     for who in range(3):
         assert [number for whose, number in taken if whose == who] == list(range(TIMES))
     assert inbox.empty() and inbox.qsize() == 0
