@@ -26,6 +26,14 @@ class Result(NamedTuple):
     err: str
 
 
+def show_all(terminal: Terminal) -> set[int]:
+    """Let a terminal show all that was written, for which one `update` may have no time; return the lines that changed."""
+    changed: set[int] = set()
+    while terminal.has_more:
+        changed |= terminal.update()
+    return changed
+
+
 class Machine:
     """Runs command lines as `day6-tui exec` does."""
 

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from day6_tui.core.shell import desk as desk_module
+from tests.shell.conftest import show_all
 
 
 def opened(machine: Any) -> list[Any]:
@@ -53,7 +54,7 @@ def test_without_a_command_there_is_a_shell(machine: Any) -> None:
     machine.run("gnome-terminal")
     (terminal,) = opened(machine)
     machine.go()
-    terminal.update()
+    show_all(terminal)
     assert terminal.screen.text == "student@day6:~$"
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from day6_tui.core.session.task import let_others_run
+from tests.shell.conftest import show_all
 
 PROMPT = "student@day6:~$"
 
@@ -330,8 +331,7 @@ def test_the_mark_says_how_many_lines_are_missing(machine: Any, seat: Any) -> No
     terminal = seat.terminal
     for number in range(10000):
         terminal.write(f"{number} {'x' * 70}\r\n")
-    while terminal.has_more:
-        terminal.update()
+    show_all(terminal)
     texts = ["".join(row[x].data for x in range(80)).rstrip() for row in terminal.history[:]]
     marks = [text for text in texts if "lines dropped" in text]
     assert marks and marks[0].startswith("… ")

@@ -8,6 +8,7 @@ import pytest
 
 from day6_tui.core.shell import discipline as discipline_module
 from day6_tui.core.shell.terminal import LONGEST_END
+from tests.shell.conftest import show_all
 
 PROMPT = "student@day6:~$"
 
@@ -169,9 +170,19 @@ def test_news_are_what_was_written_since_somebody_looked(seat: Any) -> None:
 def test_update_returns_the_lines_that_changed(seat: Any) -> None:
     seat.terminal.screen.dirty.clear()
     seat.terminal.write("\x1b[5;1Hx\x1b[7;1Hy")
-    assert {4, 6} <= seat.terminal.update() <= {0, 4, 6}
+    assert {4, 6} <= show_all(seat.terminal) <= {0, 4, 6}
     assert seat.terminal.screen.dirty >= {4, 6}
     assert seat.terminal.update() == set()
+
+
+def test_a_view_that_is_always_late_shows_everything(seat: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.shell import terminal as terminal_module
+
+    monkeypatch.setattr(terminal_module, "SLICE", -1.0)
+    seat.terminal.write("\x1b[5;1Hx\x1b[7;1Hy")
+    assert not seat.terminal.update() >= {4, 6} and seat.terminal.has_more
+    assert show_all(seat.terminal) >= {4, 6}
+    assert [seat.terminal.screen.text.split("\n")[row] for row in (4, 6)] == ["x", "y"]
 
 
 def test_the_number_of_dropped_lines_is_exact(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -180,10 +191,10 @@ def test_the_number_of_dropped_lines_is_exact(machine: Any, monkeypatch: pytest.
     monkeypatch.setattr(terminal_module, "RING", 100)
     terminal = machine.desk.open_terminal(40, 20)
     machine.go()
-    terminal.update()
+    show_all(terminal)
     for number in range(30):
         terminal.write(f"line {number:03}\r\n")  # 10 characters each: ten are kept
-    terminal.update()
+    show_all(terminal)
     rows = [row for row in terminal.screen.text.split("\n") if "line" in row]
     assert rows[0] == "… 20 lines dropped" and rows[1] == "line 021" and rows[-1] == "line 029"
 
@@ -194,9 +205,9 @@ def test_one_write_larger_than_the_ring_is_cut_at_its_beginning(machine: Any, mo
     monkeypatch.setattr(terminal_module, "RING", 100)
     terminal = machine.desk.open_terminal(40, 20)
     machine.go()
-    terminal.update()
+    show_all(terminal)
     terminal.write("".join(f"line {number:03}\r\n" for number in range(30)))
-    terminal.update()
+    show_all(terminal)
     rows = [row for row in terminal.screen.text.split("\n") if "line" in row]
     assert rows[0] == "… 20 lines dropped" and rows[1] == "line 021" and rows[-1] == "line 029"
 
