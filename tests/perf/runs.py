@@ -5,8 +5,8 @@
 
 What follows `--` goes to pytest (default: `-n logical`). Every run is in another random order, whose seed is printed: it repeats
 the run with `--random-order-seed=SEED`. `--busy N` has N loops beside that take all the time they get (`--busy-every 2`: in every
-second run), `--cores N` has everything on N cores, `--memory SIZE` in a control group of that size (Linux, root). Status 1 if a
-run failed.
+second run). `--stalls` stops one of the tests' processes now and then, as happens on a machine that is shared. `--cores N` has
+everything on N cores, `--memory SIZE` in a control group of that size (Linux, root). Status 1 if a run failed.
 """
 
 from __future__ import annotations
@@ -16,9 +16,11 @@ import contextlib
 import os
 import random
 import re
+import signal
 import statistics
 import subprocess
 import sys
+import threading
 import time
 from collections import Counter
 from collections.abc import Iterator
@@ -58,7 +60,30 @@ def control_group(size: str) -> Iterator[Path | None]:
         folder.rmdir()
 
 
-def one_run(words: list[str], seed: int, members: Path | None) -> tuple[float, int, str]:
+def stall(group: int, over: threading.Event) -> None:
+    """Stop a process of a group for up to 0.2 s, several times a second."""
+    dice = random.Random(group)
+    while not over.wait(dice.uniform(0.02, 0.3)):
+        members = [int(each.name) for each in Path("/proc").glob("[0-9]*") if group_of(int(each.name)) == group]
+        if not members:
+            continue
+        stopped = dice.choice(members)
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(stopped, signal.SIGSTOP)
+            try:
+                over.wait(dice.expovariate(1 / 0.04) % 0.2)
+            finally:
+                os.kill(stopped, signal.SIGCONT)
+
+
+def group_of(pid: int) -> int:
+    try:
+        return os.getpgid(pid)
+    except ProcessLookupError:
+        return 0
+
+
+def one_run(words: list[str], seed: int, members: Path | None, stalls: bool) -> tuple[float, int, str]:
     """Run the tests; return the seconds it took, the status and what it printed."""
 
     def enter() -> None:
@@ -66,7 +91,7 @@ def one_run(words: list[str], seed: int, members: Path | None) -> tuple[float, i
             members.write_text(str(os.getpid()))
 
     start = time.monotonic()
-    done = subprocess.run(
+    with subprocess.Popen(
         [sys.executable, "-m", "pytest", "-q", f"--random-order-seed={seed}", *words],
         cwd=ROOT,
         stdout=subprocess.PIPE,
@@ -74,8 +99,17 @@ def one_run(words: list[str], seed: int, members: Path | None) -> tuple[float, i
         encoding="utf-8",
         errors="replace",
         preexec_fn=enter,
-    )
-    return time.monotonic() - start, done.returncode, done.stdout
+        start_new_session=True,
+    ) as run:
+        over = threading.Event()
+        stalling = threading.Thread(target=stall, args=(run.pid, over))
+        if stalls:
+            stalling.start()
+        said, _ = run.communicate()
+        over.set()
+        if stalls:
+            stalling.join()
+    return time.monotonic() - start, run.returncode, said
 
 
 def main() -> int:
@@ -86,6 +120,7 @@ def main() -> int:
     )
     parser.add_argument("--busy", type=int, default=0, metavar="N")
     parser.add_argument("--busy-every", type=int, default=1, metavar="N")
+    parser.add_argument("--stalls", action="store_true")
     parser.add_argument("--cores", type=int, metavar="N")
     parser.add_argument("--memory", default="", metavar="SIZE")
     parser.add_argument("words", nargs="*", default=["-n", "logical"], metavar="PYTEST OPTION")
@@ -104,7 +139,7 @@ def main() -> int:
             busy = given.busy if number % given.busy_every == 0 else 0
             seed = seeds.randrange(1_000_000)
             with loops(busy):
-                seconds, status, said = one_run(given.words, seed, members)
+                seconds, status, said = one_run(given.words, seed, members, given.stalls)
             failed = FAILED.findall(said)
             took.append(seconds)
             red += status != 0
