@@ -14,6 +14,7 @@ from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId
 from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.graph.node import Node
 from day6_tui.core.inbox import Inbox
+from day6_tui.core.interrupts import DEFERRED
 from day6_tui.core.link.announcing import Announcements
 from day6_tui.core.link.classroom.part import Part
 from day6_tui.core.link.config import command_config, process_config
@@ -142,7 +143,8 @@ class Link:
             else:
                 self._meeting = MeetingPoint(place, self.graph.domain_id)
                 self._meeting.try_to_hold()
-                self._attach(zenoh.open(process_config(place, self.zid)))
+                with DEFERRED:
+                    self._attach(zenoh.open(process_config(place, self.zid)))
         except LinkError:
             self.close()
             raise
@@ -185,7 +187,8 @@ class Link:
         if ending and self._meeting is not None:
             self._meeting.keep()
             self._meeting = None
-        self._close_sessions()
+        with DEFERRED:
+            self._close_sessions()
         if self._place is not None and self._place.tcp:
             self._place.own_socket(self.zid).unlink(missing_ok=True)
         self._remote.clear()
@@ -242,7 +245,8 @@ class Link:
     def send_request(self, client: Client, request: Any, number: int) -> None:
         """Send a request of a local client to the remote servers."""
         if self._services is not None:
-            self._send(self._services.send_request, client, request, number)
+            with DEFERRED:
+                self._send(self._services.send_request, client, request, number)
 
     def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
         """Send the response of a local server to a remote client."""
@@ -294,7 +298,8 @@ class Link:
         read, taken = threading.Event(), threading.Event()
         assert self._session is not None
         handler = zenoh.handlers.Callback(callback(self._on_reply), read.set, indirect=False)
-        self._session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
+        with DEFERRED:
+            self._session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
         if not read.wait(max(0.0, deadline - time.monotonic())):
             return False
         self._inbox.put(taken)
@@ -316,7 +321,8 @@ class Link:
         if self._closed:
             session.close()
             return
-        self._attach(session)
+        with DEFERRED:
+            self._attach(session)
 
     def _attach(self, session: zenoh.Session) -> None:
         """Join the graph to an open session."""
@@ -347,8 +353,7 @@ class Link:
         import zenoh
 
         for key in (all_presence_tokens(self.graph.domain_id), all_tokens(self.graph.domain_id)):
-            # Zenoh also calls on this thread, during a declaration. A Python function there would receive a Ctrl-C, and Zenoh
-            # would swallow it; a built-in one leaves it pending until the program's code continues.
+            # Zenoh also calls on this thread, during a declaration.
             handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
             self._token_subscribers.append(session.liveliness().declare_subscriber(key, handler, history=True))
 
@@ -373,7 +378,8 @@ class Link:
         if subject.origin is not None or announcements is None:
             return
         try:
-            announcements.follow(subject)
+            with DEFERRED:
+                announcements.follow(subject)
         except zenoh.ZError as error:
             if not self._closed:
                 self._report("not announced", error)

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from day6_tui.core.graph import EndpointKind
 from day6_tui.urdf import shipped_model
 
 if TYPE_CHECKING:
@@ -426,7 +427,7 @@ rclpy.spin(Mine())
 def interrupted(lab: Lab) -> None:
     lab.file("talker.py", TALKER)
     lab.start("python3 talker.py")
-    lab.wait_node("/talker")
+    lab.wait(lambda: lab.desk.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter"))  # made when all is imported
     lab.interrupt()
 
 

@@ -13,6 +13,8 @@ import pytest
 from link_harness import HOUR_OF_LEASE, ROOT, World
 from waiting import communicate, until
 
+from day6_tui.core.ros.environment import program_environment
+
 pytestmark = pytest.mark.process
 
 SERVER = """
@@ -108,6 +110,43 @@ while "end" not in got:
 print(got)
 """
 
+INTERRUPTED = """
+import signal, sys, threading
+from day6_tui.core import inbox
+from day6_tui.core.graph.endpoints import Service
+from day6_tui.core.link.announcing import Announcements
+import rclpy
+from rclpy.node import Node
+
+def interrupt():
+    if rclpy.ok():
+        signal.raise_signal(signal.SIGINT)
+
+class Declared(dict):
+    def __setitem__(self, subject, tokens):
+        if isinstance(subject, Service):
+            interrupt()
+        super().__setitem__(subject, tokens)
+
+def put(self, item, put=inbox.Inbox.put):
+    if threading.current_thread() is threading.main_thread():
+        interrupt()
+    put(self, item)
+
+rclpy.init()
+if sys.argv[1:] == ["called back"]:
+    inbox.Inbox.put = put
+else:
+    init = Announcements.__init__
+    def made(self, *arguments):
+        init(self, *arguments)
+        self._declared = Declared()
+    Announcements.__init__ = made
+Node("talker")
+print("made")
+"""
+"""Ctrl-C in the worst moments: while Zenoh calls back in the main thread, and while it has just declared something."""
+
 Run = Callable[[str], subprocess.Popen[str]]
 
 
@@ -159,3 +198,16 @@ def test_ctrl_c_takes_a_programs_nodes_away_at_once(world: World, run: Run) -> N
     assert until(lambda: desk.nodes() == [])
     communicate(server)
     assert server.returncode != 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to one process")
+@pytest.mark.parametrize("moment", ["called back", "declared"])
+def test_ctrl_c_while_a_node_is_announced_is_a_keyboard_interrupt(world: World, tmp_path: Path, moment: str) -> None:
+    (tmp_path / "program.py").write_text(INTERRUPTED)
+    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on"}
+    done = subprocess.run(
+        [sys.executable, "program.py", moment],
+        cwd=tmp_path, env=program_environment({**os.environ, **settings}), capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.stderr.rstrip().endswith("KeyboardInterrupt") and done.stderr.count("Traceback") == 1, done.stderr
+    assert (done.stdout, done.returncode) == ("", -signal.SIGINT)

@@ -10,9 +10,11 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Callable
+from functools import partial
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.interrupts import call_or_defer
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import SignalHandlerOptions as SignalHandlerOptions
 from rclpy.guard_condition import GuardCondition
@@ -41,7 +43,7 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     if number == _CTRL_BREAK and previous == signal.SIG_DFL:
         previous = signal.default_int_handler
     if callable(previous) and not isinstance(previous, int):
-        previous(number, frame)
+        call_or_defer(partial(previous, number, frame))
 
 
 def _install(number: int) -> None:

@@ -1,0 +1,48 @@
+"""Calls that no Ctrl-C may break off: what the handler of a signal raises is raised after them."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+_deferring = 0
+_waiting: Callable[[], object] | None = None
+
+
+class Deferred:
+    """A section (`with DEFERRED:`) of any thread; only in the main thread, where Python runs handlers, it makes a difference.
+
+    Zenoh calls Python back while it declares, drops or closes something, in the thread that asked for it. An exception that a
+    handler of signals raises in there Zenoh would swallow, and one that is on its way while Zenoh drops an object becomes a
+    SystemError.
+    """
+
+    def __enter__(self) -> None:
+        global _deferring
+        if _is_in_main_thread():
+            _deferring += 1
+
+    def __exit__(self, *_: object) -> None:
+        global _deferring, _waiting
+        if not _is_in_main_thread():
+            return
+        _deferring -= 1
+        if not _deferring and _waiting is not None:
+            call, _waiting = _waiting, None
+            call()
+
+
+DEFERRED = Deferred()
+
+
+def _is_in_main_thread() -> bool:
+    return threading.get_ident() == threading.main_thread().ident  # current_thread() would take in a thread of Zenoh's
+
+
+def call_or_defer(call: Callable[[], object]) -> None:
+    """Make the call that ends a handler of signals: at once, or after the section that it has interrupted."""
+    global _waiting
+    if _deferring:
+        _waiting = call
+    else:
+        call()
