@@ -39,10 +39,9 @@ def _is_in_main_thread() -> bool:
     return threading.get_ident() == threading.main_thread().ident  # current_thread() would take in a thread of Zenoh's
 
 
-def call_or_defer(call: Callable[[], object]) -> None:
-    """Make the call that ends a handler of signals: at once, or after the section that it has interrupted."""
+def defer(call: Callable[[], object]) -> bool:
+    """Have the end of a handler of signals called after the section that it has interrupted; False if it interrupted none."""
     global _waiting
     if _deferring:
         _waiting = call
-    else:
-        call()
+    return bool(_deferring)

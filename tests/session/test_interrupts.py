@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import threading
 
-from day6_tui.core.interrupts import DEFERRED, call_or_defer
+from day6_tui.core.interrupts import DEFERRED, defer
 
 
-def test_outside_of_a_section_the_call_is_made_at_once() -> None:
+def test_outside_of_a_section_nothing_is_deferred() -> None:
     made: list[int] = []
-    call_or_defer(lambda: made.append(1))
-    assert made == [1]
+    assert not defer(lambda: made.append(1))
+    assert made == []
 
 
 def test_in_sections_within_each_other_it_is_made_after_the_outermost() -> None:
     made: list[int] = []
     with DEFERRED:
         with DEFERRED:
-            call_or_defer(lambda: made.append(1))
+            assert defer(lambda: made.append(1))
         assert made == []
     assert made == [1]
     with DEFERRED:
@@ -32,7 +32,7 @@ def test_what_the_call_raises_comes_after_the_section_and_what_it_raised_is_told
     caught: list[BaseException] = []
     try:
         with DEFERRED:
-            call_or_defer(interrupt)
+            defer(interrupt)
             raise OSError("the network is gone")
     except KeyboardInterrupt as error:
         caught.append(error)
@@ -51,7 +51,7 @@ def test_a_section_of_another_thread_defers_nothing() -> None:
     thread.start()
     entered.wait()
     made: list[int] = []
-    call_or_defer(lambda: made.append(1))
+    assert not defer(lambda: made.append(1))
     leave.set()
     thread.join()
-    assert made == [1]
+    assert made == []

@@ -14,7 +14,7 @@ from functools import partial
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.interrupts import call_or_defer
+from day6_tui.core.interrupts import defer
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import SignalHandlerOptions as SignalHandlerOptions
 from rclpy.guard_condition import GuardCondition
@@ -42,8 +42,9 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     previous = _previous.get(number)
     if number == _CTRL_BREAK and previous == signal.SIG_DFL:
         previous = signal.default_int_handler
-    if callable(previous) and not isinstance(previous, int):
-        call_or_defer(partial(previous, number, frame))
+    if not callable(previous) or isinstance(previous, int) or defer(partial(previous, number, frame)):
+        return
+    previous(number, frame)
 
 
 def _install(number: int) -> None:
