@@ -281,9 +281,8 @@ class Link:
                 return False
             with self._changed:
                 self._changed.wait(min(left, 0.02))
-        if self._session is None:
-            return True
-        return self._read_all_tokens(deadline)
+        session = self._session
+        return session is None or self._read_all_tokens(session, deadline)
 
     def _others(self) -> list[Neighbour]:
         assert self._place is not None
@@ -292,14 +291,16 @@ class Link:
     def _is_anyone_missing(self) -> bool:
         return any(each.zid not in self._presence["here"] and not remove_if_deaf(each) for each in self._others())
 
-    def _read_all_tokens(self, deadline: float) -> bool:
+    def _read_all_tokens(self, session: zenoh.Session, deadline: float) -> bool:
         import zenoh
 
         read, taken = threading.Event(), threading.Event()
-        assert self._session is not None
         handler = zenoh.handlers.Callback(callback(self._on_reply), read.set, indirect=False)
-        with DEFERRED:
-            self._session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
+        try:
+            with DEFERRED:
+                session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
+        except zenoh.ZError:  # the link is being closed
+            return False
         if not read.wait(max(0.0, deadline - time.monotonic())):
             return False
         self._inbox.put(taken)

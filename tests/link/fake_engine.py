@@ -100,6 +100,8 @@ class Liveliness:
         return self._session._declare("watch", key, handler, **options)
 
     def get(self, key: str, handler: Any, **options: Any) -> None:
+        if self._session.fails:
+            raise zenoh.ZError("no")
         self._session.asked.append(Declared(self._session, "tokens", key, handler, options))
         for token in self._session.present:
             handler.callback(SimpleNamespace(ok=SimpleNamespace(key_expr=token)))

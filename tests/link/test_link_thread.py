@@ -463,6 +463,12 @@ def test_who_does_not_get_the_tokens_in_time_is_told_so(make: Make, monkeypatch:
     assert it.link.wait_settled(0.0) is False and it.link._inbox.empty()
 
 
+def test_a_link_that_is_closed_while_it_asks_for_the_tokens_gets_none(make: Make) -> None:
+    it = make()
+    it.session.fails = True
+    assert it.link.wait_settled(5.0) is False
+
+
 def test_the_thread_gets_a_moment_for_the_tokens_even_when_the_time_is_over(
     make: Make, monkeypatch: pytest.MonkeyPatch
 ) -> None:
