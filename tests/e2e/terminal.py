@@ -10,6 +10,7 @@ import sys
 import termios
 import time
 from collections.abc import Callable
+from copy import copy
 from pathlib import Path
 from typing import Any
 
@@ -58,6 +59,25 @@ _HELD = 1 << 20
 """Bytes, more than a pty holds of what nobody has read yet."""
 
 
+class _Picture(pyte.Screen):  # type: ignore[misc]
+    """pyte's screen, and the second one that programs draw on (mode 1049): after them the first is there as it was."""
+
+    _first: tuple[dict[int, Any], Any] | None = None
+
+    def set_mode(self, *modes: int, **options: Any) -> None:
+        if 1049 in modes and options.get("private") and self._first is None:
+            self._first = ({row: copy(cells) for row, cells in self.buffer.items()}, copy(self.cursor))
+            self.erase_in_display(2)
+        super().set_mode(*modes, **options)
+
+    def reset_mode(self, *modes: int, **options: Any) -> None:
+        super().reset_mode(*modes, **options)
+        if 1049 in modes and options.get("private") and self._first is not None:
+            (rows, self.cursor), self._first = self._first, None
+            self.buffer.clear()
+            self.buffer.update(rows)
+
+
 class Terminal(Screen):
     """One program in a terminal window of its own. Waiting raises AssertionError with the screen as it was.
 
@@ -67,7 +87,7 @@ class Terminal(Screen):
     def __init__(self, command: list[str], columns: int, rows: int, *, cwd: Path, env: dict[str, str | None]) -> None:
         super().__init__(command, columns, rows, cwd=str(cwd), **env)
         self.status: int | None = None
-        self._picture: Any = pyte.Screen(columns, rows)
+        self._picture: Any = _Picture(columns, rows)
         self._stream: Any = pyte.ByteStream(self._picture)
         self._fed = 0
 
@@ -185,11 +205,12 @@ class Terminal(Screen):
         """Look until every wanted text is on the screen (or every function of the screen is true); returns the screen."""
         deadline = Deadline(limit)
         while True:
+            has_ended = self.status is not None
             seen = self.look(0.03)
             missing = [one for one in wanted if not (one in seen if isinstance(one, str) else one(seen))]
             if not missing:
                 return seen
-            if deadline.is_over() or (self.status is not None and not self._more(0)):
+            if deadline.is_over() or has_ended:
                 raise AssertionError(f"waited for {missing}, but the screen shows\n{seen}")
             self._reap()
 

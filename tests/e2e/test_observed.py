@@ -216,6 +216,7 @@ def test_scenes_lessons_and_nonsense(place: Place) -> None:
             teacher.wait(lambda note: note.refused == "class.refused.unknown")
             teacher.order("scene", text="turtle")
             teacher.wait(lambda note: "/turtlesim" in note.nodes)
+            screen.wait("┏ 4 ~ ")  # a prompt to the right, at which the cursor is
             teacher.order("end")
             until(lambda: teacher.hear(0.2) or teacher.ended)
         screen.wait("Your teacher has ended this desktop. Your files are kept.")
