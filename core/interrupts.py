@@ -1,19 +1,20 @@
-"""Calls that no Ctrl-C may break off: what the handler of a signal raises is raised after them."""
+"""Calls that no Ctrl-C may break off: what a signal handler raises is raised after them."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from contextlib import ContextDecorator
 
 _deferring = 0
 _waiting: Callable[[], object] | None = None
 
 
-class Deferred:
-    """A section (`with DEFERRED:`) of any thread; only in the main thread, where Python runs handlers, it makes a difference.
+class Deferred(ContextDecorator):
+    """A section (`with DEFERRED:`) or a function (`@DEFERRED`). It matters only in the main thread, where Python runs handlers.
 
-    Zenoh calls Python back while it declares, drops or closes something, in the thread that asked for it. An exception that a
-    handler of signals raises in there Zenoh would swallow, and one that is on its way while Zenoh drops an object becomes a
+    Zenoh calls Python back while it declares, drops or closes something, in the thread that asked for it. It would swallow an
+    exception that a signal handler raises in there, and one that is on its way while Zenoh drops an object becomes a
     SystemError.
     """
 
@@ -40,7 +41,7 @@ def _is_in_main_thread() -> bool:
 
 
 def defer(call: Callable[[], object]) -> bool:
-    """Have the end of a handler of signals called after the section that it has interrupted; False if it interrupted none."""
+    """Have the end of a signal handler called after the section that it has interrupted; False if it interrupted none."""
     global _waiting
     if _deferring:
         _waiting = call

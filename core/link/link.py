@@ -143,8 +143,7 @@ class Link:
             else:
                 self._meeting = MeetingPoint(place, self.graph.domain_id)
                 self._meeting.try_to_hold()
-                with DEFERRED:
-                    self._attach(zenoh.open(process_config(place, self.zid)))
+                self._attach(zenoh.open(process_config(place, self.zid)))
         except LinkError:
             self.close()
             raise
@@ -187,12 +186,12 @@ class Link:
         if ending and self._meeting is not None:
             self._meeting.keep()
             self._meeting = None
-        with DEFERRED:
-            self._close_sessions()
+        self._close_sessions()
         if self._place is not None and self._place.tcp:
             self._place.own_socket(self.zid).unlink(missing_ok=True)
         self._remote.clear()
 
+    @DEFERRED
     def _close_sessions(self) -> None:
         """Close the sessions and drop every Zenoh object at once.
 
@@ -322,9 +321,9 @@ class Link:
         if self._closed:
             session.close()
             return
-        with DEFERRED:
-            self._attach(session)
+        self._attach(session)
 
+    @DEFERRED
     def _attach(self, session: zenoh.Session) -> None:
         """Join the graph to an open session."""
 
@@ -354,7 +353,6 @@ class Link:
         import zenoh
 
         for key in (all_presence_tokens(self.graph.domain_id), all_tokens(self.graph.domain_id)):
-            # Zenoh also calls on this thread, during a declaration.
             handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
             self._token_subscribers.append(session.liveliness().declare_subscriber(key, handler, history=True))
 

@@ -13,8 +13,6 @@ import pytest
 from link_harness import HOUR_OF_LEASE, ROOT, World
 from waiting import communicate, until
 
-from day6_tui.core.ros.environment import program_environment
-
 pytestmark = pytest.mark.process
 
 SERVER = """
@@ -147,20 +145,24 @@ print("made")
 """
 """Ctrl-C in the worst moments: while Zenoh calls back in the main thread, and while it has just declared something."""
 
-Run = Callable[[str], subprocess.Popen[str]]
+Run = Callable[..., subprocess.Popen[str]]
 
 
 @pytest.fixture
 def run(world: World, tmp_path: Path) -> Iterator[Run]:
     started: list[subprocess.Popen[str]] = []
 
-    def start(source: str) -> subprocess.Popen[str]:
+    def start(source: str, *words: str, stderr: int | None = None) -> subprocess.Popen[str]:
         path = os.pathsep.join([str(ROOT / "core" / "ros" / "python"), *sys.path])
         settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": path}
         file = tmp_path / f"program{len(started)}.py"
         file.write_text(source)
         program = subprocess.Popen(
-            [sys.executable, str(file)], env={**os.environ, **settings}, stdout=subprocess.PIPE, text=True
+            [sys.executable, str(file), *words],
+            env={**os.environ, **settings},
+            stdout=subprocess.PIPE,
+            stderr=stderr,
+            text=True,
         )
         started.append(program)
         return program
@@ -202,12 +204,8 @@ def test_ctrl_c_takes_a_programs_nodes_away_at_once(world: World, run: Run) -> N
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to one process")
 @pytest.mark.parametrize("moment", ["called back", "declared"])
-def test_ctrl_c_while_a_node_is_announced_is_a_keyboard_interrupt(world: World, tmp_path: Path, moment: str) -> None:
-    (tmp_path / "program.py").write_text(INTERRUPTED)
-    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on"}
-    done = subprocess.run(
-        [sys.executable, "program.py", moment],
-        cwd=tmp_path, env=program_environment({**os.environ, **settings}), capture_output=True, text=True,
-    )  # fmt: skip
-    assert done.stderr.rstrip().endswith("KeyboardInterrupt") and done.stderr.count("Traceback") == 1, done.stderr
-    assert (done.stdout, done.returncode) == ("", -signal.SIGINT)
+def test_ctrl_c_while_a_node_is_announced_is_a_keyboard_interrupt(run: Run, moment: str) -> None:
+    program = run(INTERRUPTED, moment, stderr=subprocess.PIPE)
+    output, errors = communicate(program)
+    assert errors.rstrip().endswith("KeyboardInterrupt") and errors.count("Traceback") == 1, errors
+    assert (output, program.returncode) == ("", -signal.SIGINT)

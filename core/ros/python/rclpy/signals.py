@@ -42,9 +42,10 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     previous = _previous.get(number)
     if number == _CTRL_BREAK and previous == signal.SIG_DFL:
         previous = signal.default_int_handler
-    if not callable(previous) or isinstance(previous, int) or defer(partial(previous, number, frame)):
-        return
-    previous(number, frame)
+    if callable(previous) and not isinstance(previous, int):
+        is_deferred = defer(partial(previous, number, frame))
+        if not is_deferred:
+            previous(number, frame)
 
 
 def _install(number: int) -> None:
