@@ -60,20 +60,32 @@ def control_group(size: str) -> Iterator[Path | None]:
         folder.rmdir()
 
 
-def stall(group: int, over: threading.Event) -> None:
-    """Stop a process of a group for up to 0.2 s, several times a second."""
-    dice = random.Random(group)
-    while not over.wait(dice.uniform(0.02, 0.3)):
-        members = [int(each.name) for each in Path("/proc").glob("[0-9]*") if group_of(int(each.name)) == group]
-        if not members:
-            continue
-        stopped = dice.choice(members)
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(stopped, signal.SIGSTOP)
-            try:
-                over.wait(dice.expovariate(1 / 0.04) % 0.2)
-            finally:
-                os.kill(stopped, signal.SIGCONT)
+@contextlib.contextmanager
+def stalls(group: int) -> Iterator[None]:
+    """Have a process of a group stopped for up to 0.2 s, several times a second."""
+    over = threading.Event()
+
+    def stall() -> None:
+        dice = random.Random(group)
+        while not over.wait(dice.uniform(0.02, 0.3)):
+            members = [int(each.name) for each in Path("/proc").glob("[0-9]*") if group_of(int(each.name)) == group]
+            if not members:
+                continue
+            stopped = dice.choice(members)
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(stopped, signal.SIGSTOP)
+                try:
+                    over.wait(dice.expovariate(1 / 0.04) % 0.2)
+                finally:
+                    os.kill(stopped, signal.SIGCONT)
+
+    stalling = threading.Thread(target=stall)
+    stalling.start()
+    try:
+        yield
+    finally:
+        over.set()
+        stalling.join()
 
 
 def group_of(pid: int) -> int:
@@ -83,7 +95,7 @@ def group_of(pid: int) -> int:
         return 0
 
 
-def one_run(words: list[str], seed: int, members: Path | None, stalls: bool) -> tuple[float, int, str]:
+def one_run(words: list[str], seed: int, members: Path | None, stalled: bool) -> tuple[float, int, str]:
     """Run the tests; return the seconds it took, the status and what it printed."""
 
     def enter() -> None:
@@ -101,14 +113,12 @@ def one_run(words: list[str], seed: int, members: Path | None, stalls: bool) -> 
         preexec_fn=enter,
         start_new_session=True,
     ) as run:
-        over = threading.Event()
-        stalling = threading.Thread(target=stall, args=(run.pid, over))
-        if stalls:
-            stalling.start()
-        said, _ = run.communicate()
-        over.set()
-        if stalls:
-            stalling.join()
+        try:
+            with stalls(run.pid) if stalled else contextlib.nullcontext():
+                said, _ = run.communicate()
+        except BaseException:  # Ctrl-C does not reach a session of its own
+            os.killpg(run.pid, signal.SIGTERM)
+            raise
     return time.monotonic() - start, run.returncode, said
 
 

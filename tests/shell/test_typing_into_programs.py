@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from day6_tui.core.shell import discipline as discipline_module
+from day6_tui.core.shell import terminal as terminal_module
 from day6_tui.core.shell.terminal import LONGEST_END
 from tests.shell.conftest import show_all
 
@@ -176,8 +177,6 @@ def test_update_returns_the_lines_that_changed(seat: Any) -> None:
 
 
 def test_a_view_that_is_always_late_shows_everything(seat: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.shell import terminal as terminal_module
-
     monkeypatch.setattr(terminal_module, "SLICE", -1.0)
     seat.terminal.write("\x1b[5;1Hx\x1b[7;1Hy")
     assert not seat.terminal.update() >= {4, 6} and seat.terminal.has_more
@@ -186,8 +185,6 @@ def test_a_view_that_is_always_late_shows_everything(seat: Any, monkeypatch: pyt
 
 
 def test_the_number_of_dropped_lines_is_exact(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.shell import terminal as terminal_module
-
     monkeypatch.setattr(terminal_module, "RING", 100)
     terminal = machine.desk.open_terminal(40, 20)
     machine.go()
@@ -200,8 +197,6 @@ def test_the_number_of_dropped_lines_is_exact(machine: Any, monkeypatch: pytest.
 
 
 def test_one_write_larger_than_the_ring_is_cut_at_its_beginning(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.shell import terminal as terminal_module
-
     monkeypatch.setattr(terminal_module, "RING", 100)
     terminal = machine.desk.open_terminal(40, 20)
     machine.go()
