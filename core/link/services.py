@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 _FOREVER = 10 * 365 * 24 * 3600.0
 """Seconds. A service may take any time (as an action's result does), but Zenoh requires a limit."""
-_RETRY_AFTER = (0.05, 0.2, 0.5, 1.0)
+_RETRY_AFTER = (0.05, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """Seconds after which a request that found no server is sent again."""
 _MOST_OPEN_REQUESTS = 5000
 """Of one server. The oldest are dropped first: their clients get no response, as with a lost request."""
@@ -83,8 +83,8 @@ class Services:
             self._take_reply(client, reply)
 
         def done() -> None:
-            # Between machines a server's token may arrive before the route to it is known, and a query that finds nobody
-            # ends at once: retry while there is a server.
+            # Between machines, and on slow ones, a server's token may arrive before the route to it is known, and a query
+            # that finds nobody ends at once: retry while there is a server.
             if answered or attempt == len(_RETRY_AFTER) or self._session is None or not _has_remote_server(client):
                 return
             timer = threading.Timer(_RETRY_AFTER[attempt], self._retry, (client, payload, attachment, attempt + 1))

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 Report = Callable[[str, Exception], None]
 
-_LONGEST_ROUTE_WAIT = 0.1
-"""Seconds that a new publisher waits for its first subscription."""
+_LONGEST_ROUTE_WAIT = 2.0
+"""Seconds that the first message of a publisher waits for a subscription that was announced."""
 
 
 class _ZenohPublisher(NamedTuple):
@@ -39,13 +39,13 @@ class _ZenohPublisher(NamedTuple):
         self.publisher.put(serialize(message), attachment=pack(number, source_timestamp, self.gid))
 
 
-def _wait_for_route(publisher: zenoh.Publisher) -> None:
+def _wait_for_route(publisher: Publisher, declared: zenoh.Publisher) -> None:
     """Wait for a new Zenoh publisher's route: over a router a subscription's token may arrive before the subscription.
 
-    Within one machine the route is known at once; elsewhere the first message is worth a tenth of a second.
+    Within one machine the route is known at once, unless the machine is a slow one.
     """
     deadline = time.monotonic() + _LONGEST_ROUTE_WAIT
-    while not _has_route(publisher) and time.monotonic() < deadline:
+    while publisher.remote_matched and not _has_route(declared) and time.monotonic() < deadline:
         time.sleep(0.001)
 
 
@@ -85,7 +85,7 @@ class Topics:
         if declared is None:
             declared = self.open(publisher)
             if publisher.cache is None and not self._never_wait:
-                _wait_for_route(declared.publisher)
+                _wait_for_route(publisher, declared.publisher)
         if number > declared.replayed:
             declared.put(message, source_timestamp, number)
 

@@ -25,6 +25,16 @@ def world(short_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     made.close()
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Iterator[None]:
+    """Add what the participants knew to the report of a test that failed."""
+    report: Any = yield
+    world = getattr(item, "funcargs", {}).get("world")
+    if report.failed and call.when == "call" and isinstance(world, World):
+        report.sections.append(("what the participants know", world.knowledge()))
+    return report
+
+
 @pytest.fixture
 def hour_of_lease(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whoever falls silent is missed after an hour only: one whose end is noticed was noticed at once, by his socket."""

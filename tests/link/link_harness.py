@@ -7,7 +7,10 @@ import os
 import signal
 import subprocess
 import sys
+import threading
+import traceback
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -93,6 +96,19 @@ class World:
             assert link.problem is None
         return Peer(graph)
 
+    def knowledge(self) -> str:
+        """Return what each participant knows at this moment, for a test that has failed."""
+        from day6_tui.core.link import state_of
+
+        said = [f"this process: {Peer(graph).knowledge()}, {state_of(graph)}" for graph in self._graphs]
+        for peer in self._processes:
+            said.append(f"process {peer.process.pid}: {_knowledge_of(peer)}")
+        stacks = [
+            f"thread {thread}:\n{''.join(traceback.format_stack(frame)[-3:])}"
+            for thread, frame in sys._current_frames().items()
+        ]
+        return "\n".join([*said, *stacks])
+
     def close(self) -> None:
         from day6_tui.core.link import leave
 
@@ -101,3 +117,16 @@ class World:
         for peer in self._processes:
             if peer.process.poll() is None:
                 peer.kill()
+
+
+def _knowledge_of(peer: ProcessPeer) -> str:
+    answers: list[str] = []
+
+    def ask() -> None:
+        with suppress(AssertionError, OSError):
+            answers.append(peer.knowledge())
+
+    asking = threading.Thread(target=ask, daemon=True)
+    asking.start()
+    asking.join(timeout=5.0)
+    return answers[0] if answers else f"no answer, status {peer.process.poll()}"

@@ -166,6 +166,16 @@ class Peer:
         link: Any = self.graph.transport
         return list(link.problems) if link is not None else []
 
+    def knowledge(self) -> str:
+        """Return nodes, endpoints with how many match, errors and links: for people to read."""
+        link: Any = self.graph.transport
+        session = link._session if link is not None else None
+        links = [str(each.zid) for each in session.info.links()] if session is not None else []
+        endpoints = [f"{each.kind.value} {each.topic} {each.gid.hex()}" for each in self.graph.endpoints(*EndpointKind)]
+        matched = [self.matched(handle) for handle, thing in enumerate(self.things) if isinstance(thing, Endpoint)]
+        zid = link.zid if link is not None else "none"
+        return f"{zid} linked to {links}; {self.nodes()} {endpoints}, own match {matched}; {self.problems()}"
+
     def leave(self, *, ending: bool = False) -> None:
         from day6_tui.core.link import leave
 

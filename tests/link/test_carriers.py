@@ -84,7 +84,9 @@ class Carriers:
     def _report(self, what: str, error: Exception) -> None:
         self.problems.append(f"{what}: {error}")
 
-    def publisher(self, qos: QoS = PLAIN) -> Publisher:
+    def publisher(self, qos: QoS = PLAIN, *, heard: bool = False) -> Publisher:
+        if heard:
+            self.other.create_subscription("/t", "std_msgs/msg/String", "", PLAIN)
         return self.node.create_publisher("/t", "std_msgs/msg/String", "", qos, same)
 
     def subscription(self, qos: QoS = PLAIN) -> Subscription:
@@ -158,16 +160,20 @@ def test_a_message_goes_with_its_number_time_and_sender_and_its_publisher_is_dec
     assert it.session.log[1:] == [f"undeclare publisher {data_key(publisher)}"]
 
 
-def test_the_first_message_waits_a_tenth_of_a_second_for_a_route(it: Carriers, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_first_message_waits_two_seconds_for_a_route_to_a_subscription_elsewhere(
+    it: Carriers, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(
         it.session, "declare_publisher", lambda key, **options: routeless(it.session._declare("publisher", key))
     )
-    publisher = it.publisher()
+    it.topics.publish(it.publisher(), String(data="x"), 1, 1)
+    assert it.clock.slept == [], "nobody was announced"
+    publisher = it.publisher(heard=True)
     it.topics.publish(publisher, String(data="x"), 1, 1)
-    assert 0.1 <= it.clock.now - 1000.0 < 0.11 and max(it.clock.slept) <= 0.01
-    assert len(it.session.sent) == 1
+    assert 2.0 <= it.clock.now - 1000.0 < 2.01 and max(it.clock.slept) <= 0.01
+    assert len(it.session.sent) == 2
     it.topics.publish(publisher, String(data="x"), 1, 2)
-    assert it.clock.now < 1000.11
+    assert it.clock.now < 1002.01
 
 
 def routeless(declared: Declared) -> Declared:
@@ -178,7 +184,7 @@ def routeless(declared: Declared) -> Declared:
 def test_nothing_is_waited_for_where_there_is_a_route_or_nothing_may_wait(monkeypatch: pytest.MonkeyPatch) -> None:
     for never_wait, route, qos in ((False, True, QoS()), (True, False, QoS()), (False, False, LATCHED)):
         it = Carriers(monkeypatch, never_wait=never_wait)
-        opened = it.topics.open(it.publisher(qos)).publisher
+        opened = it.topics.open(it.publisher(qos, heard=True)).publisher
         opened.matching_status.matching = route
         it.topics.withdraw(next(iter(it.topics._publishers)))
         declare = it.session._declare
@@ -439,19 +445,19 @@ def test_each_response_arrives_with_the_number_of_its_request(it: Carriers) -> N
     assert it.refusals.counts == {"messages": 2}
 
 
-def test_a_request_that_found_nobody_is_sent_again_four_times_ever_later(it: Carriers) -> None:
+def test_a_request_that_found_nobody_is_sent_again_for_half_a_minute_ever_later(it: Carriers) -> None:
     client = it.client()
     it.services.send_request(client, Add.Request(a=4), 5)
     waits = []
-    for sent in range(1, 6):
+    for sent in range(1, 10):
         assert len(it.session.asked) == sent
         it.session.asked[-1].handler.drop()
         if it.timers:
             seconds, again, arguments = it.timers.pop()
             waits.append(seconds)
             again(*arguments)
-    assert waits == [0.05, 0.2, 0.5, 1.0]
-    assert len(it.session.asked) == 5 and it.timers == []
+    assert waits == [0.05, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0]
+    assert len(it.session.asked) == 9 and it.timers == []
     assert {unpack(each.options["attachment"]) for each in it.session.asked} == {
         unpack(it.session.asked[0].options["attachment"])
     }
