@@ -1,9 +1,8 @@
 """Checks pyproject's import contracts, and that nothing escapes them: `python .ci/import_rules.py [TREE]`.
 
-Every module has to be in a layer, and none may reach a higher one by its name in a string (`import_module("day6_tui.tui.app")`).
+Every module has to be in a layer, and none may reach a higher one by its name in a string (`import_module("day6_tui.app")`).
 
-`core/ros/python` holds top-level packages, and beside them a `day6_tui` that is for students' processes only. So the real
-day6_tui is put into `sys.modules` here, as the folder TREE and without being imported.
+Nothing needs to be installed: the folders in which packages are come first on the path.
 """
 
 from __future__ import annotations
@@ -12,24 +11,23 @@ import ast
 import re
 import sys
 from collections.abc import Container, Iterator
-from importlib.machinery import ModuleSpec
-from importlib.util import module_from_spec
 from pathlib import Path
 
 TREE = Path(__file__).resolve().parents[1]
 PARTS = ("core", "tui", "urdf")
-ON_THE_PATH = Path("core", "ros", "python")
-OF_DISTRIBUTIONS = Path("core", "ros", "python_of")
+ON_THE_PATH = Path("core", "day6_core", "ros", "python")
+OF_DISTRIBUTIONS = ON_THE_PATH.with_name("python_of")
 """The packages that not every distribution has; a folder for each one, which repeat each other."""
-SHARE = Path("core", "ros", "share")
+SHARE = ON_THE_PATH.with_name("share")
 """Data, launch files among them."""
-FOR_STUDENTS = ON_THE_PATH / "day6_tui" / "__init__.py"
-CONTAINERS = {"day6_tui.core", "day6_tui.core.ros"}
+FOR_STUDENTS = ON_THE_PATH / "day6_core" / "__init__.py"
+"""Only for their processes: where a plain Python finds the real one."""
+CONTAINERS = {"day6_core", "day6_core.ros"}
 """Folders whose contents are in several layers; their own `__init__` has only a docstring and imports nothing."""
 BY_NAME = {
-    "day6_tui.core.interfaces.stubs": "what an editor's type checker imports",
-    "day6_tui.core.ros.executables": "day6-tui's own command line",
-    "day6_tui.core.shell.subshell": "day6-tui's own command line",
+    "day6_core.interfaces.stubs": "what an editor's type checker imports",
+    "day6_core.ros.executables": "day6-tui's own command line",
+    "day6_core.shell.subshell": "day6-tui's own command line",
     "launch._entry_points": "what are entry points in ROS",
 }
 """Modules that may name a module of a higher layer in a string, and the reason."""
@@ -43,9 +41,7 @@ def modules(tree: Path) -> Iterator[tuple[str, Path]]:
             path = file.relative_to(tree)
             if SHARE in path.parents or path == FOR_STUDENTS:
                 continue
-            top = _top(path)
-            below = path.relative_to(top) if top.parts else Path("day6_tui", path)
-            names = below.with_suffix("").parts
+            names = path.relative_to(_top(path)).with_suffix("").parts
             yield ".".join(names[:-1] if names[-1] == "__init__" else names), path
 
 
@@ -112,10 +108,10 @@ def _packages_around(path: Path) -> Iterator[Path]:
 
 
 def _top(path: Path) -> Path:
-    """Return the folder that is on the path of programs and contains the file; the tree's own for all other files."""
+    """Return the folder in which the file's package is."""
     if OF_DISTRIBUTIONS in path.parents:
         return OF_DISTRIBUTIONS / path.relative_to(OF_DISTRIBUTIONS).parts[0]
-    return ON_THE_PATH if ON_THE_PATH in path.parents else Path()
+    return ON_THE_PATH if ON_THE_PATH in path.parents else Path(path.parts[0])
 
 
 def _parsed(file: Path) -> ast.Module:
@@ -124,10 +120,8 @@ def _parsed(file: Path) -> ast.Module:
 
 def make_importable(tree: Path) -> None:
     """Have the names of the contracts found in this tree and nowhere else."""
-    spec = ModuleSpec("day6_tui", None, is_package=True)
-    spec.submodule_search_locations = [str(tree)]
-    sys.modules["day6_tui"] = module_from_spec(spec)
-    sys.path[:0] = [str(tree / ON_THE_PATH), *map(str, sorted((tree / OF_DISTRIBUTIONS).iterdir()))]
+    folders = (*PARTS, ON_THE_PATH, *sorted((tree / OF_DISTRIBUTIONS).iterdir()))
+    sys.path[:0] = [str(tree / folder) for folder in folders]
 
 
 def main(tree: Path = TREE) -> int:

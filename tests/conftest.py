@@ -17,7 +17,6 @@ import string
 import sys
 import tempfile
 import time
-import types
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -26,21 +25,19 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.support import (
+    one_process,
+    skips,
+    waiting,  # noqa: F401 - before sleeping is watched
+)
+from tests.support.rights import plain_user  # noqa: F401
+from tests.support.short_folder import make_short_folder, remove_short_folders
+
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
-# Tests are imported by path (--import-mode=importlib), what they share by name.
-sys.path.insert(0, str(TESTS / "stepped"))
 
-import one_process  # noqa: E402
-import skips  # noqa: E402
-import waiting  # noqa: E402, F401 - before sleeping is watched
-from rights import plain_user  # noqa: E402, F401
-from short_folder import make_short_folder, remove_short_folders  # noqa: E402
-
-if importlib.util.find_spec("day6_tui") is None:
-    namespace = types.ModuleType("day6_tui")
-    namespace.__path__ = [str(ROOT)]
-    sys.modules["day6_tui"] = namespace
+if importlib.util.find_spec("day6_core") is None:
+    sys.path += [str(ROOT / name) for name in ("core", "tui", "urdf")]
 
 # How long an example takes says something about the machine.
 settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -85,7 +82,7 @@ MUCH_GARBAGE, MANY_COLLECTIONS = 50_000, 20
 
 # Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
 OWN = make_short_folder("d6t-")
-# Where it is told that a program makes all the others wait (core/session/watch.py), if it was started for several tests.
+# Where it is told that a program makes all the others wait (day6_core/session/watch.py), if it was started for several tests.
 WAITS = OWN / "waits.txt"
 _numbers = itertools.count()
 
@@ -138,8 +135,8 @@ for number in {
     if signal.getsignal(number) is signal.SIG_IGN:
         signal.signal(number, signal.default_int_handler if number == signal.SIGINT else signal.SIG_DFL)
 
-from day6_tui.core.interfaces import registry  # noqa: E402
-from day6_tui.core.ros.environment import activate  # noqa: E402
+from day6_core.interfaces import registry  # noqa: E402
+from day6_core.ros.environment import activate  # noqa: E402
 
 activate()
 

@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
-from source_files import nodes, trees
+from tests.support.source_files import nodes, trees
 
-PARTS = ("core/ros/ros2", "core/ros/programs", "core/shell", "core/workspace", "urdf")
+PARTS = ("day6_core/ros/ros2", "day6_core/ros/programs", "day6_core/shell", "day6_core/workspace", "day6_urdf")
 SINKS = {"print_error", "complain", "complain_as_shell", "err", "error", "warning", "warn", "fatal", "put_status", "refuse",
          "_set_status", "exit"}  # fmt: skip
 REASONS = ("strerror", "reason(", "os.strerror")
@@ -41,7 +41,7 @@ class Emitted(NamedTuple):
 def constants() -> dict[str, str]:
     """Texts that modules keep under a name."""
     found: dict[str, str] = {}
-    for part in (*PARTS, "core/session"):
+    for part in (*PARTS, "day6_core/session"):
         for _, tree in trees(part):
             for node in tree.body:
                 if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
@@ -69,7 +69,7 @@ def _in_module(tree: ast.Module, part: str) -> Iterator[tuple[str, str, int]]:
             how = _sink(node)
             # A status of RViz that is no trouble, a line in the log file of the desktop itself.
             if how and not _is_quiet(node):
-                third = how in ("put_status", "_set_status", "refuse") or part == "urdf"
+                third = how in ("put_status", "_set_status", "refuse") or part == "day6_urdf"
                 arguments = node.args[2:3] if third else node.args
                 texts = [text for argument in arguments if (text := sample(argument)) and any(map(str.isalpha, text))]
                 if texts and (how != "print" or TROUBLE.search(max(texts, key=len))):
@@ -83,7 +83,7 @@ def _in_module(tree: ast.Module, part: str) -> Iterator[tuple[str, str, int]]:
         elif isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and node.exc.args:
             if not _sink(node.exc) and (text := sample(node.exc.args[0])):
                 yield f"raise {ast.unparse(node.exc.func)}", text, node.lineno
-        elif part == "core/ros/ros2" and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+        elif part == "day6_core/ros/ros2" and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             kind = ast.unparse(node.returns) if node.returns is not None else ""
             if "int | str" in kind or (node.name in ("main", "_run") and "str" in kind):
                 for each in nodes(node):

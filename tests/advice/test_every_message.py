@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import re
-import sys
-from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from emitted import Emitted, emitted
-
-from day6_tui.core.advice.matching import card_for
+from day6_core.advice.matching import card_for
+from tests.advice.emitted import Emitted, emitted
 
 EXEMPT: dict[str, str] = {
     # Place, how and text of what needs none -> why.

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.advice.rules import Surroundings, hint_below
-from day6_tui.core.advice.texts import TEXTS
-from day6_tui.core.ros.environment import program_environment
+from day6_core.advice.rules import Surroundings, hint_below
+from day6_core.advice.texts import TEXTS
+from day6_core.ros.environment import program_environment
 
 NODE = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String, Float64\n"
 

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-sys.path.insert(0, str(Path(__file__).parents[1] / "ros2"))
-
-from bag_commands import counted_bag
-from ros2_machine import Machine
+from tests.ros2.bag_commands import counted_bag
+from tests.ros2.ros2_machine import Machine
 
 
 @pytest.fixture

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 import rosbag2_py
-from bag_commands import counter, wait_for_end
+
+from tests.ros2.bag_commands import counter, wait_for_end
 
 STORAGES = {"mcap": "bag_0.mcap", "sqlite3": "bag_0.db3"}
 
@@ -52,7 +53,7 @@ def messages(bag: Path) -> list[int]:
 def test_what_was_flushed_before_the_disk_was_full_is_all_there(tmp_path: Path, storage: str) -> None:
     resource = pytest.importorskip("resource")
     result = subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "python", "-c", WRITER, storage],
+        [sys.executable, "-m", "day6_tui.main", "python", "-c", WRITER, storage],
         cwd=tmp_path,
         env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "DAY6_LINK": "off"},
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000)),
@@ -74,7 +75,7 @@ def test_what_was_flushed_before_the_disk_was_full_is_all_there(tmp_path: Path, 
 def test_a_bag_for_which_there_is_no_room_at_all_leaves_nothing(tmp_path: Path, storage: str) -> None:
     resource = pytest.importorskip("resource")
     result = subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "ros2", "bag", "record", "-a", "-o", "bag", "-s", storage],
+        [sys.executable, "-m", "day6_tui.main", "ros2", "bag", "record", "-a", "-o", "bag", "-s", storage],
         cwd=tmp_path,
         env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "DAY6_LINK": "off", "ROS_LOG_DIR": str(tmp_path / "log")},
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20, 20)),

@@ -6,7 +6,8 @@ import sys
 
 import pytest
 import rosbag2_py
-from waiting import run
+
+from tests.support.waiting import run
 
 
 @pytest.mark.process
@@ -51,7 +52,7 @@ def test_an_option_that_does_not_exist_is_refused(options, place):
 
 
 def test_options_have_their_old_names_in_humble(monkeypatch):
-    from day6_tui.core.ros import differences
+    from day6_core.ros import differences
 
     monkeypatch.setattr(differences, "value", lambda key: key == "bag.options_have_old_names")
     options = rosbag2_py.RecordOptions()

@@ -16,9 +16,9 @@ from rosbag2_py._qos import from_yaml, offer_for, yaml_lines
 from rosbag2_py._sqlite import SqliteReader
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
-from waiting import run
 
 from rclpy.serialization import deserialize_message, serialize_message
+from tests.support.waiting import run
 
 STORAGES = ("mcap", "sqlite3")
 SUFFIX = {"mcap": ".mcap", "sqlite3": ".db3"}
@@ -239,10 +239,9 @@ def test_a_recording_that_was_killed_is_readable_at_once(tmp_path, storage):
     program = textwrap.dedent(f"""
         import os, sys, time
         sys.path[:0] = {sys.path!r}
-        sys.path.insert(0, {str(Path(__file__).parent)!r})
         import rosbag2_py._writer
         rosbag2_py._writer.FLUSH_SECONDS = rosbag2_py._writer.SLOWER_PER_PIECE = 0.0
-        import test_storage
+        from tests.bag import test_storage
         from pathlib import Path
         writer = test_storage.write(Path("bag"), {storage!r}, 300, close=False)
         os.kill(os.getpid(), 9)
@@ -294,8 +293,8 @@ def test_reindex_makes_the_metadata_anew(tmp_path, storage):
 def test_a_bag_that_nobody_closed_is_closed_when_the_program_ends(tmp_path):
     program = textwrap.dedent(f"""
         import sys
-        sys.path[:0] = {[*sys.path, str(Path(__file__).parent)]!r}
-        import test_storage
+        sys.path[:0] = {sys.path!r}
+        from tests.bag import test_storage
         from pathlib import Path
         writer = test_storage.write(Path("bag"), "mcap", 20, close=False)
     """)

@@ -9,12 +9,12 @@ from xml.etree import ElementTree
 
 import pytest
 
-from day6_tui.core.session.harmless import one_line
-from day6_tui.tui.cast import command
-from day6_tui.tui.cast.file import CastError, read
-from day6_tui.tui.cast.film import Film
-from day6_tui.tui.cast.svg import picture
-from day6_tui.tui.locale import Texts
+from day6_core.session.harmless import one_line
+from day6_tui.cast import command
+from day6_tui.cast.file import CastError, read
+from day6_tui.cast.film import Film
+from day6_tui.cast.svg import picture
+from day6_tui.locale import Texts
 
 HEAD = {"version": 2, "width": 20, "height": 4}
 

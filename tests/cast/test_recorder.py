@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.tui.cast import recorder as module
-from day6_tui.tui.cast.file import read
-from day6_tui.tui.cast.film import Film
-from day6_tui.tui.cast.recorder import Recorder, picture_of
+from day6_tui.cast import recorder as module
+from day6_tui.cast.file import read
+from day6_tui.cast.film import Film
+from day6_tui.cast.recorder import Recorder, picture_of
 
 
 class _Clock:

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from day6_tui.core.classroom import note as notes
-from day6_tui.core.classroom import order as orders
-from day6_tui.core.classroom.note import LessonPlace, Note, NoteError, Picture, Trouble
-from day6_tui.core.classroom.order import Order, OrderError
+from day6_core.classroom import note as notes
+from day6_core.classroom import order as orders
+from day6_core.classroom.note import LessonPlace, Note, NoteError, Picture, Trouble
+from day6_core.classroom.order import Order, OrderError
 
 FULL = Note(
     lesson=LessonPlace("day3", {"zh": "第三天", "en": "Day 3"}, 4, 12, True, 2),

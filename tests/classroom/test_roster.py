@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from day6_tui.core.classroom.note import LessonPlace, Note, Trouble
-from day6_tui.core.classroom.order import Order
-from day6_tui.core.classroom.roster import FROZEN_SECONDS, STUCK_SECONDS, Roster
+from day6_core.classroom.note import LessonPlace, Note, Trouble
+from day6_core.classroom.order import Order
+from day6_core.classroom.roster import FROZEN_SECONDS, STUCK_SECONDS, Roster
 
 ERROR = Trouble({"en": "Not found"}, "Package 'turtlesin' not found")
 

@@ -9,12 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from golden_cases import GOLDEN
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workspace"))
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "stepped"))
-
-from workshop import Workshop, edit
+from tests.conformance.golden_cases import GOLDEN
+from tests.workspace.workshop import Workshop, edit
 
 CASES_FILE = GOLDEN / "colcon.jsonl"
 SETUP = "src/day6_publisher/setup.py"

@@ -1,6 +1,6 @@
 """Runs the programs of `programs/` with our rclpy and shows where they do something else than with a real one.
 
-    python tests/conformance/differential.py [--real PATH-TO-PYTHON] [--record] [NAME…]
+    python -m tests.conformance.differential [--real PATH-TO-PYTHON] [--record] [NAME…]
 
 Without `--real` what is recorded in recorded.jsonl is compared with; with it the programs run on that rclpy too (`--record`:
 and what they do is written down, for the tests). A NAME is the beginning of programs' names.
@@ -11,14 +11,11 @@ from __future__ import annotations
 import argparse
 import difflib
 import json
-import sys
 import tempfile
 from dataclasses import asdict
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from played import RECORDED, Case, Outcome, play, program_cases
+from tests.conformance.played import RECORDED, Case, Outcome, play, program_cases
 
 _DOMAINS = range(20, 100)
 

@@ -1,6 +1,6 @@
 """Runs the tests of the real launch_testing and launch_testing_ros on ours, one process a file, and prints how many pass.
 
-    python tests/conformance/launch_testing_suite.py --sources FOLDER [--clone] [--real PYTHON] [WORD…]
+    python -m tests.conformance.launch_testing_suite --sources FOLDER [--clone] [--real PYTHON] [WORD…]
 
 FOLDER holds checkouts of ros2/launch and ros2/launch_ros (see `checkouts.py`; `--clone` fetches them); the JSON beside this file
 names the commits. `--real` runs the files on that interpreter's packages too. A WORD chooses files by a part of their name. What
@@ -16,12 +16,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from checkouts import Missing, extract
-from rclpy_suite import Outcomes, run, summary
-
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
+from tests.conformance.checkouts import Missing, extract
+from tests.conformance.rclpy_suite import Outcomes, run, summary
 
 INPUTS = Path(__file__).with_suffix(".json")
 _LINTERS = ("test_copyright.py", "test_flake8.py", "test_mypy.py", "test_pep257.py", "test_xmllint.py")

@@ -17,19 +17,18 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from golden_cases import STEPS_BEFORE, Case, differences
-from waiting import Deadline, until
-
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros import environment, ros2
-from day6_tui.core.ros.programs import load
-from day6_tui.core.ros.ros2.cli import daemon
-from day6_tui.core.session import watch
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured, TextInput
+from day6_core.graph import Graph
+from day6_core.ros import environment, ros2
+from day6_core.ros.programs import load
+from day6_core.ros.ros2.cli import daemon
+from day6_core.session import watch
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured, TextInput
+from tests.conformance.golden_cases import STEPS_BEFORE, Case, differences
+from tests.support.waiting import Deadline, until
 
 DOMAIN = 30
 PREFIXES = [str(environment.SHARE_PATH.parent)]
@@ -168,7 +167,7 @@ class World:
             stderr=Captured(),
         )
         if self.with_processes:
-            from day6_tui.core.shell.process import run_python
+            from day6_core.shell.process import run_python
 
             session.python = run_python
             session.env.update({name: os.environ[name] for name in ("PATH", "DAY6_RUNTIME_DIR") if name in os.environ})
@@ -211,7 +210,7 @@ class World:
 
 
 def _let_work_be_done() -> None:
-    """Wait for what commands do in threads (`core/session/threads.py`): the clock of the test does not wait for it."""
+    """Wait for what commands do in threads (`day6_core/session/threads.py`): the clock of the test does not wait for it."""
     for thread in threading.enumerate():
         if thread.name == "day6-work":
             thread.join(LONGEST)

@@ -1,6 +1,6 @@
 """The public names of rclpy: modules, classes, members, signatures; of a real one and of ours.
 
-    python tests/conformance/names.py [--real PATH-TO-PYTHON] [--record]
+    python -m tests.conformance.names [--real PATH-TO-PYTHON] [--record]
 
 prints what ours lacks or has with other arguments, compared with what is recorded in tests/rclpy/names.json or, with
 `--real`, with that rclpy (`--record`: and writes it down). Only the standard library is used before an rclpy is looked at,
@@ -195,7 +195,7 @@ def main() -> int:
     if chosen.record:
         lines = [f"{json.dumps(name)}: {json.dumps(wanted[name], sort_keys=True)}" for name in sorted(wanted)]
         RECORDED.write_text("{" + ",\n".join(lines) + "}\n", encoding="utf-8")
-    from day6_tui.core.ros import environment
+    from day6_core.ros import environment
 
     environment.activate()
     lines = differences(wanted)

@@ -14,7 +14,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_core.ros.environment import PYTHON_PATH, program_environment
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(__file__).with_name("programs")

@@ -1,6 +1,6 @@
 """Runs rclpy's own tests on our rclpy, one process a file as its own build does, and prints how many pass.
 
-    python tests/conformance/rclpy_suite.py --sources FOLDER [--clone] [--real PYTHON] [WORD…]
+    python -m tests.conformance.rclpy_suite --sources FOLDER [--clone] [--real PYTHON] [WORD…]
 
 FOLDER holds a checkout of ros2/rclpy (see `checkouts.py`; `--clone` fetches it); `rclpy_suite.json` names the commit, and every
 test that is expected to fail, with its reason. `--real` runs the files on that interpreter's rclpy too. A WORD chooses files by
@@ -21,11 +21,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from checkouts import Missing, extract
-
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
+from tests.conformance.checkouts import Missing, extract
 
 INPUTS = Path(__file__).with_suffix(".json")
 LONGEST_S = 240

@@ -1,6 +1,6 @@
 """Prints the README's table "How true": plays everything that is recorded, and counts what is equal.
 
-    python tests/conformance/score.py [--sources FOLDER --real PYTHON [--colcon COLCON] [--clone]]
+    python -m tests.conformance.score [--sources FOLDER --real PYTHON [--colcon COLCON] [--clone]]
 
 Without options it needs nothing but the repository: a row is a count over tests that compare with recordings of the real thing.
 `--sources` and `--real` add the rows that need checkouts of public repositories (`checkouts.py`; `--clone` fetches them) and a
@@ -19,9 +19,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from rclpy_suite import read_report
+from tests.conformance.rclpy_suite import read_report
 
 HERE = Path(__file__).parent
 TESTS = HERE.parent

@@ -1,6 +1,6 @@
 """Plays the programs of strangers' public repositories with our rclpy and with a real one, and counts where they do the same.
 
-    python tests/conformance/strangers.py --sources FOLDER --real PYTHON [--clone] [--show] [--jobs 2] [WORD…]
+    python -m tests.conformance.strangers --sources FOLDER --real PYTHON [--clone] [--show] [--jobs 2] [WORD…]
 
 `strangers.json` names the repositories at fixed commits; FOLDER has checkouts of them (see `checkouts.py`; `--clone` fetches
 what is missing). A WORD chooses programs by a part of `owner/name/path`. `--show` prints what differs.
@@ -37,12 +37,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from queue import SimpleQueue
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from checkouts import Missing, extract
-from played import ROOT, SITE, Outcome, comparable
-
-from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_core.ros.environment import PYTHON_PATH, program_environment
+from tests.conformance.checkouts import Missing, extract
+from tests.conformance.played import ROOT, SITE, Outcome, comparable
 
 INPUTS = Path(__file__).with_suffix(".json")
 _OF_PYTHON = """

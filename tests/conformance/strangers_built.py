@@ -1,6 +1,6 @@
 """Builds the packages of strangers' public repositories, with ours and with the real colcon, and compares.
 
-    python tests/conformance/strangers_built.py --sources FOLDER [--real COLCON] [--clone] [--show] [WORD…]
+    python -m tests.conformance.strangers_built --sources FOLDER [--real COLCON] [--clone] [--show] [WORD…]
 
 The repositories are those of `strangers.json` at its commits; FOLDER has checkouts (see `checkouts.py`; `--clone` fetches what is
 missing). A WORD chooses repositories by a part of `owner/name`. Of a name that a repository has twice the first package counts.
@@ -22,12 +22,9 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workspace"))
-
-from checkouts import Missing, extract
-from compare_shapes import build_all, install_tree
-from shapes import changes, snapshot
+from tests.conformance.checkouts import Missing, extract
+from tests.workspace.compare_shapes import build_all, install_tree
+from tests.workspace.shapes import changes, snapshot
 
 INPUTS = Path(__file__).with_name("strangers.json")
 OURS = str(Path(sys.executable).with_name("day6-tui"))

@@ -7,16 +7,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from golden_cases import GOLDEN
-from pdf_text import pdf_text
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs import load
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.ros.programs import load
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
+from tests.conformance.golden_cases import GOLDEN
+from tests.support.pdf_text import pdf_text
 
 
 def cases() -> list[dict[str, Any]]:

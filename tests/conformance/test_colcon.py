@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from colcon_cases import PREPARATIONS, Case, Workshop, differences, load_cases
 
-from day6_tui.core.session.streams import Captured
+from day6_core.session.streams import Captured
+from tests.conformance.colcon_cases import PREPARATIONS, Case, Workshop, differences, load_cases
 
 CASES = load_cases()
 EXCEPTIONS: dict[str, str] = {}
@@ -17,7 +17,7 @@ EXCEPTIONS: dict[str, str] = {}
 
 @pytest.fixture
 def workshop(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Workshop]:
-    monkeypatch.setattr("day6_tui.core.shell.desk.login_name", lambda: "root")  # who made the recording
+    monkeypatch.setattr("day6_core.shell.desk.login_name", lambda: "root")  # who made the recording
     place = Workshop(tmp_path / "home")
     yield place
     place.close()

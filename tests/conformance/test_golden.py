@@ -6,8 +6,9 @@ import json
 import re
 
 import pytest
-from folded import folded
-from golden_cases import GOLDEN
+
+from tests.conformance.golden_cases import GOLDEN
+from tests.support.folded import folded
 
 FILES = sorted(path for path in GOLDEN.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
 RECORDINGS = {"check_urdf": 42, "colcon": 37, "rclpy_behaviour": 93, "ros2cli": 388}

@@ -11,11 +11,9 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, os.path.dirname(__file__))
-
-from differential import difference
-from known_differences import KNOWN, TIMING
-from played import Case, play, program_cases, reference_cases
+from tests.conformance.differential import difference
+from tests.conformance.known_differences import KNOWN, TIMING
+from tests.conformance.played import Case, play, program_cases, reference_cases
 
 pytestmark = pytest.mark.process
 

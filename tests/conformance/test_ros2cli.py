@@ -6,11 +6,11 @@ import shutil
 from collections.abc import Iterator
 
 import pytest
-from golden_cases import GOLDEN, Case, load_cases, load_exceptions
-from machine import Machine, is_stepped
 
-from day6_tui.core.ros.differences import VALUES
-from day6_tui.core.ros.distribution import NAMES
+from day6_core.ros.differences import VALUES
+from day6_core.ros.distribution import NAMES
+from tests.conformance.golden_cases import GOLDEN, Case, load_cases, load_exceptions
+from tests.conformance.machine import Machine, is_stepped
 
 CASES = load_cases()
 EXCEPTIONS = load_exceptions()

@@ -9,14 +9,15 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from checkouts import Missing, extract
-from played import Outcome
-from rclpy_suite import INPUTS as SUITE
-from rclpy_suite import read_report, summary
-from score import ROWS, TESTS, Row, counted
-from strangers import INPUTS as STRANGERS
-from strangers import difference, programs, same_course
-from strangers_built import packages
+
+from tests.conformance.checkouts import Missing, extract
+from tests.conformance.played import Outcome
+from tests.conformance.rclpy_suite import INPUTS as SUITE
+from tests.conformance.rclpy_suite import read_report, summary
+from tests.conformance.score import ROWS, TESTS, Row, counted
+from tests.conformance.strangers import INPUTS as STRANGERS
+from tests.conformance.strangers import difference, programs, same_course
+from tests.conformance.strangers_built import packages
 
 COMMIT = re.compile(r"[0-9a-f]{40}")
 

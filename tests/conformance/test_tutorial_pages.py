@@ -6,14 +6,14 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from tutorial_pages.commands import is_form, opens_window, runs_on, split
-from tutorial_pages.documentation import Block, Documentation, as_of_today
-from tutorial_pages.files import Workspace
-from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.player import Row, is_from_home, put_right, starts_the_same, takes_arrows
-from tutorial_pages.table import TABLE, Table, digest
 
-from day6_tui.core.ros import distribution
+from day6_core.ros import distribution
+from tests.conformance.tutorial_pages.commands import is_form, opens_window, runs_on, split
+from tests.conformance.tutorial_pages.documentation import Block, Documentation, as_of_today
+from tests.conformance.tutorial_pages.files import Workspace
+from tests.conformance.tutorial_pages.judge import Verdict, compare
+from tests.conformance.tutorial_pages.player import Row, is_from_home, put_right, starts_the_same, takes_arrows
+from tests.conformance.tutorial_pages.table import TABLE, Table, digest
 
 PAGE = """\
 A page

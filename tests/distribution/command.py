@@ -10,12 +10,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from waiting import PATIENCE, run, until
+from tests.support.waiting import PATIENCE, run, until
 
 
 def day6(*words: str, **variables: str) -> subprocess.CompletedProcess[str]:
     """Run `day6-tui WORDS…` with these variables besides those of the test."""
-    return run([sys.executable, "-m", "day6_tui.tui.main", *words], limit=4 * PATIENCE, env={**os.environ, **variables})
+    return run([sys.executable, "-m", "day6_tui.main", *words], limit=4 * PATIENCE, env={**os.environ, **variables})
 
 
 def sections(home: Path, parts: dict[str, str], **variables: str) -> dict[str, str]:
@@ -30,7 +30,7 @@ def sections(home: Path, parts: dict[str, str], **variables: str) -> dict[str, s
 @contextmanager
 def started(*words: str, **variables: str) -> Iterator[None]:
     """Have `day6-tui WORDS…` run meanwhile."""
-    command = [sys.executable, "-m", "day6_tui.tui.main", *words]
+    command = [sys.executable, "-m", "day6_tui.main", *words]
     with subprocess.Popen(
         command, env={**os.environ, **variables}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     ) as process:

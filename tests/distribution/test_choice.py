@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.places import data_folder
-from day6_tui.core.ros.distribution import DEFAULT, NAMES
+from day6_core.places import data_folder
+from day6_core.ros.distribution import DEFAULT, NAMES
 
 from .command import day6
 
@@ -142,7 +142,7 @@ def test_apt_and_doctor_name_it() -> None:
 
 
 def test_lessons_speak_of_it() -> None:
-    from day6_tui.core.ros import differences, distribution
+    from day6_core.ros import differences, distribution
 
     text = (
         "source /opt/ros/jazzy/setup.bash, not /opt/ros/humble; ros-jazzy-desktop; turtlesim/srv/Spawn; turtlesim.msg"
@@ -164,8 +164,8 @@ def test_lessons_speak_of_it() -> None:
 @pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
 def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.lessons import reading
-    from day6_tui.core.ros import distribution
+    from day6_core.lessons import reading
+    from day6_core.ros import distribution
 
     monkeypatch.setattr(distribution, "_current", name)
     files = sorted(Path(reading.__file__).parent.glob("d*s/*.md"))
@@ -176,8 +176,8 @@ def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: 
 
 @pytest.mark.process
 def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.ros import distribution
-    from day6_tui.tui.web.starting import environment
+    from day6_core.ros import distribution
+    from day6_tui.web.starting import environment
 
     monkeypatch.setattr(distribution, "_current", "humble")
     remember("kilted")

@@ -7,10 +7,9 @@ import re
 
 import pytest
 from rosbags.typesys import Stores, get_typestore
-from short_folder import make_short_folder
 
-from day6_tui.core.ros import differences, distribution
-from day6_tui.core.ros.differences import (
+from day6_core.ros import differences, distribution
+from day6_core.ros.differences import (
     EXECUTABLES,
     INTERFACES,
     LAUNCH_FILES,
@@ -21,7 +20,8 @@ from day6_tui.core.ros.differences import (
     VALUES,
     VERBS,
 )
-from day6_tui.core.ros.distribution import NAMES
+from day6_core.ros.distribution import NAMES
+from tests.support.short_folder import make_short_folder
 
 from .command import day6, sections, started, wait_for
 
@@ -192,7 +192,7 @@ def test_every_row_names_its_source() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_messages_are_those_of_the_release(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each message with its fields and constants, compared with another collection of them."""
-    from day6_tui.core.interfaces import registry
+    from day6_core.interfaces import registry
 
     monkeypatch.setattr(distribution, "_current", name)
     monkeypatch.setattr(registry, "_structures", {})
@@ -297,7 +297,7 @@ def test_humble_tells_neither_distribution_nor_services_of_a_bag(played: dict[st
 def test_humble_has_no_progress_bar(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     from argparse import ArgumentParser
 
-    from day6_tui.core.ros.ros2.bag import play
+    from day6_core.ros.ros2.bag import play
 
     monkeypatch.setattr(distribution, "_current", name)
     play.add_arguments(parser := ArgumentParser())

@@ -6,12 +6,11 @@ import re
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING
 
-from mouse import Mouse
-
-from day6_tui.tui.locale import Texts
+from day6_tui.locale import Texts
+from tests.e2e.mouse import Mouse
 
 if TYPE_CHECKING:
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
 PROMPT = "student@day6:~$"
 

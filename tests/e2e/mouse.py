@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
 LEFT, MIDDLE = 0, 1
 _MOVING, _WHEEL_UP, _WHEEL_DOWN = 32, 64, 65

@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from short_folder import make_short_folder
-from waiting import PATIENCE, run, until
+
+from tests.support.short_folder import make_short_folder
+from tests.support.waiting import PATIENCE, run, until
 
 if TYPE_CHECKING:
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
 _SCRIPT = shutil.which("day6-tui", path=os.path.dirname(sys.executable))
-DAY6 = [_SCRIPT] if _SCRIPT else [sys.executable, "-m", "day6_tui.tui.main"]
+DAY6 = [_SCRIPT] if _SCRIPT else [sys.executable, "-m", "day6_tui.main"]
 
 
 class Place:
@@ -75,7 +76,7 @@ class Place:
         """`day6-tui WORDS…` in a real terminal; skips the test where there are none."""
         if os.name != "posix":
             pytest.skip("this system has no pseudo-terminals to try the screen in")
-        from terminal import Terminal
+        from tests.e2e.terminal import Terminal
 
         return Terminal([*DAY6, *words], columns, rows, cwd=self.work, env=self.environment(**env))
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import lesson_files
-from lesson_files import WHEEL_SPINNER
+from tests.e2e import lesson_files
+from tests.e2e.lesson_files import WHEEL_SPINNER
 
 TALKER = lesson_files.TALKER.replace("Hello from Day 6: %d", "line %d of the talker").replace("Publishing", "I said")
 

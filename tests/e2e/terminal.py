@@ -6,7 +6,6 @@ import os
 import re
 import select
 import signal
-import sys
 import termios
 import time
 from collections.abc import Callable
@@ -16,10 +15,8 @@ from typing import Any
 
 import pyte
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "perf"))
-
-from screen import Screen, set_window_size
-from waiting import PATIENCE, Deadline, until
+from tests.perf.screen import Screen, set_window_size
+from tests.support.waiting import PATIENCE, Deadline, until
 
 KEYS = {
     "Enter": "\r",

@@ -14,12 +14,13 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 import pytest
-from hands import PROMPT, Keyboard, Pointer
-from lesson_files import LAUNCH, SETUP, SPINNER_SCRIPT, URDF, WHEEL_SPINNER
+
+from tests.e2e.hands import PROMPT, Keyboard, Pointer
+from tests.e2e.lesson_files import LAUNCH, SETUP, SPINNER_SCRIPT, URDF, WHEEL_SPINNER
 
 if TYPE_CHECKING:
-    from hands import Hands
-    from place import Place
+    from tests.e2e.hands import Hands
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

@@ -6,11 +6,12 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from broken_lines import without_blanks
-from waiting import until
+
+from tests.support.broken_lines import without_blanks
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

@@ -7,11 +7,12 @@ import sys
 from typing import TYPE_CHECKING
 
 import pytest
-from place import DAY6
-from waiting import run
+
+from tests.e2e.place import DAY6
+from tests.support.waiting import run
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = [
     pytest.mark.person,

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from mouse import Mouse
-from place import Place
-from test_observed import answer_consent, choose
 
-from day6_tui.tui.locale import Texts
+from day6_tui.locale import Texts
+from tests.e2e.mouse import Mouse
+from tests.e2e.place import Place
+from tests.e2e.test_observed import answer_consent, choose
 
 if TYPE_CHECKING:
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
 pytestmark = pytest.mark.person
 

@@ -15,13 +15,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from waiting import until
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "pixels"))
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = pytest.mark.person
 
@@ -75,7 +74,7 @@ def expect_given_back(screen: Terminal, before: list[object]) -> None:
 
 
 def processes_of(place: Place, module: str) -> list[int]:
-    return [pid for pid, words in place.processes().items() if f"day6_tui.tui.{module}" in words]
+    return [pid for pid, words in place.processes().items() if f"day6_tui.{module}" in words]
 
 
 def sockets(place: Place) -> list[Path]:
@@ -507,7 +506,7 @@ def test_what_is_typed_ahead_reaches_the_desktop_and_ctrl_c_does_not_end_it(plac
 
 TERMINATED = """
 import os, signal, socket, sys
-from day6_tui.tui.detached import view, wire
+from day6_tui.detached import view, wire
 
 ours, theirs = socket.socketpair()
 keeper, write = wire.Line(theirs), os.write
@@ -541,7 +540,7 @@ def test_a_picture_leaves_the_terminal_though_the_signal_comes_just_as_it_was_se
 
 @pytest.mark.parametrize("how", ["leave", "terminate"])
 def test_pictures_do_not_stay_in_a_terminal_and_are_drawn_in_the_next_one(place: Place, how: str) -> None:
-    from test_pixels import COLUMNS, ROWS, Window
+    from tests.e2e.test_pixels import COLUMNS, ROWS, Window
 
     with place.desktop("--detach", "--scene", "turtle", columns=COLUMNS, rows=ROWS) as screen:
         window = Window(screen, "kitty")
@@ -574,7 +573,7 @@ def test_pictures_do_not_stay_in_a_terminal_and_are_drawn_in_the_next_one(place:
 
 @pytest.mark.parametrize("module", ["keeper", "client", "view", "meeting"])
 def test_neither_keeper_nor_client_load_the_screen(module: str) -> None:
-    code = f"import sys, day6_tui.tui.detached.{module}; print(*sorted(sys.modules))"
+    code = f"import sys, day6_tui.detached.{module}; print(*sorted(sys.modules))"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert not {"textual", "rich", "asyncio", "numpy", "zenoh", "yaml"} & set(loaded)
     assert len([name for name in loaded if name.startswith("day6_tui")]) < 20

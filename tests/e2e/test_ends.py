@@ -9,12 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from place import DAY6
-from waiting import communicate, until
+
+from tests.e2e.place import DAY6
+from tests.support.waiting import communicate, until
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = pytest.mark.person
 
@@ -127,7 +128,7 @@ def test_a_stray_sigcont_does_not_cost_the_terminal_its_settings(place: Place) -
 
 
 def test_the_desktop_ends_with_its_terminal_where_nobody_hears_sighup(place: Place) -> None:
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
     words = ["/bin/sh", "-c", "trap '' HUP; exec \"$@\"", "sh", *DAY6, "--scene", "empty", "--lang", "en"]
     words += ["--home", str(place.home)]
@@ -196,7 +197,7 @@ def test_a_window_that_does_not_listen_ends_by_force_and_gives_the_terminal_back
     folder = place.work / "deaf"
     folder.mkdir()
     stick = (
-        "from day6_tui.core.session.local import Foreground\n"
+        "from day6_core.session.local import Foreground\n"
         "Foreground.over = property(lambda self: False if self.program.status is None else wait())\n"
     )
     (folder / "sitecustomize.py").write_text(DEAF + stick, encoding="utf-8")

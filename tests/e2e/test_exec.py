@@ -7,10 +7,11 @@ import signal
 from typing import TYPE_CHECKING
 
 import pytest
-from waiting import communicate, until
+
+from tests.support.waiting import communicate, until
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

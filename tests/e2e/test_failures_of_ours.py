@@ -7,36 +7,37 @@ import sys
 from typing import TYPE_CHECKING
 
 import pytest
-from waiting import until
+
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")]
 
-START = "import sys\nfrom day6_tui.tui.main import main\nsys.argv[1:] = {words!r}\n{plant}\nsys.exit(main())\n"
+START = "import sys\nfrom day6_tui.main import main\nsys.argv[1:] = {words!r}\n{plant}\nsys.exit(main())\n"
 
 BREAK = """
 def breaks(*arguments, **named):
     raise RuntimeError("planted")
 """
 A_KEY = f"""{BREAK}
-from day6_tui.tui.guidance import Guidance
+from day6_tui.guidance import Guidance
 Guidance.open_palette = breaks
-from day6_tui.tui.terminal_pane import TerminalPane
+from day6_tui.terminal_pane import TerminalPane
 TerminalPane.on_mouse_scroll_up = breaks
 """
 EVERYTHING = f"""{BREAK}
-from day6_tui.tui.guidance import Guidance
+from day6_tui.guidance import Guidance
 Guidance.open_palette = lambda self: self._desktop.app.call_later(breaks)
 """
 A_CHOICE = f"""{BREAK}
-from day6_tui.tui.terminals import Terminals
+from day6_tui.terminals import Terminals
 Terminals.use_idle = breaks
 """
 READER = f"""{BREAK}
-from day6_tui.tui.terminal_driver import TerminalDriver
+from day6_tui.terminal_driver import TerminalDriver
 original = TerminalDriver._read
 def _read(self):
     data = original(self)
@@ -49,7 +50,7 @@ TerminalDriver._read = _read
 
 def desktop(place: Place, plant: str, scene: str | None = "empty") -> Terminal:
     """The desktop with a mistake planted in it."""
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
     words = ["--home", str(place.home), "--lang", "en", *(("--scene", scene) if scene else ())]
     code = START.format(words=words, plant=plant)

@@ -11,11 +11,11 @@ import pytest
 if sys.platform == "win32":
     pytest.skip("needs a pty", allow_module_level=True)
 
-from place import DAY6
-from terminal import Terminal
+from tests.e2e.place import DAY6
+from tests.e2e.terminal import Terminal
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

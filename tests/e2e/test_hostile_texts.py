@@ -10,14 +10,15 @@ import sys
 from typing import TYPE_CHECKING
 
 import pytest
-from hostile import HOSTILE, MARK, SEQUENCES, SHORT, foreign, whole
-from waiting import until
+
+from tests.e2e.hostile import HOSTILE, MARK, SEQUENCES, SHORT, foreign, whole
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = [
     pytest.mark.person,
@@ -211,8 +212,8 @@ def test_messages_of_commands_in_a_real_terminal_are_text(place: Place, words: l
 
 DECLARE = """\
 import sys, time
-from day6_tui.core.graph import graph_for_domain
-from day6_tui.core.link import join
+from day6_core.graph import graph_for_domain
+from day6_core.link import join
 graph = graph_for_domain(0)
 join(graph)
 graph.create_node("honest")

@@ -6,7 +6,8 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from lesson_files import (
+
+from tests.e2e.lesson_files import (
     LAUNCH,
     SETUP,
     SPINNER_SCRIPT,
@@ -18,7 +19,7 @@ from lesson_files import (
 )
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

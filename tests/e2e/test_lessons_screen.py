@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from mouse import Mouse
-from waiting import until
 
-from day6_tui.core.lessons import catalogue
-from day6_tui.core.lessons.progress import pupils
-from day6_tui.tui.locale import Texts
+from day6_core.lessons import catalogue
+from day6_core.lessons.progress import pupils
+from day6_tui.locale import Texts
+from tests.e2e.mouse import Mouse
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from mouse import MIDDLE, Mouse
 
-from day6_tui.urdf.shipped import shipped_model
+from day6_urdf.shipped import shipped_model
+from tests.e2e.mouse import MIDDLE, Mouse
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

@@ -9,25 +9,25 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
-from test_detach import end_all, sockets
-from waiting import Deadline, until
 
-from day6_tui.core.classroom import note as notes
-from day6_tui.core.classroom import order as orders
-from day6_tui.core.classroom.note import Note
-from day6_tui.core.classroom.order import Order
-from day6_tui.tui.classroom_modals import GRACE_SECONDS
-from day6_tui.tui.locale import Texts
+from day6_core.classroom import note as notes
+from day6_core.classroom import order as orders
+from day6_core.classroom.note import Note
+from day6_core.classroom.order import Order
+from day6_tui.classroom_modals import GRACE_SECONDS
+from day6_tui.locale import Texts
+from tests.e2e.test_detach import end_all, sockets
+from tests.support.waiting import Deadline, until
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
 
-from day6_tui.tui.detached import wire
+from day6_tui.detached import wire
 
 pytestmark = pytest.mark.person
 

@@ -10,7 +10,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from place import Place
+
+from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 
@@ -75,7 +76,7 @@ def test_who_has_another_secret_is_told_that_he_is_refused(place: Place, port: i
     secret.chmod(0o600)
     words = {"en": ("refused by 127.0.0.1", "wrong secret"), "zh": ("127.0.0.1 拒绝加入", "口令不对")}[lang]
     code = (
-        "import sys, time; from day6_tui.core.graph import Graph; from day6_tui.core.link import join; "
+        "import sys, time; from day6_core.graph import Graph; from day6_core.link import join; "
         f"join(Graph(), listen='tcp/127.0.0.1:{port}', secret='{SECRET}'); print('open', flush=True); sys.stdin.read()"
     )
     environment = {**os.environ, "DAY6_RUNTIME_DIR": str(tmp_path / "teacher"), "DAY6_LINK": "on"}

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import codecs
-import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from waiting import until
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "pixels"))
-
-from pixel_terminal import PixelTerminal
+from tests.pixels.pixel_terminal import PixelTerminal
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = pytest.mark.person
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = pytest.mark.person
 
@@ -57,7 +57,7 @@ def test_tab_completes_words_of_ros2_colcon_and_day6_tui(place: Place, name: str
 
 
 def test_every_command_of_ros_is_one_in_the_real_shell_too(place: Place) -> None:
-    from day6_tui.core.ros.executables import ros_commands
+    from day6_core.ros.executables import ros_commands
 
     with shell(place, "bash") as screen:
         screen.line(

@@ -14,11 +14,11 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from typing import NamedTuple
 
 import pytest
-from place import Place
-from waiting import communicate
-from waits import READY
 
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
+from tests.e2e.place import Place
+from tests.e2e.waits import READY
+from tests.support.waiting import communicate
 
 pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")]
 

@@ -8,14 +8,14 @@ import signal
 from typing import TYPE_CHECKING
 
 import pytest
-from students import ASKS, STUBBORN, TALKER, WHEEL_SPINNER, WRONG_NAMES
-from waiting import Deadline, until
 
-from day6_tui.urdf.shipped import shipped_model
+from day6_urdf.shipped import shipped_model
+from tests.e2e.students import ASKS, STUBBORN, TALKER, WHEEL_SPINNER, WRONG_NAMES
+from tests.support.waiting import Deadline, until
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = pytest.mark.person
 

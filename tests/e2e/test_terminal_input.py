@@ -7,11 +7,12 @@ import signal
 from typing import TYPE_CHECKING
 
 import pytest
-from waiting import until
+
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")]
 

@@ -14,13 +14,13 @@ if sys.platform == "win32":
     pytest.skip("needs a pty", allow_module_level=True)
 
 
-from disks import ROOT, SETPRIV, WITHOUT_RIGHTS
-from place import DAY6
-from terminal import Terminal
-from waiting import until
+from tests.e2e.place import DAY6
+from tests.e2e.terminal import Terminal
+from tests.support.disks import ROOT, SETPRIV, WITHOUT_RIGHTS
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from place import Place
+    from tests.e2e.place import Place
 
 pytestmark = pytest.mark.person
 

@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from place import DAY6
-from students import TALKER
-from waiting import communicate, until
+
+from tests.e2e.place import DAY6
+from tests.e2e.students import TALKER
+from tests.support.waiting import communicate, until
 
 if TYPE_CHECKING:
-    from place import Place
-    from terminal import Terminal
+    from tests.e2e.place import Place
+    from tests.e2e.terminal import Terminal
 
 pytestmark = pytest.mark.person
 
@@ -108,7 +109,7 @@ def test_without_a_terminal_it_runs_and_logs(place: Place) -> None:
 def test_in_the_background_of_a_real_shell_it_runs_and_logs(place: Place) -> None:
     if os.name != "posix":
         return
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
     env = {**place.environment(), "PS1": "$ "}
     with Terminal(["/bin/bash", "--norc", "-i"], 120, 24, cwd=place.work, env=env) as screen:
@@ -123,7 +124,7 @@ def test_in_the_background_of_a_real_shell_it_runs_and_logs(place: Place) -> Non
 def test_ctrl_z_gives_the_shell_its_terminal_and_fg_the_window(place: Place) -> None:
     if os.name != "posix":
         return
-    from terminal import Terminal
+    from tests.e2e.terminal import Terminal
 
     env = {**place.environment(DAY6_LANG="en"), "PS1": "$ "}
     with Terminal(["/bin/bash", "--norc", "-i"], 120, 24, cwd=place.work, env=env) as screen:

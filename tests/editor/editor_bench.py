@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 import asyncio
-import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
 from textual import events
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from fakes import FakeDesk
-from screens import opened, screen_text, step
-
-from day6_tui.core.shell.editing.model import Editor
+from day6_core.shell.editing.model import Editor
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_text, step
 
 KEYS = {"\n": "enter", " ": "space", ")": "right_parenthesis", "]": "right_square_bracket", "}": "right_curly_bracket"}
 

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from editor_bench import Bench
-
-from day6_tui.core.shell.editing.completion import completions
+from day6_core.shell.editing.completion import completions
+from tests.editor.editor_bench import Bench
 
 NODE = """\
 from geometry_msgs.msg import Twist, PoseStamped as Where

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import tempfile
 from pathlib import Path
 
@@ -10,14 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-sys.path.insert(0, str(Path(__file__).parent))
-
-from editor_bench import Bench
-
-from day6_tui.core.shell.editing.file import CannotEdit, put_together, taken_apart
-from day6_tui.core.shell.editing.model import Editor
-from day6_tui.tui.windows.editor_document import ColouredLines, Lines
+from day6_core.shell.editing.file import CannotEdit, put_together, taken_apart
+from day6_core.shell.editing.model import Editor
+from day6_tui.windows.editor_document import ColouredLines, Lines
+from tests.editor.editor_bench import Bench
 
 ENDS = [
     "\n",

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from editor_bench import Bench
+from tests.editor.editor_bench import Bench
 
 BOOK = """\
 class Talker(Node):

@@ -5,16 +5,13 @@ from __future__ import annotations
 import errno
 import os
 import stat
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from editor_bench import Bench
-from screens import screen_text
+from tests.editor.editor_bench import Bench
+from tests.tui.screens import screen_text
 
 Disk = Callable[[bool], None]
 

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.shell.editing.file import CannotEdit, put_together
-from day6_tui.core.shell.editing.model import Editor
+from day6_core.shell.editing.file import CannotEdit, put_together
+from day6_core.shell.editing.model import Editor
 
 PIECES = ["a", "轮", "\n", "\r", "\r\n", "\f", "\u2028", "\ufeff", "\0", "x = 1\n", "\t", "\x85"]
 

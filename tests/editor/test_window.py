@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from editor_bench import Bench
-from fakes import FakeDesk
-from screens import opened, screen_text, step
-
-from day6_tui.core.shell.editing.model import Editor
+from day6_core.shell.editing.model import Editor
+from tests.editor.editor_bench import Bench
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_text, step
 
 TALKER = "import rclpy\n\n\ndef main():\n    rclpy.init()\n    print('你好')\n"
 

@@ -10,7 +10,7 @@ import textwrap
 from dataclasses import dataclass
 from itertools import zip_longest
 
-from article import HELLO, INNER, LAUNCH, LISTENER, PACKAGE_XML, SETUP, SPINNER, STAR, TALKER, TOP, URDF
+from tests.grading.article import HELLO, INNER, LAUNCH, LISTENER, PACKAGE_XML, SETUP, SPINNER, STAR, TALKER, TOP, URDF
 
 
 @dataclass(frozen=True)

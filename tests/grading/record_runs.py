@@ -1,4 +1,4 @@
-"""Writes `recorded_runs.jsonl` anew: `python tests/grading/record_runs.py [WORD…]` plays submissions for real, some at a time.
+"""Writes `recorded_runs.jsonl` anew: `python -m tests.grading.record_runs [WORD…]` plays submissions for real, some at a time.
 
 With words only the submissions whose names begin with one of them; the others stay as they are. To be run by hand, after
 forgeries, scenarios, or what checks ask a machine for have changed. There is no shield around them (`ATTACKS` are left out).
@@ -18,13 +18,12 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-TESTS = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TESTS), str(TESTS / "stepped")]
+from tests import conftest as surroundings
 
-import conftest as surroundings  # noqa: E402
-from article import write  # noqa: E402
-from recorded_live import RecordingLive, compact, read_lines, said, same_everywhere, write_lines  # noqa: E402
-from recorded_runs import RECORDED, SEED, Submission, graded_again, otherwise, submissions  # noqa: E402
+# isort: split
+from tests.grading.article import write
+from tests.grading.recorded_runs import RECORDED, SEED, Submission, graded_again, otherwise, submissions
+from tests.support.recorded_live import RecordingLive, compact, read_lines, said, same_everywhere, write_lines
 
 AT_A_TIME = 3
 LONGEST = 400.0
@@ -35,12 +34,12 @@ _grading_again = threading.Lock()
 
 def play_one(submission: Submission) -> Any:
     """Play the scenarios of a submission in this process and return what was seen of each."""
-    from day6_tui.core.lessons.grading import play
-    from day6_tui.core.lessons.grading.archive import unpack
-    from day6_tui.core.lessons.grading.stage import GraderStage, NotPlayed
-    from day6_tui.core.ros.environment import activate
-    from day6_tui.core.session.session import Session
-    from day6_tui.core.shell.desk import Desk
+    from day6_core.lessons.grading import play
+    from day6_core.lessons.grading.archive import unpack
+    from day6_core.lessons.grading.stage import GraderStage, NotPlayed
+    from day6_core.ros.environment import activate
+    from day6_core.session.session import Session
+    from day6_core.shell.desk import Desk
 
     work = Path(tempfile.mkdtemp(prefix="d6-"))
     home = work / "home"

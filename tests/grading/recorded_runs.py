@@ -16,14 +16,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from forgeries import GROUPS, Forgery, together
-from recorded_live import BEGAN_NS, Json, ToldDesk, ToldLive, keys_of, said, say_of, verdict_json
-
-from day6_tui.core.lessons.checks import Condition, Verdict
-from day6_tui.core.lessons.grading import play
-from day6_tui.core.lessons.grading.scenarios import Grading, gradings
-from day6_tui.core.lessons.grading.stage import GraderStage, NotPlayed
-from day6_tui.core.lessons.live import Live
+from day6_core.lessons.checks import Condition, Verdict
+from day6_core.lessons.grading import play
+from day6_core.lessons.grading.scenarios import Grading, gradings
+from day6_core.lessons.grading.stage import GraderStage, NotPlayed
+from day6_core.lessons.live import Live
+from tests.grading.forgeries import GROUPS, Forgery, together
+from tests.support.recorded_live import BEGAN_NS, Json, ToldDesk, ToldLive, keys_of, said, say_of, verdict_json
 
 RECORDED = Path(__file__).with_name("recorded_runs.jsonl")
 """One submission a line."""

@@ -6,18 +6,14 @@ import io
 import json
 import stat
 import struct
-import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from article import write
-
-from day6_tui.core.lessons.grading.archive import Refused, unpack
+from day6_core.lessons.grading.archive import Refused, unpack
+from tests.grading.article import write
 
 MANIFEST = json.dumps({"version": 1, "pupil": "anna", "answers": {}})
 

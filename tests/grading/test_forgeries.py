@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from article import write
-from forgeries import ALL, GROUPS, Forgery, together
-
-from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
-from day6_tui.core.lessons.grading.scenarios import gradings
+from day6_core.lessons.grading.grader import Graded, Grader, Result
+from day6_core.lessons.grading.scenarios import gradings
+from tests.grading.article import write
+from tests.grading.forgeries import ALL, GROUPS, Forgery, together
 
 AT_A_TIME = 8
 """Submissions of each group that are graded at once; more would slow down the tests that run beside."""

@@ -5,26 +5,22 @@ from __future__ import annotations
 import csv
 import io
 import re
-import sys
 import zipfile
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from article import FILES, write
-
-from day6_tui.core.lessons.catalogue import HERE
-from day6_tui.core.lessons.grading import reports
-from day6_tui.core.lessons.grading.archive import unpack
-from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
-from day6_tui.core.lessons.grading.scenarios import gradings, read_grading
-from day6_tui.core.lessons.progress import FOLDER, Progress, StepDone, file_of, load, save
-from day6_tui.core.lessons.reading import read_lesson
-from day6_tui.core.lessons.texts import TEXTS
-from day6_tui.core.width import text_width
-from day6_tui.tui.main import main
+from day6_core.lessons.catalogue import HERE
+from day6_core.lessons.grading import reports
+from day6_core.lessons.grading.archive import unpack
+from day6_core.lessons.grading.grader import Graded, Grader, Result
+from day6_core.lessons.grading.scenarios import gradings, read_grading
+from day6_core.lessons.progress import FOLDER, Progress, StepDone, file_of, load, save
+from day6_core.lessons.reading import read_lesson
+from day6_core.lessons.texts import TEXTS
+from day6_core.width import text_width
+from day6_tui.main import main
+from tests.grading.article import FILES, write
 
 ONE, TWO = (step.name for step in read_lesson(HERE / "days" / "day1.md").steps[:2])
 

@@ -15,15 +15,12 @@ from typing import Any
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from forgeries import ALL, Forgery
-from own_places import own_places
-from recorded_live import read_lines
-from recorded_runs import ATTACKS, GOOD, RECORDED, Graded, graded_again, reasons, submissions
-
-from day6_tui.core.lessons.grading.scenarios import gradings
-from day6_tui.core.lessons.texts import Say
+from day6_core.lessons.grading.scenarios import gradings
+from day6_core.lessons.texts import Say
+from tests.grading.forgeries import ALL, Forgery
+from tests.grading.recorded_runs import ATTACKS, GOOD, RECORDED, Graded, graded_again, reasons, submissions
+from tests.support.own_places import own_places
+from tests.support.recorded_live import read_lines
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="paths were recorded as Linux has them")
 
@@ -83,7 +80,7 @@ def test_every_look_sees_what_it_saw(name: str) -> None:
 def test_what_is_recorded_is_what_would_be_played() -> None:
     assert {name: each["fingerprint"] for name, each in RUNS.items()} == {
         name: each.fingerprint for name, each in SUBMISSIONS.items()
-    }, "play them again: python tests/grading/record_runs.py"
+    }, "play them again: python -m tests.grading.record_runs"
 
 
 def test_what_is_left_out_are_attacks_on_the_judge() -> None:

@@ -13,14 +13,11 @@ import uuid
 from pathlib import Path
 
 import pytest
-from waiting import communicate, until
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from article import INNER, write
-
-from day6_tui.core.lessons.grading.grader import Graded, Grader
-from day6_tui.core.lessons.grading.scenarios import gradings, read_grading
+from day6_core.lessons.grading.grader import Graded, Grader
+from day6_core.lessons.grading.scenarios import gradings, read_grading
+from tests.grading.article import INNER, write
+from tests.support.waiting import communicate, until
 
 pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform != "linux", reason="namespaces are Linux's")]
 
@@ -51,7 +48,7 @@ MARKED = """\
 import runpy, tempfile
 make = tempfile.mkdtemp
 tempfile.mkdtemp = lambda prefix, dir: make(prefix=prefix + "{mark}", dir=dir)
-runpy.run_module("day6_tui.tui.main", run_name="__main__", alter_sys=True)
+runpy.run_module("day6_tui.main", run_name="__main__", alter_sys=True)
 """
 """The command, whose folders can be told from those of other graders on this machine."""
 VANDAL = """\
@@ -132,7 +129,7 @@ def test_nothing_escapes_without_namespaces_either(tmp_path: Path) -> None:
 
 @needs_namespaces
 def test_nothing_outside_can_be_written(tmp_path: Path) -> None:
-    import day6_tui.core.lessons.grading.judge as judge
+    import day6_core.lessons.grading.judge as judge
 
     paths = [judge.__file__, str(tmp_path / "new.txt"), os.path.expanduser("~/vandal.txt"), f"/tmp/{uuid.uuid4().hex}"]
     before = Path(str(judge.__file__)).read_bytes()

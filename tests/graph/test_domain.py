@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from folded import folded
 
-from day6_tui.core.graph.discovery import discovery_is_off, discovery_warning
-from day6_tui.core.graph.domain import DomainError, domain_from_text
+from day6_core.graph.discovery import discovery_is_off, discovery_warning
+from day6_core.graph.domain import DomainError, domain_from_text
+from tests.support.folded import folded
 
 LARGEST = 2**64 - 1
 

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.graph.endpoints import Publisher, Subscription
-from day6_tui.core.graph.events import EventKind
-from day6_tui.core.graph.node import Node
-from day6_tui.core.graph.qos import Liveliness, QoS
+from day6_core.graph import Graph
+from day6_core.graph.endpoints import Publisher, Subscription
+from day6_core.graph.events import EventKind
+from day6_core.graph.node import Node
+from day6_core.graph.qos import Liveliness, QoS
 
 MANUAL = QoS(liveliness=Liveliness.MANUAL_BY_TOPIC, liveliness_lease_duration=100)
 

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph import EndpointKind, Graph, GraphEvent, QoS
-from day6_tui.core.graph.endpoints import EventKind, Publisher, Subscription
-from day6_tui.core.graph.graph import Change, graph_for_domain
-from day6_tui.core.graph.node import Node
-from day6_tui.core.graph.qos import (
+from day6_core.graph import EndpointKind, Graph, GraphEvent, QoS
+from day6_core.graph.endpoints import EventKind, Publisher, Subscription
+from day6_core.graph.graph import Change, graph_for_domain
+from day6_core.graph.node import Node
+from day6_core.graph.qos import (
     Durability,
     History,
     Liveliness,

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from folded import folded
 
-from day6_tui.core.graph import names
+from day6_core.graph import names
+from tests.support.folded import folded
 
 TOPIC_FLAWS = [
     ("", "topic name must not be empty string", 0),

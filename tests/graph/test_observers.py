@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph import EndpointKind, Graph, QoS
-from day6_tui.core.graph.endpoints import EventKind
-from day6_tui.core.graph.names import OBSERVER_PREFIX, flaw_of_node_name, is_hidden, is_observer
-from day6_tui.core.graph.qos import Durability, Reliability
+from day6_core.graph import EndpointKind, Graph, QoS
+from day6_core.graph.endpoints import EventKind
+from day6_core.graph.names import OBSERVER_PREFIX, flaw_of_node_name, is_hidden, is_observer
+from day6_core.graph.qos import Durability, Reliability
 
 STRING = "std_msgs/msg/String"
 ALL = tuple(EndpointKind)

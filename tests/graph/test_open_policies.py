@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.graph.endpoints import EventKind
-from day6_tui.core.graph.open_policies import is_open, resolved_for_publisher, resolved_for_subscription
-from day6_tui.core.graph.qos import (
+from day6_core.graph import Graph
+from day6_core.graph.endpoints import EventKind
+from day6_core.graph.open_policies import is_open, resolved_for_publisher, resolved_for_subscription
+from day6_core.graph.qos import (
     BEST_AVAILABLE_NS,
     Durability,
     History,

@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph import EndpointKind, Graph, QoS
-from day6_tui.core.graph.endpoints import Client, EventKind, Publisher, RequestId, Service, Subscription
-from day6_tui.core.graph.node import Node
-from day6_tui.core.graph.qos import Durability, Liveliness, Reliability
+from day6_core.graph import EndpointKind, Graph, QoS
+from day6_core.graph.endpoints import Client, EventKind, Publisher, RequestId, Service, Subscription
+from day6_core.graph.node import Node
+from day6_core.graph.qos import Durability, Liveliness, Reliability
 
 LATCHED = QoS(durability=Durability.TRANSIENT_LOCAL)
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.graph.events import AliveWatch, DeadlineWatch, EventKind, EventStatus, LeaseWatch
-from day6_tui.core.graph.node import Node
-from day6_tui.core.graph.qos import INFINITE_NS, Liveliness, PolicyKind, QoS
+from day6_core.graph import Graph
+from day6_core.graph.events import AliveWatch, DeadlineWatch, EventKind, EventStatus, LeaseWatch
+from day6_core.graph.node import Node
+from day6_core.graph.qos import INFINITE_NS, Liveliness, PolicyKind, QoS
 
 
 def alive(status: EventStatus) -> tuple[int, int]:

@@ -10,11 +10,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from day6_tui.core.graph import EndpointKind
-from day6_tui.urdf import shipped_model
+from day6_core.graph import EndpointKind
+from day6_urdf import shipped_model
 
 if TYPE_CHECKING:
-    from lab import Lab
+    from tests.inspector.lab import Lab
 
 HEAD = """\
 import time

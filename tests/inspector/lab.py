@@ -11,15 +11,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from waiting import PATIENCE, Deadline, until
-
-from day6_tui.core.ros.programs import load
-from day6_tui.core.ros.programs.day6_inspector.finding import Finding
-from day6_tui.core.ros.programs.day6_inspector.model import Inspector
-from day6_tui.core.session.streams import InputStream, Pipe
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.redirection import Streams
-from day6_tui.core.shell.terminal import Terminal
+from day6_core.ros.programs import load
+from day6_core.ros.programs.day6_inspector.finding import Finding
+from day6_core.ros.programs.day6_inspector.model import Inspector
+from day6_core.session.streams import InputStream, Pipe
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.redirection import Streams
+from day6_core.shell.terminal import Terminal
+from tests.support.waiting import PATIENCE, Deadline, until
 
 SETTLING = 2
 """Looks of the inspector, one every half second of the world, without a change of the graph: then all is there."""

@@ -6,14 +6,13 @@ import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from day6_tui.core.lessons.live import Live
-from day6_tui.core.lessons.stage import Stage
+from day6_core.lessons.live import Live
+from day6_core.lessons.stage import Stage
 
 if TYPE_CHECKING:
-    from lab import Lab
-
-    from day6_tui.core.lessons.document import Lesson, Step
-    from day6_tui.core.session.session import Session
+    from day6_core.lessons.document import Lesson, Step
+    from day6_core.session.session import Session
+    from tests.inspector.lab import Lab
 
 LOOK = 0.05
 SOLVED_WITHIN = 30.0

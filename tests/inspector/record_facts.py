@@ -1,4 +1,4 @@
-"""Writes `recorded.jsonl` anew: `python tests/inspector/record_facts.py [WORD…]` plays drills and healthy scenes for real.
+"""Writes `recorded.jsonl` anew: `python -m tests.inspector.record_facts [WORD…]` plays drills and healthy scenes for real.
 
 With words only the cases whose names begin with one of them; the others stay as they are. To be run by hand, after the drills
 or the facts have changed.
@@ -10,11 +10,11 @@ import sys
 import time
 from typing import Any
 
-from table import machine  # it also says where the rest is
+from tests.inspector.table import machine  # it also says where the rest is
 
-from recording import RECORDED, Case, found_in, read_cases, recorded, write_cases  # isort: skip
-from scenes import ALL, Scene  # isort: skip
-from waiting import until  # isort: skip
+from tests.inspector.recording import RECORDED, Case, found_in, read_cases, recorded, write_cases  # isort: skip
+from tests.inspector.scenes import ALL, Scene  # isort: skip
+from tests.support.waiting import until  # isort: skip
 
 AFTERWARDS = 2.0
 """Seconds that a machine goes on before its facts are taken: what had just begun is there then."""

@@ -17,11 +17,11 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 
-from day6_tui.core.graph.domain import VARIABLE
-from day6_tui.core.ros.programs.day6_inspector.facts import Facts
-from day6_tui.core.ros.programs.day6_inspector.outputs import LAST_LINES, LONGEST, plain
-from day6_tui.core.ros.programs.day6_inspector.rules import findings
-from day6_tui.core.session.overview import Line
+from day6_core.graph.domain import VARIABLE
+from day6_core.ros.programs.day6_inspector.facts import Facts
+from day6_core.ros.programs.day6_inspector.outputs import LAST_LINES, LONGEST, plain
+from day6_core.ros.programs.day6_inspector.rules import findings
+from day6_core.session.overview import Line
 
 RECORDED = Path(__file__).with_name("recorded.jsonl")
 """One case a line."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from drills import DRILLS
-from test_healthy import SCENES
-from tutorials import TUTORIALS
+from tests.inspector.drills import DRILLS
+from tests.inspector.test_healthy import SCENES
+from tests.inspector.tutorials import TUTORIALS
 
 if TYPE_CHECKING:
-    from lab import Lab
+    from tests.inspector.lab import Lab
 
 
 class Scene(NamedTuple):

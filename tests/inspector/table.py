@@ -1,4 +1,4 @@
-"""Prints the inspector's table: `python tests/inspector/table.py` plays every drill and every healthy scene.
+"""Prints the inspector's table: `python -m tests.inspector.table` plays every drill and every healthy scene.
 
 Each has a machine of its own. A drill is found if one of its findings comes within two seconds of its symptom. What else is
 said as a warning or an error beside it is listed: it may be another face of the same fault. In a healthy scene every warning
@@ -14,13 +14,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-TESTS = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TESTS), str(TESTS / "stepped"), str(TESTS / "inspector")]
+from tests import conftest as surroundings
 
-import conftest as surroundings  # noqa: E402
-from drills import DRILLS  # noqa: E402
-from lab import Lab  # noqa: E402
-from test_healthy import SCENES  # noqa: E402
+# isort: split
+from tests.inspector.drills import DRILLS
+from tests.inspector.lab import Lab
+from tests.inspector.test_healthy import SCENES
 
 WITHIN = 2.0
 """Seconds after a symptom in which it has to be named."""

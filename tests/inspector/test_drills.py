@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from drills import DRILLS, Drill
-from lab import Lab
+
+from tests.inspector.drills import DRILLS, Drill
+from tests.inspector.lab import Lab
 
 WITHOUT_COMMAND = frozenset({"ctrl_c", "shut_twice", "setuptools", "no_robot_model", "robot_model_deaf"})
 """Findings that no command of a terminal helps: they are harmless, or a matter of RViz's window."""

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.ros.programs.day6_inspector.facts import Facts
-from day6_tui.core.ros.programs.day6_inspector.file_rules import _fits
-from day6_tui.core.ros.programs.day6_inspector.files import Files, ParameterFile, Typed, Where, look
-from day6_tui.core.ros.programs.day6_inspector.program_rules import script_of
-from day6_tui.core.ros.programs.day6_inspector.rules import findings
-from day6_tui.core.ros.programs.day6_inspector.setup_file import read_setup
+from day6_core.ros.programs.day6_inspector.facts import Facts
+from day6_core.ros.programs.day6_inspector.file_rules import _fits
+from day6_core.ros.programs.day6_inspector.files import Files, ParameterFile, Typed, Where, look
+from day6_core.ros.programs.day6_inspector.program_rules import script_of
+from day6_core.ros.programs.day6_inspector.rules import findings
+from day6_core.ros.programs.day6_inspector.setup_file import read_setup
 
 MANIFEST = "<package format='3'><name>{}</name></package>"
 

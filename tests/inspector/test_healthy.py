@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from drills import HEAD, LISTENER, MODEL, TALKER, package, robot, rviz
-from lab import Lab
+
+from tests.inspector.drills import HEAD, LISTENER, MODEL, TALKER, package, robot, rviz
+from tests.inspector.lab import Lab
 
 
 def turtle(lab: Lab) -> None:

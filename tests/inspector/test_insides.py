@@ -8,14 +8,14 @@ import signal
 from typing import Any
 
 import pytest
-from drills import HEAD, LISTENER
-from lab import Lab
 
-from day6_tui.core.graph.endpoints import EndpointKind
-from day6_tui.core.ros.programs.day6_inspector.facts import Facts
-from day6_tui.core.ros.programs.day6_inspector.finding import finding
-from day6_tui.core.ros.programs.day6_inspector.insides import LONGEST_TEXT, read_process
-from day6_tui.core.ros.programs.day6_inspector.rules import findings
+from day6_core.graph.endpoints import EndpointKind
+from day6_core.ros.programs.day6_inspector.facts import Facts
+from day6_core.ros.programs.day6_inspector.finding import finding
+from day6_core.ros.programs.day6_inspector.insides import LONGEST_TEXT, read_process
+from day6_core.ros.programs.day6_inspector.rules import findings
+from tests.inspector.drills import HEAD, LISTENER
+from tests.inspector.lab import Lab
 
 GOOD: dict[str, Any] = {
     "pid": 7,
@@ -121,7 +121,7 @@ def test_the_inspector_is_nowhere_while_it_looks_on(lab: Lab) -> None:
 
 @pytest.mark.process
 def test_in_a_real_terminal_it_says_what_it_cannot_look_at(lab: Lab) -> None:
-    from day6_tui.core.ros.programs.day6_inspector.model import Inspector
+    from day6_core.ros.programs.day6_inspector.model import Inspector
 
     model = Inspector(lab.inspector._node, lab.desk.clock)
     assert model._unseen() == ("terminals", "files", "programs")

@@ -6,12 +6,12 @@ Some steps leave something wrong on purpose, or half done for the next one: thes
 from __future__ import annotations
 
 import pytest
-from lab import Lab
-from lesson_player import play
 
-from day6_tui.core.lessons.catalogue import HERE
-from day6_tui.core.lessons.document import Step
-from day6_tui.core.lessons.reading import read_lesson
+from day6_core.lessons.catalogue import HERE
+from day6_core.lessons.document import Step
+from day6_core.lessons.reading import read_lesson
+from tests.inspector.lab import Lab
+from tests.inspector.lesson_player import play
 
 ON_PURPOSE = {
     ("day4", "not-found"): {"not_sourced"},  # the new package is not found before it is sourced

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,21 +12,18 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64MultiArray, Header, String
 from tf2_msgs.msg import TFMessage
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from fakes import FakeDesk
-from screens import opened, screen_text, step
-from stepped_machine import Running, SteppedMachine
-
-from day6_tui.core.graph.endpoints import EndpointKind
-from day6_tui.core.graph.names import OBSERVER_PREFIX
-from day6_tui.core.ros.programs.day6_inspector.model import Inspector
-from day6_tui.core.ros.programs.day6_inspector.pace import LOOKS
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.session import Session
-from day6_tui.urdf import shipped_model
+from day6_core.graph.endpoints import EndpointKind
+from day6_core.graph.names import OBSERVER_PREFIX
+from day6_core.ros.programs.day6_inspector.model import Inspector
+from day6_core.ros.programs.day6_inspector.pace import LOOKS
+from day6_core.session.program import Program
+from day6_core.session.session import Session
+from day6_urdf import shipped_model
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.time import Time
+from tests.support.stepped_machine import Running, SteppedMachine
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_text, step
 
 WHEELS = ["left_wheel_joint", "right_wheel_joint"]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.graph.qos import QoS
-from day6_tui.core.ros.programs.day6_inspector.insides import Inside, Process
-from day6_tui.core.ros.programs.day6_inspector.publications import Publications
+from day6_core.graph import Graph
+from day6_core.graph.qos import QoS
+from day6_core.ros.programs.day6_inspector.insides import Inside, Process
+from day6_core.ros.programs.day6_inspector.publications import Publications
 
 
 def talker_that_said(count: int) -> Process:

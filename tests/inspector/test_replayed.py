@@ -10,11 +10,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from own_places import own_places
-from recording import HOME, RECORDED, Case, facts_of, found_in, read_cases, recorded
-from scenes import ALL, Scene
 
-from day6_tui.core.ros.programs.day6_inspector.rules import Facts
+from day6_core.ros.programs.day6_inspector.rules import Facts
+from tests.inspector.recording import HOME, RECORDED, Case, facts_of, found_in, read_cases, recorded
+from tests.inspector.scenes import ALL, Scene
+from tests.support.own_places import own_places
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="paths were recorded as Linux has them")
 

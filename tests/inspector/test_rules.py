@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import pytest
 
-from day6_tui.core.interfaces import checks
-from day6_tui.core.ros.programs.day6_inspector.rules import Endpoint, Facts, findings
-from day6_tui.core.session.overview import TerminalView
+from day6_core.interfaces import checks
+from day6_core.ros.programs.day6_inspector.rules import Endpoint, Facts, findings
+from day6_core.session.overview import TerminalView
 
 TWIST, STRING, JOINTS = "geometry_msgs/msg/Twist", "std_msgs/msg/String", "sensor_msgs/msg/JointState"
 WHEELS = frozenset({"left_wheel_joint", "right_wheel_joint"})

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from lab import Lab
-from tutorials import TUTORIALS
+
+from tests.inspector.lab import Lab
+from tests.inspector.tutorials import TUTORIALS
 
 
 @pytest.mark.process

@@ -7,11 +7,11 @@ import time
 from typing import Any
 
 import pytest
-from drills import HEAD, robot
-from lab import Lab
 
-from day6_tui.core.graph import EndpointKind
-from day6_tui.core.ros.programs.rqt_graph.model.content import GraphType, Options
+from day6_core.graph import EndpointKind
+from day6_core.ros.programs.rqt_graph.model.content import GraphType, Options
+from tests.inspector.drills import HEAD, robot
+from tests.inspector.lab import Lab
 
 TURNER = (
     HEAD
@@ -34,7 +34,7 @@ rclpy.spin(node)
 LOOKER = (
     HEAD
     + """
-from day6_tui.core.link import link_of
+from day6_core.link import link_of
 
 rclpy.init()
 node = Node('looker')

@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-import sys
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import pytest
 from textual import events
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from fakes import FakeDesk
-from screens import opened, screen_lines, screen_text, step
-
-from day6_tui.core.ros.programs.day6_inspector.rules import Finding
+from day6_core.ros.programs.day6_inspector.rules import Finding
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_lines, screen_text, step
 
 
 @dataclass

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from lab import Lab
+    from tests.inspector.lab import Lab
 
 SOURCE = "source install/setup.bash"
 

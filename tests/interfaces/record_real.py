@@ -340,7 +340,7 @@ def contents(value: Any) -> str:
 def ask_ours(our_python: str, real_bytes: dict[str, list[str]]) -> dict[str, list[str]]:
     """Let our own codec read the real bytes and write them again."""
     root = Path(__file__).resolve().parents[2]
-    env = {**os.environ, "PYTHONPATH": str(root / "core" / "ros" / "python")}
+    env = {**os.environ, "PYTHONPATH": str(root / "core" / "day6_core" / "ros" / "python")}
     command = [our_python, __file__, "--rewrite"]
     done = subprocess.run(command, input=json.dumps(real_bytes), env=env, capture_output=True, text=True, check=True)
     answer: dict[str, list[str]] = json.loads(done.stdout)
@@ -349,7 +349,7 @@ def ask_ours(our_python: str, real_bytes: dict[str, list[str]]) -> dict[str, lis
 
 def rewrite() -> None:
     """Read real bytes from standard input, write what our codec makes of them to standard output."""
-    from day6_tui.core.interfaces import deserialize, serialize
+    from day6_core.interfaces import deserialize, serialize
 
     result = {}
     for name, samples in json.load(sys.stdin).items():

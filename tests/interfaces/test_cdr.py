@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from folded import folded
 
-from day6_tui.core.interfaces import (
+from day6_core.interfaces import (
     DeserializationError,
     SerializationError,
     deserialize,
@@ -23,6 +22,7 @@ from day6_tui.core.interfaces import (
     registry,
     serialize,
 )
+from tests.support.folded import folded
 
 HEADER = b"\x00\x01\x00\x00"
 needs_numpy = pytest.mark.skipif(find_spec("numpy") is None, reason="no numpy")

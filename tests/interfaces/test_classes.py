@@ -12,11 +12,11 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.interfaces import copy_message, get_message, registry, serialize, type_name
-from day6_tui.core.interfaces.package import package_files
-from day6_tui.core.ros import distribution
-from day6_tui.core.ros.differences import has_interface
-from day6_tui.core.ros.environment import PYTHON_PATH
+from day6_core.interfaces import copy_message, get_message, registry, serialize, type_name
+from day6_core.interfaces.package import package_files
+from day6_core.ros import distribution
+from day6_core.ros.differences import has_interface
+from day6_core.ros.environment import PYTHON_PATH
 
 
 def run(code: str, **env: str) -> subprocess.CompletedProcess[str]:

@@ -7,9 +7,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from folded import folded
-
-from day6_tui.core.interfaces.definition import parse_action, parse_message, parse_service
+from day6_core.interfaces.definition import parse_action, parse_message, parse_service
+from tests.support.folded import folded
 
 RECORDED = json.loads(gzip.decompress((Path(__file__).parent / "data" / "real.json.gz").read_bytes()))["texts"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.core.interfaces import get_interface, type_hash
+from day6_core.interfaces import get_interface, type_hash
 
 
 @pytest.mark.parametrize(

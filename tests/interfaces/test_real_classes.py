@@ -10,9 +10,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from folded import folded
-
-from day6_tui.core.interfaces import deserialize, get_interface, registry, serialize, type_hash, type_name
+from day6_core.interfaces import deserialize, get_interface, registry, serialize, type_hash, type_name
+from tests.support.folded import folded
 
 
 def _load(name: str) -> ModuleType:

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.interfaces import (
+from day6_core.interfaces import (
     InterfaceNameError,
     UnknownInterfaceError,
     add_prefixes,
@@ -28,9 +28,9 @@ from day6_tui.core.interfaces import (
     type_hash,
     type_name,
 )
-from day6_tui.core.interfaces.definition import InvalidSpecification
-from day6_tui.core.interfaces.package import package_files
-from day6_tui.core.ros.environment import PYTHON_PATH
+from day6_core.interfaces.definition import InvalidSpecification
+from day6_core.interfaces.package import package_files
+from day6_core.ros.environment import PYTHON_PATH
 
 
 class Workspace:

@@ -1,15 +1,9 @@
-"""Prints what one pupil can do to another, attack by mode, as tried on this machine: `python tests/isolation/attack_table.py`."""
+"""Prints what one pupil can do to another, attack by mode, as tried on this machine: `python -m tests.isolation.attack_table`."""
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).parent))
-
-from school import asked
-
-from day6_tui.core.isolation import attacks, modes
+from day6_core.isolation import attacks, modes
+from tests.isolation.school import asked
 
 
 def main() -> None:

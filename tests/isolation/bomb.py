@@ -1,4 +1,4 @@
-"""Measures what one pupil's fork bomb does to another's keys, by mode: `python tests/isolation/bomb.py [MODE…]`.
+"""Measures what one pupil's fork bomb does to another's keys, by mode: `python -m tests.isolation.bomb [MODE…]`.
 
 Two desktops, each in a cell and on a terminal of its own. In anna's a key is typed again and again, and the time until its echo
 is on the screen is measured: alone, beside endless loops of bert's, beside a fork bomb of bert's. The bomb is bounded by the
@@ -15,14 +15,10 @@ import sys
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "perf"))
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
-from school import PLAIN_USER, School, folder, in_words, python_for_others
-from screen import Screen
-
-from day6_tui.core.isolation import modes
-from day6_tui.core.isolation.cell import Cell, Limits
+from day6_core.isolation import modes
+from day6_core.isolation.cell import Cell, Limits
+from tests.isolation.school import PLAIN_USER, School, folder, in_words, python_for_others, started
+from tests.perf.screen import Screen
 
 SECONDS = 8
 MOST = 250
@@ -59,7 +55,7 @@ def desktop(school: School, cell: Cell) -> Screen:
     argv = [
         sys.executable,
         "-m",
-        "day6_tui.tui.main",
+        "day6_tui.main",
         "--home",
         str(cell.home / "home"),
         "--lang",
@@ -136,7 +132,7 @@ def main() -> None:
             )
             place = top / "plain" if plain else top
             place.chmod(0o711)
-            words = [python, "-I", __file__, "--as-it-is", name, str(place)]
+            words = [python, "-I", "-c", started("tests.isolation.bomb"), "--as-it-is", name, str(place)]
             environment = {"PATH": os.defpath, "HOME": str(place), "LANG": "C.UTF-8"}
             subprocess.run(words, cwd="/", env=environment, timeout=180, check=False, **plain)  # type: ignore[call-overload]
 

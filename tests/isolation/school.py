@@ -18,14 +18,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "stepped"))
+from day6_core.isolation import modes
+from day6_core.isolation.cell import Cell, Limits, Words
+from day6_core.isolation.mode import Mode
+from tests.support.waiting import PATIENCE, Deadline
 
-from waiting import PATIENCE, Deadline
-
-from day6_tui.core.isolation import modes
-from day6_tui.core.isolation.cell import Cell, Limits, Words
-from day6_tui.core.isolation.mode import Mode
-
+ROOT = Path(__file__).resolve().parents[2]
 PLAIN_USER = 61001
 """The server without rights, when the tests are started by root."""
 LIMITS = Limits(memory=384 << 20, processes=40, disk=8 << 20, open_files=256)
@@ -269,7 +267,7 @@ def lesson(mode: Mode, top: Path) -> str:
     home = str(cell.home / "home")
     school.run(cell, ["sh", "-c", "mkdir home; cat > home/mine.py"], input=MINE)
     done = school.run(
-        cell, [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", home, "--timeout", "250", "-c", LESSON]
+        cell, [sys.executable, "-m", "day6_tui.main", "exec", "--home", home, "--timeout", "250", "-c", LESSON]
     )
     mode.end(cell)
     return done.stdout + done.stderr
@@ -314,7 +312,7 @@ def python_for_others() -> str | None:
     return str(top / "bin" / "python3") if _runs(str(top / "bin" / "python3")) else None
 
 
-def _runs(python: str, code: str = "import day6_tui.core.isolation.modes, zenoh, textual") -> bool:
+def _runs(python: str, code: str = "import day6_core.isolation.modes, zenoh, textual") -> bool:
     try:
         tried = subprocess.run(
             [python, "-I", "-c", code],
@@ -341,6 +339,11 @@ def folder() -> Iterator[Path]:
         yield Path(name).resolve()
 
 
+def started(module: str) -> str:
+    """What a Python that sees nothing of its surroundings runs to start the `main` of a module of the tests."""
+    return f"import sys; sys.path.append({str(ROOT)!r}); from {module} import main; main()"
+
+
 def asked(name: str, deed: str) -> Any:
     """Do a deed in a mode, as the server it is for; a text says why this machine does not have the mode."""
     python = python_for_others()
@@ -354,7 +357,7 @@ def asked(name: str, deed: str) -> Any:
             top = top / "plain"
             top.chmod(0o711)
         done = subprocess.run(
-            [python, "-I", __file__, name, deed, str(top)],
+            [python, "-I", "-c", started(__name__), name, deed, str(top)],
             cwd="/",
             env={"PATH": "/usr/local/bin:/usr/bin:/bin", "HOME": str(top), "LANG": "C.UTF-8"},
             capture_output=True,
@@ -368,7 +371,7 @@ def asked(name: str, deed: str) -> Any:
 
 
 def in_words(words: Words) -> str:
-    from day6_tui.tui.locale import Texts
+    from day6_tui.locale import Texts
 
     return Texts("en")(words.key, **words.values)
 
@@ -382,7 +385,3 @@ def main() -> None:
         print(json.dumps(f"{name}: {in_words(offer.reason)}"))
     else:
         print(json.dumps({"got": DEEDS[deed](offer.mode, Path(top))}))
-
-
-if __name__ == "__main__":
-    main()

@@ -10,9 +10,8 @@ import pytest
 if sys.platform != "linux":
     pytest.skip("pupils are kept apart on Linux only", allow_module_level=True)
 
-from school import LIMITS, asked
-
-from day6_tui.core.isolation import attacks, groups, modes
+from day6_core.isolation import attacks, groups, modes
+from tests.isolation.school import LIMITS, asked
 
 APART = ("users", "bubblewrap")
 

@@ -8,7 +8,7 @@ import threading
 
 import pytest
 
-from day6_tui.core.isolation import left
+from day6_core.isolation import left
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 

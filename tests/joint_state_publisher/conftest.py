@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from stepped_machine import SteppedMachine
+
+from tests.support.stepped_machine import SteppedMachine
 
 
 @pytest.fixture

@@ -10,11 +10,11 @@ import pytest
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 if TYPE_CHECKING:
-    from stepped_machine import SteppedMachine
+    from tests.support.stepped_machine import SteppedMachine
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 WAITING = (

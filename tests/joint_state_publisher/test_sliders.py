@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from sensor_msgs.msg import JointState
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
 
 if TYPE_CHECKING:
-    from stepped_machine import SteppedMachine
+    from tests.support.stepped_machine import SteppedMachine
 
 
 def open_sliders(machine: SteppedMachine, *args: str) -> Any:

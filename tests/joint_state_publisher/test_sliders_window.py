@@ -4,25 +4,20 @@ from __future__ import annotations
 
 import asyncio
 import math
-import sys
-from pathlib import Path
 from typing import Any
 
 import pytest
 from textual.geometry import Size
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from fakes import FakeDesk
-from screens import opened, screen_lines, step
-
-from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider
-from day6_tui.core.session.display import Display
-from day6_tui.tui.app import make_look
-from day6_tui.tui.cells import cell_len
-from day6_tui.tui.options import Options
-from day6_tui.tui.windows.joint_names import shortened
-from day6_tui.tui.windows.joint_state_publisher import SlidersPane
+from day6_core.ros.programs.joint_state_publisher_gui.model import Slider
+from day6_core.session.display import Display
+from day6_tui.app import make_look
+from day6_tui.cells import cell_len
+from day6_tui.options import Options
+from day6_tui.windows.joint_names import shortened
+from day6_tui.windows.joint_state_publisher import SlidersPane
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_lines, step
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 

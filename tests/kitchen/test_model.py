@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from day6_tui.core.graph import EndpointKind, Graph
-from day6_tui.core.graph.qos import Durability, QoS, Reliability
-from day6_tui.core.ros.programs.day6_kitchen.belts import Belt, End, Facts, Hand, Refusal, select
-from day6_tui.core.ros.programs.day6_kitchen.dishes import GAP_SECONDS, TRAVEL_SECONDS, Conveyor, Dishes
-from day6_tui.core.ros.programs.day6_kitchen.model import Kitchen
-from day6_tui.core.ros.programs.day6_kitchen.rates import Rate
+from day6_core.graph import EndpointKind, Graph
+from day6_core.graph.qos import Durability, QoS, Reliability
+from day6_core.ros.programs.day6_kitchen.belts import Belt, End, Facts, Hand, Refusal, select
+from day6_core.ros.programs.day6_kitchen.dishes import GAP_SECONDS, TRAVEL_SECONDS, Conveyor, Dishes
+from day6_core.ros.programs.day6_kitchen.model import Kitchen
+from day6_core.ros.programs.day6_kitchen.rates import Rate
 
 STRING, INT = "std_msgs/msg/String", "std_msgs/msg/Int32"
 QOS = QoS().resolved()
@@ -151,7 +151,7 @@ def test_a_message_of_another_process_counts_once_however_many_listen_here() -> 
     publisher = there.create_publisher("/b", STRING, "", QoS(), lambda message: message)
     ears = [graph.create_node(f"ear{n}").create_subscription("/b", STRING, "", QoS()) for n in range(3)]
     for step in range(41):
-        for _ in range(2 * len(publisher.matched)):  # as core/link counts
+        for _ in range(2 * len(publisher.matched)):  # as day6_core/link counts
             publisher.count_delivery()
         if step == 20:
             ears[0].destroy()

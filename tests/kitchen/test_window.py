@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Awaitable, Callable
-from pathlib import Path
 from time import thread_time  # by name: what the window asks is stepped
 from typing import Any
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
 from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
 
-from day6_tui.core.graph import EndpointKind, Graph, Node
-from day6_tui.core.graph.qos import Durability, QoS
-from day6_tui.core.ros.programs.day6_kitchen.model import Kitchen
+from day6_core.graph import EndpointKind, Graph, Node
+from day6_core.graph.qos import Durability, QoS
+from day6_core.ros.programs.day6_kitchen.model import Kitchen
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 TWIST, POSE, STRING, INT = "geometry_msgs/msg/Twist", "turtlesim/msg/Pose", "std_msgs/msg/String", "std_msgs/msg/Int32"
 

@@ -10,18 +10,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from waiting import until
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured, TextInput
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.redirection import Streams
-
-sys.path.insert(
-    0, str(Path(__file__).parent)
-)  # the tests import `launch_cases`, which is also a script's (`record.py`)
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured, TextInput
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.redirection import Streams
+from tests.support.waiting import until
 
 
 @pytest.fixture(autouse=True)

@@ -185,5 +185,5 @@ def our_command() -> tuple[list[str], dict[str, str]]:
     env = {
         key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "AMENT_PREFIX_PATH", "DAY6_LINK")
     }
-    code = "import sys; from day6_tui.tui.main import main; sys.exit(main())"
+    code = "import sys; from day6_tui.main import main; sys.exit(main())"
     return [sys.executable, "-c", code, "ros2"], env

@@ -15,9 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, os.path.dirname(__file__))
-
-from launch_cases import RECORDED, Case, load_cases, play
+from tests.launch.launch_cases import RECORDED, Case, load_cases, play
 
 
 def read_case(folder: Path) -> Case:

@@ -12,7 +12,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from waiting import communicate
+
+from tests.support.waiting import communicate
 
 pytestmark = pytest.mark.process
 
@@ -71,7 +72,7 @@ UNENDING_EVENTS = 1
 def start(folder: Path, name: str, text: str) -> subprocess.Popen[str]:
     (folder / name).write_text(text.replace("{folder}", str(folder)), encoding="utf-8")
     return subprocess.Popen(
-        [sys.executable, "-m", "day6_tui.tui.main", "ros2", "launch", str(folder / name)],
+        [sys.executable, "-m", "day6_tui.main", "ros2", "launch", str(folder / name)],
         env={**os.environ, "DAY6_LINK": "off", "ROS_LOG_DIR": str(folder / "log")},
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
 
 DESCRIPTION = """\
 import sys

@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 from launch._programs import ProcessPlan, resolve
-from launch_cases import Case, our_command, play
+
+from tests.launch.launch_cases import Case, our_command, play
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to a process")
 
@@ -122,7 +123,7 @@ def test_a_shell_line_finds_our_commands_without_a_path_to_them(line: str, ours:
 def test_tab_offers_packages_and_launch_files_and_what_is_in_a_package(machine: Any) -> None:
     import asyncio
 
-    from day6_tui.core.ros.ros2 import complete
+    from day6_core.ros.ros2 import complete
 
     machine.write("work/main.launch.py", "")
     machine.write("work/notes.txt", "")

@@ -8,8 +8,9 @@ from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 
 import pytest
-from launch_cases import Case, Outcome, differences, load_cases, our_command, play
-from short_folder import make_short_folder
+
+from tests.launch.launch_cases import Case, Outcome, differences, load_cases, our_command, play
+from tests.support.short_folder import make_short_folder
 
 KNOWN = {
     "no_such_executable": "the real one prints the address of an object where ours names the executable",

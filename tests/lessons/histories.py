@@ -6,11 +6,10 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from recorded_live import Json, judged_again, keys_of, read_lines, say_of, write_lines
-
-from day6_tui.core.lessons.catalogue import HERE
-from day6_tui.core.lessons.document import Step
-from day6_tui.core.lessons.rehearsal import _plain
+from day6_core.lessons.catalogue import HERE
+from day6_core.lessons.document import Step
+from day6_core.lessons.rehearsal import _plain
+from tests.support.recorded_live import Json, judged_again, keys_of, read_lines, say_of, write_lines
 
 RECORDED = Path(__file__).with_name("recorded_histories.jsonl")
 """One lesson a line."""

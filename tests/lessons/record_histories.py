@@ -1,4 +1,4 @@
-"""Writes `recorded_histories.jsonl` anew: `python tests/lessons/record_histories.py [WORD…]` plays days and drills for real.
+"""Writes `recorded_histories.jsonl` anew: `python -m tests.lessons.record_histories [WORD…]` plays days and drills for real.
 
 With words only the files whose names begin with one of them; the others stay as they are. To be run by hand, after a lesson or
 what checks ask a machine for has changed.
@@ -12,17 +12,15 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-TESTS = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TESTS), str(TESTS / "stepped")]
+from tests import conftest as surroundings
 
-import conftest as surroundings  # noqa: E402
-from histories import RECORDED, SHIPPED, judged, otherwise, read_histories, write_histories  # noqa: E402
-from recorded_live import RecordingLive, compact  # noqa: E402
-
-from day6_tui.core.lessons import rehearsal  # noqa: E402
-from day6_tui.core.lessons.checks import Verdict  # noqa: E402
-from day6_tui.core.lessons.document import Step, Wrong  # noqa: E402
-from day6_tui.core.lessons.reading import read_lesson  # noqa: E402
+# isort: split
+from day6_core.lessons import rehearsal
+from day6_core.lessons.checks import Verdict
+from day6_core.lessons.document import Step, Wrong
+from day6_core.lessons.reading import read_lesson
+from tests.lessons.histories import RECORDED, SHIPPED, judged, otherwise, read_histories, write_histories
+from tests.support.recorded_live import RecordingLive, compact
 
 steps: list[Any] = []
 """The steps of the lesson that is played, as far as it is."""

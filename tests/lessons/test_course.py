@@ -7,15 +7,15 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from waiting import until
 
-from day6_tui.core.lessons import catalogue
-from day6_tui.core.lessons.course import Course
-from day6_tui.core.lessons.progress import StepDone, file_of, load
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import InputStream, OutputStream
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.redirection import Streams
+from day6_core.lessons import catalogue
+from day6_core.lessons.course import Course
+from day6_core.lessons.progress import StepDone, file_of, load
+from day6_core.session.session import Session
+from day6_core.session.streams import InputStream, OutputStream
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.redirection import Streams
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.process
 

@@ -7,10 +7,10 @@ import random
 
 import pytest
 
-from day6_tui.core.lessons.checks.drawing import _lines, judged
-from day6_tui.core.lessons.texts import Say
-from day6_tui.core.ros.programs.turtlesim.model.simulation import Simulation
-from day6_tui.core.ros.programs.turtlesim.model.turtle import Turtle
+from day6_core.lessons.checks.drawing import _lines, judged
+from day6_core.lessons.texts import Say
+from day6_core.ros.programs.turtlesim.model.simulation import Simulation
+from day6_core.ros.programs.turtlesim.model.turtle import Turtle
 
 WANTED = Say("trail", turtle="turtle1", shape=Say("shape.pentagram"))
 

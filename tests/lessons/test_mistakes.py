@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.lessons import catalogue, remarks
-from day6_tui.core.lessons.actions import WINDOWS
-from day6_tui.core.lessons.reading import read_lesson
-from day6_tui.core.lessons.source import LessonMistakes
-from day6_tui.tui.windows import KINDS
+from day6_core.lessons import catalogue, remarks
+from day6_core.lessons.actions import WINDOWS
+from day6_core.lessons.reading import read_lesson
+from day6_core.lessons.source import LessonMistakes
+from day6_tui.windows import KINDS
 
 EXAMPLE = (catalogue.HERE / "example.md").read_text(encoding="utf-8")
 DRILL = (catalogue.HERE / "example_drill.md").read_text(encoding="utf-8")

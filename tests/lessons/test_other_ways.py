@@ -12,10 +12,10 @@ from typing import Any
 import pytest
 import yaml
 
-from day6_tui.core.lessons.catalogue import HERE
-from day6_tui.core.lessons.document import Step, Wrong
-from day6_tui.core.lessons.reading import read_lesson
-from day6_tui.core.lessons.rehearsal import rehearse
+from day6_core.lessons.catalogue import HERE
+from day6_core.lessons.document import Step, Wrong
+from day6_core.lessons.reading import read_lesson
+from day6_core.lessons.rehearsal import rehearse
 
 WAYS = yaml.safe_load(Path(__file__).with_name("other_ways.yaml").read_text(encoding="utf-8"))
 CASES = [pytest.param(fault, way, id=f"{fault}: {way['name']}") for fault, ways in WAYS.items() for way in ways]

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.lessons.catalogue import HERE
-from day6_tui.core.lessons.reading import read_lesson
+from day6_core.lessons.catalogue import HERE
+from day6_core.lessons.reading import read_lesson
 
 AT_A_TIME = 5
 TOGETHER = 8
@@ -33,7 +33,7 @@ Played = Future["subprocess.CompletedProcess[str]"]
 
 def play(paths: Sequence[Path]) -> subprocess.CompletedProcess[str]:
     """Play lesson files as their author would."""
-    command = [sys.executable, "-m", "day6_tui.tui.main", "lessons", "play", *map(str, paths)]
+    command = [sys.executable, "-m", "day6_tui.main", "lessons", "play", *map(str, paths)]
     return subprocess.run(command, capture_output=True, text=True, timeout=LONGEST)
 
 

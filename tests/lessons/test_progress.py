@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.lessons.progress import (
+from day6_core.lessons.progress import (
     VERSION,
     Progress,
     ProgressError,
@@ -118,7 +118,7 @@ def test_a_name_that_cannot_be_is_refused(name: str, mistake: str) -> None:
 def test_kill_9_in_the_middle_of_saving_leaves_a_whole_file(tmp_path: Path) -> None:
     path = file_of(tmp_path, "anna")
     script = textwrap.dedent(f"""
-        import day6_tui.core.lessons.progress as p
+        import day6_core.lessons.progress as p
         from pathlib import Path
         progress = p.Progress("anna")
         for number in range(100_000):

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.lessons.checks import Verdict
-from day6_tui.core.lessons.checks.messages import rate
+from day6_core.lessons.checks import Verdict
+from day6_core.lessons.checks.messages import rate
 
 
 def judged(times: Sequence[float], now: float, least: float, most: float | None = None) -> Verdict:

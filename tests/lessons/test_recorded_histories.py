@@ -11,15 +11,12 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from histories import RECORDED, SHIPPED, is_refused, judged, read_histories
-from own_places import own_places
-from recorded_live import Json, packed, unpacked
-
-from day6_tui.core.lessons.checks import kinds
-from day6_tui.core.lessons.document import Step
-from day6_tui.core.lessons.reading import read_lesson
+from day6_core.lessons.checks import kinds
+from day6_core.lessons.document import Step
+from day6_core.lessons.reading import read_lesson
+from tests.lessons.histories import RECORDED, SHIPPED, is_refused, judged, read_histories
+from tests.support.own_places import own_places
+from tests.support.recorded_live import Json, packed, unpacked
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="paths were recorded as Linux has them")
 

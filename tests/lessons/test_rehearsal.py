@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.lessons.live import Live, OutsideHome
-from day6_tui.core.lessons.reading import read_lesson
-from day6_tui.core.lessons.rehearsal import Played, rehearse
+from day6_core.lessons.live import Live, OutsideHome
+from day6_core.lessons.reading import read_lesson
+from day6_core.lessons.rehearsal import Played, rehearse
 
 HEAD = "---\nlesson: small\norder: 1\nminutes: 5\ntitle: {zh: 课, en: Lesson}\n---\n"
 TEXT = "\n## {language} Title\n\ntext\n\n### do\n\ndo\n\n### hints\n\n1. one\n2. two\n3. three\n"
@@ -43,7 +43,7 @@ def test_a_wrong_answer_is_told_with_its_line_and_with_what_holds(tmp_path: Path
 
 @pytest.mark.process
 def test_what_was_seen_is_not_taken_for_what_is_wanted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("day6_tui.core.lessons.rehearsal.SOLVED_WITHIN", 0.2)
+    monkeypatch.setattr("day6_core.lessons.rehearsal.SOLVED_WITHIN", 0.2)
     (played,) = play(tmp_path, one="check:\n  - window: turtlesim\nsolve:\n  - type: ls\n")
     (fault,) = played.faults
     assert "not yet 'the window turtlesim is open' (seen: Open windows: (none).)" in fault.replace("“", "")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,9 +9,7 @@ from typing import Any
 import pytest
 
 # Tests are imported by path (--import-mode=importlib), their helpers by name.
-sys.path.insert(0, str(Path(__file__).parent))
-
-from link_harness import HOUR, LEASE, World
+from tests.link.link_harness import HOUR, LEASE, World
 
 
 @pytest.fixture
@@ -38,7 +35,7 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) ->
 @pytest.fixture
 def hour_of_lease(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whoever falls silent is missed after an hour only: one whose end is noticed was noticed at once, by his socket."""
-    from day6_tui.core.link import config
+    from day6_core.link import config
 
     monkeypatch.setitem(config._COMMON, LEASE, HOUR)
     monkeypatch.setenv("TEST_LEASE", HOUR)

@@ -14,12 +14,12 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from link_peer import Peer
-from waiting import until
+from tests.link.link_peer import Peer
+from tests.support.waiting import until
 
 LEASE = "transport/link/tx/lease"
 HOUR = "3600000"
-HOUR_OF_LEASE = f'from day6_tui.core.link import config\nconfig._COMMON["{LEASE}"] = "{HOUR}"\n'
+HOUR_OF_LEASE = f'from day6_core.link import config\nconfig._COMMON["{LEASE}"] = "{HOUR}"\n'
 """Begins a program that Zenoh misses after an hour without a sign of life; see the fixture `hour_of_lease`."""
 
 HERE = Path(__file__).parent
@@ -86,8 +86,8 @@ class World:
         return peer
 
     def here(self, *, joined: bool = True, domain_id: int = 0, **arguments: Any) -> Peer:
-        from day6_tui.core.graph import Graph
-        from day6_tui.core.link import join
+        from day6_core.graph import Graph
+        from day6_core.link import join
 
         graph = Graph(domain_id)
         if joined:
@@ -98,7 +98,7 @@ class World:
 
     def knowledge(self) -> str:
         """Return what each participant knows at this moment, for a test that has failed."""
-        from day6_tui.core.link import state_of
+        from day6_core.link import state_of
 
         said = [f"this process: {Peer(graph).knowledge()}, {state_of(graph)}" for graph in self._graphs]
         for peer in self._processes:
@@ -110,7 +110,7 @@ class World:
         return "\n".join([*said, *stacks])
 
     def close(self) -> None:
-        from day6_tui.core.link import leave
+        from day6_core.link import leave
 
         for graph in self._graphs:
             leave(graph)

@@ -10,12 +10,12 @@ import os
 import sys
 from typing import Any
 
-from day6_tui.core.graph import EndpointKind, Graph, QoS
-from day6_tui.core.graph.endpoints import Client, Endpoint, EventKind, Publisher, Service, Subscription
-from day6_tui.core.graph.node import Node
-from day6_tui.core.graph.qos import Durability, History, Reliability
-from day6_tui.core.interfaces import copy_message, get_message, get_service, type_hash
-from day6_tui.core.link.qos_text import qos_to_text
+from day6_core.graph import EndpointKind, Graph, QoS
+from day6_core.graph.endpoints import Client, Endpoint, EventKind, Publisher, Service, Subscription
+from day6_core.graph.node import Node
+from day6_core.graph.qos import Durability, History, Reliability
+from day6_core.interfaces import copy_message, get_message, get_service, type_hash
+from day6_core.link.qos_text import qos_to_text
 
 Json = Any
 
@@ -177,7 +177,7 @@ class Peer:
         return f"{zid} linked to {links}; {self.nodes()} {endpoints}, own match {matched}; {self.problems()}"
 
     def leave(self, *, ending: bool = False) -> None:
-        from day6_tui.core.link import leave
+        from day6_core.link import leave
 
         leave(self.graph, ending=ending)
 
@@ -198,15 +198,15 @@ def _hash(type_name: str) -> str:
 
 def _part(text: str) -> Any:
     """Read "teacher", or "pupil NAME"."""
-    from day6_tui.core.link.classroom.pupil import Pupil
-    from day6_tui.core.link.classroom.teacher import Teacher
+    from day6_core.link.classroom.pupil import Pupil
+    from day6_core.link.classroom.teacher import Teacher
 
     role, _, name = text.partition(" ")
     return {"teacher": Teacher, "pupil": lambda: Pupil(name), "": lambda: None}[role]()
 
 
 def main() -> None:
-    from day6_tui.core.link import config, join
+    from day6_core.link import config, join
 
     if "TEST_LEASE" in os.environ:
         config._COMMON["transport/link/tx/lease"] = os.environ["TEST_LEASE"]

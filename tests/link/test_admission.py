@@ -6,14 +6,14 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.graph.endpoints import EndpointKind
-from day6_tui.core.link import admission as gate_rules
-from day6_tui.core.link import remote as remote_rules
-from day6_tui.core.link.admission import Admission, Token, token_of
-from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.limits import Refusals
-from day6_tui.core.link.remote import Origin, RemoteGraph
+from day6_core.graph import Graph
+from day6_core.graph.endpoints import EndpointKind
+from day6_core.link import admission as gate_rules
+from day6_core.link import remote as remote_rules
+from day6_core.link.admission import Admission, Token, token_of
+from day6_core.link.gid import gid_of
+from day6_core.link.limits import Refusals
+from day6_core.link.remote import Origin, RemoteGraph
 
 OWN = "0dd"
 TYPE = "std_msgs::msg::dds_::String_"
@@ -305,8 +305,8 @@ def test_clear_removes_all_and_forgets_who_waits(remote: Remote) -> None:
 
 
 def test_a_message_is_from_who_has_its_gid_if_they_match(remote: Remote) -> None:
-    from day6_tui.core.graph import QoS
-    from day6_tui.core.graph.qos import Reliability
+    from day6_core.graph import QoS
+    from day6_core.graph.qos import Reliability
 
     here = remote.graph.create_node("here", "/")
     hears = here.create_subscription("/t", "std_msgs/msg/String", "RIHS01_0", QoS(depth=1))

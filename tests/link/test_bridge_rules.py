@@ -8,13 +8,13 @@ from typing import Any
 
 import pytest
 import zenoh
-from fake_engine import Clock, FakeQuery, FakeSession, StillThread, sample
 
-from day6_tui.core.link import admission as admission_module
-from day6_tui.core.link import bridge as bridge_module
-from day6_tui.core.link.bridge import Bridge
-from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.limits import Refusals
+from day6_core.link import admission as admission_module
+from day6_core.link import bridge as bridge_module
+from day6_core.link.bridge import Bridge
+from day6_core.link.gid import gid_of
+from day6_core.link.limits import Refusals
+from tests.link.fake_engine import Clock, FakeQuery, FakeSession, StillThread, sample
 
 TYPE = "std_msgs::msg::dds_::String_"
 REMOTE = zenoh.Locality.REMOTE

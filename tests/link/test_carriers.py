@@ -9,23 +9,23 @@ from typing import Any
 import pytest
 import zenoh
 import zenoh.ext
-from fake_engine import Clock, Declared, FakeQuery, FakeSession, sample
 
-from day6_tui.core.graph import Graph, QoS
-from day6_tui.core.graph.endpoints import Client, Publisher, RequestId, Service, Subscription
-from day6_tui.core.graph.qos import Durability, Reliability
-from day6_tui.core.interfaces import deserialize, get_message, get_service, serialize
-from day6_tui.core.link import services as services_module
-from day6_tui.core.link import topics as topics_module
-from day6_tui.core.link.announcing import Announcements
-from day6_tui.core.link.attachment import pack, unpack
-from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.keys import data_key, endpoint_token, node_token
-from day6_tui.core.link.limits import Refusals
-from day6_tui.core.link.paths import LinkError
-from day6_tui.core.link.remote import Origin, RemoteGraph
-from day6_tui.core.link.services import Services
-from day6_tui.core.link.topics import Topics
+from day6_core.graph import Graph, QoS
+from day6_core.graph.endpoints import Client, Publisher, RequestId, Service, Subscription
+from day6_core.graph.qos import Durability, Reliability
+from day6_core.interfaces import deserialize, get_message, get_service, serialize
+from day6_core.link import services as services_module
+from day6_core.link import topics as topics_module
+from day6_core.link.announcing import Announcements
+from day6_core.link.attachment import pack, unpack
+from day6_core.link.gid import gid_of
+from day6_core.link.keys import data_key, endpoint_token, node_token
+from day6_core.link.limits import Refusals
+from day6_core.link.paths import LinkError
+from day6_core.link.remote import Origin, RemoteGraph
+from day6_core.link.services import Services
+from day6_core.link.topics import Topics
+from tests.link.fake_engine import Clock, Declared, FakeQuery, FakeSession, sample
 
 String = get_message("std_msgs/msg/String")
 Add = get_service("example_interfaces/srv/AddTwoInts")

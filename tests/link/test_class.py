@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 import zenoh
-from link_harness import Peer, World
-from waiting import until
 
-from day6_tui.core.link import leave, state_of
-from day6_tui.core.link.classroom.keys import is_name
-from day6_tui.core.link.classroom.pupil import Pupil
-from day6_tui.core.link.classroom.teacher import Teacher
-from day6_tui.core.link.state import DoorState
+from day6_core.link import leave, state_of
+from day6_core.link.classroom.keys import is_name
+from day6_core.link.classroom.pupil import Pupil
+from day6_core.link.classroom.teacher import Teacher
+from day6_core.link.state import DoorState
+from tests.link.link_harness import Peer, World
+from tests.support.waiting import until
 
 
 class Class:

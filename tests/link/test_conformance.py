@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from waiting import until
+
+from tests.support.waiting import until
 
 Pair = tuple[Any, Any]
 

@@ -7,10 +7,10 @@ import subprocess
 import sys
 
 import pytest
-from waiting import run
 
-from day6_tui.core.graph.discovery import discovery_warning
-from day6_tui.core.graph.domain import DomainError, domain_from_text
+from day6_core.graph.discovery import discovery_warning
+from day6_core.graph.domain import DomainError, domain_from_text
+from tests.support.waiting import run
 
 NO_NUMBER = "failed to initialize rcl: ROS_DOMAIN_ID is not an integral number, at /project/src/rcl/domain_id.c:49"
 TOO_LARGE = "failed to initialize rcl: ROS_DOMAIN_ID is out of range, at /project/src/rcl/domain_id.c:53"
@@ -69,14 +69,14 @@ def test_what_is_no_domain_is_refused_in_the_words_of_rcl(text: str, words: str)
     ],
 )
 def test_a_command_in_no_domain_ends_with_the_reason(words: tuple[str, ...], status: int, said: str) -> None:
-    done = _run("-m", "day6_tui.tui.main", *words)
+    done = _run("-m", "day6_tui.main", *words)
     assert (done.returncode, done.stdout) == (status, said)
     assert done.stderr.endswith(NO_NUMBER + "\n") and "Traceback" not in done.stderr
 
 
 @pytest.mark.process
 def test_a_program_of_a_student_in_no_domain_fails_in_init() -> None:
-    done = _run("-m", "day6_tui.tui.main", "python", "-c", "import rclpy\nrclpy.init()")
+    done = _run("-m", "day6_tui.main", "python", "-c", "import rclpy\nrclpy.init()")
     assert done.returncode == 1
     assert done.stderr.splitlines()[-1] == f"rclpy._rclpy_pybind11.RCLError: {NO_NUMBER}"
 
@@ -96,7 +96,7 @@ def test_a_known_discovery_range_is_taken_silently(value: str) -> None:
 def test_an_unknown_discovery_range_is_warned_of_at_every_init_in_the_words_of_rcl(value: str) -> None:
     source = "import rclpy; rclpy.init(); rclpy.shutdown(); rclpy.init(); rclpy.shutdown()"
     done = run(
-        [sys.executable, "-m", "day6_tui.tui.main", "python", "-c", source],
+        [sys.executable, "-m", "day6_tui.main", "python", "-c", source],
         env={**os.environ, "ROS_AUTOMATIC_DISCOVERY_RANGE": value, "DAY6_LINK": "off", "PYTHONPATH": ""},
     )
     words = f"[rcl]: Invalid value '{value}' specified for 'ROS_AUTOMATIC_DISCOVERY_RANGE', assuming localhost only"

@@ -8,13 +8,13 @@ from contextlib import suppress
 
 import pytest
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.interfaces import DeserializationError, deserialize, get_message, get_service, serialize
-from day6_tui.core.link.admission import Admission, token_of
-from day6_tui.core.link.attachment import pack, unpack
-from day6_tui.core.link.keys import parse_token
-from day6_tui.core.link.limits import Refusals
-from day6_tui.core.link.remote import RemoteGraph
+from day6_core.graph import Graph
+from day6_core.interfaces import DeserializationError, deserialize, get_message, get_service, serialize
+from day6_core.link.admission import Admission, token_of
+from day6_core.link.attachment import pack, unpack
+from day6_core.link.keys import parse_token
+from day6_core.link.limits import Refusals
+from day6_core.link.remote import RemoteGraph
 
 TOKENS = (
     "@ros2_lv/0/abc/1/1/NN/%/%/talker",

@@ -11,13 +11,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from link_harness import World
-from waiting import until
 
-from day6_tui.core.link import state_of
-from day6_tui.core.link.addresses import address_of
-from day6_tui.core.link.secret import secret_of
-from day6_tui.core.link.state import Door, DoorState
+from day6_core.link import state_of
+from day6_core.link.addresses import address_of
+from day6_core.link.secret import secret_of
+from day6_core.link.state import Door, DoorState
+from tests.link.link_harness import World
+from tests.support.waiting import until
 
 SECRET, OTHER_SECRET = "chalk-and-sponge", "sponge-and-chalk"
 

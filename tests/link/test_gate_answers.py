@@ -15,14 +15,14 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.link import gateway as gate_module
-from day6_tui.core.link import state as state_module
-from day6_tui.core.link.addresses import Address, address_of
-from day6_tui.core.link.file_lock import FileLock
-from day6_tui.core.link.gateway import Gateway
-from day6_tui.core.link.paths import Place
-from day6_tui.core.link.secret import secret_of
-from day6_tui.core.link.state import Door, DoorState, read_doors, remove_doors, write_doors
+from day6_core.link import gateway as gate_module
+from day6_core.link import state as state_module
+from day6_core.link.addresses import Address, address_of
+from day6_core.link.file_lock import FileLock
+from day6_core.link.gateway import Gateway
+from day6_core.link.paths import Place
+from day6_core.link.secret import secret_of
+from day6_core.link.state import Door, DoorState, read_doors, remove_doors, write_doors
 
 
 @pytest.fixture

@@ -11,13 +11,13 @@ from typing import Any
 
 import pytest
 import zenoh
-from fake_engine import Clock, FakeSession, StillThread
 
-from day6_tui.core.link import gateway as gate_module
-from day6_tui.core.link.file_lock import FileLock
-from day6_tui.core.link.gateway import Gateway
-from day6_tui.core.link.paths import Place
-from day6_tui.core.link.state import Door, DoorState, read_doors
+from day6_core.link import gateway as gate_module
+from day6_core.link.file_lock import FileLock
+from day6_core.link.gateway import Gateway
+from day6_core.link.paths import Place
+from day6_core.link.state import Door, DoorState, read_doors
+from tests.link.fake_engine import Clock, FakeSession, StillThread
 
 IN, IN_TOO, OUT = "tcp/0.0.0.0:1", "tcp/0.0.0.0:2", "tcp/robot:3"
 SECRET = "chalk-and-sponge"

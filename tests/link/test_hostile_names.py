@@ -5,12 +5,12 @@ from __future__ import annotations
 from itertools import product
 
 import pytest
-from folded import folded
 
-from day6_tui.core.graph.graph import Graph
-from day6_tui.core.link.keys import parse_token
-from day6_tui.core.link.limits import Refusals
-from day6_tui.core.link.remote import RemoteGraph
+from day6_core.graph.graph import Graph
+from day6_core.link.keys import parse_token
+from day6_core.link.limits import Refusals
+from day6_core.link.remote import RemoteGraph
+from tests.support.folded import folded
 
 PARTS = {
     "zid": "abc",

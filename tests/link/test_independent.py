@@ -11,8 +11,9 @@ import threading
 from collections.abc import Iterator
 
 import pytest
-from link_harness import HOUR, LEASE, World
-from waiting import until
+
+from tests.link.link_harness import HOUR, LEASE, World
+from tests.support.waiting import until
 
 pytestmark = [
     pytest.mark.process,

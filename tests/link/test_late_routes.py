@@ -8,16 +8,16 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from link_harness import World
-from link_peer import Peer
-from waiting import until
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.interfaces import deserialize, get_message, get_service, serialize
-from day6_tui.core.link.attachment import pack
-from day6_tui.core.link.config import command_config
-from day6_tui.core.link.keys import data_key, endpoint_token, new_zid
-from day6_tui.core.link.paths import meeting_place
+from day6_core.graph import Graph
+from day6_core.interfaces import deserialize, get_message, get_service, serialize
+from day6_core.link.attachment import pack
+from day6_core.link.config import command_config
+from day6_core.link.keys import data_key, endpoint_token, new_zid
+from day6_core.link.paths import meeting_place
+from tests.link.link_harness import World
+from tests.link.link_peer import Peer
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.process
 

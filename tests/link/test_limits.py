@@ -12,18 +12,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from link_harness import World
-from link_peer import Peer
-from waiting import until
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.graph.endpoints import Subscription
-from day6_tui.core.interfaces import get_message, serialize
-from day6_tui.core.link import doors_of, state_of
-from day6_tui.core.link.admission import Admission
-from day6_tui.core.link.attachment import pack
-from day6_tui.core.link.keys import data_key
-from day6_tui.core.link.limits import (
+from day6_core.graph import Graph
+from day6_core.graph.endpoints import Subscription
+from day6_core.interfaces import get_message, serialize
+from day6_core.link import doors_of, state_of
+from day6_core.link.admission import Admission
+from day6_core.link.attachment import pack
+from day6_core.link.keys import data_key
+from day6_core.link.limits import (
     MOST_ENDPOINTS_OF_ONE,
     MOST_NODES,
     MOST_NODES_OF_ONE,
@@ -31,9 +28,12 @@ from day6_tui.core.link.limits import (
     UNANNOUNCED_SECONDS,
     Refusals,
 )
-from day6_tui.core.link.remote import Origin, RemoteGraph, lives_here
-from day6_tui.core.link.state import DoorState
-from day6_tui.core.link.unannounced import UnannouncedSenders
+from day6_core.link.remote import Origin, RemoteGraph, lives_here
+from day6_core.link.state import DoorState
+from day6_core.link.unannounced import UnannouncedSenders
+from tests.link.link_harness import World
+from tests.link.link_peer import Peer
+from tests.support.waiting import until
 
 MANY = 3000
 NODES = "@ros2_lv/0/ffffffffffffffff/{}/{}/NN/%/%/flood{}"

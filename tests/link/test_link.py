@@ -13,13 +13,13 @@ from typing import Any
 import pytest
 import zenoh
 import zenoh.ext
-from link_harness import World
-from link_peer import Peer
-from waiting import until
 
-from day6_tui.core.graph import EndpointKind, Graph, QoS
-from day6_tui.core.graph.endpoints import Publisher
-from day6_tui.core.link import config, join, leave, state_of
+from day6_core.graph import EndpointKind, Graph, QoS
+from day6_core.graph.endpoints import Publisher
+from day6_core.link import config, join, leave, state_of
+from tests.link.link_harness import World
+from tests.link.link_peer import Peer
+from tests.support.waiting import until
 
 
 def no_copy(message: Any) -> Any:
@@ -90,10 +90,10 @@ def test_leaving_ends_every_thread_of_ours(world: World) -> None:
 @pytest.mark.process
 def test_why_there_is_no_link_is_known_afterwards(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     graph = Graph()
-    monkeypatch.setitem(sys.modules, "day6_tui.core.link.link", None)
+    monkeypatch.setitem(sys.modules, "day6_core.link.link", None)
     with pytest.raises(ImportError):
         join(graph)
-    assert "day6_tui.core.link.link" in str(state_of(graph).problem)
+    assert "day6_core.link.link" in str(state_of(graph).problem)
     monkeypatch.undo()
     assert state_of(Graph()).problem is None
     join(graph)
@@ -198,8 +198,8 @@ def test_garbage_on_a_topic_is_passed_over(world: World) -> None:
     subscription = far.subscription(far.node("listener"), "/chatter")
     assert until(lambda: near.matched(publisher) == 1)
     session = near.graph.transport._session
-    from day6_tui.core.link.attachment import pack
-    from day6_tui.core.link.keys import data_key
+    from day6_core.link.attachment import pack
+    from day6_core.link.keys import data_key
 
     key = data_key(near.things[publisher])
     session.put(key, b"no attachment")
@@ -218,9 +218,9 @@ def test_a_message_of_somebody_without_a_known_gid_is_delivered_with_it(world: W
     publisher = near.publisher(near.node("talker"), "/chatter")
     subscription = far.subscription(far.node("listener"), "/chatter")
     assert until(lambda: near.matched(publisher) == 1)
-    from day6_tui.core.interfaces import get_message, serialize
-    from day6_tui.core.link.attachment import pack
-    from day6_tui.core.link.keys import data_key
+    from day6_core.interfaces import get_message, serialize
+    from day6_core.link.attachment import pack
+    from day6_core.link.keys import data_key
 
     data = serialize(get_message("std_msgs/msg/String")(data="hello"))
     near.graph.transport._session.put(data_key(near.things[publisher]), data, attachment=pack(5, 123, bytes(range(16))))

@@ -14,23 +14,23 @@ from typing import Any
 
 import pytest
 import zenoh
-from fake_engine import Clock, FakeSession, StillThread
 
-from day6_tui.core import link as package
-from day6_tui.core.graph import Graph, QoS
-from day6_tui.core.graph.endpoints import RequestId
-from day6_tui.core.graph.node import Node
-from day6_tui.core.link import engine_thread
-from day6_tui.core.link import link as link_module
-from day6_tui.core.link import meeting as meeting_module
-from day6_tui.core.link.engine_thread import callback, inside_callback
-from day6_tui.core.link.file_lock import FileLock
-from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.keys import endpoint_token, node_token
-from day6_tui.core.link.link import Link
-from day6_tui.core.link.meeting import MeetingPoint
-from day6_tui.core.link.paths import LinkError, Place
-from day6_tui.core.link.state import Door, LinkState, write_doors
+from day6_core import link as package
+from day6_core.graph import Graph, QoS
+from day6_core.graph.endpoints import RequestId
+from day6_core.graph.node import Node
+from day6_core.link import engine_thread
+from day6_core.link import link as link_module
+from day6_core.link import meeting as meeting_module
+from day6_core.link.engine_thread import callback, inside_callback
+from day6_core.link.file_lock import FileLock
+from day6_core.link.gid import gid_of
+from day6_core.link.keys import endpoint_token, node_token
+from day6_core.link.link import Link
+from day6_core.link.meeting import MeetingPoint
+from day6_core.link.paths import LinkError, Place
+from day6_core.link.state import Door, LinkState, write_doors
+from tests.link.fake_engine import Clock, FakeSession, StillThread
 
 
 class FakeMeeting:
@@ -182,7 +182,7 @@ def test_what_the_engine_refuses_is_told_and_the_program_goes_on(make: Make) -> 
     it.graph.create_node("m")
     it.link.publish(publisher, "x", 1, 1)
     client = node.create_client("/s", "example_interfaces/srv/AddTwoInts", "", QoS(), lambda it: it)
-    from day6_tui.core.interfaces import get_service
+    from day6_core.interfaces import get_service
 
     it.link.send_request(client, get_service("example_interfaces/srv/AddTwoInts").Request(), 1)
     assert list(it.link.problems) == ["not announced: no", "not sent: no", "not announced: no", "not sent: no"]

@@ -11,8 +11,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from link_harness import ProcessPeer
-from waiting import until
+
+from tests.link.link_harness import ProcessPeer
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.process
 TEACHER, PUPIL = "10.66.13.1", "10.66.13.2"

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from waiting import until
-
-from day6_tui.core.graph.names import OBSERVER_PREFIX
+from day6_core.graph.names import OBSERVER_PREFIX
+from tests.support.waiting import until
 
 
 def test_an_observer_hears_another_process_and_is_not_in_its_lists(pair: tuple[Any, Any]) -> None:

@@ -7,13 +7,13 @@ import shutil
 import sys
 
 import pytest
-from waiting import run
 
-from day6_tui.core.link.addresses import own_address
+from day6_core.link.addresses import own_address
+from tests.support.waiting import run
 
 pytestmark = pytest.mark.process
 
-TELL = "from day6_tui.core.link.addresses import own_address; print(own_address())"
+TELL = "from day6_core.link.addresses import own_address; print(own_address())"
 
 
 def test_it_is_an_address_or_this_machines_name() -> None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from link_harness import World
-from waiting import until
 
-from day6_tui.core.graph import EndpointKind
-from day6_tui.core.link import listen_in
+from day6_core.graph import EndpointKind
+from day6_core.link import listen_in
+from tests.link.link_harness import World
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.process
 
@@ -62,7 +62,7 @@ def test_messages_between_two_other_processes_are_counted_and_nobody_notices(wor
 
 
 def test_a_link_that_closes_ends_the_counting(world: World) -> None:
-    from day6_tui.core.link import leave
+    from day6_core.link import leave
 
     here, talker, listener = world.here(), world.process(), world.process()
     talker.publisher(talker.node("talker"), "/chatter")

@@ -10,11 +10,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from link_harness import World
-from waiting import until
 
-from day6_tui.core.link import paths
-from day6_tui.core.link.paths import LinkError, meeting_place
+from day6_core.link import paths
+from day6_core.link.paths import LinkError, meeting_place
+from tests.link.link_harness import World
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="folders have other rights there")
 

@@ -15,8 +15,8 @@ from zlib import crc32
 
 import pytest
 
-from day6_tui.core.link import paths
-from day6_tui.core.link.paths import (
+from day6_core.link import paths
+from day6_core.link.paths import (
     LinkError,
     Neighbour,
     Neighbourhood,
@@ -327,7 +327,7 @@ def test_a_file_without_a_password_is_told_after_a_second(tcp_place: Place, monk
 def test_sessions_listen_and_connect_where_their_kind_does(place: Place, tcp_place: Place) -> None:
     import json
 
-    from day6_tui.core.link import config
+    from day6_core.link import config
 
     def settings(made: object, *names: str) -> list[object]:
         return [json.loads(made.get_json(name)) for name in names]  # type: ignore[attr-defined]

@@ -8,8 +8,9 @@ import subprocess
 import sys
 
 import pytest
-from link_harness import HOUR_OF_LEASE, World
-from waiting import communicate, run, until
+
+from tests.link.link_harness import HOUR_OF_LEASE, World
+from tests.support.waiting import communicate, run, until
 
 needs_kill = pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
 
@@ -165,12 +166,12 @@ def test_a_one_shot_command_sees_every_node_of_the_machine_before_it_answers(wor
         for letter in "abc":
             peer.publisher(peer.node(f"{letter}{number}"), f"/topic_{letter}{number}")
     source = """
-from day6_tui.core.graph import Graph
-from day6_tui.core.link import join
+from day6_core.graph import Graph
+from day6_core.link import join
 graph = Graph()
 link = join(graph, one_shot=True)
 print(link.wait_settled(5.0), sorted(node.name for node in graph.nodes), len(graph.endpoints(*__import__(
-    "day6_tui.core.graph", fromlist=["EndpointKind"]).EndpointKind)))
+    "day6_core.graph", fromlist=["EndpointKind"]).EndpointKind)))
 """
     names = sorted(f"{letter}{number}" for letter in "abc" for number in range(4))
     for _ in range(3):
@@ -179,8 +180,8 @@ print(link.wait_settled(5.0), sorted(node.name for node in graph.nodes), len(gra
 
 
 def test_a_one_shot_command_alone_answers_at_once(world: World) -> None:
-    from day6_tui.core.graph import Graph
-    from day6_tui.core.link import join, leave
+    from day6_core.graph import Graph
+    from day6_core.link import join, leave
 
     graph = Graph()
     link = join(graph, one_shot=True)
@@ -206,9 +207,9 @@ def test_a_program_that_forks_goes_on_and_its_child_ends(world: World, way_out: 
     keeper = world.here()
     source = f"""
 import os, sys
-from day6_tui.core.graph import Graph, QoS
-from day6_tui.core.interfaces import copy_message, get_message, type_hash
-from day6_tui.core.link import join
+from day6_core.graph import Graph, QoS
+from day6_core.interfaces import copy_message, get_message, type_hash
+from day6_core.link import join
 graph = Graph()
 link = join(graph)
 String = get_message("std_msgs/msg/String")
@@ -251,8 +252,8 @@ def test_a_killed_program_is_gone_although_its_forked_child_lives(world: World) 
     keeper = world.here()
     source = f"""{HOUR_OF_LEASE}
 import os, time
-from day6_tui.core.graph import Graph
-from day6_tui.core.link import join
+from day6_core.graph import Graph
+from day6_core.link import join
 graph = Graph()
 link = join(graph)
 graph.create_node("parent")
@@ -281,8 +282,8 @@ time.sleep(3600)
 @pytest.mark.process
 def test_the_engine_never_writes_to_the_students_terminal(world: World) -> None:
     source = """
-from day6_tui.core.graph import Graph
-from day6_tui.core.link import join
+from day6_core.graph import Graph
+from day6_core.link import join
 graph = Graph()
 link = join(graph)
 graph.create_node("quiet")
@@ -299,10 +300,10 @@ def test_a_program_ends_as_python_ends_it_and_its_last_words_arrive(world: World
     subscription = keeper.subscription(keeper.node("listener"), "/chatter", depth=1000, latched=True)
     source = f"""
 import time
-from day6_tui.core.graph import Graph, QoS
-from day6_tui.core.graph.qos import Durability
-from day6_tui.core.interfaces import copy_message, get_message, type_hash
-from day6_tui.core.link import join
+from day6_core.graph import Graph, QoS
+from day6_core.graph.qos import Durability
+from day6_core.interfaces import copy_message, get_message, type_hash
+from day6_core.link import join
 graph = Graph()
 join(graph)
 String = get_message("std_msgs/msg/String")
@@ -328,12 +329,12 @@ def test_importing_the_link_costs_nothing_and_nothing_heavy_comes_with_joining(w
     source = """
 import sys
 before = set(sys.modules)
-import day6_tui.core.link
+import day6_core.link
 new = set(sys.modules) - before
 ours = [name for name in new if name.startswith("day6_tui")]
 print(sorted(name for name in new if name.split(".")[0] in ("zenoh", "json", "socket")), len(ours) < 20)
-from day6_tui.core.graph import Graph
-day6_tui.core.link.join(Graph())
+from day6_core.graph import Graph
+day6_core.link.join(Graph())
 print("zenoh" in sys.modules, sorted({"numpy", "asyncio", "yaml", "textual", "rich"} & set(sys.modules)))
 """
     done = run_python(world, source)

@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from link_harness import HOUR_OF_LEASE, ROOT, World
-from waiting import communicate, until
+
+from tests.link.link_harness import HOUR_OF_LEASE, ROOT, World
+from tests.support.waiting import communicate, until
 
 pytestmark = pytest.mark.process
 
@@ -86,7 +87,7 @@ print(("fibonacci_server", "/team") in node.get_node_names_and_namespaces())
 """
 LATE_JOINER = """
 import rclpy
-from day6_tui.core.link import link_of
+from day6_core.link import link_of
 from rclpy.qos import QoSDurabilityPolicy, QoSProfile
 from std_msgs.msg import String
 
@@ -110,9 +111,9 @@ print(got)
 
 INTERRUPTED = """
 import signal, sys, threading
-from day6_tui.core import inbox
-from day6_tui.core.graph.endpoints import Service
-from day6_tui.core.link.announcing import Announcements
+from day6_core import inbox
+from day6_core.graph.endpoints import Service
+from day6_core.link.announcing import Announcements
 import rclpy
 from rclpy.node import Node
 

@@ -14,8 +14,9 @@ from threading import Thread
 from typing import Any
 
 import pytest
-from link_harness import World
-from waiting import until
+
+from tests.link.link_harness import World
+from tests.support.waiting import until
 
 
 @pytest.mark.process
@@ -60,8 +61,8 @@ def test_where_sockets_are_tcp_a_password_is_asked(
 ) -> None:
     import zenoh
 
-    from day6_tui.core.link.config import command_config
-    from day6_tui.core.link.paths import meeting_place
+    from day6_core.link.config import command_config
+    from day6_core.link.paths import meeting_place
 
     monkeypatch.setenv("DAY6_LINK", "tcp")
     owner = world.here()
@@ -122,8 +123,8 @@ def test_who_takes_the_port_of_a_keeper_that_died_is_not_joined_without_the_pass
 ) -> None:
     import zenoh
 
-    from day6_tui.core.link.config import process_config
-    from day6_tui.core.link.paths import meeting_place
+    from day6_core.link.config import process_config
+    from day6_core.link.paths import meeting_place
 
     monkeypatch.setenv("DAY6_LINK", "tcp")
     place = meeting_place(0)
@@ -156,8 +157,8 @@ def test_who_takes_the_port_of_a_keeper_that_died_is_not_joined_without_the_pass
 def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
     world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    from day6_tui.core.graph import Graph
-    from day6_tui.core.link import join, leave
+    from day6_core.graph import Graph
+    from day6_core.link import join, leave
 
     blocked = short_folder / "file"
     blocked.touch()
@@ -174,7 +175,7 @@ def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
 def test_a_symbolic_link_in_place_of_the_folder_is_refused(
     world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_tui.core.link.paths import LinkError, meeting_place
+    from day6_core.link.paths import LinkError, meeting_place
 
     (short_folder / "elsewhere").mkdir()
     (short_folder / "trap").symlink_to(short_folder / "elsewhere")

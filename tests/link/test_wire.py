@@ -6,13 +6,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from day6_tui.core.graph import EndpointKind, Graph, QoS
-from day6_tui.core.graph.qos import INFINITE_NS, Durability, History, Liveliness, Reliability
-from day6_tui.core.link.attachment import Attachment, pack, unpack
-from day6_tui.core.link.classes import message_class, service_class
-from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.keys import data_key, endpoint_token, mangled, node_token, parse_token, ros_type
-from day6_tui.core.link.qos_text import qos_from_text, qos_to_text
+from day6_core.graph import EndpointKind, Graph, QoS
+from day6_core.graph.qos import INFINITE_NS, Durability, History, Liveliness, Reliability
+from day6_core.link.attachment import Attachment, pack, unpack
+from day6_core.link.classes import message_class, service_class
+from day6_core.link.gid import gid_of
+from day6_core.link.keys import data_key, endpoint_token, mangled, node_token, parse_token, ros_type
+from day6_core.link.qos_text import qos_from_text, qos_to_text
 
 STRING_HASH = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
 

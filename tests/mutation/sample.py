@@ -1,6 +1,6 @@
 """Plants faults by chance in a part of day6-tui and prints the share that the tests of the same folder catch.
 
-    python tests/mutation/sample.py [--parts rclpy,graph,…] [--number 50] [--seed 1] [--jobs 2]
+    python -m tests.mutation.sample [--parts rclpy,graph,…] [--number 50] [--seed 1] [--jobs 2]
 
 The faults (mutants) are those of cosmic-ray (an operator, a comparison, a number, a condition, a loop, an exception changed),
 and a few more that people make: a call forgotten, min for max, any for all. A part's places are all equally likely, whatever
@@ -41,20 +41,18 @@ from cosmic_ray.ast import ast_nodes
 from cosmic_ray.mutating import MutationVisitor
 from cosmic_ray.operators.provider import OperatorProvider
 
+from tests.support import one_process
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "stepped"))
-
-import one_process  # noqa: E402
-
 ROOT = HERE.parents[1]
 # Where the sources of a part are, and the folder of its tests.
 PARTS = {
-    "graph": ("core/graph", "tests/graph"),
-    "link": ("core/link", "tests/link"),
-    "rclpy": ("core/ros/python/rclpy", "tests/rclpy"),
-    "ros2": ("core/ros/ros2", "tests/ros2"),
-    "shell": ("core/shell", "tests/shell"),
-    "urdf": ("urdf", "tests/urdf"),
+    "graph": ("core/day6_core/graph", "tests/graph"),
+    "link": ("core/day6_core/link", "tests/link"),
+    "rclpy": ("core/day6_core/ros/python/rclpy", "tests/rclpy"),
+    "ros2": ("core/day6_core/ros/ros2", "tests/ros2"),
+    "shell": ("core/day6_core/shell", "tests/shell"),
+    "urdf": ("urdf/day6_urdf", "tests/urdf"),
 }
 NONE_PLAYED = 5  # a status of pytest
 OPERATORS = OperatorProvider()
@@ -225,9 +223,6 @@ class Copy:
             if (ROOT / name).is_file():
                 (self._root / name).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy2(ROOT / name, self._root / name)
-        names = folder / "names"
-        names.mkdir()
-        (names / "day6_tui").symlink_to(self._root, target_is_directory=True)
         venv.create(self._root / ".venv", symlinks=True)
         self._python = self._root / ".venv" / "bin" / "python"
         packages = subprocess.run(
@@ -235,7 +230,8 @@ class Copy:
             stdout=subprocess.PIPE, text=True, check=True,
         ).stdout.strip()  # fmt: skip
         # A folder named in a .pth file is not searched for further ones: what makes the real checkout importable stays out.
-        paths = (names, self._root / "tests" / "mutation", sysconfig.get_path("purelib"))
+        ours = (self._root / name for name in ("core", "tui", "urdf", "tests/mutation"))
+        paths = (*ours, sysconfig.get_path("purelib"))
         (Path(packages) / "copy.pth").write_text("".join(f"{path}\n" for path in paths), encoding="utf-8")
         self._stamp = time.time()
 

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
 if TYPE_CHECKING:
-    from kernel import Kernel
+    from tests.notebook.kernel import Kernel
 
 
 @pytest.fixture
 def kernel(short_folder: Path) -> Iterator[Kernel]:
     pytest.importorskip("jupyter_client", reason="there is no ipykernel here")
     pytest.importorskip("ipykernel", reason="there is no ipykernel here")
-    from kernel import Kernel
+    from tests.notebook.kernel import Kernel
 
     made = Kernel(short_folder / "r")
     yield made

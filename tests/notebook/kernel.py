@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from jupyter_client import manager
-from waiting import PATIENCE, Deadline, until
+
+from tests.support.waiting import PATIENCE, Deadline, until
 
 
 class Kernel:

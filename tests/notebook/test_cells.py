@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
-    from kernel import Kernel
+    from tests.notebook.kernel import Kernel
 
 pytestmark = pytest.mark.process
 

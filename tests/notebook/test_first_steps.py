@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from kernel import Kernel
+    from tests.notebook.kernel import Kernel
 
 FILE = Path(__file__).resolve().parents[2] / "hub" / "first_steps.ipynb"
 

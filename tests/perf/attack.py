@@ -1,6 +1,6 @@
 """Attacks the desktop at a real terminal with keys, mouse, pastes, bytes and hostile programs. Linux only, by hand.
 
-    python tests/perf/attack.py [--minutes 10 | --runs N] [--jobs 1] [--seed 1] [--first N] [--only N]
+    python -m tests.perf.attack [--minutes 10 | --runs N] [--jobs 1] [--seed 1] [--first N] [--only N]
 
 Every run is one desktop: some bursts of random deeds, after each of which a new terminal must answer `echo`; then ^Q, whose
 questions are answered. `--seed` and a run's number give the same deeds again (`--only N` plays that run alone and prints
@@ -22,23 +22,21 @@ import time
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "e2e"))
-
 import pyte
-from ends import KEYS, LINES, PROGRAMS
-from hostile import HOSTILE, SEQUENCES, SHORT, foreign, whole
-from random_runs import RandomRun, options_of, played
-from screen import set_window_size
+
+from tests.e2e.hostile import HOSTILE, SEQUENCES, SHORT, foreign, whole
+from tests.perf.ends import KEYS, LINES, PROGRAMS
+from tests.perf.random_runs import RandomRun, options_of, played
+from tests.perf.screen import set_window_size
 
 START = """\
 import asyncio, faulthandler, signal, sys
 stacks = open({stacks!r}, "w")
 faulthandler.register(signal.SIGUSR1, file=stacks, all_threads=True)
-from day6_tui.tui.app import Day6App
-from day6_tui.tui.main import main
+from day6_tui.app import Day6App
+from day6_tui.main import main
 attach = Day6App._attend_the_end
 
 def attend(app):

@@ -1,6 +1,6 @@
 """Measures rqt_bag on a large bag: how long it takes to open and index it, its memory, and how soon a jump is answered.
 
-    python tests/perf/bag.py [--gigabytes 1] [--storage mcap|sqlite3] [--preset PRESET] [--small] [--jumps N] [--keep FOLDER]
+    python -m tests.perf.bag [--gigabytes 1] [--storage mcap|sqlite3] [--preset PRESET] [--small] [--jumps N] [--keep FOLDER]
 
 The bag has images, laser scans and small messages (`--small`: only those, of 100 bytes). A jump is answered when the newest
 message of every topic has come to a subscription on the same graph. The file's pages are dropped from the cache before the bag
@@ -15,15 +15,12 @@ import random
 import resource
 import shutil
 import statistics
-import sys
 import tempfile
 import time
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
-
-from day6_tui.core.ros.environment import activate
+from day6_core.ros.environment import activate
 
 activate()
 
@@ -31,10 +28,10 @@ import rosbag2_py  # noqa: E402 - on the path only now
 from geometry_msgs.msg import Twist  # noqa: E402
 from sensor_msgs.msg import Image, LaserScan  # noqa: E402
 from std_msgs.msg import String  # noqa: E402
-from stepped_machine import SteppedMachine  # noqa: E402
 
-from day6_tui.core.session.clock import WorldClock  # noqa: E402
+from day6_core.session.clock import WorldClock  # noqa: E402
 from rclpy.serialization import serialize_message  # noqa: E402
+from tests.support.stepped_machine import SteppedMachine  # noqa: E402
 
 SECOND = 1_000_000_000
 START = 1_700_000_000 * SECOND
@@ -105,7 +102,7 @@ def measure(folder: Path, jumps: int) -> None:
     start, end = model.timeline.start_ns, model.timeline.end_ns
     pick = random.Random(1)
     for topic, kind_name in model.topics.items():
-        from day6_tui.core.interfaces import get_interface
+        from day6_core.interfaces import get_interface
 
         machine.node.create_subscription(
             get_interface(kind_name), topic, lambda data, topic=topic: heard.__setitem__(topic, heard.get(topic, 0) + 1),

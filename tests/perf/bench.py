@@ -1,6 +1,6 @@
 """Measures the budgets of day6-tui and prints one table.
 
-    python tests/perf/bench.py [--real PYTHON] [--real-ros2 COMMAND] [--rclpy] [--quick]
+    python -m tests.perf.bench [--real PYTHON] [--real-ros2 COMMAND] [--rclpy] [--quick]
 
 `--real` is an interpreter with real rclpy, `--real-ros2` the real command with its daemon running: what can be measured on both
 is, in turns, and the ratio is printed. Everything is compared within one run, because machines differ. Linux only.
@@ -22,14 +22,13 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from screen import Screen
-
-from day6_tui.core.ros.environment import program_environment
-from day6_tui.core.shell.screen import Screen as Picture
-from day6_tui.urdf.shipped import shipped_model
+from day6_core.ros.environment import program_environment
+from day6_core.shell.screen import Screen as Picture
+from day6_urdf.shipped import shipped_model
+from tests.perf.screen import Screen
 
 HERE = Path(__file__).resolve().parent
-DAY6 = [sys.executable, "-m", "day6_tui.tui.main"]
+DAY6 = [sys.executable, "-m", "day6_tui.main"]
 BARE = [sys.executable, str(HERE / "bare_app.py")]
 
 TURNTABLE_VIEW = """\

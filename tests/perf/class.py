@@ -1,6 +1,6 @@
 """Measures a class on this machine: kept desktops, one a pupil, each looked at in a tab of 120x40. One table.
 
-    python tests/perf/class.py [--pupils 1 8 16 30] [--seconds S] [--no-bomb] [--serve]
+    python -m tests.perf.class [--pupils 1 8 16 30] [--seconds S] [--no-bomb] [--serve]
 
 Every pupil has a home folder and a domain of his own; a tab speaks to the desktop's keeper as `day6-tui attach` does, without a
 terminal of its own. For each number of pupils: memory (PSS of desktop and keeper), the seconds until all are started and until
@@ -29,10 +29,9 @@ from pathlib import Path
 RUNTIME = tempfile.mkdtemp(prefix="day6-class-")
 os.environ["DAY6_RUNTIME_DIR"] = RUNTIME
 
-from bench import TURTLE, TWIST  # noqa: E402  (the line above is read at import)
-from served import Server, Tab  # noqa: E402
-
-from day6_tui.tui.detached import meeting, view, wire  # noqa: E402
+from day6_tui.detached import meeting, view, wire  # noqa: E402
+from tests.perf.bench import TURTLE, TWIST  # noqa: E402  (the line above is read at import)
+from tests.perf.served import Server, Tab  # noqa: E402
 
 SIZE = [40, 120, 0, 0]
 PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\n"
@@ -60,7 +59,7 @@ class Pupil:
         self.home = Path(tempfile.mkdtemp(prefix="day6-class-"))
         (self.home / "bomb.py").write_text(BOMB, encoding="utf-8")
         env = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor", "LANG": "C.UTF-8"}
-        command = [sys.executable, "-m", "day6_tui.tui.main", "--detach", "--home", str(self.home), "--lang", "en"]
+        command = [sys.executable, "-m", "day6_tui.main", "--detach", "--home", str(self.home), "--lang", "en"]
         self.began = time.perf_counter()
         self.starting = subprocess.Popen(
             [*command, "--scene", "empty"],
@@ -156,9 +155,7 @@ class ServedPupil(Pupil):
 
     def started(self) -> float:
         deadline = time.monotonic() + 60
-        while b"day6_tui.tui.main" not in b"".join(
-            _command_of(Path(f"/proc/{each}")) for each in _processes_of(self.home)
-        ):
+        while b"day6_tui.main" not in b"".join(_command_of(Path(f"/proc/{each}")) for each in _processes_of(self.home)):
             if time.monotonic() > deadline:
                 raise RuntimeError("a desktop did not start")
             time.sleep(0.05)

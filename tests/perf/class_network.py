@@ -1,4 +1,4 @@
-"""What a class on a network costs the teacher and each pupil: run by hand, `python tests/perf/class_network.py [PUPILS]`.
+"""What a class on a network costs the teacher and each pupil: run by hand, `python -m tests.perf.class_network [PUPILS]`.
 
 Each pupil is a process with a meeting place of its own and a graph with a driving turtle's traffic (poses at 62.5 Hz); the
 teacher is one with a roster, and watches one pose topic. Printed: seconds until all are seen, CPU of the teacher and of a pupil
@@ -18,10 +18,10 @@ from pathlib import Path
 
 PUPIL = """
 import sys, time
-from day6_tui.core.graph import Graph, QoS
-from day6_tui.core.interfaces import copy_message, get_message, type_hash
-from day6_tui.core.link import join
-from day6_tui.core.link.classroom.pupil import Pupil
+from day6_core.graph import Graph, QoS
+from day6_core.interfaces import copy_message, get_message, type_hash
+from day6_core.link import join
+from day6_core.link.classroom.pupil import Pupil
 
 graph, part = Graph(0), Pupil(sys.argv[1])
 join(graph, connect=sys.argv[2], part=part, never_wait=True)
@@ -45,10 +45,10 @@ TEACHER = """
 import sys, time
 
 begun = time.monotonic()
-from day6_tui.core.graph import Graph, QoS
-from day6_tui.core.interfaces import get_message, type_hash
-from day6_tui.core.link import join
-from day6_tui.core.link.classroom.teacher import Teacher
+from day6_core.graph import Graph, QoS
+from day6_core.interfaces import get_message, type_hash
+from day6_core.link import join
+from day6_core.link.classroom.teacher import Teacher
 
 graph = Graph(0)
 join(graph, listen=sys.argv[1], part=Teacher(), never_wait=True)

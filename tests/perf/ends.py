@@ -1,6 +1,6 @@
 """Starts the desktop again and again, does random things in it, and ends it in a random way. Linux only, by hand.
 
-    python tests/perf/ends.py [--runs 500] [--jobs 2] [--seed 1] [--only N]
+    python -m tests.perf.ends [--runs 500] [--jobs 2] [--seed 1] [--only N]
 
 Every run has a number; `--seed` and the number give the same scene, keys and programs again (`--only N` plays that run alone
 and prints what it does). A run is good when the desktop ended in time and with the status that belongs to how it was ended,
@@ -22,13 +22,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from random_runs import RandomRun, options_of, played, processes_of
-from screen import set_window_size
+from tests.perf.random_runs import RandomRun, options_of, played, processes_of
+from tests.perf.screen import set_window_size
 
 START = """\
 import faulthandler, signal, sys
 faulthandler.register(signal.SIGUSR1, file=open({stacks!r}, "w"), all_threads=True)
-from day6_tui.tui.main import main
+from day6_tui.main import main
 sys.argv[1:] = {words!r}
 sys.exit(main())
 """

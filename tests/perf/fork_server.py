@@ -1,6 +1,6 @@
 """Measures what a common parent process would save: desktops forked from one that has imported everything, or started singly.
 
-    python tests/perf/fork_server.py [--desktops 1 8 16]
+    python -m tests.perf.fork_server [--desktops 1 8 16]
 
 For each number of desktops, two runs in processes of their own: memory (PSS, the parent's own counted in) with the turtle on each
 screen, and the seconds until the first frame of the first and of the last desktop. Everything runs as the same user. Linux only.
@@ -18,17 +18,17 @@ import tempfile
 import time
 import traceback
 
-from load import TURTLE
-from screen import Screen
+from tests.perf.load import TURTLE
+from tests.perf.screen import Screen
 
 MODULES = (
-    "day6_tui.tui.app",
-    "day6_tui.tui.main",
-    "day6_tui.tui.command_line",
-    "day6_tui.core.shell.desk",
-    "day6_tui.core.shell.outside",
-    "day6_tui.core.ros.programs",
-    "day6_tui.core.ros.ros2.run",
+    "day6_tui.app",
+    "day6_tui.main",
+    "day6_tui.command_line",
+    "day6_core.shell.desk",
+    "day6_core.shell.outside",
+    "day6_core.ros.programs",
+    "day6_core.ros.ros2.run",
     "zenoh",
 )
 """What the parent has imported; the rest of it is what these import."""
@@ -41,7 +41,7 @@ class Forked(Screen):
     """A desktop in a fork of this process."""
 
     def become(self, command: list[str], env: dict[str, str]) -> None:
-        from day6_tui.tui.main import main
+        from day6_tui.main import main
 
         os.environ.clear()
         os.environ.update(env)
@@ -62,7 +62,7 @@ class Forked(Screen):
 
 def prepare() -> None:
     """Import what a desktop imports, and leave it alone from now on."""
-    from day6_tui.core.ros.programs import load
+    from day6_core.ros.programs import load
 
     for module in MODULES:
         importlib.import_module(module)
@@ -82,7 +82,7 @@ def one_run(kind: type[Screen], count: int) -> tuple[float, float, float, float]
     began = time.perf_counter()
     try:
         for _ in range(count):
-            command = [sys.executable, "-m", "day6_tui.tui.main", "--home", tempfile.mkdtemp(prefix="day6-fork-")]
+            command = [sys.executable, "-m", "day6_tui.main", "--home", tempfile.mkdtemp(prefix="day6-fork-")]
             command += ["--lang", "en", "--scene", "empty"]
             env = {"DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-fork-"), "LANG": "C.UTF-8"}
             desktops.append(kind(command, COLUMNS, ROWS, **env))

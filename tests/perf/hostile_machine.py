@@ -1,6 +1,6 @@
 """A stranger declares thousands of nodes behind the desktop's open door: what it costs, and that it is forgotten. Linux, by hand.
 
-    python tests/perf/hostile_machine.py [--nodes 20000] [--ways close,kill,stop,end]
+    python -m tests.perf.hostile_machine [--nodes 20000] [--ways close,kill,stop,end]
 
 For each way of parting a desktop with `--listen` on this machine's loopback, a pupil's process beside it and a stranger that
 speaks plain Zenoh. Printed are the seconds of CPU that the desktop and the pupil spend while the stranger declares, how many
@@ -28,10 +28,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-LINK_TESTS = Path(__file__).resolve().parents[1] / "link"
-sys.path.insert(0, str(LINK_TESTS))
-
-from link_harness import ProcessPeer  # noqa: E402  (where it is, is said in the line above)
+from tests.link.link_harness import HERE as LINK_TESTS
+from tests.link.link_harness import ProcessPeer
 
 NODES = "@ros2_lv/0/ffffffffffffffff/{}/{}/NN/%/%/flood{}"
 FORGOTTEN, ENDED = 5.0, 2.0

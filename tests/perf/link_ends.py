@@ -1,6 +1,6 @@
-"""Ends processes while messages pour in, with several Pythons: `python tests/perf/link_ends.py [--times N] [PYTHON…]`.
+"""Ends processes while messages pour in, with several Pythons: `python -m tests.perf.link_ends [--times N] [PYTHON…]`.
 
-A thread of Zenoh that has called Python a hundred times keeps its thread state (`core/link/engine_thread.py`), and has to
+A thread of Zenoh that has called Python a hundred times keeps its thread state (`day6_core/link/engine_thread.py`), and has to
 give way when the interpreter ends. A flooding talker and a listener are two processes; the listener ends by itself, by SIGINT,
 by SIGTERM or by an exception, in turn, after it has heard some thousand messages, and the machine is busy with as many endless
 loops as it has processors. Each PYTHON (by default this one) needs day6-tui. A listener that crashes, hangs for 20 s or says
@@ -18,7 +18,7 @@ import tempfile
 import time
 from collections import Counter
 
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
 
 TALKER = """
 import rclpy

@@ -1,6 +1,6 @@
 """Measures what one desktop costs while somebody looks at it: CPU, wake-ups and bytes of each scene.
 
-    python tests/perf/load.py [--beside PYTHON] [--scene NAME …] [--rounds N] [--seconds S] [--threads] [--desktops N]
+    python -m tests.perf.load [--beside PYTHON] [--scene NAME …] [--rounds N] [--seconds S] [--threads] [--desktops N]
 
 `--beside` is the interpreter of another installation, for instance of the commit before. The scene then runs in both at the same
 time, so that a noisy machine disturbs both alike, and the ratio is printed. CPU is the process's own time, user and system, as
@@ -21,8 +21,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from bench import DENSE, TURTLE, TWIST
-from screen import Screen
+from tests.perf.bench import DENSE, TURTLE, TWIST
+from tests.perf.screen import Screen
 
 COLUMNS, ROWS = 120, 40
 REPEAT = 1 / 30
@@ -81,7 +81,7 @@ class Measured:
 
     def __init__(self, python: str, scene: Scene) -> None:
         self.home = Path(tempfile.mkdtemp(prefix="day6-load-"))
-        command = [python, "-m", "day6_tui.tui.main", "--home", str(self.home), "--lang", "en", *scene.options]
+        command = [python, "-m", "day6_tui.main", "--home", str(self.home), "--lang", "en", *scene.options]
         env = {"DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-load-"), "LANG": "C.UTF-8"}
         self.screen = Screen(command, *scene.size, **env)
 

@@ -1,6 +1,6 @@
 """Measures what the topic monitor costs that listens to many fast topics: CPU of its process alone, what it received.
 
-    python tests/perf/monitor.py [--topics 200] [--hertz 50] [--processes 4] [--seconds 10] [--all 500]
+    python -m tests.perf.monitor [--topics 200] [--hertz 50] [--processes 4] [--seconds 10] [--all 500]
 
 The publishers are programs in processes of their own, on a graph of their own. The monitor runs in a terminal of 120x40, where
 every topic is ticked by keys, as a person does it. CPU is that of the monitor's process, user and system, all threads.
@@ -17,10 +17,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from screen import Screen
-
-from day6_tui.core.ros.environment import program_environment
-from day6_tui.core.shell.screen import Screen as Picture
+from day6_core.ros.environment import program_environment
+from day6_core.shell.screen import Screen as Picture
+from tests.perf.screen import Screen
 
 PUBLISHERS = """
 import sys
@@ -67,7 +66,7 @@ def measure(options: argparse.Namespace, env: dict[str, str]) -> None:
     ]
     try:
         time.sleep(3.0)
-        command = [sys.executable, "-m", "day6_tui.tui.main", "ros2", "run", "rqt_topic", "rqt_topic"]
+        command = [sys.executable, "-m", "day6_tui.main", "ros2", "run", "rqt_topic", "rqt_topic"]
         with Screen(command, 120, 40, **env) as screen:
             screen.read(4.0)
             print(f"{options.topics} topics at {options.hertz} Hz from {options.processes} processes")

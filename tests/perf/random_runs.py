@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
-from screen import Screen
+from tests.perf.screen import Screen
 
 ON_OFF = {
     "alternate screen": ("\x1b[?1049h", "\x1b[?1049l"),

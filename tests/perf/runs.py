@@ -1,7 +1,7 @@
 """Runs the tests many times under bad conditions and prints a line for each run: nothing may fail by luck.
 
-    python tests/perf/runs.py --times 50 --busy 2 --cores 1 --memory 2G
-    python tests/perf/runs.py --times 20 --busy 2 --busy-every 2 -- --whole -n 4
+    python -m tests.perf.runs --times 50 --busy 2 --cores 1 --memory 2G
+    python -m tests.perf.runs --times 20 --busy 2 --busy-every 2 -- --whole -n 4
 
 What follows `--` goes to pytest (default: `-n logical`). Every run is in another random order, whose seed is printed: it repeats
 the run with `--random-order-seed=SEED`. `--busy N` has N loops beside that take all the time they get (`--busy-every 2`: in every

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import aiohttp
 
-from day6_tui.tui.detached import wire
+from day6_tui.detached import wire
 
 WORD = "class"
 
@@ -39,7 +39,7 @@ class Server:
         ]
         self.homes = place / "class" / "homes"
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "day6_tui.tui.main", *words],
+            [sys.executable, "-m", "day6_tui.main", *words],
             stdout=subprocess.PIPE,
             encoding="utf-8",
             start_new_session=True,  # the tabs' share of the processors is not the server's

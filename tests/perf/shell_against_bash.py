@@ -1,6 +1,6 @@
 """Runs random command lines in the simulated shell and in real bash, each in a tree of its own, and compares the trees.
 
-    python tests/perf/shell_against_bash.py [LINES] [SEED]
+    python -m tests.perf.shell_against_bash [LINES] [SEED]
 
 Both trees begin alike. After every few lines names, kinds, contents, modes and targets of links must be the same; the first
 difference is shown with its seed and the lines that led to it.
@@ -141,7 +141,7 @@ def differences(seed: int, lines: int = LINES_IN_A_SCRIPT) -> list[str]:
         text = "\n".join(script)
         quiet = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
         subprocess.run([bash, "-c", text], cwd=real, env=environment, timeout=60, check=False, **quiet)
-        words = [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", base, "-c", text]
+        words = [sys.executable, "-m", "day6_tui.main", "exec", "--home", base, "-c", text]
         subprocess.run(words, cwd=ours, env=environment, timeout=60, check=False, **quiet)
         mine, theirs = picture(ours), picture(real)
         if mine == theirs:

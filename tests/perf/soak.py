@@ -1,6 +1,6 @@
 """Twenty processes start, crash and are killed at random beside a desktop with a lesson on it; then all must be gone. Linux only.
 
-    python tests/perf/soak.py [--minutes 10] [--processes 20] [--warm-up 5] [--seed N]
+    python -m tests.perf.soak [--minutes 10] [--processes 20] [--warm-up 5] [--seed N]
 
 The lesson: a turtle that drives squares, `ros2 topic echo` of its pose, and the car in RViz with turning wheels.
 
@@ -25,11 +25,10 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from screen import Screen
+from day6_core.ros.environment import program_environment
+from tests.perf.screen import Screen
 
-from day6_tui.core.ros.environment import program_environment
-
-DAY6 = [sys.executable, "-m", "day6_tui.tui.main"]
+DAY6 = [sys.executable, "-m", "day6_tui.main"]
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 PROGRAMS = {

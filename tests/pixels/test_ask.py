@@ -5,13 +5,13 @@ from __future__ import annotations
 import random
 
 import pytest
-from folded import folded
-from pixel_terminal import ANSWERS, PixelTerminal
 from textual import events
 
-from day6_tui.tui import keyboard
-from day6_tui.tui.keyboard import KeyboardParser
-from day6_tui.tui.pixels.ask import FIRST, ITERM, KITTY, SIXEL, Ability, Answered, Inquiry, may_be_asked
+from day6_tui import keyboard
+from day6_tui.keyboard import KeyboardParser
+from day6_tui.pixels.ask import FIRST, ITERM, KITTY, SIXEL, Ability, Answered, Inquiry, may_be_asked
+from tests.pixels.pixel_terminal import ANSWERS, PixelTerminal
+from tests.support.folded import folded
 
 
 def asked(kind: str, environ: dict[str, str] | None = None) -> Inquiry:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pixel_terminal import CELL, PixelTerminal, sixel_picture
 
-from day6_tui.tui.pixels.bands import Piece
-from day6_tui.tui.pixels.iterm import ITerm
-from day6_tui.tui.pixels.kitty import Kitty
-from day6_tui.tui.pixels.sixel import Palette, Sixel, encoded
+from day6_tui.pixels.bands import Piece
+from day6_tui.pixels.iterm import ITerm
+from day6_tui.pixels.kitty import Kitty
+from day6_tui.pixels.sixel import Palette, Sixel, encoded
+from tests.pixels.pixel_terminal import CELL, PixelTerminal, sixel_picture
 
 
 def picture(columns: int, rows: int, colours: int = 40, seed: int = 1) -> np.ndarray:

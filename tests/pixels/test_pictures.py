@@ -10,18 +10,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fakes import FakeDesk, FakeSimulation, turtle
-from pixel_terminal import CELL, PixelTerminal
-from screens import opened, screen_text, step
 from textual.app import App
 
-from day6_tui.tui.app import Day6App
-from day6_tui.tui.canvas import square
-from day6_tui.tui.keyboard import KeyboardParser
-from day6_tui.tui.pixels.app import leave_pictures
-from day6_tui.tui.pixels.ask import IS_READY, ITERM, KITTY, SIXEL, Ability, Answered
-from day6_tui.tui.pixels.pictures import LOST_SECONDS, SLOW_SECONDS, Pictures
-from day6_tui.tui.windows.turtlesim import TurtleSimPane
+from day6_tui.app import Day6App
+from day6_tui.canvas import square
+from day6_tui.keyboard import KeyboardParser
+from day6_tui.pixels.app import leave_pictures
+from day6_tui.pixels.ask import IS_READY, ITERM, KITTY, SIXEL, Ability, Answered
+from day6_tui.pixels.pictures import LOST_SECONDS, SLOW_SECONDS, Pictures
+from day6_tui.windows.turtlesim import TurtleSimPane
+from tests.pixels.pixel_terminal import CELL, PixelTerminal
+from tests.tui.fakes import FakeDesk, FakeSimulation, turtle
+from tests.tui.screens import opened, screen_text, step
 
 pytestmark = pytest.mark.long
 

@@ -8,23 +8,23 @@ import numpy as np
 import pytest
 from rich.style import Style
 
-from day6_tui.core.ros.environment import SHARE_PATH
-from day6_tui.core.ros.programs.day6_world.model import Trail, WorldSnapshot
-from day6_tui.core.ros.programs.day6_world.scenery import read_scenery, shipped_worlds
-from day6_tui.core.ros.programs.rqt_graph.model.fit import unfitted
-from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge
-from day6_tui.tui.colours import colours
-from day6_tui.tui.pixels.bands import Array
-from day6_tui.tui.pixels.raster import Surface
-from day6_tui.tui.pixels.sheet import Sheet
-from day6_tui.tui.windows.car_pixels import CarPicture
-from day6_tui.tui.windows.image_cells import on_ground
-from day6_tui.tui.windows.plot_pixels import paint_plot
-from day6_tui.tui.windows.rqt_graph_pixels import GraphPicture
-from day6_tui.tui.windows.world_picture import FIRM, FIRST_TREAD, LINE, TRAIL, WALL, WHEEL, fitting, look_of
-from day6_tui.tui.windows.world_pixels import WorldPixels
-from day6_tui.urdf import parse_robot, shipped_model
-from day6_tui.urdf.kinematics import link_transforms
+from day6_core.ros.environment import SHARE_PATH
+from day6_core.ros.programs.day6_world.model import Trail, WorldSnapshot
+from day6_core.ros.programs.day6_world.scenery import read_scenery, shipped_worlds
+from day6_core.ros.programs.rqt_graph.model.fit import unfitted
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge
+from day6_tui.colours import colours
+from day6_tui.pixels.bands import Array
+from day6_tui.pixels.raster import Surface
+from day6_tui.pixels.sheet import Sheet
+from day6_tui.windows.car_pixels import CarPicture
+from day6_tui.windows.image_cells import on_ground
+from day6_tui.windows.plot_pixels import paint_plot
+from day6_tui.windows.rqt_graph_pixels import GraphPicture
+from day6_tui.windows.world_picture import FIRM, FIRST_TREAD, LINE, TRAIL, WALL, WHEEL, fitting, look_of
+from day6_tui.windows.world_pixels import WorldPixels
+from day6_urdf import parse_robot, shipped_model
+from day6_urdf.kinematics import link_transforms
 
 CELL = (10, 20)
 CAR = parse_robot(shipped_model())

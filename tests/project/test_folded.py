@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from folded import SHOWN, folded
+
+from tests.support.folded import SHOWN, folded
 
 
 def failure_of(test) -> list[str]:

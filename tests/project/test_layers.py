@@ -16,7 +16,7 @@ pytestmark = pytest.mark.process
 
 ROOT = Path(__file__).resolve().parents[2]
 CHECK = ROOT / ".ci" / "import_rules.py"
-SCREEN = "day6_tui.tui.main"
+SCREEN = "day6_tui.main"
 
 pytest.importorskip("importlinter")
 
@@ -50,13 +50,9 @@ class Fault:
 
     def _place(self, tree: Path) -> Path:
         first, *rest = self.module.split(".")
-        if first == "day6_tui":
-            path = tree.joinpath(*rest)
-        else:
-            tops = (rules.ON_THE_PATH, *(rules.OF_DISTRIBUTIONS / name for name in ("humble", "jazzy", "kilted")))
-            path = next(
-                (there for top in tops if (there := tree / top / first).is_dir()), tree / rules.ON_THE_PATH / first
-            )
+        distributions = (rules.OF_DISTRIBUTIONS / name for name in ("humble", "jazzy", "kilted"))
+        tops = (*rules.PARTS, rules.ON_THE_PATH, *distributions)
+        path = next(there for top in tops if (there := tree / top / first).is_dir()).joinpath(*rest)
         return path if path.is_dir() else path.with_suffix(".py")
 
     def missing(self, output: str) -> list[str]:
@@ -80,33 +76,33 @@ def in_every_layer() -> list[Fault]:
 
 
 NEIGHBOURS = [
-    fault("day6_tui.core.graph", "day6_tui.core.interfaces", "neighbour"),
-    fault("day6_tui.core.link", "std_msgs.msg", "neighbour"),
-    fault("day6_tui.urdf", "day6_tui.core.places", "neighbour"),
-    fault("launch", "day6_tui.core.session", "neighbour"),
+    fault("day6_core.graph", "day6_core.interfaces", "neighbour"),
+    fault("day6_core.link", "std_msgs.msg", "neighbour"),
+    fault("day6_urdf", "day6_core.places", "neighbour"),
+    fault("launch", "day6_core.session", "neighbour"),
 ]
 FOR_TYPES = Fault(
-    "day6_tui.core.session",
+    "day6_core.session",
     f"from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from {SCREEN} import main",
     (SCREEN,),
     "for_types",
 )
 DOORS = [
     Fault("rclpy", "def later() -> None:\n    import rich.text", ("rich",), "door"),
-    Fault("day6_tui.core.shell", "import textual.app", ("textual",), "door"),
-    fault("day6_tui.tui", "zenoh", "door"),
+    Fault("day6_core.shell", "import textual.app", ("textual",), "door"),
+    fault("day6_tui", "zenoh", "door"),
     fault("tf2_ros", "zenoh", "door"),
-    fault("day6_tui.core.ros.programs", "yourdfpy", "door"),
+    fault("day6_core.ros.programs", "yourdfpy", "door"),
 ]
 BY_NAME = [
-    Fault("day6_tui.core.link", 'importlib.import_module("day6_tui.tui.app")', (), "by_name"),
-    Fault("rclpy", "__import__('day6_tui.core.session.session')", (), "by_name"),
+    Fault("day6_core.link", 'importlib.import_module("day6_tui.app")', (), "by_name"),
+    Fault("rclpy", "__import__('day6_core.session.session')", (), "by_name"),
 ]
 ESCAPED = {
-    "core/sound/__init__.py": "is in no layer of pyproject.toml",
-    "core/ros/python/moveit/__init__.py": "is in no layer of pyproject.toml",
-    "core/shell/loose/module.py": "is in a folder without __init__.py",
-    "core/ros/__init__.py": "imports something, and is in no layer",
+    "core/day6_core/sound/__init__.py": "is in no layer of pyproject.toml",
+    "core/day6_core/ros/python/moveit/__init__.py": "is in no layer of pyproject.toml",
+    "core/day6_core/shell/loose/module.py": "is in a folder without __init__.py",
+    "core/day6_core/ros/__init__.py": "imports something, and is in no layer",
 }
 
 
@@ -136,7 +132,7 @@ def test_the_tree_as_it_is_keeps_every_rule() -> None:
 
 def test_a_forbidden_import_is_seen_in_every_layer_at_the_top_and_inside_a_function(planted: str) -> None:
     faults = in_every_layer()
-    assert {"launch", "rclpy", "tf2_ros", "day6_tui.core.graph"} <= {each.module for each in faults}
+    assert {"launch", "rclpy", "tf2_ros", "day6_core.graph"} <= {each.module for each in faults}
     assert [line for each in faults for line in each.missing(planted)] == []
 
 
@@ -157,5 +153,5 @@ def test_no_module_escapes_the_layers(planted: str) -> None:
 
 
 def test_a_higher_layer_is_not_reached_by_its_name_in_a_string_either(planted: str) -> None:
-    assert "core/link/by_name.py names day6_tui.tui.app, which is in a higher layer" in planted
-    assert "core/ros/python/rclpy/by_name.py names day6_tui.core.session.session, which is in a higher" in planted
+    assert "core/day6_core/link/by_name.py names day6_tui.app, which is in a higher layer" in planted
+    assert "core/day6_core/ros/python/rclpy/by_name.py names day6_core.session.session, which is in a higher" in planted

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
 
 pytestmark = pytest.mark.process
 
@@ -31,10 +31,10 @@ def loaded(code: str) -> set[str]:
         "import rclpy; from rclpy.node import Node; from std_msgs.msg import String",
         "from sensor_msgs.msg import JointState; JointState()",
         "import rclpy; rclpy.init(); n = rclpy.create_node('n')",
-        "import day6_tui.tui.main",
-        "import day6_tui.core.ros.ros2",
-        "import day6_tui.core.link",
-        "import day6_tui.urdf",
+        "import day6_tui.main",
+        "import day6_core.ros.ros2",
+        "import day6_core.link",
+        "import day6_urdf",
     ],
 )
 def test_nothing_heavy_is_imported(code: str) -> None:
@@ -72,5 +72,5 @@ def test_a_talker_runs_beside_files_with_our_folders_names(tmp_path: Path) -> No
 
 
 def test_a_terminal_does_without_the_tables_of_wcwidth() -> None:
-    code = "from day6_tui.core.shell.screen import Screen; s = Screen(9, 2); s.feed('a海'); assert s.cursor.x == 3"
+    code = "from day6_core.shell.screen import Screen; s = Screen(9, 2); s.feed('a海'); assert s.cursor.x == 3"
     assert "wcwidth" not in loaded(code)

@@ -7,11 +7,12 @@ import sys
 from pathlib import Path
 
 import pytest
-from waiting import run
+
+from tests.support.waiting import run
 
 pytestmark = pytest.mark.process
 
-TESTS = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 SUITE = """
 import os, socket, subprocess, sys, threading, time
 import pytest
@@ -34,7 +35,7 @@ def test_asks_who_somebody_is(): socket.getaddrinfo("somebody.invalid", 9)
 def test_talks_to_itself():
     with socket.create_server(("127.0.0.1", 0)) as server, socket.create_connection(server.getsockname()): pass
 def test_waits_for_a_condition():
-    import waiting
+    from tests.support import waiting
     ends = time.monotonic() + 0.02
     waiting.until(lambda: time.monotonic() > ends)
 @pytest.mark.process
@@ -49,9 +50,9 @@ def test_is_the_last_with_what_others_share(shared): pass
 
 def played(folder: Path, *options: str) -> str:
     (folder / "test_some.py").write_text(SUITE, encoding="utf-8")
-    plugins = [word for name in ("conftest", "no:cacheprovider", "no:random_order") for word in ("-p", name)]
+    plugins = [word for name in ("tests.conftest", "no:cacheprovider", "no:random_order") for word in ("-p", name)]
     words = [sys.executable, "-m", "pytest", *plugins, "-rfEp", *options]
-    done = run(words, cwd=folder, env={**os.environ, "PYTHONPATH": str(TESTS), "PYTEST_ADDOPTS": ""})
+    done = run(words, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT), "PYTEST_ADDOPTS": ""})
     return done.stdout + done.stderr
 
 

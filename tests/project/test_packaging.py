@@ -2,30 +2,20 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
 import pytest
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:  # the same parser under its old name comes with mypy's dependency
-    tomllib = pytest.importorskip("tomli")
-
-ROOT = Path(__file__).resolve().parents[2]
-TOPS = ("core", "tui", "urdf")
-ON_THE_PATH = ROOT / "core" / "ros" / "python"
-OF_DISTRIBUTIONS = ROOT / "core" / "ros" / "python_of"
-SHARE = ROOT / "core" / "ros" / "share"
-"""Package data, not sub-packages: programs find the first two on sys.path, launch files and configurations in the third."""
+from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, ROOT, SHARE
 
 
-def sources() -> list[Path]:
-    found = [path for top in TOPS for path in (ROOT / top).rglob("*")]
+def files() -> list[Path]:
+    found = [path for name, base in PACKAGES.items() for path in (base / name).rglob("*")]
     return [path for path in found if path.is_file() and not any(_is_cache(part) for part in path.parts)]
 
 
@@ -34,24 +24,15 @@ def _is_cache(part: str) -> bool:
     return part == "__pycache__" or (part.startswith(".") and part.endswith("_cache"))
 
 
-def project() -> dict[str, object]:
-    return tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-
-
-def test_the_list_of_packages_names_every_folder_with_an_init() -> None:
-    listed = set(project()["tool"]["setuptools"]["packages"])  # type: ignore[index]
-    folders = {
-        "day6_tui." + ".".join(path.parent.relative_to(ROOT).parts)
-        for path in sources()
-        if path.name == "__init__.py" and not {ON_THE_PATH, OF_DISTRIBUTIONS} & set(path.parents)
-    }
-    assert listed == folders | {"day6_tui"}
+def test_each_top_folder_holds_one_package_and_nothing_else() -> None:
+    held = {name: [path.name for path in base.iterdir() if not _is_cache(path.name)] for name, base in PACKAGES.items()}
+    assert held == {name: [name] for name in PACKAGES}
 
 
 def test_every_folder_with_python_in_it_is_a_package() -> None:
     bare = {
         str(path.parent.relative_to(ROOT))
-        for path in sources()
+        for path in files()
         if path.suffix == ".py"
         and not {ON_THE_PATH, OF_DISTRIBUTIONS, SHARE} & set(path.parents)
         and not (path.parent / "__init__.py").exists()
@@ -60,35 +41,30 @@ def test_every_folder_with_python_in_it_is_a_package() -> None:
 
 
 @pytest.mark.process
-def test_the_root_imports_nothing() -> None:
+def test_the_packages_themselves_import_nothing() -> None:
     code = (
-        "import sys; before = set(sys.modules); import day6_tui; "
-        "print({name for name in set(sys.modules) - before if name.startswith('day6_tui.')})"
+        f"import sys; before = set(sys.modules); import {', '.join(PACKAGES)}; "
+        "print({name for name in set(sys.modules) - before if name.startswith('day6_') and '.' in name})"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT.anchor)
     assert done.stdout == "set()\n"
 
 
-def test_nobody_imports_the_top_folders_by_their_plain_names() -> None:
-    plain = re.compile(r"^\s*(?:from|import) (?:core|tui|urdf)\b", re.MULTILINE)
-    offenders = [path for path in [*sources(), *(ROOT / "tests").rglob("*.py")] if path.suffix == ".py"]
-    assert [path for path in offenders if plain.search(path.read_text(encoding="utf-8"))] == []
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A wheel and a source distribution of a copy of the checkout, so that nothing stale can leak into them."""
+    folder = tmp_path_factory.mktemp("built")
+    copy = folder / "checkout"
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns("__pycache__", ".*_cache", ".git", ".venv*", "build"))
+    code = f"import hatchling.build as b; b.build_wheel({str(folder)!r}); b.build_sdist({str(folder)!r})"
+    done = subprocess.run([sys.executable, "-c", code], cwd=copy, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return folder
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
-    """A wheel built from a copy of the checkout, so that no stale build folder can leak into it."""
-    folder = tmp_path_factory.mktemp("wheel")
-    copy = folder / "checkout"
-    ignore = shutil.ignore_patterns("__pycache__", ".*_cache")
-    for top in TOPS:
-        shutil.copytree(ROOT / top, copy / top, ignore=ignore)
-    for name in ("__init__.py", "pyproject.toml", "README.md", "LICENSE"):
-        shutil.copy(ROOT / name, copy / name)
-    code = f"import setuptools.build_meta as b; b.build_wheel({str(folder)!r})"
-    done = subprocess.run([sys.executable, "-c", code], cwd=copy, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    (path,) = folder.glob("*.whl")
+def wheel(built: Path) -> zipfile.ZipFile:
+    (path,) = built.glob("*.whl")
     return zipfile.ZipFile(path)
 
 
@@ -100,24 +76,40 @@ def content(wheel: zipfile.ZipFile) -> set[str]:
 @pytest.mark.process
 def test_the_wheel_holds_every_source_and_data_file(wheel: zipfile.ZipFile) -> None:
     packed = content(wheel)
-    expected = {"day6_tui/" + path.relative_to(ROOT).as_posix() for path in sources()}
-    assert packed == expected | {"day6_tui/__init__.py"}
+    assert packed == {
+        path.relative_to(base).as_posix() for base in PACKAGES.values() for path in files() if base in path.parents
+    }
 
 
 @pytest.mark.process
 def test_the_wheel_brings_no_other_top_level_name(wheel: zipfile.ZipFile) -> None:
     tops = {name.split("/")[0] for name in content(wheel)}
-    assert tops == {"day6_tui"}
+    assert tops == set(PACKAGES)
 
 
 @pytest.mark.process
 def test_the_wheel_declares_the_command(wheel: zipfile.ZipFile) -> None:
     (entry_points,) = [name for name in {*wheel.namelist()} - content(wheel) if name.endswith("entry_points.txt")]
-    assert "day6-tui = day6_tui.tui.main:main" in wheel.read(entry_points).decode()
+    assert "day6-tui = day6_tui.main:main" in wheel.read(entry_points).decode()
+
+
+@pytest.mark.process
+def test_the_source_distribution_has_all_that_the_repository_has(built: Path) -> None:
+    (path,) = built.glob("*.tar.gz")
+    with tarfile.open(path) as packed:
+        names = {name.partition("/")[2] for name in packed.getnames()}
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, stdout=subprocess.PIPE, check=False).stdout.decode()
+    wanted = set(filter(None, listed.split("\0"))) or {
+        "README.md",
+        "CHANGELOG.md",
+        "hub/README.md",
+        "tests/conftest.py",
+    }
+    assert wanted - names <= {".gitattributes"}
 
 
 def test_data_files_are_found_through_real_packages() -> None:
-    from importlib.resources import files
+    from importlib.resources import files as resources
 
-    assert files("day6_tui.urdf").joinpath("models/day6_bot.urdf").is_file()
-    assert files("day6_tui.core.ros").joinpath("share/std_msgs/msg/String.msg").is_file()
+    assert resources("day6_urdf").joinpath("models/day6_bot.urdf").is_file()
+    assert resources("day6_core.ros").joinpath("share/std_msgs/msg/String.msg").is_file()

@@ -15,19 +15,16 @@ import sys
 from pathlib import Path
 
 import pytest
-from source_files import ROOT, TOPS, nodes, sources, trees
 
-from day6_tui.core.ros import executables
-from day6_tui.core.ros.environment import program_environment
-from day6_tui.core.session import signals
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.shell.desk import Desk
+from day6_core.ros import executables
+from day6_core.ros.environment import program_environment
+from day6_core.session import signals
+from day6_core.session.clock import WorldClock
+from day6_core.session.scheduler import Scheduler
+from day6_core.shell.desk import Desk
+from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, SHARE, nodes, sources, trees
 
-ON_THE_PATH = ROOT / "core" / "ros" / "python"
-OF_DISTRIBUTIONS = ROOT / "core" / "ros" / "python_of"
 OF_JAZZY = OF_DISTRIBUTIONS / "jazzy"
-SHARE = ROOT / "core" / "ros" / "share"
 
 WITHOUT_UNIX = """
 import asyncio, concurrent.futures, ctypes, importlib, json, logging.handlers, os, shutil, signal, subprocess, sys, tempfile
@@ -48,15 +45,14 @@ for name in ("fork forkpty killpg getpgid setsid getuid geteuid getgid getppid u
 
 def module_names() -> list[str]:
     names = []
-    for path in (path for top in TOPS for path in sorted((ROOT / top).rglob("*.py"))):
-        top = next((each for each in (ON_THE_PATH, OF_JAZZY, ROOT) if each in path.parents), ROOT)
-        if OF_DISTRIBUTIONS in path.parents and top is ROOT:
+    for path in (path for base in PACKAGES.values() for path in sorted(base.rglob("*.py"))):
+        if SHARE in path.parents or (OF_DISTRIBUTIONS in path.parents and OF_JAZZY not in path.parents):
             continue
-        on_the_path = top is not ROOT
-        parts = path.relative_to(top).with_suffix("").parts
+        base = next(each for each in (ON_THE_PATH, OF_JAZZY, *PACKAGES.values()) if each in path.parents)
+        parts = path.relative_to(base).with_suffix("").parts
         parts = parts[:-1] if parts[-1] == "__init__" else parts
-        if parts and parts[-1] != "__main__" and SHARE not in path.parents:
-            names.append(".".join(parts if on_the_path else ("day6_tui", *parts)))
+        if parts[-1] != "__main__":
+            names.append(".".join(parts))
     return names
 
 
@@ -107,7 +103,7 @@ os.waitpid = waitpid  # the system below is still this one, and `subprocess` wai
 subprocess.CREATE_NEW_PROCESS_GROUP = subprocess.BELOW_NORMAL_PRIORITY_CLASS = 0
 signal.CTRL_BREAK_EVENT = signal.SIGINT
 here, sys.platform = sys.platform, "win32"
-from day6_tui.core.shell.execute import main
+from day6_core.shell.execute import main
 status = main(["--home", {str(tmp_path)!r}, "-c", {script!r}])
 sys.platform = here
 sys.exit(status)
@@ -133,7 +129,7 @@ def test_text_is_read_and_written_as_utf8_everywhere() -> None:
 
 
 def test_nobody_waits_for_some_time_at_a_queue_that_may_forget_to_end_it() -> None:
-    """`SimpleQueue.get(timeout=…)` of Python 3.10 to 3.12: see core/inbox.py."""
+    """`SimpleQueue.get(timeout=…)` of Python 3.10 to 3.12: see day6_core/inbox.py."""
     for path, text in sources():
         assert "SimpleQueue" not in text or "get(timeout" not in text or path.name == "inbox.py", path
 
@@ -158,7 +154,7 @@ def _is_text(call: ast.Call) -> bool:
 def test_a_students_program_looks_for_the_link_where_the_desktop_is(
     given: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_tui.core.link.paths import _base_folders
+    from day6_core.link.paths import _base_folders
 
     for name in ("XDG_RUNTIME_DIR", "DAY6_RUNTIME_DIR"):
         monkeypatch.delenv(name, raising=False)
@@ -174,7 +170,7 @@ def test_a_students_program_looks_for_the_link_where_the_desktop_is(
 
 
 def test_the_main_thread_never_waits_so_long_that_windows_would_miss_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("day6_tui.core.session.scheduler.LONGEST_WAIT", 0.001)
+    monkeypatch.setattr("day6_core.session.scheduler.LONGEST_WAIT", 0.001)
     looks: list[int] = []
 
     def until() -> bool:
@@ -196,12 +192,12 @@ def test_signals_have_linuxs_numbers_in_the_terminal_and_the_systems_below(monke
 def test_the_commands_on_a_windows_path_hold_no_path_of_this_machine() -> None:
     """A batch file is read in the old code page, in which a user's Chinese folder cannot be written."""
     texts = executables.texts("nt")
-    assert texts["ros2.bat"] == '@"%DAY6_PYTHON%" -m day6_tui.tui.main ros2 %*\r\n'
+    assert texts["ros2.bat"] == '@"%DAY6_PYTHON%" -m day6_tui.main ros2 %*\r\n'
     assert not any(os.path.dirname(sys.executable) in text for text in texts.values())
 
 
 def test_socket_paths_are_measured_in_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.link.paths import LONGEST_SOCKET_PATH, meeting_place
+    from day6_core.link.paths import LONGEST_SOCKET_PATH, meeting_place
 
     if sys.platform == "win32":
         pytest.skip("no Unix sockets there")

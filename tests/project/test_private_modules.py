@@ -9,24 +9,22 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from source_files import ROOT, statements, trees
 
-ON_THE_PATH = ROOT / "core" / "ros" / "python"
-"""What is imported by its own name there (rclpy, launch …), not as a part of day6_tui."""
+from tests.support.source_files import ON_THE_PATH, PACKAGES, place, statements, trees
 
-COMMAND = "day6_tui.core.ros.ros2"
+COMMAND = "day6_core.ros.ros2"
 """One package: its folders are the groups of verbs, in which only private modules are no verbs."""
 
 FRIENDS = {
-    ("day6_tui.core.ros.ros2", "rosbag2_py"): "the public names are imported on first use, and so have no types",
-    ("day6_tui.core.ros.programs.rqt_bag", "rosbag2_py"): "the same; its index has no public name in ROS",
-    ("day6_tui.core.session", "rclpy._log_file"): "rclpy's public names are those of the real one, which has no such",
+    ("day6_core.ros.ros2", "rosbag2_py"): "the public names are imported on first use, and so have no types",
+    ("day6_core.ros.programs.rqt_bag", "rosbag2_py"): "the same; its index has no public name in ROS",
+    ("day6_core.session", "rclpy._log_file"): "rclpy's public names are those of the real one, which has no such",
     ("launch_ros", "rclpy._rclpy_pybind11"): "its name in the real one, and what launch files catch",
-    ("day6_tui.core.ros.ros2", "launch._host"): "launch's public names are those of the real one",
+    ("day6_core.ros.ros2", "launch._host"): "launch's public names are those of the real one",
     ("launch_ros", "launch._loop"): "launch's public names are those of the real one",
-    ("day6_tui.core.ros.programs.tf2_ros", "tf2_py._rotation"): "the C++ library tf2, which has no Python names",
+    ("day6_core.ros.programs.tf2_ros", "tf2_py._rotation"): "the C++ library tf2, which has no Python names",
     (
-        "day6_tui.core.ros.programs.rclcpp",
+        "day6_core.ros.programs.rclcpp",
         "rclpy",
     ): "the other client library on the same core, which is rcl in real ROS",
     ("tf2_geometry_msgs", "tf2_py._rotation"): "the C++ library tf2, which has no Python names",
@@ -38,7 +36,8 @@ def package_of(file: Path) -> str:
     """The package that a file of this repository belongs to, as it is imported."""
     if file.is_relative_to(ON_THE_PATH):
         return ".".join(file.relative_to(ON_THE_PATH).parent.parts)
-    return ".".join(("day6_tui", *file.relative_to(ROOT).parent.parts))
+    base = next(base for name, base in PACKAGES.items() if file.is_relative_to(base / name))
+    return ".".join(file.relative_to(base).parent.parts)
 
 
 def imported(tree: ast.Module) -> Iterator[tuple[int, str]]:
@@ -55,7 +54,7 @@ def imported(tree: ast.Module) -> Iterator[tuple[int, str]]:
 def imports_of_all_files() -> list[tuple[str, str, str]]:
     """Package, place and imported name of every import in the repository."""
     found = [
-        (package_of(ROOT / file), f"{file}:{line}", sys.intern(module))
+        (package_of(place(file.as_posix())), f"{file}:{line}", sys.intern(module))
         for file, tree in trees(words=("import",))
         for line, module in imported(tree)
     ]
@@ -64,13 +63,13 @@ def imports_of_all_files() -> list[tuple[str, str, str]]:
 
 
 def folder_of(package: str) -> Path:
-    top, _, rest = package.partition(".")
-    return ROOT.joinpath(*rest.split(".")) if top == "day6_tui" else ON_THE_PATH.joinpath(*package.split("."))
+    path = package.replace(".", "/")
+    return place(path) if package.partition(".")[0] in PACKAGES else ON_THE_PATH / path
 
 
 def is_ours(module: str) -> bool:
     top = module.partition(".")[0]
-    return top == "day6_tui" or (ON_THE_PATH / top).is_dir()
+    return top in PACKAGES or (ON_THE_PATH / top).is_dir()
 
 
 def intrudes(package: str, module: str) -> bool:
@@ -95,12 +94,12 @@ def test_no_package_imports_a_private_module_of_another_one() -> None:
 @pytest.mark.parametrize(
     ("package", "source"),
     [
-        ("day6_tui.tui.windows", "from day6_tui.core.ros.programs.rqt_graph._content import Options"),
-        ("day6_tui.tui.windows", "def later():\n    import day6_tui.core.shell._inside"),
-        ("day6_tui.core.shell", "from day6_tui.core.session import _inside"),
-        ("day6_tui.core.shell", "from day6_tui.core.session.clock import _inside"),
-        ("day6_tui.core.ros.ros2.topic", "from rclpy._entity import Entity"),
-        ("day6_tui.core.ros.programs.rqt_plot", "from day6_tui.core.ros.programs.rqt_topic._measure import Measure"),
+        ("day6_tui.windows", "from day6_core.ros.programs.rqt_graph._content import Options"),
+        ("day6_tui.windows", "def later():\n    import day6_core.shell._inside"),
+        ("day6_core.shell", "from day6_core.session import _inside"),
+        ("day6_core.shell", "from day6_core.session.clock import _inside"),
+        ("day6_core.ros.ros2.topic", "from rclpy._entity import Entity"),
+        ("day6_core.ros.programs.rqt_plot", "from day6_core.ros.programs.rqt_topic._measure import Measure"),
     ],
 )
 def test_an_import_of_anothers_private_module_is_found(package: str, source: str) -> None:
@@ -110,11 +109,11 @@ def test_an_import_of_anothers_private_module_is_found(package: str, source: str
 @pytest.mark.parametrize(
     ("package", "source"),
     [
-        ("day6_tui.core.ros.programs.rqt_topic", "from day6_tui.core.ros.programs.rqt_topic._measure import Measure"),
-        ("day6_tui.core.ros.programs.turtlesim", "from day6_tui.core.ros.programs._waiting import spin"),
-        ("day6_tui.core.ros.ros2.topic", "from day6_tui.core.ros.ros2.pkg._index import packages"),
-        ("day6_tui.tui", "from textual._time import get_time"),
-        ("day6_tui.core.ros.ros2.bag", "from rosbag2_py._info import Info"),
+        ("day6_core.ros.programs.rqt_topic", "from day6_core.ros.programs.rqt_topic._measure import Measure"),
+        ("day6_core.ros.programs.turtlesim", "from day6_core.ros.programs._waiting import spin"),
+        ("day6_core.ros.ros2.topic", "from day6_core.ros.ros2.pkg._index import packages"),
+        ("day6_tui", "from textual._time import get_time"),
+        ("day6_core.ros.ros2.bag", "from rosbag2_py._info import Info"),
     ],
 )
 def test_what_is_ones_own_or_not_ours_is_not(package: str, source: str) -> None:

@@ -12,54 +12,66 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from source_files import ROOT, TOPS, nodes, trees
 
-from day6_tui.core.interfaces import get_message
-from day6_tui.core.interfaces.registry import forget
-from day6_tui.core.ros.environment import program_environment
+from day6_core.interfaces import get_message
+from day6_core.interfaces.registry import forget
+from day6_core.ros.environment import program_environment
+from tests.support.source_files import PACKAGES, ROOT, nodes, trees
 
 REASONS = {
     (
-        "core/interfaces/generate.py",
+        "day6_core/interfaces/generate.py",
         "exec",
     ): "class source; of a text only checked identifiers and repr() of values get into it",
     (
-        "core/shell/ide.py",
+        "day6_core/shell/ide.py",
         "xml",
     ): "the project's own .idea files, at its owner's wish; expat expands no entities of files",
-    ("core/interfaces/generate.py", "eval"): "the default of a field, made by repr() of a value that was parsed",
-    ("core/interfaces/generate.py", "compile"): "names the generated source in tracebacks",
-    ("core/interfaces/copying.py", "exec"): "generated from the checked structure of a message",
-    ("core/interfaces/copying.py", "compile"): "names the generated source in tracebacks",
-    ("core/interfaces/cdr_read.py", "exec"): "generated from the checked structure of a message",
-    ("core/interfaces/cdr_read.py", "compile"): "names the generated source in tracebacks",
-    ("core/interfaces/cdr_write.py", "exec"): "generated from the checked structure of a message",
-    ("core/interfaces/cdr_write.py", "compile"): "names the generated source in tracebacks",
-    ("core/ros/python/launch/substitutions/local_substitution.py", "eval"): "a launch file is the user's own program",
-    ("core/ros/python/launch/substitutions/python_expression.py", "eval"): "the same: $(eval …) is there to run Python",
-    ("core/ros/python/launch_testing/junitxml.py", "xml"): "writes results, and reads nothing",
+    ("day6_core/interfaces/generate.py", "eval"): "the default of a field, made by repr() of a value that was parsed",
+    ("day6_core/interfaces/generate.py", "compile"): "names the generated source in tracebacks",
+    ("day6_core/interfaces/copying.py", "exec"): "generated from the checked structure of a message",
+    ("day6_core/interfaces/copying.py", "compile"): "names the generated source in tracebacks",
+    ("day6_core/interfaces/cdr_read.py", "exec"): "generated from the checked structure of a message",
+    ("day6_core/interfaces/cdr_read.py", "compile"): "names the generated source in tracebacks",
+    ("day6_core/interfaces/cdr_write.py", "exec"): "generated from the checked structure of a message",
+    ("day6_core/interfaces/cdr_write.py", "compile"): "names the generated source in tracebacks",
     (
-        "core/ros/python/ament_xmllint/main.py",
+        "day6_core/ros/python/launch/substitutions/local_substitution.py",
+        "eval",
+    ): "a launch file is the user's own program",
+    (
+        "day6_core/ros/python/launch/substitutions/python_expression.py",
+        "eval",
+    ): "the same: $(eval …) is there to run Python",
+    ("day6_core/ros/python/launch_testing/junitxml.py", "xml"): "writes results, and reads nothing",
+    (
+        "day6_core/ros/python/ament_xmllint/main.py",
         "xml",
     ): "expat only says what is no XML; with its handler nothing is expanded",
-    ("core/ros/python/launch_xml/parser.py", "xml"): "refuses a document type, without which there are no entities",
     (
-        "core/ros/programs/joint_state_publisher/joints.py",
+        "day6_core/ros/python/launch_xml/parser.py",
+        "xml",
+    ): "refuses a document type, without which there are no entities",
+    (
+        "day6_core/ros/programs/joint_state_publisher/joints.py",
         "xml",
     ): "expat only says what is no XML; every entity definition is refused; tried in tests/joint_state_publisher",
-    ("core/ros/programs/rviz2/model/collada.py", "xml"): "a document type is refused; tried in tests/rviz2",
+    ("day6_core/ros/programs/rviz2/model/collada.py", "xml"): "a document type is refused; tried in tests/rviz2",
     (
-        "core/ros/programs/xacro/limits.py",
+        "day6_core/ros/programs/xacro/limits.py",
         "xml",
     ): "for xacro, in a process with limits; tests/workspace/test_xacro_limits",
-    ("core/shell/editing/checks.py", "xml"): "expat only says what is no XML; entity definitions are refused",
-    ("core/shell/editing/checks.py", "compile"): "finds mistakes in the text of an editor; nothing is run",
-    ("core/workspace/manifest.py", "xml"): "a text that defines entities is refused; tried in tests/workspace",
-    ("core/workspace/sourcing.py", "exec"): "two lines of our own with the name of a package, which was checked",
-    ("core/ros/ros2/pkg/xml.py", "xml"): "expat opens nothing and stops entities that grow; tried below",
-    ("core/ros/ros2/launch/_declared.py", "xml"): "a text that defines entities is passed over",
-    ("tui/notebook/ros2_line.py", "shell=True"): "the line of a cell, which may run anything anyway, as after `!`",
-    ("core/ros/ros2/doctor/__init__.py", "xml"): "as for pkg xml: expat opens nothing and stops entities that grow",
+    ("day6_core/shell/editing/checks.py", "xml"): "expat only says what is no XML; entity definitions are refused",
+    ("day6_core/shell/editing/checks.py", "compile"): "finds mistakes in the text of an editor; nothing is run",
+    ("day6_core/workspace/manifest.py", "xml"): "a text that defines entities is refused; tried in tests/workspace",
+    ("day6_core/workspace/sourcing.py", "exec"): "two lines of our own with the name of a package, which was checked",
+    ("day6_core/ros/ros2/pkg/xml.py", "xml"): "expat opens nothing and stops entities that grow; tried below",
+    ("day6_core/ros/ros2/launch/_declared.py", "xml"): "a text that defines entities is passed over",
+    ("day6_tui/notebook/ros2_line.py", "shell=True"): "the line of a cell, which may run anything anyway, as after `!`",
+    (
+        "day6_core/ros/ros2/doctor/__init__.py",
+        "xml",
+    ): "as for pkg xml: expat opens nothing and stops entities that grow",
 }
 """Where something dangerous is used all the same, and why it is not dangerous there."""
 
@@ -105,7 +117,7 @@ def test_nothing_from_outside_is_run() -> None:
     words = (*(f"{name}(" for name in DANGEROUS_CALLS), *DANGEROUS_MODULES, *DANGEROUS_ATTRIBUTES, "shell")
     check = Path(".ci", "check")
     modules = [(check, ast.parse((ROOT / check).read_text(encoding="utf-8")))]
-    for path, tree in itertools.chain(modules, trees(*TOPS, ".ci", words=words)):
+    for path, tree in itertools.chain(modules, trees(*PACKAGES, ".ci", words=words)):
         for danger, line in dangers(tree):
             found[path.as_posix(), danger] = line
     assert {key: line for key, line in found.items() if key not in REASONS} == {}
@@ -161,7 +173,7 @@ def test_names_of_interfaces_lead_nowhere_else(package: Path, tmp_path: Path) ->
 
 def exec_line(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", str(folder / "home"), "-c", line],
+        [sys.executable, "-m", "day6_tui.main", "exec", "--home", str(folder / "home"), "-c", line],
         capture_output=True,
         encoding="utf-8",
         timeout=60,
@@ -209,7 +221,7 @@ def test_yaml_makes_no_objects(tmp_path: Path) -> None:
 def test_the_folder_of_the_link_is_closed_to_others_whatever_the_umask(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_tui.core.link.paths import meeting_place, password
+    from day6_core.link.paths import meeting_place, password
 
     monkeypatch.setenv("DAY6_LINK", "tcp")
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(tmp_path / "run"))
@@ -229,7 +241,7 @@ def test_the_folder_of_the_link_is_closed_to_others_whatever_the_umask(
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="only root can make another user's folder")
 def test_a_folder_of_another_user_is_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.link.paths import LinkError, meeting_place
+    from day6_core.link.paths import LinkError, meeting_place
 
     monkeypatch.setenv("DAY6_LINK", "tcp")
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(tmp_path / "theirs"))

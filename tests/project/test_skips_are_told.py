@@ -8,7 +8,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from skips import ALLOWED
+
+from tests.support.skips import ALLOWED
 
 TESTS = Path(__file__).resolve().parents[1]
 SUITE = {
@@ -39,11 +40,11 @@ def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         # In the usual place for temporary files pytest removes those of earlier runs, gigabytes after a whole suite.
         [
-            *(sys.executable, "-m", "pytest", "-q", "-p", "conftest", "-p", "no:cacheprovider"),
+            *(sys.executable, "-m", "pytest", "-q", "-p", "tests.conftest", "-p", "no:cacheprovider"),
             *(*words, f"--basetemp={folder / 'base'}", "."),
         ],
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(TESTS), "PYTEST_ADDOPTS": "", "COLUMNS": "80"},
+        env={**os.environ, "PYTHONPATH": str(TESTS.parent), "PYTEST_ADDOPTS": "", "COLUMNS": "80"},
         capture_output=True,
         text=True,
     )

@@ -10,7 +10,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from disks import Disk, disk
+
+from tests.support.disks import Disk, disk
 
 __all__ = ["disk"]
 

@@ -6,9 +6,8 @@ import ast
 import re
 from collections.abc import Iterable, Iterator
 
-from source_files import nodes, trees
-
-from day6_tui.tui.locale import catalogue
+from day6_tui.locale import catalogue
+from tests.support.source_files import nodes, trees
 
 KEY = re.compile(r"[a-z_]+(\.\w+)+")
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-import waiting
+
+from tests.support import waiting
 
 
 @pytest.fixture

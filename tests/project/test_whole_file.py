@@ -14,9 +14,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from waiting import until
 
-from day6_tui.core.whole_file import append_private, replace_file, write_private
+from day6_core.whole_file import append_private, replace_file, write_private
+from tests.support.source_files import sources
+from tests.support.waiting import until
 
 ROOT = Path(__file__).parents[2]
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no modes")
@@ -124,7 +125,7 @@ def test_a_device_is_written_to_and_stays_one(tmp_path: Path) -> None:
 WRITER = """
 import sys
 from pathlib import Path
-from day6_tui.core.whole_file import replace_file
+from day6_core.whole_file import replace_file
 print("ready", flush=True)
 number = 0
 while True:
@@ -151,30 +152,29 @@ def test_kill_9_in_the_middle_of_saving_leaves_one_whole_text(tmp_path: Path) ->
 
 
 ALLOWED = {
-    "core/whole_file.py": "the one way",
-    "core/shell/subshell.py": "scripts in a temporary folder of its own",
-    "core/workspace/create.py": "a new package, which is a hidden folder until it is whole",
-    "core/ros/python/rosbag2_py/_reader.py": "unpacks into a temporary folder",
-    "core/workspace/files.py": "colcon's output: the one way, and only where colcon may write",
-    "core/ros/executables.py": "commands for PATH, in a new folder that gets its name when it is whole",
-    "core/lessons/grading/archive.py": "unpacks into a temporary folder",
-    "core/lessons/grading/shield.py": "not files: what the kernel reads in /proc",
-    "core/isolation/attacks.py": "what one cell tries on another; the files are its own, in a folder of the trial's",
-    "core/isolation/enter.py": "writes no file: the umask of the pupil's program, which it becomes",
-    "core/isolation/groups.py": "not files: control groups",
-    "core/isolation/trial.py": "in a temporary folder of its own",
-    "core/link/paths.py": "the link knows nothing of the rest; its folder is private",
+    "day6_core/whole_file.py": "the one way",
+    "day6_core/shell/subshell.py": "scripts in a temporary folder of its own",
+    "day6_core/workspace/create.py": "a new package, which is a hidden folder until it is whole",
+    "day6_core/ros/python/rosbag2_py/_reader.py": "unpacks into a temporary folder",
+    "day6_core/workspace/files.py": "colcon's output: the one way, and only where colcon may write",
+    "day6_core/ros/executables.py": "commands for PATH, in a new folder that gets its name when it is whole",
+    "day6_core/lessons/grading/archive.py": "unpacks into a temporary folder",
+    "day6_core/lessons/grading/shield.py": "not files: what the kernel reads in /proc",
+    "day6_core/isolation/attacks.py": "what one cell tries on another; the files are its own, in a folder of the trial's",
+    "day6_core/isolation/enter.py": "writes no file: the umask of the pupil's program, which it becomes",
+    "day6_core/isolation/groups.py": "not files: control groups",
+    "day6_core/isolation/trial.py": "in a temporary folder of its own",
+    "day6_core/link/paths.py": "the link knows nothing of the rest; its folder is private",
 }
 
 
 def test_nothing_else_writes_files_in_a_way_of_its_own() -> None:
-    # `output` is core/workspace/files.py's Output, which writes in the one way and only what is its own.
+    # `output` is day6_core/workspace/files.py's Output, which writes in the one way and only what is its own.
     ways = re.compile(r"(?<!output)\.write_(?:text|bytes)\(|mkstemp\(|os\.umask\(")
     found = set()
-    for top in ("core", "tui", "urdf"):
-        for path in (ROOT / top).rglob("*.py"):
-            if ways.search(path.read_text(encoding="utf-8")):
-                found.add(path.relative_to(ROOT).as_posix())
+    for path, text in sources():
+        if ways.search(text):
+            found.add(path.as_posix())
     assert found <= set(ALLOWED), found - set(ALLOWED)
 
 
@@ -182,7 +182,7 @@ def test_nothing_else_writes_files_in_a_way_of_its_own() -> None:
 
 
 def export(path: Path) -> None:
-    from day6_tui.core.workspace.export import export as pack
+    from day6_core.workspace.export import export as pack
 
     package = path.parent / "src" / "one"
     package.mkdir(parents=True, exist_ok=True)
@@ -196,7 +196,7 @@ def export(path: Path) -> None:
 
 
 def copy_model(path: Path) -> None:
-    from day6_tui.urdf.shipped import copy_model as copy
+    from day6_urdf.shipped import copy_model as copy
 
     copy(path)
 
@@ -208,7 +208,7 @@ def metadata(path: Path) -> None:
 
 
 def vscode(path: Path) -> None:
-    from day6_tui.core.shell.ide import write_vscode
+    from day6_core.shell.ide import write_vscode
 
     write_vscode(path, path / "stubs")
 
@@ -258,7 +258,7 @@ def test_an_export_that_fails_half_way_leaves_no_zip(tmp_path: Path, monkeypatch
 @pytest.mark.process
 def test_a_robot_that_was_half_copied_is_not_taken_for_ones_own_the_next_time(tmp_path: Path) -> None:
     resource = pytest.importorskip("resource")
-    line = "from day6_tui.urdf.shipped import copy_model; from pathlib import Path; copy_model(Path('.'))"
+    line = "from day6_urdf.shipped import copy_model; from pathlib import Path; copy_model(Path('.'))"
     result = subprocess.run(
         [sys.executable, "-c", line],
         cwd=tmp_path,
@@ -277,7 +277,7 @@ def test_the_log_of_the_desktop_is_private_and_a_full_disk_does_not_show(
 ) -> None:
     import logging
 
-    from day6_tui.tui.log_file import keep_log_off_the_screen
+    from day6_tui.log_file import keep_log_off_the_screen
 
     handlers: list[logging.Handler] = []
     monkeypatch.setattr(logging.getLogger(), "addHandler", handlers.append)
@@ -295,7 +295,7 @@ def test_the_log_of_the_desktop_is_private_and_a_full_disk_does_not_show(
 
 @posix
 def test_the_history_of_the_terminals_is_private(tmp_path: Path) -> None:
-    from day6_tui.core.shell.history import History
+    from day6_core.shell.history import History
 
     file = tmp_path / ".bash_history"
     file.write_text("ls\n")

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "ros2"))
-
-from ros2_machine import Machine
+from tests.ros2.ros2_machine import Machine
 
 
 @pytest.fixture

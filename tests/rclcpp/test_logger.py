@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 from rcl_interfaces.msg import Log
-from stepped_machine import SteppedMachine
 
-from day6_tui.core.ros import programs
+from day6_core.ros import programs
+from tests.support.stepped_machine import SteppedMachine
 
 
 @pytest.fixture

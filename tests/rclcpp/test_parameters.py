@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, ParameterEvent
 
-from day6_tui.core.ros.programs.rclcpp.exceptions import ParameterNotDeclared, RclcppException
-from day6_tui.core.ros.programs.rclcpp.parameters import CppParameterStore
+from day6_core.ros.programs.rclcpp.exceptions import ParameterNotDeclared, RclcppException
+from day6_core.ros.programs.rclcpp.parameters import CppParameterStore
 from rclpy.exceptions import ParameterNotDeclaredException
 from rclpy.parameter import Parameter
 

@@ -7,11 +7,11 @@ from typing import Any
 import pytest
 from rcl_interfaces.msg import SetParametersResult
 
-from day6_tui.core.graph import EndpointKind
-from day6_tui.core.graph.qos import Reliability
-from day6_tui.core.ros.programs.rclcpp.exceptions import CppException
-from day6_tui.core.ros.programs.rclcpp.parameters import CppParameterStore
-from day6_tui.core.ros.programs.rclcpp.qos import declared_qos
+from day6_core.graph import EndpointKind
+from day6_core.graph.qos import Reliability
+from day6_core.ros.programs.rclcpp.exceptions import CppException
+from day6_core.ros.programs.rclcpp.parameters import CppParameterStore
+from day6_core.ros.programs.rclcpp.qos import declared_qos
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSPolicyKind, QoSProfile, ReliabilityPolicy
 from rclpy.qos_overriding_options import QoSOverridingOptions

@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from waiting import PATIENCE, communicate, until
 
-from day6_tui.core.ros import distribution
+from day6_core.ros import distribution
+from tests.support.waiting import PATIENCE, communicate, until
 
 ROBOT = ("--ros-args", "-p", "robot_description:=<robot name='a'><link name='b'/></robot>")
 PROGRAMS: dict[str, tuple[str, ...]] = {
@@ -134,7 +134,7 @@ def test_in_a_real_terminal_it_is_the_same(tmp_path: Path, signals: list[int], s
 
 def _real(*words: str, cwd: Path) -> subprocess.Popen[str]:
     """Start `ros2 WORDS…` as a process; it is killed when it does not end."""
-    code = "import sys; from day6_tui.tui.main import main; sys.exit(main())"
+    code = "import sys; from day6_tui.main import main; sys.exit(main())"
     process = subprocess.Popen(
         [sys.executable, "-c", code, "ros2", *words],
         cwd=cwd,

@@ -106,8 +106,8 @@ def test_turtlesim_ends_as_an_uncaught_exception_ends_a_program(machine, words, 
 
 
 def test_without_ros2_run_the_program_is_killed_by_sigabrt(machine):
-    from day6_tui.core.ros.programs import load
-    from day6_tui.core.session.program import Program
+    from day6_core.ros.programs import load
+    from day6_core.session.program import Program
 
     session = machine.session(["talker", "--ros-args", "--bogus"])
     program = Program(session, load("demo_nodes_cpp", "talker"))

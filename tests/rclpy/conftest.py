@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph import Graph
+from day6_core.graph import Graph
 
 EPOCH_NS = 1_700_000_000_000_000_000
 SECOND = 1_000_000_000

@@ -13,7 +13,6 @@ from builtin_interfaces.msg import Time
 from std_msgs.msg import String
 from test_msgs.action import Fibonacci
 from unique_identifier_msgs.msg import UUID
-from waiting import until
 
 from rclpy.action import (
     ActionClient,
@@ -27,6 +26,7 @@ from rclpy.action import (
 from rclpy.exceptions import InvalidHandle
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.task import Future
+from tests.support.waiting import until
 
 ACCEPTED, EXECUTING, CANCELING, SUCCEEDED, CANCELED, ABORTED = range(1, 7)
 

@@ -13,7 +13,7 @@ from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 import rclpy
-from day6_tui.core.graph import Graph
+from day6_core.graph import Graph
 from rclpy.context import Context
 from rclpy.exceptions import (
     InvalidParameterTypeException,
@@ -267,14 +267,14 @@ def test_spin_ends_with_the_context() -> None:
 
 
 class Link:
-    """Stands in for core/link: writes down who joins and who leaves. Joining twice is joining once, as there."""
+    """Stands in for day6_core/link: writes down who joins and who leaves. Joining twice is joining once, as there."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.told: list[tuple[str, int]] = []
         monkeypatch.setenv("DAY6_LINK", "on")
         self._joined: set[int] = set()
-        monkeypatch.setattr("day6_tui.core.link.join", self._join)
-        monkeypatch.setattr("day6_tui.core.link.leave", self._leave)
+        monkeypatch.setattr("day6_core.link.join", self._join)
+        monkeypatch.setattr("day6_core.link.leave", self._leave)
 
     def _join(self, graph: Graph) -> None:
         if graph.domain_id not in self._joined:
@@ -331,7 +331,7 @@ def test_a_program_without_a_link_runs_alone_and_says_so(
     def fail(_graph: object) -> None:
         raise OSError("no network")
 
-    monkeypatch.setattr("day6_tui.core.link.join", fail)
+    monkeypatch.setattr("day6_core.link.join", fail)
     context = begun(71)
     nodes = [Node(name, context=context) for name in ("alone", "alone_too")]
     assert [node.get_name() for node in nodes] == ["alone", "alone_too"]

@@ -9,7 +9,6 @@ import pytest
 from std_msgs.msg import Int32, String
 from std_srvs.srv import SetBool, Trigger
 from test_msgs.action import Fibonacci
-from waiting import until
 
 from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle
@@ -18,6 +17,7 @@ from rclpy.serialization import deserialize_message, serialize_message
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.type_support import check_for_type_support, check_is_valid_msg_type, check_is_valid_srv_type
 from rclpy.wait_for_message import wait_for_message
+from tests.support.waiting import until
 
 
 def serve(_request: Any, response: Any) -> Any:

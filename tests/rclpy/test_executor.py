@@ -9,14 +9,14 @@ from typing import Any
 import pytest
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
-from waiting import share_of_a_core, until
 
-from day6_tui.core.graph import Graph
+from day6_core.graph import Graph
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.context import Context
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.task import Future
+from tests.support.waiting import share_of_a_core, until
 
 SECOND = 1_000_000_000
 

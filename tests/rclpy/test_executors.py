@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
-from waiting import until
 
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.clock import Clock
@@ -32,6 +31,7 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rclpy.task import Future
 from rclpy.waitable import NumberOfEntities, Waitable
+from tests.support.waiting import until
 
 
 def test_a_node_is_in_one_executor(world: Any) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
 
 pytestmark = pytest.mark.process
 

@@ -8,9 +8,9 @@ import time
 from typing import Any
 
 import pytest
-from waiting import run
 
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
+from tests.support.waiting import run
 
 _NODE = """
 import sys

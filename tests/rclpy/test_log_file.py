@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
 from rclpy._log_file import LogFile, logging_directory, of_process
 
 PROGRAM = """

@@ -288,7 +288,7 @@ def logged_by(script: str, **variables: str) -> tuple[str, str]:
     import subprocess
     import sys
 
-    from day6_tui.core.ros.environment import program_environment
+    from day6_core.ros.environment import program_environment
 
     plain = {name: value for name, value in program_environment().items() if not name.startswith("RCUTILS_")}
     command = [sys.executable, "-c", script]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import inspect
 import json
-import os
 import sys
 import warnings
 from operator import attrgetter
@@ -16,10 +15,7 @@ from rclpy import qos
 from rclpy.clock_type import ClockType
 from rclpy.duration import Duration
 from rclpy.signals import SignalHandlerOptions
-
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir, "conformance"))
-
-from names import RECORDED, Table, collect, differences
+from tests.conformance.names import RECORDED, Table, collect, differences
 
 _INSTANCE_ATTRIBUTES = [
     "rclpy.lifecycle.publisher.LifecyclePublisher.event_handlers",

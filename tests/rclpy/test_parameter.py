@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from folded import folded
 from rcl_interfaces.msg import (
     FloatingPointRange,
     IntegerRange,
@@ -33,6 +32,7 @@ from rclpy.parameter import (
     parameter_dict_from_yaml_file,
     parameter_value_to_python,
 )
+from tests.support.folded import folded
 
 Type = Parameter.Type
 

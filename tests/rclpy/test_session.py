@@ -9,7 +9,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 
 import rclpy
-from day6_tui.core.graph import Graph
+from day6_core.graph import Graph
 from rclpy.clock_type import ClockType
 from rclpy.context import Context
 from rclpy.parameter import Parameter

@@ -19,12 +19,9 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.ros.environment import PYTHON_PATH
-from day6_tui.core.shell import ide, jsonc
-
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir, "e2e"))
-
-from lesson_files import TALKER, WHEEL_SPINNER
+from day6_core.ros.environment import PYTHON_PATH
+from day6_core.shell import ide, jsonc
+from tests.e2e.lesson_files import TALKER, WHEEL_SPINNER
 
 HERE = Path(__file__).parent
 PROGRAMS = sorted((HERE / "typed").glob("*.py"))

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING
 
 import pytest
 from std_msgs.msg import Float64MultiArray, String
-from waiting import PATIENCE
 
-from day6_tui.core.ros.programs.day6_bot import car_view
-from day6_tui.core.ros.programs.day6_bot.model import CarModel
-from day6_tui.urdf import parse_robot, shipped_model
-from day6_tui.urdf.topplan import find_wheels, spin_of
-from day6_tui.urdf.topview import render_top
+from day6_core.ros.programs.day6_bot import car_view
+from day6_core.ros.programs.day6_bot.model import CarModel
+from day6_urdf import parse_robot, shipped_model
+from day6_urdf.topplan import find_wheels, spin_of
+from day6_urdf.topview import render_top
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from tests.support.waiting import PATIENCE
 
 if TYPE_CHECKING:
     from tests.robot.conftest import Machine, Running

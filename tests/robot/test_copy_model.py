@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
 
 if TYPE_CHECKING:
     from pathlib import Path

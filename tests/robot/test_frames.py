@@ -7,10 +7,10 @@ import math
 import pytest
 from geometry_msgs.msg import TransformStamped
 
-from day6_tui.core.ros.programs.day6_bot._frames import Frames
-from day6_tui.core.ros.programs.day6_bot._joints import JointReadings, Moment
-from day6_tui.core.ros.programs.day6_bot._status import nearest_name
-from day6_tui.urdf.kinematics import IDENTITY
+from day6_core.ros.programs.day6_bot._frames import Frames
+from day6_core.ros.programs.day6_bot._joints import JointReadings, Moment
+from day6_core.ros.programs.day6_bot._status import nearest_name
+from day6_urdf.kinematics import IDENTITY
 
 
 def stamped(parent: str, child: str, x: float = 0.0, yaw: float = 0.0) -> TransformStamped:

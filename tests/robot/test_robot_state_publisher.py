@@ -12,8 +12,8 @@ from rcl_interfaces.srv import ListParameters, SetParameters
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
-from day6_tui.core.ros.programs.robot_state_publisher._segments import Throttle
-from day6_tui.urdf import shipped_model
+from day6_core.ros.programs.robot_state_publisher._segments import Throttle
+from day6_urdf import shipped_model
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 if TYPE_CHECKING:

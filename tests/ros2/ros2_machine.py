@@ -8,23 +8,23 @@ from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros import ros2
-from day6_tui.core.ros.programs import load
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display, ProgramDisplay
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured, InputStream, TextInput
-from day6_tui.core.session.task import Signal, wait_for
+from day6_core.graph import Graph
+from day6_core.ros import ros2
+from day6_core.ros.programs import load
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display, ProgramDisplay
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured, InputStream, TextInput
+from day6_core.session.task import Signal, wait_for
 
 LONGEST = 30.0
 """Seconds of the wall that a command's thread may work."""
 
 
 def _work_is_done() -> bool:
-    """Wait for what commands do in threads (`core/session/threads.py`): the stepped clock does not. False without any."""
+    """Wait for what commands do in threads (`day6_core/session/threads.py`): the stepped clock does not. False without any."""
     working = [thread for thread in threading.enumerate() if thread.name == "day6-work"]
     for thread in working:
         thread.join(LONGEST)

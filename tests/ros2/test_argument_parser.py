@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from day6_tui.core.session.argument_parser import Parser
+from day6_core.session.argument_parser import Parser
 
 
 def test_the_bare_command_prints_help_with_every_command_and_exits_0(machine):

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 
 import rosbag2_py
-from bag_commands import counter, information, lines, play, record, wait_for_end
 from geometry_msgs.msg import Twist
+
+from tests.ros2.bag_commands import counter, information, lines, play, record, wait_for_end
 
 
 def test_info_prints_the_columns_of_the_real_one(counted, monkeypatch):

@@ -6,10 +6,10 @@ import shutil
 
 import pytest
 import rosbag2_py
-from bag_commands import heard, information, lines, wait_for_end
 from std_msgs.msg import String
 
 from rclpy.serialization import serialize_message
+from tests.ros2.bag_commands import heard, information, lines, wait_for_end
 
 NO_INDEX = "[WARN] [rosbag2_storage_mcap]: attempted to read in receive timestamp order with no message index"
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from bag_commands import counter, heard, information, play, record, wait_for_end
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Int32
 
 from rclpy.qos import QoSProfile, ReliabilityPolicy
+from tests.ros2.bag_commands import counter, heard, information, play, record, wait_for_end
 
 # -- values that the parser refuses ------------------------------------------------------------------------------------
 
@@ -425,7 +425,7 @@ def on_a_terminal(machine, *words):
 
 @pytest.mark.parametrize(("options", "drawn"), [([], 4), (["--progress-bar-update-rate", "10"], 11)])
 def test_progress_is_drawn_so_many_times_a_second(counted, monkeypatch, options, drawn):
-    from day6_tui.core.session.streams import Captured
+    from day6_core.session.streams import Captured
 
     monkeypatch.setattr(Captured, "isatty", lambda self: True)
     command = on_a_terminal(counted, *options)
@@ -441,7 +441,7 @@ def test_progress_is_drawn_so_many_times_a_second(counted, monkeypatch, options,
 
 
 def test_progress_can_be_switched_off(counted, monkeypatch):
-    from day6_tui.core.session.streams import Captured
+    from day6_core.session.streams import Captured
 
     monkeypatch.setattr(Captured, "isatty", lambda self: True)
     command = on_a_terminal(counted, "--progress-bar-update-rate", "0")
@@ -451,7 +451,7 @@ def test_progress_can_be_switched_off(counted, monkeypatch):
 
 
 def test_the_log_is_written_where_the_progress_stands_and_the_progress_below_it(counted, monkeypatch):
-    from day6_tui.core.session.streams import Captured
+    from day6_core.session.streams import Captured
 
     monkeypatch.setattr(Captured, "isatty", lambda self: True)
     command = on_a_terminal(counted)

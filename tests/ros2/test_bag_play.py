@@ -7,13 +7,13 @@ from itertools import pairwise
 
 import pytest
 import rosbag2_py
-from bag_commands import call, counter, heard, information, lines, play, record, wait_for_end
 from rosbag2_interfaces.srv import Burst, GetRate, IsPaused, PlayNext, Resume, Seek, SetRate, Stop
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
-from stepped_keyboard import Keyboard
 
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tests.ros2.bag_commands import call, counter, heard, information, lines, play, record, wait_for_end
+from tests.support.stepped_keyboard import Keyboard
 
 
 def test_a_bag_is_played_with_the_gaps_it_was_recorded_with(counted):
@@ -118,8 +118,8 @@ def test_services_steer_the_player(counted):
 
 def test_keys_steer_the_player_and_the_progress_is_shown(counted):
     found = heard(counted)
-    from day6_tui.core.ros import ros2
-    from day6_tui.core.session.program import Program
+    from day6_core.ros import ros2
+    from day6_core.session.program import Program
 
     session = counted.session(["ros2", "bag", "play", "bag"])
     keyboard = session.stdin = Keyboard()

@@ -5,15 +5,15 @@ from __future__ import annotations
 import re
 
 import pytest
-from bag_commands import call, counter, information, lines, record
 from rosbag2_interfaces.srv import IsPaused, Pause, Resume
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Int32
-from stepped_keyboard import Keyboard
 
-from day6_tui.core.ros import distribution
-from day6_tui.core.ros.distribution import NAMES
+from day6_core.ros import distribution
+from day6_core.ros.distribution import NAMES
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from tests.ros2.bag_commands import call, counter, information, lines, record
+from tests.support.stepped_keyboard import Keyboard
 
 
 def test_recording_says_what_the_real_recorder_says(machine):
@@ -79,8 +79,8 @@ def test_space_pauses_and_resumes_the_recording(machine):
     machine.node("counter", counter())
     session = machine.session(["ros2", "bag", "record", "-o", "bag", "--topics", "/count"])
     keyboard = session.stdin = Keyboard()
-    from day6_tui.core.ros import ros2
-    from day6_tui.core.session.program import Program
+    from day6_core.ros import ros2
+    from day6_core.session.program import Program
 
     program = Program(session, ros2.main)
     for key in ("", " ", " ", ""):

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from bag_commands import lines, play, record, wait_for_end
 from example_interfaces.srv import AddTwoInts
 
 from rclpy.qos import qos_profile_system_default
 from rclpy.service_introspection import ServiceIntrospectionState
+from tests.ros2.bag_commands import lines, play, record, wait_for_end
 
 
 def adding(machine, state=ServiceIntrospectionState.CONTENTS):

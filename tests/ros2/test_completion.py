@@ -73,7 +73,7 @@ def test_the_arguments_that_a_launch_file_declares_are_offered_with_their_values
 
 
 def test_arguments_of_launch_files_in_python_xml_and_yaml_are_found_without_running_them(machine):
-    from day6_tui.core.ros.ros2.launch._declared import declared_arguments
+    from day6_core.ros.ros2.launch._declared import declared_arguments
 
     folder = machine.cwd
     (folder / "a.launch.py").write_text(

@@ -11,10 +11,10 @@ from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import Image, JointState, LaserScan
 from std_msgs.msg import Bool
 
-from day6_tui.core.ros.program_index import executables, packages
-from day6_tui.core.ros.programs.rqt_image_view.decoding import View
-from day6_tui.core.session.display import Display
-from day6_tui.urdf.check import check_text
+from day6_core.ros.program_index import executables, packages
+from day6_core.ros.programs.rqt_image_view.decoding import View
+from day6_core.session.display import Display
+from day6_urdf.check import check_text
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)

@@ -188,7 +188,7 @@ class Network:
     """Multicast that goes to the test instead: keeps what was sent, gives what `arrives`."""
 
     def __init__(self, monkeypatch):
-        from day6_tui.core.ros.ros2.doctor import hello
+        from day6_core.ros.ros2.doctor import hello
 
         self.sent = []
         self.arrives = []
@@ -290,7 +290,7 @@ def test_the_node_that_says_hello_is_named_after_this_machine(machine, network):
 def test_what_is_wrong_with_the_link_is_complained_of_and_reported(machine, monkeypatch):
     from types import SimpleNamespace
 
-    from day6_tui.core.ros.programs.day6_inspector import rules
+    from day6_core.ros.programs.day6_inspector import rules
 
     found = [SimpleNamespace(level="warning", text="a door is shut"), SimpleNamespace(level="error", text="no link")]
     monkeypatch.setattr(rules, "link_findings", lambda state: found)

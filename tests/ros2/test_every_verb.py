@@ -11,7 +11,7 @@ from std_msgs.msg import Int32, String
 from std_srvs.srv import Empty, SetBool
 from turtlesim.action import RotateAbsolute
 
-from day6_tui.core.graph import EndpointKind, QoS
+from day6_core.graph import EndpointKind, QoS
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
 TURN = "turtlesim/action/RotateAbsolute"
@@ -508,7 +508,7 @@ def test_all_packages_with_interfaces_and_all_kinds_in_their_order(machine):
 
 
 def test_show_reads_a_pipe_and_no_terminal(machine, monkeypatch):
-    from day6_tui.core.session.streams import TextInput
+    from day6_core.session.streams import TextInput
 
     monkeypatch.setattr(TextInput, "isatty", lambda self: True)
     result = machine.ros2("interface", "show", "-", stdin="std_msgs/msg/Bool\n")
@@ -615,7 +615,7 @@ def test_only_packages_are_imported_for_a_service_type(machine):
 
 @pytest.mark.parametrize("answers", [True, False])
 def test_a_service_that_fails_is_told_and_the_others_are_asked(machine, monkeypatch, answers):
-    from day6_tui.core.ros.ros2.lifecycle._services import LifecycleServices
+    from day6_core.ros.ros2.lifecycle._services import LifecycleServices
 
     machine.run("lifecycle", "lifecycle_talker", "--ros-args", "-r", "__node:=a")
     machine.run("lifecycle", "lifecycle_talker", "--ros-args", "-r", "__node:=b")

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from day6_tui.core.ros.ros2.cli.failure import failure_text, nearest_name
+from day6_core.ros.ros2.cli.failure import failure_text, nearest_name
 
 
 @pytest.mark.parametrize(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from folded import folded
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 
-from day6_tui.core.ros.ros2.topic._filter import FilterError, evaluate
+from day6_core.ros.ros2.topic._filter import FilterError, evaluate
+from tests.support.folded import folded
 
 
 @pytest.mark.parametrize(

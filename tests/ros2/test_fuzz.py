@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from ros2_machine import Machine
 
-from day6_tui.core.ros.ros2.cli.tree import build_parser, command_names, verb_names
+from day6_core.ros.ros2.cli.tree import build_parser, command_names, verb_names
+from tests.ros2.ros2_machine import Machine
 
 NOT_HERE = frozenset({"bag", "launch", "multicast", "run"})
 """They have tests of their own: processes, files, the network."""

@@ -6,7 +6,7 @@ import pytest
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 
-from day6_tui.core.graph.names import OBSERVER_PREFIX
+from day6_core.graph.names import OBSERVER_PREFIX
 
 
 def server(node):

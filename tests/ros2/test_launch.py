@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.session.session import KilledBySignal
+from day6_core.session.session import KilledBySignal
 
 
 class Processes:

@@ -10,15 +10,15 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from waiting import PATIENCE, until
 
-from day6_tui.core.ros.ros2.launch import _host
-from day6_tui.core.ros.ros2.launch._host import ROOM, Host, HostedOutput
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.streams import Captured, TextInput
-from day6_tui.core.session.task import Signal
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.redirection import Streams
+from day6_core.ros.ros2.launch import _host
+from day6_core.ros.ros2.launch._host import ROOM, Host, HostedOutput
+from day6_core.session.clock import WorldClock
+from day6_core.session.streams import Captured, TextInput
+from day6_core.session.task import Signal
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.redirection import Streams
+from tests.support.waiting import PATIENCE, until
 
 pytestmark = pytest.mark.process
 

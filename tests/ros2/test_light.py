@@ -5,18 +5,19 @@ from __future__ import annotations
 import sys
 
 import pytest
-from waiting import run
+
+from tests.support.waiting import run
 
 SCRIPT = """
 import sys
-from day6_tui.core.ros.environment import activate
+from day6_core.ros.environment import activate
 activate()
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros import ros2
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
+from day6_core.graph import Graph
+from day6_core.ros import ros2
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
 scheduler = Scheduler(WorldClock(wall=None))
 program = Program(Session(scheduler, Graph(), ["ros2", "topic", "list"]), ros2.main)
 for _ in range(20):
@@ -31,4 +32,4 @@ print(sorted(heavy), verbs)
 @pytest.mark.process
 def test_a_list_loads_no_heavy_library_and_no_other_verb():
     done = run([sys.executable, "-c", SCRIPT])
-    assert done.stdout.strip() == "[] ['day6_tui.core.ros.ros2.topic.list']"
+    assert done.stdout.strip() == "[] ['day6_core.ros.ros2.topic.list']"

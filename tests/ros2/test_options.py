@@ -12,13 +12,13 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.ros import environment
+from day6_core.ros import environment
 
 WRITTEN = Path(__file__).with_name("options.txt")
 
 
 def commands() -> list[tuple[str, ...]]:
-    from day6_tui.core.ros.ros2.cli.tree import command_names, verb_names
+    from day6_core.ros.ros2.cli.tree import command_names, verb_names
 
     found: list[tuple[str, ...]] = [()]
     for command in command_names():
@@ -30,7 +30,7 @@ def commands() -> list[tuple[str, ...]]:
 def parser_of(machine, words) -> argparse.ArgumentParser:
     """The parser that reads what stands behind these words."""
     environment.activate()
-    from day6_tui.core.ros.ros2.cli.tree import build_parser
+    from day6_core.ros.ros2.cli.tree import build_parser
 
     parser = build_parser(machine.session(["ros2", *words]), list(words))
     for word in words:
@@ -88,7 +88,7 @@ def test_options_are_those_written_down(machine, words):
 
 @pytest.mark.parametrize("words", commands()[1:], ids=" ".join)
 def test_help_begins_with_the_usage_and_says_what_the_command_is_for(machine, words):
-    from day6_tui.core.ros.ros2.cli.tree import summary
+    from day6_core.ros.ros2.cli.tree import summary
 
     result = machine.ros2(*words, "--help")
     assert (result.status, result.stderr) == (0, "")
@@ -98,7 +98,7 @@ def test_help_begins_with_the_usage_and_says_what_the_command_is_for(machine, wo
 
 
 def _write() -> None:
-    from ros2_machine import Machine
+    from tests.ros2.ros2_machine import Machine
 
     with tempfile.TemporaryDirectory() as folder:
         machine = Machine(Path(folder))
@@ -113,7 +113,7 @@ if __name__ == "__main__":
 
 
 def test_the_choices_of_qos_options_are_rclpys() -> None:
-    from day6_tui.core.ros.ros2.cli import options
+    from day6_core.ros.ros2.cli import options
     from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSPresetProfiles, ReliabilityPolicy
 
     policies = (HistoryPolicy, ReliabilityPolicy, DurabilityPolicy, LivelinessPolicy, QoSPresetProfiles)

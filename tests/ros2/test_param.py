@@ -329,7 +329,7 @@ def test_a_pipe_is_no_parameter_file(machine, node):
 
 
 def test_a_file_with_too_many_parameters_is_refused(machine, node, monkeypatch):
-    from day6_tui.core.ros.ros2.param import load
+    from day6_core.ros.ros2.param import load
 
     monkeypatch.setattr(load, "MOST_PARAMETERS", 5)
     text = "/robot:\n  ros__parameters:\n" + "".join(f"    p{number}: 1\n" for number in range(6))

@@ -11,14 +11,14 @@ from pathlib import Path
 import pytest
 from rcl_interfaces.msg import Log
 from turtlesim.msg import Pose
-from waiting import until
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured, TextInput
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.redirection import Streams
+from day6_core.session.clock import WorldClock
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured, TextInput
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.redirection import Streams
 from rclpy.qos import qos_profile_sensor_data
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.process
 
@@ -46,7 +46,7 @@ class RunningDesk:
 
     def ros2(self, *words: str) -> Streams:
         """Start `ros2 WORDS…`; returns its streams."""
-        from day6_tui.core.ros import ros2
+        from day6_core.ros import ros2
 
         return self._start(["ros2", *words], ros2.main)
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.ros import distribution
-from day6_tui.core.ros.program_index import named_by
+from day6_core.ros import distribution
+from day6_core.ros.program_index import named_by
 
 pytestmark = pytest.mark.long
 

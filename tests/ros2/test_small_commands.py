@@ -6,11 +6,11 @@ import socket
 
 import pytest
 
-from day6_tui.core.ros.ros2.cli.tree import command_names, verb_names
+from day6_core.ros.ros2.cli.tree import command_names, verb_names
 
 
 def has_multicast() -> bool:
-    from day6_tui.core.ros.ros2.multicast._group import GROUP, member, send
+    from day6_core.ros.ros2.multicast._group import GROUP, member, send
 
     try:
         with member(GROUP, 49151) as receiver:

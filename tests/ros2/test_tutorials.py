@@ -7,7 +7,8 @@ only touched here.
 from __future__ import annotations
 
 import pytest
-from ros2_machine import IdleKeyboard
+
+from tests.ros2.ros2_machine import IdleKeyboard
 
 TURTLE_TOPICS = """\
 /parameter_events [rcl_interfaces/msg/ParameterEvent]

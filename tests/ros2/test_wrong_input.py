@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from ros2_machine import Machine
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 
-from day6_tui.core.ros.ros2.cli.tree import command_names, verb_names
+from day6_core.ros.ros2.cli.tree import command_names, verb_names
+from tests.ros2.ros2_machine import Machine
 
 WORDS = [
     *("topic", "node", "service", "param", "action", "interface", "pkg", "run", "daemon", "doctor", "launch", "nope"),

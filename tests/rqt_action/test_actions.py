@@ -2,32 +2,27 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable, Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
 from example_interfaces.action import Fibonacci
 from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs.rqt_action import rqt_action
-from day6_tui.core.ros.programs.rqt_action.model import MOST_GOALS, Action, ActionBrowser, Goal
-from day6_tui.core.ros.programs.rqt_msg.model import TypeBrowser
-from day6_tui.core.ros.programs.rqt_py_common.message_form import FieldRow
-from day6_tui.core.ros.programs.turtlesim import turtlesim_node
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.ros.programs.rqt_action import rqt_action
+from day6_core.ros.programs.rqt_action.model import MOST_GOALS, Action, ActionBrowser, Goal
+from day6_core.ros.programs.rqt_msg.model import TypeBrowser
+from day6_core.ros.programs.rqt_py_common.message_form import FieldRow
+from day6_core.ros.programs.turtlesim import turtlesim_node
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
 from rclpy.action import ActionClient, ActionServer, GoalResponse
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 ROTATE = "/turtle1/rotate_absolute"
 

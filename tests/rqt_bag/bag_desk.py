@@ -9,10 +9,10 @@ import rosbag2_py
 from rosbag2_py._qos import QoS
 from sensor_msgs.msg import Image
 from std_msgs.msg import Float64, String
-from stepped_machine import Running, SteppedMachine
 
-from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
+from day6_core.ros.programs.rqt_bag.model.bags import Bags
 from rclpy.serialization import serialize_message
+from tests.support.stepped_machine import Running, SteppedMachine
 
 SECOND = 1_000_000_000
 START = 1_690_000_000 * SECOND

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from bag_desk import BagDesk
-from rights import plain_user
+from tests.rqt_bag.bag_desk import BagDesk
+from tests.support.rights import plain_user
 
 
 @pytest.fixture

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 
 import pytest
-from bag_desk import SECOND, START, write_bag
 
-from day6_tui.core.ros.programs.rqt_bag.model.keeping import Kept, read_kept
-from day6_tui.core.ros.programs.rqt_bag.model.view import View
-from day6_tui.core.ros.programs.rqt_gui.perspectives import Instance, save_file
+from day6_core.ros.programs.rqt_bag.model.keeping import Kept, read_kept
+from day6_core.ros.programs.rqt_bag.model.view import View
+from day6_core.ros.programs.rqt_gui.perspectives import Instance, save_file
+from tests.rqt_bag.bag_desk import SECOND, START, write_bag
 
 
 def look(desk):

@@ -7,7 +7,7 @@ import struct
 import pytest
 from sensor_msgs.msg import Image
 
-from day6_tui.core.ros.programs.rqt_bag.model.pictures import NoPicture, picture
+from day6_core.ros.programs.rqt_bag.model.pictures import NoPicture, picture
 
 
 def image(encoding, width, height, data, **fields):

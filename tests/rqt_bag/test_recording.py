@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import rosbag2_py
-from bag_desk import SECOND, START, write_bag
 from rosbag2_py._info import Info
 from std_msgs.msg import Float64
+
+from tests.rqt_bag.bag_desk import SECOND, START, write_bag
 
 
 def messages(path):

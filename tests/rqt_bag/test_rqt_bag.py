@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from bag_desk import SECOND, START, write_bag
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Float64, String
 
-from day6_tui.core.ros.programs.rqt_bag.model.bags import Note
+from day6_core.ros.programs.rqt_bag.model.bags import Note
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.time import Time
+from tests.rqt_bag.bag_desk import SECOND, START, write_bag
 
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 EAR = QoSProfile(depth=1000, reliability=ReliabilityPolicy.BEST_EFFORT)
@@ -253,7 +253,7 @@ def test_a_pause_of_the_world_holds_the_playhead(desk):
 
 @pytest.mark.parametrize("packed", (False, True))
 def test_loading_can_be_cancelled_and_shows_what_was_read(desk, monkeypatch, packed):
-    from day6_tui.core.ros.programs.rqt_bag.model import bags
+    from day6_core.ros.programs.rqt_bag.model import bags
 
     preset = "" if packed else "zstd_fast"
     write_bag(desk.folder / "bag", preset=preset, seconds=2000.0, packed=packed)
@@ -398,7 +398,7 @@ def test_it_is_a_plugin_of_rqt(desk):
 
 
 def test_closed_within_rqt_it_gives_back_what_it_has_on_the_shared_node(desk):
-    from day6_tui.core.ros.programs.rqt_gui.catalogue import plugins
+    from day6_core.ros.programs.rqt_gui.catalogue import plugins
 
     write_bag(desk.folder / "bag")
     running = desk.machine.start("rqt_gui", "rqt_gui", screen=True)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from bag_desk import SECOND, START, write_bag
 from std_msgs.msg import Float64
 
-from day6_tui.core.ros.programs.rqt_bag.model import timeline as timeline_module
-from day6_tui.core.ros.programs.rqt_bag.model.loading import index_bag, is_bag, open_bag
-from day6_tui.core.ros.programs.rqt_bag.model.timeline import Timeline
+from day6_core.ros.programs.rqt_bag.model import timeline as timeline_module
+from day6_core.ros.programs.rqt_bag.model.loading import index_bag, is_bag, open_bag
+from day6_core.ros.programs.rqt_bag.model.timeline import Timeline
 from rclpy.serialization import deserialize_message
+from tests.rqt_bag.bag_desk import SECOND, START, write_bag
 
 
 def indexed(*paths):

@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
-from bag_desk import SECOND, START, write_bag, write_images
 from std_msgs.msg import Float64
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from screens import ToolWindow, use_window
-
-from day6_tui.core.ros.programs.rqt_bag.model.view import View, divisions, size_text, whole
+from day6_core.ros.programs.rqt_bag.model.view import View, divisions, size_text, whole
+from tests.rqt_bag.bag_desk import SECOND, START, write_bag, write_images
+from tests.tui.screens import ToolWindow, use_window
 
 SIZE = (110, 30)
 
@@ -36,7 +30,7 @@ class BagWindow(ToolWindow):
         await self.draw()
 
     async def draw(self) -> None:
-        from screens import step
+        from tests.tui.screens import step
 
         await step(self.app, self.pilot)
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from types import SimpleNamespace
 
 import pytest
-from stepped_machine import SteppedMachine
 from turtlesim.srv import TeleportAbsolute
 
-from day6_tui.core.ros.programs.rqt_console import model
-from day6_tui.core.ros.programs.rqt_console.filters import Filter
-from day6_tui.core.ros.programs.rqt_console.model import Console
+from day6_core.ros.programs.rqt_console import model
+from day6_core.ros.programs.rqt_console.filters import Filter
+from day6_core.ros.programs.rqt_console.model import Console
+from tests.support.stepped_machine import SteppedMachine
 
 
 def log(text="hello", level=20, node="talker", second=5):

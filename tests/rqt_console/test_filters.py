@@ -7,11 +7,11 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from stepped_machine import SteppedMachine
 
-from day6_tui.core.ros.programs.rqt_console import files, kept, model
-from day6_tui.core.ros.programs.rqt_console.filters import Choice, Filter
-from day6_tui.core.ros.programs.rqt_console.model import Console, Record
+from day6_core.ros.programs.rqt_console import files, kept, model
+from day6_core.ros.programs.rqt_console.filters import Choice, Filter
+from day6_core.ros.programs.rqt_console.model import Console, Record
+from tests.support.stepped_machine import SteppedMachine
 
 RECORDS = (
     Record(1, "Oh no! I hit the wall!", 30, "turtlesim", 5_000_000_000, "./_turtle_interface.py:_clamp:97"),

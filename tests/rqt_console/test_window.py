@@ -4,21 +4,16 @@ from __future__ import annotations
 
 import asyncio
 import re
-import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from textual import events
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from fakes import FakeDesk
-from screens import look_at, opened, screen_lines, screen_text, step, step_until
-
-from day6_tui.core.ros.programs.rqt_console import model
-from day6_tui.core.ros.programs.rqt_console.model import Console
-from day6_tui.tui.windows import console_table
+from day6_core.ros.programs.rqt_console import model
+from day6_core.ros.programs.rqt_console.model import Console
+from day6_tui.windows import console_table
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import look_at, opened, screen_lines, screen_text, step, step_until
 
 
 def log(text, level, node):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from day6_tui.core.ros.programs.rqt_graph.model.content import Content, Facts
+from day6_core.ros.programs.rqt_graph.model.content import Content, Facts
 
 ACTION = "/turtle1/rotate_absolute/_action/"
 FACTS = Facts(

@@ -1,6 +1,6 @@
 """Records what the real rqt_graph shows of one graph with every combination of its controls; by hand:
 
-    python tests/rqt_graph/record_rqt_graph.py --sources FOLDER [--clone]
+    python -m tests.rqt_graph.record_rqt_graph --sources FOLDER [--clone]
 
 FOLDER has a checkout of ros-visualization/rqt_graph (see tests/conformance/checkouts.py; `--clone` fetches it). Two of its
 modules are run, without Qt: the one that asks a node for the graph, and the one that chooses nodes and edges. What they draw goes
@@ -120,7 +120,7 @@ class _Drawing:
 
 def record(tree: Path) -> None:
     """Run the real modules of a checkout and write the data."""
-    from one_graph import FACTS
+    from tests.rqt_graph.one_graph import FACTS
 
     binding = types.ModuleType("python_qt_binding.QtCore")
     binding.qDebug = binding.qWarning = lambda *_: None  # type: ignore[attr-defined]
@@ -147,11 +147,8 @@ def main() -> None:
     parser.add_argument("--sources", type=Path, required=True, help="folder with a checkout of rqt_graph")
     parser.add_argument("--clone", action="store_true", help="clone it there if it is missing")
     chosen = parser.parse_args()
-    here = Path(__file__).parent
-    sys.path[:0] = [str(here), str(here.parent / "conformance")]
-    from checkouts import extract
-
-    from day6_tui.core.ros import environment
+    from day6_core.ros import environment
+    from tests.conformance.checkouts import extract
 
     environment.activate()
     with tempfile.TemporaryDirectory() as folder:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from day6_tui.core.ros.programs.rqt_graph.model.content import Content, Facts, GraphType, Options, select
+from day6_core.ros.programs.rqt_graph.model.content import Content, Facts, GraphType, Options, select
 
 FEEDBACK = "/turtle1/rotate_absolute/_action/feedback"
 TURTLE = Facts(

@@ -8,13 +8,13 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 import pytest
-from pdf_text import pdf_text
 from PIL import Image
 
-from day6_tui.core.ros.programs.rqt_graph.model.dot import DotError, read_dot, write_dot
-from day6_tui.core.ros.programs.rqt_graph.model.fit import unfitted
-from day6_tui.core.ros.programs.rqt_graph.model.image import WARNING, write_image
-from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge
+from day6_core.ros.programs.rqt_graph.model.dot import DotError, read_dot, write_dot
+from day6_core.ros.programs.rqt_graph.model.fit import unfitted
+from day6_core.ros.programs.rqt_graph.model.image import WARNING, write_image
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge
+from tests.support.pdf_text import pdf_text
 
 BOXES = [
     Box("/a/talker", ("/a/talker",), "node", "/a"),

@@ -7,8 +7,8 @@ from itertools import pairwise
 
 import pytest
 
-from day6_tui.core.elide import elide
-from day6_tui.core.ros.programs.rqt_graph.model.drawing import (
+from day6_core.elide import elide
+from day6_core.ros.programs.rqt_graph.model.drawing import (
     ASCII,
     CONSOLE,
     UNICODE,
@@ -17,9 +17,9 @@ from day6_tui.core.ros.programs.rqt_graph.model.drawing import (
     draw_pulse,
     measure,
 )
-from day6_tui.core.ros.programs.rqt_graph.model.fit import fitted, overview
-from day6_tui.core.ros.programs.rqt_graph.model.layout import layout
-from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge, Picture, Rect
+from day6_core.ros.programs.rqt_graph.model.fit import fitted, overview
+from day6_core.ros.programs.rqt_graph.model.layout import layout
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge, Picture, Rect
 
 FEEDBACK = "/turtle1/rotate_absolute/_action/feedback"
 LESSON = (

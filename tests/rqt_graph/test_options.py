@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from itertools import product
-from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from one_graph import FACTS, shown
-
-from day6_tui.core.ros.programs.rqt_graph.model.content import (
+from day6_core.ros.programs.rqt_graph.model.content import (
     QUIET_EDGES,
     QUIET_NAMES,
     Facts,
@@ -21,6 +15,7 @@ from day6_tui.core.ros.programs.rqt_graph.model.content import (
     namespace_of,
     select,
 )
+from tests.rqt_graph.one_graph import FACTS, shown
 
 NODES = {node for table in (FACTS.publishers, FACTS.subscribers) for names in table.values() for node in names}
 TOPICS = {*FACTS.publishers, *FACTS.subscribers}

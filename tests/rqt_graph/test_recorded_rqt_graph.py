@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
-from folded import folded
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from one_graph import FACTS, shown
-from record_rqt_graph import MODES, combinations, load
-
-from day6_tui.core.ros.programs.rqt_graph.model.content import GraphType, Options, select
+from day6_core.ros.programs.rqt_graph.model.content import GraphType, Options, select
+from tests.rqt_graph.one_graph import FACTS, shown
+from tests.rqt_graph.record_rqt_graph import MODES, combinations, load
+from tests.support.folded import folded
 
 TYPES = dict(zip(MODES, GraphType, strict=True))
 PICTURES, NUMBERS = load()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
@@ -10,13 +9,10 @@ from typing import Any
 import pytest
 from textual import events
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from screens import ToolWindow, screen_lines, step, use_window
-
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs.rqt_graph.model.content import Facts, Options
-from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
+from day6_core.graph import Graph
+from day6_core.ros.programs.rqt_graph.model.content import Facts, Options
+from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 LESSON = Facts({"/turtle1/cmd_vel": ("/teleop_turtle",)}, {"/turtle1/cmd_vel": ("/turtlesim",)})
 

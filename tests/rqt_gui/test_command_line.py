@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from stepped_machine import Running, SteppedMachine
 
-from day6_tui.core.ros.programs.rqt_gui import perspectives
-from day6_tui.core.ros.programs.rqt_gui.catalogue import KNOWN
+from day6_core.ros.programs.rqt_gui import perspectives
+from day6_core.ros.programs.rqt_gui.catalogue import KNOWN
+from tests.support.stepped_machine import Running, SteppedMachine
 
 
 @pytest.fixture

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from stepped_machine import Running, SteppedMachine
 
-from day6_tui.core.ros.programs.rqt_gui import perspectives
-from day6_tui.core.ros.programs.rqt_gui.catalogue import plugins
-from day6_tui.core.ros.programs.rqt_gui.perspectives import Instance
+from day6_core.ros.programs.rqt_gui import perspectives
+from day6_core.ros.programs.rqt_gui.catalogue import plugins
+from day6_core.ros.programs.rqt_gui.perspectives import Instance
+from tests.support.stepped_machine import Running, SteppedMachine
 
 
 class Room:

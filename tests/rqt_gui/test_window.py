@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from screens import ToolWindow, step, use_window
-
-from day6_tui.core.ros.programs.rqt_gui.catalogue import plugins
-from day6_tui.core.ros.programs.rqt_gui.model import Open, Rqt
-from day6_tui.tui.locale import catalogue
+from day6_core.ros.programs.rqt_gui.catalogue import plugins
+from day6_core.ros.programs.rqt_gui.model import Open, Rqt
+from day6_tui.locale import catalogue
+from tests.tui.screens import ToolWindow, step, use_window
 
 
 def play(*keys: str, click: str = "", size: tuple[int, int] = (80, 24), **options: Any) -> tuple[list[Any], str]:

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from folded import folded
 from sensor_msgs.msg import CompressedImage, Image
 
-from day6_tui.core.ros.programs.rqt_image_view.decoding import Undecodable, View, picture_of
+from day6_core.ros.programs.rqt_image_view.decoding import Undecodable, View, picture_of
+from tests.support.folded import folded
 
 RED, GREEN, BLUE, WHITE = (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)
 FOUR = [[RED, GREEN], [BLUE, WHITE]]

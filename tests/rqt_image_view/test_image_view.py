@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -11,21 +10,18 @@ from typing import Any
 import numpy as np
 import pytest
 from geometry_msgs.msg import Point
-from rqt_machine import RqtMachine
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
-from waiting import until
 
-from day6_tui.core.ros.programs.image_tools.shown_image import ShownImage
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place
-from day6_tui.core.ros.programs.rqt_image_view.decoding import Undecodable, View
-from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
-from day6_tui.core.ros.programs.rqt_image_view.rqt_image_view import ImageViewPlugin
-from day6_tui.tui.locale import catalogue
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from screens import ToolWindow, step, step_until, use_window
+from day6_core.ros.programs.image_tools.shown_image import ShownImage
+from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_image_view.decoding import Undecodable, View
+from day6_core.ros.programs.rqt_image_view.model import ImageView
+from day6_core.ros.programs.rqt_image_view.rqt_image_view import ImageViewPlugin
+from day6_tui.locale import catalogue
+from tests.support.rqt_machine import RqtMachine
+from tests.support.waiting import until
+from tests.tui.screens import ToolWindow, step, step_until, use_window
 
 
 def image(value: int = 0, width: int = 8, height: int = 6, encoding: str = "mono8") -> Image:
@@ -66,8 +62,8 @@ def test_only_the_newest_image_is_kept_and_another_topic_begins_anew(machine) ->
 
 
 def test_an_image_of_another_process_is_decoded_when_it_is_looked_at(machine, monkeypatch) -> None:
-    from day6_tui.core.interfaces import serialize
-    from day6_tui.core.ros.programs.rqt_image_view import model
+    from day6_core.interfaces import serialize
+    from day6_core.ros.programs.rqt_image_view import model
 
     machine.node.create_publisher(Image, "one", 1)
     machine.open("/one")

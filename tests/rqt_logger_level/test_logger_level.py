@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 from rcl_interfaces.srv import GetLoggerLevels
-from rqt_machine import RqtMachine
 
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place
-from day6_tui.core.ros.programs.rqt_logger_level.model import Logger
-from day6_tui.core.ros.programs.rqt_logger_level.rqt_logger_level import LoggerLevelPlugin
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from screens import ToolWindow, use_window
+from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_logger_level.model import Logger
+from day6_core.ros.programs.rqt_logger_level.rqt_logger_level import LoggerLevelPlugin
+from tests.support.rqt_machine import RqtMachine
+from tests.tui.screens import ToolWindow, use_window
 
 
 @pytest.fixture

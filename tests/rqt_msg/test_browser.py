@@ -2,27 +2,22 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
 from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs.rqt_msg import rqt_msg
-from day6_tui.core.ros.programs.rqt_msg.model import MOST_TREES, TypeBrowser
-from day6_tui.core.ros.programs.rqt_srv import rqt_srv
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
+from day6_core.graph import Graph
+from day6_core.ros.programs.rqt_msg import rqt_msg
+from day6_core.ros.programs.rqt_msg.model import MOST_TREES, TypeBrowser
+from day6_core.ros.programs.rqt_srv import rqt_srv
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 
 def browser(kind: str, *types: str) -> TypeBrowser:

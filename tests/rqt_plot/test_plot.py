@@ -6,13 +6,13 @@ import pytest
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool, Float64MultiArray, String
-from stepped_machine import SteppedMachine
 from turtlesim.msg import Pose
 
-from day6_tui.core.ros.programs.rqt_plot.model import plot as plot_module
-from day6_tui.core.ros.programs.rqt_plot.model.axis import label, limits, seen, ticks
-from day6_tui.core.ros.programs.rqt_plot.model.field import NoField, find_topic, plottable, reader, split_paths
-from day6_tui.core.ros.programs.rqt_plot.model.lines import polyline
+from day6_core.ros.programs.rqt_plot.model import plot as plot_module
+from day6_core.ros.programs.rqt_plot.model.axis import label, limits, seen, ticks
+from day6_core.ros.programs.rqt_plot.model.field import NoField, find_topic, plottable, reader, split_paths
+from day6_core.ros.programs.rqt_plot.model.lines import polyline
+from tests.support.stepped_machine import SteppedMachine
 
 # -- paths -------------------------------------------------------------------------------------------------------------
 

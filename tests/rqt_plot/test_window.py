@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import math
-import sys
-from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from fakes import FakeDesk
-from screens import look_at, opened, screen_lines, step
-
-from day6_tui.core.ros.programs.rqt_plot.model.plot import Curve, Plot
+from day6_core.ros.programs.rqt_plot.model.plot import Curve, Plot
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import look_at, opened, screen_lines, step
 
 NOW = 100.0
 

@@ -12,16 +12,16 @@ from geometry_msgs.msg import Polygon, PoseStamped, PoseWithCovariance, Twist
 from std_msgs.msg import Bool, ByteMultiArray, Float64MultiArray, Int32, String, UInt8
 from test_msgs.msg import BoundedSequences
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.interfaces import type_name
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place
-from day6_tui.core.ros.programs.rqt_publisher import model, rqt_publisher
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.interfaces import type_name
+from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_publisher import model, rqt_publisher
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
 
 
 class _World:

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
 from geometry_msgs.msg import Polygon, Twist
+from rich.cells import cell_len
 from std_msgs.msg import Bool, String
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
-
-from day6_tui.core.interfaces import get_message
-from day6_tui.core.ros.programs.rqt_publisher.model import Shown, convert
-from day6_tui.core.ros.programs.rqt_py_common.expressions import NAMES
-from day6_tui.core.ros.programs.rqt_py_common.message_form import MessageForm
+from day6_core.interfaces import get_message
+from day6_core.ros.programs.rqt_publisher.model import Shown, convert
+from day6_core.ros.programs.rqt_py_common.expressions import NAMES
+from day6_core.ros.programs.rqt_py_common.message_form import MessageForm
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 TYPES = {"/chatter": "std_msgs/msg/String", "/turtle1/cmd_vel": "geometry_msgs/msg/Twist", "/flag": "std_msgs/msg/Bool"}
 TYPES["/area"] = "geometry_msgs/msg/Polygon"

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 import pytest
-from folded import folded
 from hypothesis import given
 from hypothesis import strategies as st
 
-from day6_tui.core.ros.programs.rqt_py_common.expressions import NAMES, ExpressionError, evaluate
+from day6_core.ros.programs.rqt_py_common.expressions import NAMES, ExpressionError, evaluate
+from tests.support.folded import folded
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,9 @@ from sensor_msgs.msg import Image, PointCloud2
 from std_msgs.msg import Float64MultiArray, MultiArrayDimension, UInt8
 from test_msgs.msg import Arrays
 
-from day6_tui.core.ros.programs.rqt_py_common.expressions import NAMES
-from day6_tui.core.ros.programs.rqt_py_common.message_form import MOST_ROWS, MessageForm, field_rows, value_text
-from day6_tui.core.ros.programs.rqt_service_caller.model import convert
+from day6_core.ros.programs.rqt_py_common.expressions import NAMES
+from day6_core.ros.programs.rqt_py_common.message_form import MOST_ROWS, MessageForm, field_rows, value_text
+from day6_core.ros.programs.rqt_service_caller.model import convert
 
 
 def test_the_fields_stand_below_the_message_they_belong_to() -> None:

@@ -8,20 +8,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from desk_window import DeskWindow
-from rqt_machine import RqtMachine
-from short_folder import make_short_folder
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_py_common.command_lines import MOST_LINES, Kind
-from day6_tui.core.ros.programs.rqt_py_console.interpreter import AWAITS, ERROR, PLAIN
-from day6_tui.core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
-from day6_tui.core.session.program import Program
-from day6_tui.core.shell.process import running_processes
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from screens import ToolWindow, use_window
+from day6_core.ros.programs.rqt_py_common.command_lines import MOST_LINES, Kind
+from day6_core.ros.programs.rqt_py_console.interpreter import AWAITS, ERROR, PLAIN
+from day6_core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
+from day6_core.session.program import Program
+from day6_core.shell.process import running_processes
+from tests.support.desk_window import DeskWindow
+from tests.support.rqt_machine import RqtMachine
+from tests.support.short_folder import make_short_folder
+from tests.tui.screens import ToolWindow, use_window
 
 
 class Machine(DeskWindow):

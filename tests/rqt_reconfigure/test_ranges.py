@@ -8,7 +8,7 @@ import sys
 import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 
-from day6_tui.core.ros.programs.rqt_reconfigure.ranges import Range, range_of
+from day6_core.ros.programs.rqt_reconfigure.ranges import Range, range_of
 
 
 def whole(low: int, high: int, step: int = 0) -> Range | None:

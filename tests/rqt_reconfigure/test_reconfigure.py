@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
-from rqt_machine import OtherProgram, RqtMachine
 
 import rclpy.parameter_service
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place
-from day6_tui.core.ros.programs.rqt_reconfigure.rqt_reconfigure import ReconfigurePlugin
+from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_reconfigure.rqt_reconfigure import ReconfigurePlugin
 from rclpy.parameter import Parameter
+from tests.support.rqt_machine import OtherProgram, RqtMachine
 
 
 class Machine(RqtMachine):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, shown, text_of, value_from
+from day6_core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, shown, text_of, value_from
 from rclpy.parameter import Parameter
 
 Type = Parameter.Type

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
 from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
 
-from day6_tui.core.ros.programs.rqt_reconfigure.opened import OpenNode, Parameter
-from day6_tui.core.ros.programs.rqt_reconfigure.ranges import Range
+from day6_core.ros.programs.rqt_reconfigure.opened import OpenNode, Parameter
+from day6_core.ros.programs.rqt_reconfigure.ranges import Range
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 RED = Parameter("red", 2, 69, "The red of the ground", range=Range(0, 255, 1, True), limits="0 .. 255")
 FAST = Parameter("fast", 1, False)

@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 from geometry_msgs.msg import Twist, TwistStamped
-from rqt_machine import RqtMachine
 from std_msgs.msg import String
 from turtlesim.msg import Pose
 
-from day6_tui.core.ros import distribution as distributions
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place
-from day6_tui.core.ros.programs.rqt_robot_steering.model import ANGULAR, LINEAR, MAXIMUM, MINIMUM, Axis
-from day6_tui.core.ros.programs.rqt_robot_steering.rqt_robot_steering import RobotSteeringPlugin
+from day6_core.ros import distribution as distributions
+from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_robot_steering.model import ANGULAR, LINEAR, MAXIMUM, MINIMUM, Axis
+from day6_core.ros.programs.rqt_robot_steering.rqt_robot_steering import RobotSteeringPlugin
+from tests.support.rqt_machine import RqtMachine
 
 
 @pytest.fixture

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-from day6_tui.core.ros.programs.rqt_robot_steering.model import ANGULAR, LINEAR, MAXIMUM, MINIMUM, Axis
-from day6_tui.tui.cells import cell_len
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from screens import ToolWindow, use_window
+from day6_core.ros.programs.rqt_robot_steering.model import ANGULAR, LINEAR, MAXIMUM, MINIMUM, Axis
+from day6_tui.cells import cell_len
+from tests.tui.screens import ToolWindow, use_window
 
 
 class Model:

@@ -9,15 +9,15 @@ import pytest
 from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import Empty, SetBool
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs.rqt_service_caller import rqt_service_caller
-from day6_tui.core.ros.programs.turtlesim import turtlesim_node
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.ros.programs.rqt_service_caller import rqt_service_caller
+from day6_core.ros.programs.turtlesim import turtlesim_node
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
 
 
 class _World:
@@ -194,7 +194,7 @@ def test_services_of_unknown_types_and_parts_of_actions_are_left_out(world) -> N
 
 
 def test_the_service_of_a_perspective_is_chosen_as_soon_as_it_is_there(world) -> None:
-    from day6_tui.core.ros.programs.rqt_gui.plugin import Place
+    from day6_core.ros.programs.rqt_gui.plugin import Place
 
     place = Place(world.server, world.node, settings={"current_service_name": "/late"})
     plugin = rqt_service_caller.ServiceCallerPlugin(place)
@@ -209,7 +209,7 @@ def test_the_service_of_a_perspective_is_chosen_as_soon_as_it_is_there(world) ->
 
 @pytest.mark.parametrize("kept", [None, 5, ["/x"], "/nowhere"])
 def test_a_perspective_may_say_anything(world, kept: object) -> None:
-    from day6_tui.core.ros.programs.rqt_gui.plugin import Place
+    from day6_core.ros.programs.rqt_gui.plugin import Place
 
     place = Place(world.server, world.node, settings={"current_service_name": kept})
     plugin = rqt_service_caller.ServiceCallerPlugin(place)

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
+from rich.cells import cell_len
 from std_srvs.srv import Empty
 from turtlesim.srv import Spawn
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
-
-from day6_tui.core.ros.programs.rqt_py_common.expressions import NAMES
-from day6_tui.core.ros.programs.rqt_py_common.message_form import MessageForm, field_rows
-from day6_tui.core.ros.programs.rqt_service_caller.model import convert
+from day6_core.ros.programs.rqt_py_common.expressions import NAMES
+from day6_core.ros.programs.rqt_py_common.message_form import MessageForm, field_rows
+from day6_core.ros.programs.rqt_service_caller.model import convert
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 
 class Model:

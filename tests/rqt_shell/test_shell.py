@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from desk_window import DeskWindow
-from rqt_machine import RqtMachine
-
-from day6_tui.core.ros.programs.rqt_py_common.command_lines import MOST_CHARACTERS, MOST_LINES, Kind
-from day6_tui.core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
 from rich.cells import cell_len
-from screens import ToolWindow, use_window
+
+from day6_core.ros.programs.rqt_py_common.command_lines import MOST_CHARACTERS, MOST_LINES, Kind
+from day6_core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
+from tests.support.desk_window import DeskWindow
+from tests.support.rqt_machine import RqtMachine
+from tests.tui.screens import ToolWindow, use_window
 
 
 class Machine(DeskWindow):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from pdf_text import pdf_text
 from PIL import Image
 
-from day6_tui.core.ros.programs.rqt_tf_tree.model import TfTree, snapshot
-from day6_tui.core.ros.programs.tf2_tools.frame_tree import Frame
+from day6_core.ros.programs.rqt_tf_tree.model import TfTree, snapshot
+from day6_core.ros.programs.tf2_tools.frame_tree import Frame
+from tests.support.pdf_text import pdf_text
 
 
 def frame(name: str, parent: str, *, newest: float = 100.0, rate: float = 10.0) -> Frame:

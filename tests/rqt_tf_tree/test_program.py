@@ -9,19 +9,19 @@ from typing import Any
 import pytest
 from geometry_msgs.msg import TransformStamped
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
-from waiting import until
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.program_index import COMMANDS, executables
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place, create_node
-from day6_tui.core.ros.programs.rqt_tf_tree import rqt_tf_tree
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.ros.program_index import COMMANDS, executables
+from day6_core.ros.programs.rqt_gui.plugin import Place, create_node
+from day6_core.ros.programs.rqt_tf_tree import rqt_tf_tree
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
 from rclpy.task import Future
+from tests.support.waiting import until
 
 
 class _World:

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
 from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_tf_tree.model import TfTree, snapshot
-from day6_tui.core.ros.programs.tf2_tools.frame_tree import Frame
+from day6_core.ros.programs.rqt_tf_tree.model import TfTree, snapshot
+from day6_core.ros.programs.tf2_tools.frame_tree import Frame
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 NOW = 1_700_000_100.0
 

@@ -9,16 +9,16 @@ from typing import Any
 import pytest
 from std_msgs.msg import String
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs.rqt_gui.plugin import Place
-from day6_tui.core.ros.programs.rqt_topic import rqt_topic
-from day6_tui.core.ros.programs.rqt_topic._measure import SECOND, Measure
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_topic import rqt_topic
+from day6_core.ros.programs.rqt_topic._measure import SECOND, Measure
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
 
 
 def test_fifty_messages_a_second_are_fifty_hertz() -> None:
@@ -212,7 +212,7 @@ def test_a_type_nobody_here_knows_is_told_in_the_window(world) -> None:
 
 
 def _unknown(model: Any) -> Any:
-    from day6_tui.core.ros.programs.rqt_topic.model import Topic
+    from day6_core.ros.programs.rqt_topic.model import Topic
 
     return Topic("/strange", ("strange_msgs/msg/Thing",), (), ())
 

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Awaitable, Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
 from geometry_msgs.msg import Twist
 from rcl_interfaces.msg import ParameterEvent
+from rich.cells import cell_len
 from std_msgs.msg import Float64MultiArray, String
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
-
-from rich.cells import cell_len
-from screens import ToolWindow, screen_lines, step, use_window
-
-from day6_tui.core.ros.programs.rqt_topic import fields as reading
-from day6_tui.core.ros.programs.rqt_topic.model import Endpoint, Topic
+from day6_core.ros.programs.rqt_topic import fields as reading
+from day6_core.ros.programs.rqt_topic.model import Endpoint, Topic
+from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
 TALKER = (Endpoint("/talker", "RELIABLE VOLATILE KEEP_LAST (10)"),)
 

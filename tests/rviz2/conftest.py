@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
-for folder in ("tui", "rviz2"):
-    path = str(Path(__file__).parents[1] / folder)
-    if path not in sys.path:
-        sys.path.insert(0, path)
-
-from rviz_machine import RVizMachine  # noqa: E402
+from tests.rviz2.rviz_machine import RVizMachine
 
 
 @pytest.fixture

@@ -7,12 +7,12 @@ from typing import Any
 
 from geometry_msgs.msg import TransformStamped
 from std_msgs.msg import String
-from stepped_machine import Running, SteppedMachine
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
-from day6_tui.core.ros.programs.rviz2.model.display import Display
-from day6_tui.core.ros.programs.rviz2.model.manager import RViz
+from day6_core.ros.programs.rviz2.model.display import Display
+from day6_core.ros.programs.rviz2.model.manager import RViz
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from tests.support.stepped_machine import Running, SteppedMachine
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 

@@ -7,10 +7,10 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
 
-from waiting import Deadline
+from tests.support.waiting import Deadline
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 
 class Walk:
@@ -34,7 +34,7 @@ class Walk:
         await self.press(*({" ": "space", "/": "slash", "_": "underscore", ".": "full_stop"}.get(c, c) for c in text))
 
     async def settle(self) -> None:
-        from screens import step
+        from tests.tui.screens import step
 
         self.machine.settle()
         await step(self.app, self.pilot)
@@ -47,7 +47,7 @@ class Walk:
             await self.settle()
 
     def screen(self) -> str:
-        from screens import screen_text
+        from tests.tui.screens import screen_text
 
         return screen_text(self.app)
 
@@ -65,8 +65,8 @@ async def walking(
     lang: str = "en",
     **options: Any,
 ) -> AsyncIterator[Walk]:
-    from fakes import FakeDesk
-    from screens import opened
+    from tests.tui.fakes import FakeDesk
+    from tests.tui.screens import opened
 
     machine.open(*args)
     desk = FakeDesk()

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from waiting import until
 
-from day6_tui.core.ros.programs.rviz2.model.meshes import (
+from day6_core.ros.programs.rviz2.model.meshes import (
     MOST_TRIANGLES,
     Cancelled,
     MeshData,
@@ -20,9 +19,10 @@ from day6_tui.core.ros.programs.rviz2.model.meshes import (
     read_obj,
     read_stl,
 )
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 
 def quiet(part: float) -> None:
@@ -215,7 +215,7 @@ def test_sizes_that_are_no_numbers_are_not_drawn(machine: RVizMachine) -> None:
     )
     display = machine.robot(f"<robot name='r'><link name='a'>{shapes}</link></robot>")
     assert display.status("URDF") is not None
-    from day6_tui.tui.render.painter import QUALITIES, paint
+    from day6_tui.render.painter import QUALITIES, paint
 
     picture = paint(rviz.scene, rviz.view.camera(), 40, 40, 1.0, QUALITIES["High"])
     assert np.isfinite(picture.colour).all()

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from rviz_machine import RVizMachine, lines
 from sensor_msgs.msg import CameraInfo, Image
 from visualization_msgs.msg import Marker
 
-from day6_tui.core.ros.programs.rviz2.model.views import Camera
-from day6_tui.tui.render.painter import QUALITIES, paint
+from day6_core.ros.programs.rviz2.model.views import Camera
+from day6_tui.render.painter import QUALITIES, paint
+from tests.rviz2.rviz_machine import RVizMachine, lines
 
 WIDTH, HEIGHT, FOCAL = 64, 48, 40.0
 

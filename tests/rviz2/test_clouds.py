@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 from geometry_msgs.msg import Point32
-from rviz_machine import RVizMachine, lines
 from sensor_msgs.msg import ChannelFloat32, Image, PointCloud, PointCloud2, PointField
 
-from day6_tui.core.ros.programs.rviz2.model.displays.point_cloud_common import MOST_DRAWN, rainbow
+from day6_core.ros.programs.rviz2.model.displays.point_cloud_common import MOST_DRAWN, rainbow
+from tests.rviz2.rviz_machine import RVizMachine, lines
 
 KINDS = {"<f4": 7, "<u4": 6, "<f8": 8, "<u2": 4, "<i4": 5}
 
@@ -238,7 +238,7 @@ def test_an_unknown_encoding_is_told_and_too_few_bytes_leave_the_last_image(mach
 
 
 def test_an_image_lies_in_the_corner_of_the_view_in_its_own_shape(machine: RVizMachine) -> None:
-    from day6_tui.tui.render.painter import QUALITIES, paint
+    from day6_tui.render.painter import QUALITIES, paint
 
     rviz = machine.open()
     display = machine.add("Image", "/image")

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 import pytest
 import yaml
-from rviz_machine import lines
 
-from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, read_config, write_config
-from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
-from day6_tui.core.ros.programs.rviz2.rviz2 import default_config
+from day6_core.ros.programs.rviz2.model.config import ConfigError, read_config, write_config
+from day6_core.ros.programs.rviz2.model.displays import TYPES
+from day6_core.ros.programs.rviz2.rviz2 import default_config
+from tests.rviz2.rviz_machine import lines
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 FOREIGN = """\
 Panels:

@@ -6,13 +6,13 @@ import math
 from typing import Any
 
 import pytest
-from marker_server import Controls, control, upright
-from rviz_machine import RVizMachine
-from rviz_walk import Walk, drag, hover, run, walking
 from visualization_msgs.msg import InteractiveMarkerControl as Modes
 
-from day6_tui.core.ros.programs.rviz2.model.tools.tool import Hit, Pointer
-from day6_tui.urdf.kinematics import rotate
+from day6_core.ros.programs.rviz2.model.tools.tool import Hit, Pointer
+from day6_urdf.kinematics import rotate
+from tests.rviz2.marker_server import Controls, control, upright
+from tests.rviz2.rviz_machine import RVizMachine
+from tests.rviz2.rviz_walk import Walk, drag, hover, run, walking
 
 PIXEL = 2 * 3.14 / 300
 """Radians that a pixel of the mouse turns (interactive_marker_control.cpp)."""

@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import Odometry
-from rviz_machine import RVizMachine, lines
 
-from day6_tui.core.ros.programs.rviz2.model.displays.covariance import spread_of
-from day6_tui.core.ros.programs.rviz2.model.scene import CONE, CYLINDER, SPHERE, Shape, placed
-from day6_tui.urdf.kinematics import rotate
+from day6_core.ros.programs.rviz2.model.displays.covariance import spread_of
+from day6_core.ros.programs.rviz2.model.scene import CONE, CYLINDER, SPHERE, Shape, placed
+from day6_urdf.kinematics import rotate
+from tests.rviz2.rviz_machine import RVizMachine, lines
 
 QUARTER = math.sqrt(0.5)
 

@@ -6,11 +6,11 @@ import math
 from typing import Any
 
 import pytest
-from rviz_machine import RVizMachine, lines
 from sensor_msgs.msg import JointState
 
-from day6_tui.tui.locale import Texts
-from day6_tui.tui.windows.rviz.describing import described
+from day6_tui.locale import Texts
+from day6_tui.windows.rviz.describing import described
+from tests.rviz2.rviz_machine import RVizMachine, lines
 
 ARM = """<robot name="arm"><link name="base"/><link name="arm"/><link name="wheel"/><link name="free"/>
 <joint name="shoulder" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>

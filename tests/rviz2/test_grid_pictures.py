@@ -8,19 +8,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from day6_tui.core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
-from day6_tui.core.ros.programs.rviz2.model.views import Orbit, TopDownOrtho
-from day6_tui.tui.canvas import PIXELS_PER_CELL
-from day6_tui.tui.render.cells import cells_of, pixel_aspect
-from day6_tui.tui.render.painter import QUALITIES, paint
-from day6_tui.tui.render.picture import EMPTY
-from day6_tui.urdf.kinematics import Transform
+from day6_core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
+from day6_core.ros.programs.rviz2.model.views import Orbit, TopDownOrtho
+from day6_tui.canvas import PIXELS_PER_CELL
+from day6_tui.render.cells import cells_of, pixel_aspect
+from day6_tui.render.painter import QUALITIES, paint
+from day6_tui.render.picture import EMPTY
+from day6_urdf.kinematics import Transform
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
-
-    from day6_tui.core.ros.programs.rviz2.model.views import Camera
-    from day6_tui.tui.render.picture import Picture
+    from day6_core.ros.programs.rviz2.model.views import Camera
+    from day6_tui.render.picture import Picture
+    from tests.rviz2.rviz_machine import RVizMachine
 
 GROUND = 48 / 255
 

@@ -9,9 +9,10 @@ from interactive_markers import InteractiveMarkerServer, MenuHandler
 from interactive_markers.interactive_marker_server import InteractiveMarkerServer as SameServer
 from interactive_markers.menu_handler import MenuHandler as SameHandler
 from std_msgs.msg import Header
-from stepped_machine import SteppedMachine
 from visualization_msgs.msg import InteractiveMarker, InteractiveMarkerFeedback, InteractiveMarkerUpdate, MenuEntry
 from visualization_msgs.srv import GetInteractiveMarkers
+
+from tests.support.stepped_machine import SteppedMachine
 
 Feedback = InteractiveMarkerFeedback
 

@@ -7,8 +7,6 @@ from typing import Any
 
 import pytest
 from geometry_msgs.msg import Pose
-from rviz_machine import RVizMachine, lines
-from rviz_walk import drag, run, walking
 from visualization_msgs.msg import (
     InteractiveMarker,
     InteractiveMarkerControl,
@@ -20,9 +18,11 @@ from visualization_msgs.msg import (
 )
 from visualization_msgs.srv import GetInteractiveMarkers
 
-from day6_tui.core.ros.programs.rviz2.model.displays.control_drag import facing, turn_between
-from day6_tui.core.ros.programs.rviz2.model.tools.tool import Hit, Pointer
-from day6_tui.urdf.kinematics import rotate
+from day6_core.ros.programs.rviz2.model.displays.control_drag import facing, turn_between
+from day6_core.ros.programs.rviz2.model.tools.tool import Hit, Pointer
+from day6_urdf.kinematics import rotate
+from tests.rviz2.rviz_machine import RVizMachine, lines
+from tests.rviz2.rviz_walk import drag, run, walking
 
 DOWN = (0.0, 0.0, -1.0)
 

@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 from geometry_msgs.msg import TransformStamped
-from rviz_machine import RVizMachine
-from rviz_walk import drag, run, walking
 from tf2_ros import TransformBroadcaster
 
-from day6_tui.core.ros.programs.rviz2.model.scene import SPHERE
-from day6_tui.core.ros.programs.rviz2.model.views import ThirdPersonFollower
+from day6_core.ros.programs.rviz2.model.scene import SPHERE
+from day6_core.ros.programs.rviz2.model.views import ThirdPersonFollower
+from tests.rviz2.rviz_machine import RVizMachine
+from tests.rviz2.rviz_walk import drag, run, walking
 
 FOCUS = (0.05, 0.05, 0.01)
 """The size of what marks the focal point."""

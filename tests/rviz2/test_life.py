@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosgraph_msgs.msg import Clock
-from rviz_machine import lines
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
+from tests.rviz2.rviz_machine import lines
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 
 def test_closing_the_window_ends_it_without_a_word(machine: RVizMachine) -> None:

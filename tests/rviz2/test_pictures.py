@@ -13,9 +13,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from day6_tui.core.ros.programs.rviz2.model.meshes import MeshData
-from day6_tui.core.ros.programs.rviz2.model.robot_parts import read_robot
-from day6_tui.core.ros.programs.rviz2.model.scene import (
+from day6_core.ros.programs.rviz2.model.meshes import MeshData
+from day6_core.ros.programs.rviz2.model.robot_parts import read_robot
+from day6_core.ros.programs.rviz2.model.scene import (
     BOX,
     CONE,
     CYLINDER,
@@ -28,15 +28,15 @@ from day6_tui.core.ros.programs.rviz2.model.scene import (
     Shape,
     Triangles,
 )
-from day6_tui.core.ros.programs.rviz2.model.views import Camera, Orbit, TopDownOrtho
-from day6_tui.tui.colours import colours
-from day6_tui.tui.render.cells import cells_of, pixel_aspect
-from day6_tui.tui.render.image_file import png, svg
-from day6_tui.tui.render.painter import QUALITIES, paint
-from day6_tui.tui.render.picture import EMPTY, Picture
-from day6_tui.tui.windows.rviz.pixels import PixelView
-from day6_tui.urdf import shipped_model
-from day6_tui.urdf.kinematics import IDENTITY, Transform, about, compose, link_transforms
+from day6_core.ros.programs.rviz2.model.views import Camera, Orbit, TopDownOrtho
+from day6_tui.colours import colours
+from day6_tui.render.cells import cells_of, pixel_aspect
+from day6_tui.render.image_file import png, svg
+from day6_tui.render.painter import QUALITIES, paint
+from day6_tui.render.picture import EMPTY, Picture
+from day6_tui.windows.rviz.pixels import PixelView
+from day6_urdf import shipped_model
+from day6_urdf.kinematics import IDENTITY, Transform, about, compose, link_transforms
 
 GOLDEN = Path(__file__).parent / "golden"
 HIGH = QUALITIES["High"]
@@ -241,7 +241,7 @@ def test_every_quality_shows_the_same_thing() -> None:
 @pytest.mark.parametrize("mode", ["half", "braille", "cell", "ascii"])
 @pytest.mark.parametrize("colourless", [False, True])
 def test_every_set_of_characters_shows_the_robot_in_its_place(mode: str, colourless: bool) -> None:
-    from day6_tui.tui.canvas import PIXELS_PER_CELL
+    from day6_tui.canvas import PIXELS_PER_CELL
 
     across, down = PIXELS_PER_CELL[mode]
     picture = paint(car_scene(0.0), orbit(0.85), 40 * across, 20 * down, pixel_aspect(mode), HIGH)

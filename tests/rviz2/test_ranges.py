@@ -6,10 +6,10 @@ import math
 from typing import Any
 
 import pytest
-from rviz_machine import RVizMachine, lines
 from sensor_msgs.msg import Range
 
-from day6_tui.core.ros.programs.rviz2.model.scene import CONE, Shape, placed
+from day6_core.ros.programs.rviz2.model.scene import CONE, Shape, placed
+from tests.rviz2.rviz_machine import RVizMachine, lines
 
 
 def measured(metres: float, low: float = 0.1, high: float = 4.0, view: float = math.pi / 2) -> Range:
@@ -93,6 +93,6 @@ def test_reset_forgets_the_cones(machine: RVizMachine, display: Any) -> None:
 
 
 def test_a_topic_of_ranges_is_offered_as_a_range() -> None:
-    from day6_tui.core.ros.programs.rviz2.model.displays import types_for
+    from day6_core.ros.programs.rviz2.model.displays import types_for
 
     assert types_for("sensor_msgs/msg/Range") == ["Range"]

@@ -16,12 +16,12 @@ from geometry_msgs.msg import (
     WrenchStamped,
 )
 from nav_msgs.msg import GridCells
-from rviz_machine import RVizMachine
 from sensor_msgs.msg import FluidPressure, Illuminance, RelativeHumidity, Temperature
 
-from day6_tui.core.ros.programs.rviz2.model.topics import INVALID_FLOATS
-from day6_tui.tui.locale import Texts
-from day6_tui.tui.windows.rviz.describing import described
+from day6_core.ros.programs.rviz2.model.topics import INVALID_FLOATS
+from day6_tui.locale import Texts
+from day6_tui.windows.rviz.describing import described
+from tests.rviz2.rviz_machine import RVizMachine
 
 
 @pytest.fixture

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 import pytest
 from geometry_msgs.msg import Point, PoseStamped
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
-from rviz_machine import ONE_LINK, lines
 from sensor_msgs.msg import JointState, LaserScan
 from visualization_msgs.msg import Marker, MarkerArray
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
+from tests.rviz2.rviz_machine import ONE_LINK, lines
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 # -- Global Status -----------------------------------------------------------------------------------------------------
 

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped
-from rviz_machine import ONE_LINK, RVizMachine
-from rviz_walk import drag, run, walking
 
-from day6_tui.core.ros.programs.rviz2.model.config import read_config, write_config
+from day6_core.ros.programs.rviz2.model.config import read_config, write_config
+from tests.rviz2.rviz_machine import ONE_LINK, RVizMachine
+from tests.rviz2.rviz_walk import drag, run, walking
 
 if TYPE_CHECKING:
     pass

@@ -8,14 +8,14 @@ from contextlib import asynccontextmanager
 from typing import Any
 
 import pytest
-from screens import running
 from textual.app import App
 
-from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, Property
-from day6_tui.tui.app import make_look
-from day6_tui.tui.options import Options
-from day6_tui.tui.windows.rviz import tree as module
-from day6_tui.tui.windows.rviz.tree import PropertyTree
+from day6_core.ros.programs.rviz2.model.properties import BOOL, Property
+from day6_tui.app import make_look
+from day6_tui.options import Options
+from day6_tui.windows.rviz import tree as module
+from day6_tui.windows.rviz.tree import PropertyTree
+from tests.tui.screens import running
 
 ENVIRONMENT = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from day6_tui.core.ros.programs.rviz2.model.views import FPS, VIEWS, Orbit, TopDownOrtho, View, XYOrbit, copied
+from day6_core.ros.programs.rviz2.model.views import FPS, VIEWS, Orbit, TopDownOrtho, View, XYOrbit, copied
 
 
 def view(kind: type[View]) -> View:

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 import pytest
 from visualization_msgs.msg import Marker
 
-from day6_tui.core.link.paths import meeting_place
-from day6_tui.core.link.remote import Origin
-from day6_tui.core.ros.programs.rviz2.model.meshes import MeshData, MeshError, MeshStore
+from day6_core.link.paths import meeting_place
+from day6_core.link.remote import Origin
+from day6_core.ros.programs.rviz2.model.meshes import MeshData, MeshError, MeshStore
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 SOLID = (
     "solid\n" + "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" * 2 + "endsolid\n"

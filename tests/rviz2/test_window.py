@@ -6,14 +6,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from rviz_machine import lines
-from rviz_walk import Walk, mouse, run, walking
 from textual import events
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
+from tests.rviz2.rviz_machine import lines
+from tests.rviz2.rviz_walk import Walk, mouse, run, walking
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 
 def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
@@ -265,8 +265,8 @@ def test_every_status_line_has_its_word_and_colour(machine: RVizMachine) -> None
 
 
 def test_f1_on_a_status_explains_it_and_elsewhere_is_the_manual(machine: RVizMachine) -> None:
-    from day6_tui.tui.card import CardModal
-    from day6_tui.tui.manual import Manual
+    from day6_tui.card import CardModal
+    from day6_tui.manual import Manual
 
     async def walk() -> None:
         async with walking(machine) as at:

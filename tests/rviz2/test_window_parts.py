@@ -7,17 +7,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from rviz_walk import Walk, mouse, run, walking
 from textual import events
 
-from day6_tui.core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
-from day6_tui.tui.windows.rviz.extent import extent
-from day6_tui.tui.windows.rviz.sizes import NARROWEST_PANEL, NARROWEST_VIEW, divide
-from day6_tui.urdf import shipped_model
-from day6_tui.urdf.kinematics import Transform
+from day6_core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
+from day6_tui.windows.rviz.extent import extent
+from day6_tui.windows.rviz.sizes import NARROWEST_PANEL, NARROWEST_VIEW, divide
+from day6_urdf import shipped_model
+from day6_urdf.kinematics import Transform
+from tests.rviz2.rviz_walk import Walk, mouse, run, walking
 
 if TYPE_CHECKING:
-    from rviz_machine import RVizMachine
+    from tests.rviz2.rviz_machine import RVizMachine
 
 HALF_OF_120 = (62, 20)
 """A desktop in which the enlarged window is as wide as half of one of 120 columns."""

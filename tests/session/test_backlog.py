@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from day6_tui.core.session.backlog import MOST_LINES, Backlog
-from day6_tui.core.session.streams import Captured
+from day6_core.session.backlog import MOST_LINES, Backlog
+from day6_core.session.streams import Captured
 
 WARNING = "\x1b[33m[WARN] [17.0] [n]: hot\x1b[0m\n"
 

@@ -6,10 +6,10 @@ from time import process_time
 
 import pytest
 
-from day6_tui.core.session import streams
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.streams import Captured, InputStream, Pipe
+from day6_core.session import streams
+from day6_core.session.clock import WorldClock
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.streams import Captured, InputStream, Pipe
 
 
 def read_lines(stream: InputStream) -> list[str]:

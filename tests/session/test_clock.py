@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.core.session.clock import NANOSECONDS, WorldClock
+from day6_core.session.clock import NANOSECONDS, WorldClock
 
 
 class Wall:

@@ -10,9 +10,9 @@ import time
 from pathlib import Path
 
 import pytest
-from waiting import run, until
 
-from day6_tui.core.session import cores
+from day6_core.session import cores
+from tests.support.waiting import run, until
 
 linux = pytest.mark.skipif(not Path("/proc/self/schedstat").exists(), reason="this system does not tell who waits")
 
@@ -44,7 +44,7 @@ def test_who_shares_a_core_waits_for_it() -> None:
 
 IDLE = """
 import time
-from day6_tui.core.session.cores import idle_seconds
+from day6_core.session.cores import idle_seconds
 
 def idle_while(ends):
     before = idle_seconds()

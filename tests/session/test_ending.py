@@ -11,10 +11,10 @@ import threading
 import time
 
 import pytest
-from waiting import communicate, until
 
-from day6_tui.core.session import cores
-from day6_tui.core.session.ending import Ending, Step
+from day6_core.session import cores
+from day6_core.session.ending import Ending, Step
+from tests.support.waiting import communicate, until
 
 NEVER = 1000.0
 
@@ -64,8 +64,8 @@ def test_a_step_that_fails_does_not_hold_up_the_others() -> None:
 
 PROGRAM = """\
 import os, signal, threading
-from day6_tui.core.session import cores
-from day6_tui.core.session.ending import Ending, Step
+from day6_core.session import cores
+from day6_core.session.ending import Ending, Step
 ending = Ending(Step(lambda: print("first", flush=True), 1000), Step(lambda: print("second", flush=True), {last}))
 ending.restore_terminal = lambda: (print("given back", flush=True), threading.Event().wait())
 ending.handle_signals()

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.session import harmless
-from day6_tui.core.session.real_streams import RealOutput
+from day6_core.session import harmless
+from day6_core.session.real_streams import RealOutput
 
 HARMLESS = [
     "plain ASCII [bold]markup[/bold] [@click=app.quit]x[/]",

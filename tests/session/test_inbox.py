@@ -9,9 +9,9 @@ from queue import Empty
 from typing import TypeVar
 
 import pytest
-from waiting import until
 
-from day6_tui.core.inbox import Inbox
+from day6_core.inbox import Inbox
+from tests.support.waiting import until
 
 T = TypeVar("T")
 

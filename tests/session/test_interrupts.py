@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 
-from day6_tui.core.interrupts import DEFERRED, defer
+from day6_core.interrupts import DEFERRED, defer
 
 
 def test_outside_of_a_section_nothing_is_deferred() -> None:

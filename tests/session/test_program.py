@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.streams import Captured
-from day6_tui.core.session.task import Signal
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Main, Session
+from day6_core.session.streams import Captured
+from day6_core.session.task import Signal
 
 
 class Machine:

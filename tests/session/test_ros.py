@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Main, Session
+from day6_core.session.streams import Captured
 
 
 class Machine:

@@ -8,11 +8,11 @@ import time
 import warnings
 
 import pytest
-from waiting import until
 
-from day6_tui.core.session.clock import NANOSECONDS, WorldClock
-from day6_tui.core.session.scheduler import MAX_LAG_NS, Scheduler
-from day6_tui.core.session.task import Signal, TaskCancelled, let_others_run, sleep_until, wait_for
+from day6_core.session.clock import NANOSECONDS, WorldClock
+from day6_core.session.scheduler import MAX_LAG_NS, Scheduler
+from day6_core.session.task import Signal, TaskCancelled, let_others_run, sleep_until, wait_for
+from tests.support.waiting import until
 
 MS = 1_000_000
 

@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.keys import split_keys
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.streams import PIPE_HIGH, PIPE_LIMIT, Captured, FileInput, FileOutput, Pipe, TextInput
-from day6_tui.core.session.task import Task
+from day6_core.session.clock import WorldClock
+from day6_core.session.keys import split_keys
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.streams import PIPE_HIGH, PIPE_LIMIT, Captured, FileInput, FileOutput, Pipe, TextInput
+from day6_core.session.task import Task
 
 
 def run(*coroutines: Coroutine[Any, Any, Any]) -> list[Task]:

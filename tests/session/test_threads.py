@@ -7,12 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from waiting import until
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.task import Task
-from day6_tui.core.session.threads import in_thread
+from day6_core.session.clock import WorldClock
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.task import Task
+from day6_core.session.threads import in_thread
+from tests.support.waiting import until
 
 
 def finish(scheduler: Scheduler, task: Task) -> Task:

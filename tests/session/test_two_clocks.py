@@ -10,12 +10,12 @@ import pytest
 from geometry_msgs.msg import TransformStamped, Twist
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import JointState
-from stepped_machine import EPOCH_NS, SteppedMachine
 from tf2_ros import TransformBroadcaster
 from turtlesim.msg import Pose
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.urdf import shipped_model
+from day6_core.session.clock import WorldClock
+from day6_urdf import shipped_model
+from tests.support.stepped_machine import EPOCH_NS, SteppedMachine
 
 SECOND = 1_000_000_000
 STEP = 0.01

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 
-from day6_tui.core.session.typed_text import TypedText
+from day6_core.session.typed_text import TypedText
 
 
 def test_keys_are_put_together_from_what_came_in_pieces() -> None:

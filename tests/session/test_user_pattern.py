@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from day6_tui.core.user_pattern import TooComplex, UserPattern
+from day6_core.user_pattern import TooComplex, UserPattern
 
 _ATOMS = st.sampled_from(["a", "b", ".", "[ab]", "[^a]", r"\w", r"\b", "^", "$", "(?i:A)", "", r"\Z"])
 _EXPRESSIONS = st.recursive(

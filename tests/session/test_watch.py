@@ -12,11 +12,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from waiting import until
 
-from day6_tui.core.session import watch
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.scheduler import Scheduler
+from day6_core.session import watch
+from day6_core.session.clock import WorldClock
+from day6_core.session.scheduler import Scheduler
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="pipes and ptys of Unix")
 

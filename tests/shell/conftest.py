@@ -7,17 +7,17 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from waiting import until
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured, TextInput
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
-from day6_tui.core.shell.language.interpreter import Shell
-from day6_tui.core.shell.language.redirection import Streams
-from day6_tui.core.shell.terminal import Terminal
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured, TextInput
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_core.shell.language.interpreter import Shell
+from day6_core.shell.language.redirection import Streams
+from day6_core.shell.terminal import Terminal
+from tests.support.waiting import until
 
 
 class Result(NamedTuple):

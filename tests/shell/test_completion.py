@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.shell.completion import Completer, current_words, quoted
-from day6_tui.core.shell.real_completion import answers, functions
+from day6_core.shell.completion import Completer, current_words, quoted
+from day6_core.shell.real_completion import answers, functions
 
 FILES = "mkdir -p one/in 'two dirs' .hidden; touch one/a.py one/b.txt only.py 'sp ace' '$x' .rc; alias tt=true"
 
@@ -20,8 +20,8 @@ def completed(machine: Any, line: str) -> tuple[list[str], int]:
         found.append(await Completer(machine.shell, session).complete(line))
         return 0
 
-    from day6_tui.core.session.streams import InputStream
-    from day6_tui.core.shell.language.redirection import Streams
+    from day6_core.session.streams import InputStream
+    from day6_core.shell.language.redirection import Streams
 
     streams = Streams(InputStream(), machine.out, machine.err)
     program = machine.desk.start_program(["tab"], main, streams, env=machine.shell.environment, cwd=machine.shell.cwd)
@@ -155,8 +155,8 @@ def test_the_real_shell_asks_for_ros2_colcon_and_day6_tui(machine: Any) -> None:
             )
         return 0
 
-    from day6_tui.core.session.streams import InputStream
-    from day6_tui.core.shell.language.redirection import Streams
+    from day6_core.session.streams import InputStream
+    from day6_core.shell.language.redirection import Streams
 
     streams = Streams(InputStream(), machine.out, machine.err)
     program = machine.desk.start_program(["tab"], main, streams, env=machine.shell.environment, cwd=machine.shell.cwd)
@@ -185,7 +185,7 @@ def test_what_the_real_shells_read_names_every_command_and_quotes_ours() -> None
 def test_day6_tui_complete_prints_a_word_on_each_line(
     shell: str, line: str, printed: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_tui.core.shell import real_completion
+    from day6_core.shell import real_completion
 
     monkeypatch.setenv("DAY6_LINK", "off")
     assert real_completion.main([shell, line], lambda words: []) == 0

@@ -10,7 +10,8 @@ from select import select
 from typing import Any
 
 import pytest
-from waiting import until
+
+from tests.support.waiting import until
 
 TEXT = "import rclpy\nprint('你好')\n"
 

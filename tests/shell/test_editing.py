@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.shell.editing import file as file_module
-from day6_tui.core.shell.editing.checks import check, language_of
-from day6_tui.core.shell.editing.file import CannotEdit, TextFile
-from day6_tui.core.shell.editing.model import Editor
+from day6_core.shell.editing import file as file_module
+from day6_core.shell.editing.checks import check, language_of
+from day6_core.shell.editing.file import CannotEdit, TextFile
+from day6_core.shell.editing.model import Editor
 
 
 @pytest.fixture

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.shell.editing import model as model_module
-from day6_tui.core.shell.editing.checks import check, language_of
-from day6_tui.core.shell.editing.file import CannotEdit
-from day6_tui.core.shell.editing.model import Editor
+from day6_core.shell.editing import model as model_module
+from day6_core.shell.editing.checks import check, language_of
+from day6_core.shell.editing.file import CannotEdit
+from day6_core.shell.editing.model import Editor
 
 
 @pytest.fixture

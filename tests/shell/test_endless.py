@@ -9,7 +9,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from waiting import communicate
+
+from tests.support.waiting import communicate
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the signals and devices of Unix")
 
@@ -46,7 +47,7 @@ DEEP = {"brackets": "$(" * 50_000, "braces": "{ " * 50_000, "conditions": "[[ " 
 
 def start(line: str, folder: Path) -> subprocess.Popen[str]:
     return subprocess.Popen(
-        [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", str(folder / "home"), "-c", line],
+        [sys.executable, "-m", "day6_tui.main", "exec", "--home", str(folder / "home"), "-c", line],
         cwd=folder,
         env={**os.environ, "DAY6_LINK": "off"},
         stdin=subprocess.DEVNULL,

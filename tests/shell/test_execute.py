@@ -13,11 +13,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from waiting import Deadline, until
+
+from tests.support.waiting import Deadline, until
 
 pytestmark = pytest.mark.process
 
-MAIN = [sys.executable, "-m", "day6_tui.tui.main"]
+MAIN = [sys.executable, "-m", "day6_tui.main"]
 posix = pytest.mark.skipif(os.name != "posix", reason="needs signals and ptys")
 
 
@@ -135,7 +136,7 @@ def test_an_unknown_command_is_told_in_one_line(tmp_path: Path) -> None:
 
 
 def test_env_prints_lines_that_a_shell_can_evaluate(tmp_path: Path) -> None:
-    script = f'eval "$({shlex.quote(sys.executable)} -m day6_tui.tui.main env)"; python3 -c "import rclpy; print(rclpy.__file__)"'
+    script = f'eval "$({shlex.quote(sys.executable)} -m day6_tui.main env)"; python3 -c "import rclpy; print(rclpy.__file__)"'
     if os.name != "posix":
         pytest.skip("needs a POSIX shell")
     env = {**os.environ, "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
@@ -253,7 +254,7 @@ def test_ros2_answers_in_a_real_terminal(tmp_path: Path) -> None:
 
 def test_a_script_without_ros_loads_nothing_heavy(tmp_path: Path) -> None:
     script = (
-        "import sys\nfrom day6_tui.core.shell.execute import main\n"
+        "import sys\nfrom day6_core.shell.execute import main\n"
         "main(['-c', 'echo hi | grep h; python3 -c pass'])\n"
         "heavy = {'numpy', 'asyncio', 'yaml', 'textual', 'rich', 'zenoh', 'pyte', 'rclpy'}\n"
         "print(sorted(heavy & {name.split('.')[0] for name in sys.modules}))\n"

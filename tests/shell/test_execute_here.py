@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.shell import execute, launch_process, subshell
+from day6_core.shell import execute, launch_process, subshell
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals, terminals, limits of POSIX")
 

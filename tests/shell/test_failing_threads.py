@@ -11,17 +11,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from waiting import until
 
-from day6_tui.core.session import real_streams
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.ending import Ending, Step
-from day6_tui.core.session.real_streams import RealInput
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.streams import Captured
-from day6_tui.core.shell import process
-from day6_tui.core.shell.feeder import Feeder
-from day6_tui.core.workspace import build
+from day6_core.session import real_streams
+from day6_core.session.clock import WorldClock
+from day6_core.session.ending import Ending, Step
+from day6_core.session.real_streams import RealInput
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.streams import Captured
+from day6_core.shell import process
+from day6_core.shell.feeder import Feeder
+from day6_core.workspace import build
+from tests.support.waiting import until
 
 NEVER = 1000.0
 posix = pytest.mark.skipif(os.name != "posix", reason="needs Unix's pipes and processes")
@@ -131,7 +131,7 @@ def test_a_signal_is_heard_although_waking_the_application_failed() -> None:
 
 
 def test_a_download_that_fails_tells_its_program(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("day6_tui.core.shell.builtins.download._ask", breaks)
+    monkeypatch.setattr("day6_core.shell.builtins.download._ask", breaks)
     machine.run("curl http://localhost/x")
     assert machine.run("echo 42").out == "42\n"
 
@@ -152,8 +152,8 @@ def test_a_job_of_colcon_that_fails_ends_the_build(
 
 PLANTED = """\
 import sys, threading
-from day6_tui.core.shell import process
-from day6_tui.tui.main import main
+from day6_core.shell import process
+from day6_tui.main import main
 def breaks(*a): raise RuntimeError('planted')
 process._pump = breaks
 sys.argv[1:] = ['exec', '--home', sys.argv[1], '-c', "python3 -c 'print(1)' | cat; echo $((6*7))"]

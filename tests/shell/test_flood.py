@@ -10,13 +10,13 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from day6_tui.core.session.harmless import for_emulation
-from day6_tui.core.shell import screen as screen_module
-from day6_tui.core.shell import whole_lines
-from day6_tui.core.shell.light_pyte import Stream as PyteStream
-from day6_tui.core.shell.rows import Folded
-from day6_tui.core.shell.screen import Screen
-from day6_tui.core.width import char_width
+from day6_core.session.harmless import for_emulation
+from day6_core.shell import screen as screen_module
+from day6_core.shell import whole_lines
+from day6_core.shell.light_pyte import Stream as PyteStream
+from day6_core.shell.rows import Folded
+from day6_core.shell.screen import Screen
+from day6_core.width import char_width
 
 WORDS = ["a", " ", "  ", "hello", "x" * 7, "word " * 5, "y" * 33, "z" * 130, "é", "\xa0", "\ufffd", "\u3000"]
 CHINESE = ["你", "你好", "机器人操作系统", "a你b好", "温度" * 20, "，", "한글", "🙂"]
@@ -252,7 +252,7 @@ def test_a_command_substitution_keeps_all_of_ten_megabytes(machine: Any) -> None
 
 
 def test_a_command_substitution_without_end_is_ended_and_says_so(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("day6_tui.core.session.streams.CAPTURE_LIMIT", 100_000)
+    monkeypatch.setattr("day6_core.session.streams.CAPTURE_LIMIT", 100_000)
     result = machine.run("x=$(seq 1000000); echo ${#x}")
     assert result.out.strip().isdigit() and 90_000 < int(result.out) <= 100_000
     assert "command substitution" in result.err and "Traceback" not in result.err

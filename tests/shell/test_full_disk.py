@@ -16,7 +16,7 @@ NO_SPACE = "No space left on device"
 
 pytestmark = pytest.mark.skipif(not os.path.exists(FULL), reason="/dev/full is Linux's")
 
-MAIN = [sys.executable, "-m", "day6_tui.tui.main"]
+MAIN = [sys.executable, "-m", "day6_tui.main"]
 
 COMMANDS = [
     # (command line, what it says, its status): of bash 5.2 and coreutils 9.7, grep 3.11, sed 4.9, diffutils 3.10

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.shell.builtins import download
+from day6_core.shell.builtins import download
 
 READ = "Reading package lists... Done\n"
 
@@ -88,7 +88,7 @@ def test_a_terminal_is_sent_the_sequence(seat: Any, line: str, sequence: str) ->
 
 
 def test_the_system_tells_its_name(machine: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Any) -> None:
-    from day6_tui.core.shell.builtins import machine as module
+    from day6_core.shell.builtins import machine as module
 
     release = tmp_path / "os-release"
     release.write_text('ID=ubuntu\nPRETTY_NAME="Ubuntu 24.04.1 LTS"\nVERSION_ID="24.04"\nVERSION_CODENAME=noble\n')
@@ -115,7 +115,7 @@ def test_our_own_notes_are_in_the_language_of_the_terminal(machine: Any) -> None
 
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_help_names_every_command_once(machine: Any, language: str) -> None:
-    from day6_tui.core.shell.commands import command_names
+    from day6_core.shell.commands import command_names
 
     out = machine.run(f"DAY6_LANG={language} help").out
     words = out.replace(",", " ").replace(";", " ").split()

@@ -7,10 +7,10 @@ import threading
 from typing import Any
 
 import pytest
-from waiting import Deadline, until
 
-from day6_tui.core.shell import pty_keys
-from day6_tui.core.shell.process import running_processes
+from day6_core.shell import pty_keys
+from day6_core.shell.process import running_processes
+from tests.support.waiting import Deadline, until
 
 pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")]
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.shell.language.arithmetic import evaluate
+from day6_core.shell.language.arithmetic import evaluate
 
 SAME_AS_BASH = [
     "echo hi",

@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.graph.domain import DomainError
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.streams import Captured, InputStream
-from day6_tui.core.shell import desk as desk_module
-from day6_tui.core.shell.desk import Desk, domain_of
-from day6_tui.core.shell.language.redirection import Streams
+from day6_core.graph.domain import DomainError
+from day6_core.session.clock import WorldClock
+from day6_core.session.streams import Captured, InputStream
+from day6_core.shell import desk as desk_module
+from day6_core.shell.desk import Desk, domain_of
+from day6_core.shell.language.redirection import Streams
 
 
 def started(desk: Desk, main: Any, **more: Any) -> Any:

@@ -239,7 +239,7 @@ def limited(line: str, folder: Path, size: int) -> subprocess.CompletedProcess[s
     """Run a line where no file may grow beyond `size` bytes: a full disk that a normal user can have too."""
     resource = pytest.importorskip("resource")
     return subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "exec", "-c", line],
+        [sys.executable, "-m", "day6_tui.main", "exec", "-c", line],
         cwd=folder,
         env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "XDG_DATA_HOME": str(folder.parent / "data")},
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)),

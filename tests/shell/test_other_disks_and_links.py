@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from waiting import until
 
-from day6_tui.core import link
-from day6_tui.core.graph.graph import Graph
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.streams import Captured, InputStream
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.redirection import Streams
+from day6_core import link
+from day6_core.graph.graph import Graph
+from day6_core.session.clock import WorldClock
+from day6_core.session.streams import Captured, InputStream
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.redirection import Streams
 from tests.shell.conftest import Machine
+from tests.support.waiting import until
 
 # -- mv to another disk ------------------------------------------------------------------------------------------------
 
@@ -29,7 +29,7 @@ def disks(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> Path:
     def refused(source: object, goal: object) -> None:
         raise OSError(errno.EXDEV, os.strerror(errno.EXDEV))
 
-    monkeypatch.setattr("day6_tui.core.shell.builtins.transfer.os.replace", refused)
+    monkeypatch.setattr("day6_core.shell.builtins.transfer.os.replace", refused)
     return machine.desk.home
 
 
@@ -59,7 +59,7 @@ def test_what_did_not_arrive_is_not_removed(machine: Machine, disks: Path, monke
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         return opened(path, *more, **named)
 
-    monkeypatch.setattr("day6_tui.core.shell.builtins.transfer.os.open", failing)
+    monkeypatch.setattr("day6_core.shell.builtins.transfer.os.open", failing)
     result = machine.run("mv -v d new")
     assert (result.status, result.err) == (1, "mv: cannot create regular file 'new/a': No space left on device\n")
     assert sorted(path.name for path in (disks / "d").iterdir()) == ["a", "b"]
@@ -74,7 +74,7 @@ def test_a_source_that_cannot_be_removed_is_told(
     def refused(path: object) -> None:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
-    monkeypatch.setattr("day6_tui.core.shell.builtins.transfer.shutil.rmtree", refused)
+    monkeypatch.setattr("day6_core.shell.builtins.transfer.shutil.rmtree", refused)
     result = machine.run("mv -v d new")
     assert result == (1, "", f"mv: cannot remove 'd': {os.strerror(errno.EACCES)}\n")
     assert (disks / "d").is_dir() and (disks / "new").is_dir()
@@ -84,7 +84,7 @@ def test_another_reason_than_the_disk_is_told(machine: Machine, monkeypatch: pyt
     def refused(source: object, goal: object) -> None:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
-    monkeypatch.setattr("day6_tui.core.shell.builtins.transfer.os.replace", refused)
+    monkeypatch.setattr("day6_core.shell.builtins.transfer.os.replace", refused)
     assert machine.run("touch a; mv -v a b") == (1, "", f"mv: cannot move 'a' to 'b': {os.strerror(errno.EACCES)}\n")
     assert (machine.desk.home / "a").exists()
 
@@ -98,7 +98,7 @@ def test_cp_f_replaces_a_file_that_cannot_be_opened(machine: Machine, monkeypatc
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         return opened(path, flags, *more, **named)
 
-    monkeypatch.setattr("day6_tui.core.shell.builtins.transfer.os.open", failing)
+    monkeypatch.setattr("day6_core.shell.builtins.transfer.os.open", failing)
     machine.run("echo 1 > a")
     goal.write_text("old", encoding="utf-8")
     reason = os.strerror(errno.EACCES)
@@ -116,7 +116,7 @@ def test_a_file_that_cannot_be_read_is_not_copied(machine: Machine, monkeypatch:
         return opened(path, *more, **named)
 
     machine.run("echo 1 > a; echo 2 > c; mkdir d")
-    monkeypatch.setattr("day6_tui.core.shell.builtins.transfer.os.open", failing)
+    monkeypatch.setattr("day6_core.shell.builtins.transfer.os.open", failing)
     reason = os.strerror(errno.EACCES)
     assert machine.run("cp -v a c d; ls d") == (0, "'c' -> 'd/c'\nc\n", f"cp: cannot open 'a' for reading: {reason}\n")
 

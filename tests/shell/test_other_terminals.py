@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.shell import desk as desk_module
+from day6_core.shell import desk as desk_module
 from tests.shell.conftest import show_all
 
 

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from broken_lines import without_blanks
+
+from tests.support.broken_lines import without_blanks
 
 PROMPT = "student@day6:~$"
 CHANGING = ["rm {}", "touch {}", "cp here {}", "mv here {}", "mv {} here", "chmod 600 {}", "echo new > {}", "echo new >> {}",

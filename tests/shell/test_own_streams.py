@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.session.streams import FileInput, FileOutput
-from day6_tui.core.shell.own_streams import TTY, stream_number
-from day6_tui.core.whole_file import replace_file
+from day6_core.session.streams import FileInput, FileOutput
+from day6_core.shell.own_streams import TTY, stream_number
+from day6_core.whole_file import replace_file
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="Windows has no /dev")
 
@@ -95,8 +95,8 @@ def test_a_device_that_is_our_own_terminal_is_refused_under_every_name(tmp_path:
 
     code = (
         "import os, sys; from pathlib import Path\n"
-        "from day6_tui.core.session.streams import FileInput, FileOutput\n"
-        "from day6_tui.core.whole_file import replace_file\n"
+        "from day6_core.session.streams import FileInput, FileOutput\n"
+        "from day6_core.whole_file import replace_file\n"
         "place = Path(os.ttyname(0))\n"
         "for act in (FileInput, FileOutput, lambda path: replace_file(path, b'WRITTEN')):\n"
         "    try: act(place); print('opened')\n"

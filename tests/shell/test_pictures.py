@@ -1,6 +1,6 @@
 """What a terminal shows after a program's bytes: every sequence at several places, colours, wide characters, sizes.
 
-The pictures are in `pictures.jsonl`. `python tests/shell/test_pictures.py` draws them all anew; look at the difference before you
+The pictures are in `pictures.jsonl`. `python -m tests.shell.test_pictures` draws them all anew; look at the difference before you
 keep it (they were compared with plain pyte's where that knows the sequence).
 """
 
@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from day6_tui.core.shell.rows import PLAIN_STYLE, Row
-from day6_tui.core.shell.screen import Screen
+from day6_core.shell.rows import PLAIN_STYLE, Row
+from day6_core.shell.screen import Screen
 
 PICTURES = Path(__file__).parent / "pictures.jsonl"
 

@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from waiting import PATIENCE, until
 
-from day6_tui.core.shell import process
-from day6_tui.core.shell.process import running_processes
-from day6_tui.core.shell.rows import row_text
+from day6_core.shell import process
+from day6_core.shell.process import running_processes
+from day6_core.shell.rows import row_text
+from tests.support.waiting import PATIENCE, until
 
 PROMPT = "student@day6:~$"
 posix = pytest.mark.skipif(os.name != "posix", reason="needs ptys and process groups")
@@ -336,7 +336,7 @@ def test_no_process_outlives_a_day6_that_was_killed(tmp_path: Path, terminal: bo
     write(
         tmp_path,
         "desk.py",
-        "from pathlib import Path\nfrom day6_tui.core.shell.desk import Desk\nimport threading\n"
+        "from pathlib import Path\nfrom day6_core.shell.desk import Desk\nimport threading\n"
         f"desk = Desk(Path({str(tmp_path)!r}), join_link=False)\nterminal = desk.open_terminal(80, 24)\n"
         f"terminal.run_line('python3 a.py' if {terminal} else 'python3 a.py | cat')\n"
         "desk.start()\nthreading.Event().wait()\n",
@@ -423,7 +423,7 @@ def test_daemons_do_not_outlive_a_day6_that_was_killed(tmp_path: Path) -> None:
     write(
         tmp_path,
         "desk.py",
-        "from pathlib import Path\nfrom day6_tui.core.shell.desk import Desk\nimport threading\n"
+        "from pathlib import Path\nfrom day6_core.shell.desk import Desk\nimport threading\n"
         f"desk = Desk(Path({str(tmp_path)!r}), join_link=False)\n"
         "desk.open_terminal(80, 24).run_line('python3 a.py')\ndesk.start()\nthreading.Event().wait()\n",
     )
@@ -451,7 +451,7 @@ def test_a_program_that_eats_memory_gets_a_memory_error(machine: Any, monkeypatc
 
 
 def test_the_memory_of_a_program_is_limited_by_the_machine_and_by_wish(monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_tui.core.shell.memory import LEAST, memory_limit
+    from day6_core.shell.memory import LEAST, memory_limit
 
     monkeypatch.delenv("DAY6_MEMORY_LIMIT", raising=False)
     assert memory_limit() == 0 or memory_limit() >= LEAST
@@ -466,7 +466,7 @@ def test_the_memory_of_a_program_is_limited_by_the_machine_and_by_wish(monkeypat
 def test_what_nobody_looked_at_is_dropped_and_the_terminal_says_how_much(
     seat: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("day6_tui.core.shell.terminal.PAUSE", 0.0)
+    monkeypatch.setattr("day6_core.shell.terminal.PAUSE", 0.0)
     write(seat.desk.home, "a.py", "for number in range(20_000): print(f'line {number:70}')\nopen('done', 'w')\n")
     seat.terminal.send("python3 a.py\r")
 

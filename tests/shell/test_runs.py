@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from day6_tui.core.shell.runs import LONGEST_OLD_OUTPUT, LONGEST_OUTPUT, Runs
+from day6_core.shell.runs import LONGEST_OLD_OUTPUT, LONGEST_OUTPUT, Runs
 
 
 def test_a_line_is_kept_with_its_status_folder_and_output(seat: Any) -> None:

@@ -9,10 +9,10 @@ import sys
 from pathlib import Path
 
 import pytest
-from disks import ROOT, SETPRIV, WITHOUT_RIGHTS
 
-from day6_tui.core.shell.editing.model import Editor
-from day6_tui.core.whole_file import must_stay, overwrite_file
+from day6_core.shell.editing.model import Editor
+from day6_core.whole_file import must_stay, overwrite_file
+from tests.support.disks import ROOT, SETPRIV, WITHOUT_RIGHTS
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no modes, and links need rights there")
 
@@ -119,7 +119,7 @@ def save_without_rights(path: Path, state: Path, text: str) -> str:
     if ROOT and SETPRIV is None:
         pytest.skip("root may write everywhere, and setpriv is not there")
     code = (
-        "import sys; from pathlib import Path; from day6_tui.core.shell.editing.model import Editor\n"
+        "import sys; from pathlib import Path; from day6_core.shell.editing.model import Editor\n"
         "path = Path(sys.argv[1]); editor = Editor(path.parent, Path(sys.argv[2]), 'nano'); editor.open(path)\n"
         "try: editor.save(sys.argv[3])\n"
         "except OSError as error: print(error.strerror, end='')"

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import shutil
 import sys
-from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "perf"))
-
-from shell_against_bash import differences
+from tests.perf.shell_against_bash import differences
 
 pytestmark = pytest.mark.skipif(
     not sys.platform.startswith("linux") or shutil.which("bash") is None, reason="needs GNU"

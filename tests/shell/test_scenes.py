@@ -1,12 +1,11 @@
 """What is on the screen after keys: lines being edited, history, Tab, prompts, pages, lists. The scenes are in `scenes.jsonl`.
 
-`python tests/shell/test_scenes.py` plays them all and writes what it sees; look at the difference before you keep it.
+`python -m tests.shell.test_scenes` plays them all and writes what it sees; look at the difference before you keep it.
 """
 
 from __future__ import annotations
 
 import json
-import sys
 import tempfile
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -54,7 +53,6 @@ def test_the_screen_shows(machine: Any, scene: Scene) -> None:
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).parents[2]))
     from tests.shell.conftest import Machine, Seat
 
     lines = []

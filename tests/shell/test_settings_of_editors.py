@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.ros.environment import PYTHON_PATH
-from day6_tui.core.shell import ide, jsonc
+from day6_core.ros.environment import PYTHON_PATH
+from day6_core.shell import ide, jsonc
 
 OURS = {"PYTHONPATH": "/ros", "ROS_DOMAIN_ID": "3"}
 STUBS = Path("/stubs")
@@ -273,7 +273,7 @@ def test_the_variables_are_those_of_this_terminal(monkeypatch: pytest.MonkeyPatc
 
 
 def test_the_stubs_are_files_of_their_packages_and_are_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("day6_tui.core.interfaces.packages", lambda: ["std_srvs", "std_msgs"])
+    monkeypatch.setattr("day6_core.interfaces.packages", lambda: ["std_srvs", "std_msgs"])
     assert ide.write_stubs(tmp_path) == 2
     assert sorted(path.name for path in tmp_path.iterdir()) == ["std_msgs", "std_srvs"]
     assert "class SetBool" in (tmp_path / "std_srvs" / "srv" / "__init__.pyi").read_text(encoding="utf-8")

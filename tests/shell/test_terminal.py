@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.session.task import let_others_run
+from day6_core.session.task import let_others_run
 from tests.shell.conftest import show_all
 
 PROMPT = "student@day6:~$"
@@ -271,7 +271,7 @@ def test_raw_keys_go_to_the_program_and_the_mode_ends_with_it(machine: Any, seat
                 keys.append(key)
         return 0
 
-    from day6_tui.core.shell.builtins import programs
+    from day6_core.shell.builtins import programs
 
     before = programs.COMMANDS["rqt_graph"]
     programs.COMMANDS["rqt_graph"] = teleop

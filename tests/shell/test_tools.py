@@ -91,8 +91,8 @@ def test_man_speaks_the_language_of_the_terminal(machine: Any) -> None:
 
 
 def test_every_example_of_the_manual_is_a_command_that_exists(machine: Any) -> None:
-    from day6_tui.core.shell.commands import command_names
-    from day6_tui.core.shell.manual import _PAGES
+    from day6_core.shell.commands import command_names
+    from day6_core.shell.manual import _PAGES
 
     assert set(_PAGES) <= set(command_names())
     for page in _PAGES.values():

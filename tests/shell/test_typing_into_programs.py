@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.shell import discipline as discipline_module
-from day6_tui.core.shell import terminal as terminal_module
-from day6_tui.core.shell.terminal import LONGEST_END
+from day6_core.shell import discipline as discipline_module
+from day6_core.shell import terminal as terminal_module
+from day6_core.shell.terminal import LONGEST_END
 from tests.shell.conftest import show_all
 
 PROMPT = "student@day6:~$"
@@ -80,7 +80,7 @@ def test_a_program_that_does_not_end_after_three_ctrl_c_is_stubborn(seat: Any) -
         await session.sleep(100)
         return 0
 
-    from day6_tui.core.shell.builtins import programs
+    from day6_core.shell.builtins import programs
 
     before = programs.COMMANDS["rqt_graph"]
     programs.COMMANDS["rqt_graph"] = deaf

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.shell.desk import Desk
+from day6_core.session.clock import WorldClock
+from day6_core.shell.desk import Desk
 
 
 @pytest.fixture

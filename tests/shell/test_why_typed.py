@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from day6_tui.core.advice.matching import unfinished
+from day6_core.advice.matching import unfinished
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="a terminal there has no pty")
 
@@ -125,14 +125,14 @@ def test_a_letter_at_the_prompt_is_an_answer_while_a_question_is_open(machine: A
 
 
 def test_a_course_awaits_letters_only_where_it_asks(machine: Any) -> None:
-    from day6_tui.core.lessons.course import Course
-    from day6_tui.core.lessons.state import State
-    from day6_tui.core.shell.language.hints import AsksByLetter
+    from day6_core.lessons.course import Course
+    from day6_core.lessons.state import State
+    from day6_core.shell.language.hints import AsksByLetter
 
     course = Course.__new__(Course)
     course.state = State()
     assert isinstance(course, AsksByLetter) and course.letters_awaited == ""
-    from day6_tui.core.lessons.catalogue import days
+    from day6_core.lessons.catalogue import days
 
     lessons = [each for each in days() if not hasattr(each, "reason") and hasattr(each, "steps")]
     asked = []
@@ -324,7 +324,7 @@ CHECKED = {
 
 @pytest.mark.parametrize(("message", "words"), CHECKED.items())
 def test_what_the_checker_of_the_editor_says_has_its_sentence(message: str, words: str) -> None:
-    from day6_tui.core.advice.rules import in_short
+    from day6_core.advice.rules import in_short
 
     assert words in in_short(message, 9, "zh") and in_short(message, 9, "en")
     assert in_short("joint left_wheel is no good at all", 9, "zh") == ""

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from stepped_keyboard import Keyboard
-from stepped_machine import SteppedMachine
+
+from tests.support.stepped_keyboard import Keyboard
+from tests.support.stepped_machine import SteppedMachine
 
 
 @pytest.fixture

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from geometry_msgs.msg import Twist, TwistStamped
 
-from day6_tui.core.ros.programs.teleop_twist_keyboard.teleop_twist_keyboard import HELP, MOVES
+from day6_core.ros.programs.teleop_twist_keyboard.teleop_twist_keyboard import HELP, MOVES
 
 if TYPE_CHECKING:
-    from stepped_keyboard import Keyboard
-    from stepped_machine import Running, SteppedMachine
+    from tests.support.stepped_keyboard import Keyboard
+    from tests.support.stepped_machine import Running, SteppedMachine
 
 
 def start(machine: SteppedMachine, keyboard: Keyboard, *args: str) -> Running:

@@ -15,16 +15,16 @@ from builtin_interfaces.msg import Time as TimeMsg
 from geometry_msgs.msg import PointStamped, Pose, PoseStamped, TransformStamped
 from tf2_msgs.msg import TFMessage
 from tf2_msgs.srv import FrameGraph
-from waiting import until
 
 import rclpy
-from day6_tui.core.ros.environment import program_environment
+from day6_core.ros.environment import program_environment
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.duration import Duration
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy
 from rclpy.time import Time
+from tests.support.waiting import until
 from tests.tf2.conftest import stamped
 
 

@@ -6,14 +6,14 @@ import random
 from pathlib import Path
 
 import pytest
-from folded import folded
-from pdf_text import pdf_size, pdf_text
 from tf2_ros import Buffer
 
-from day6_tui.core.ros.programs._drawn_pdf import laid_out
-from day6_tui.core.ros.programs.rqt_graph.model.image import write_image
-from day6_tui.core.ros.programs.rqt_graph.model.pdf import LONGEST
-from day6_tui.core.ros.programs.tf2_tools.frame_tree import Frame, as_dot, as_graph, read_frames, roots
+from day6_core.ros.programs._drawn_pdf import laid_out
+from day6_core.ros.programs.rqt_graph.model.image import write_image
+from day6_core.ros.programs.rqt_graph.model.pdf import LONGEST
+from day6_core.ros.programs.tf2_tools.frame_tree import Frame, as_dot, as_graph, read_frames, roots
+from tests.support.folded import folded
+from tests.support.pdf_text import pdf_size, pdf_text
 from tests.tf2.conftest import stamped
 
 

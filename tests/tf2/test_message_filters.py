@@ -6,12 +6,12 @@ import pytest
 from message_filters import ApproximateTimeSynchronizer, Cache, SimpleFilter, Subscriber, TimeSynchronizer
 from sensor_msgs.msg import Image, LaserScan
 from std_msgs.msg import String
-from waiting import until
 
 import rclpy
 from rclpy.clock_type import ClockType
 from rclpy.node import Node
 from rclpy.time import Time
+from tests.support.waiting import until
 
 
 def scan(seconds: float) -> LaserScan:

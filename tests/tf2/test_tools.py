@@ -11,19 +11,19 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from pdf_text import pdf_text
 from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
-from waiting import until
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.program_index import executables
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured
+from day6_core.graph import Graph
+from day6_core.ros.program_index import executables
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
 from rclpy.time import Time
+from tests.support.pdf_text import pdf_text
+from tests.support.waiting import until
 from tests.tf2.conftest import stamped
 
 EPOCH = 1_700_000_000
@@ -70,7 +70,7 @@ class Machine:
         argv = [executable, *args]
         env = {"PATH": str(self.folder)}
         session = Session(self.scheduler, self.graph, argv, stdout=stdout, stderr=stderr, cwd=self.folder, env=env)
-        main = importlib.import_module(f"day6_tui.core.ros.programs.{package}.{executable}").main
+        main = importlib.import_module(f"day6_core.ros.programs.{package}.{executable}").main
         program = Program(session, main)
         self.programs.append(program)
         self.advance()
@@ -378,7 +378,7 @@ def test_what_graphviz_does_not_draw_is_drawn_without_it(machine: Machine, scrip
 @pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="its graphviz is a program, no script")
 def test_graphviz_has_a_time_limit(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("day6_tui.core.ros.programs._drawn_pdf.LIMIT_SECONDS", 0.05)
+    monkeypatch.setattr("day6_core.ros.programs._drawn_pdf.LIMIT_SECONDS", 0.05)
     install_dot(machine.folder, "exec /bin/sleep 600")
     view = view_frames(machine)
     assert view.program.status == 0 and "timed out after 0.05 seconds" in view.errors

@@ -7,17 +7,16 @@ from contextlib import asynccontextmanager
 from dataclasses import replace
 from typing import Any
 
-from fakes import FakeDesk
-from screens import ToolWindow, opened, step
-
-from day6_tui.core.classroom import note as notes
-from day6_tui.core.classroom import order as orders
-from day6_tui.core.classroom.note import Note, Picture
-from day6_tui.core.classroom.order import Order
-from day6_tui.core.link.classroom.teacher import Teacher
-from day6_tui.core.link.state import Door, DoorState
-from day6_tui.tui.class_link import TeacherLink
-from day6_tui.tui.machine import Machine
+from day6_core.classroom import note as notes
+from day6_core.classroom import order as orders
+from day6_core.classroom.note import Note, Picture
+from day6_core.classroom.order import Order
+from day6_core.link.classroom.teacher import Teacher
+from day6_core.link.state import Door, DoorState
+from day6_tui.class_link import TeacherLink
+from day6_tui.machine import Machine
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import ToolWindow, opened, step
 
 ENDPOINT = "tcp/192.0.2.7:7447"
 OPEN = Door(ENDPOINT, listening=True, state=DoorState.OPEN)

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import inspect
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from fakes import FakeDesk
-
-from day6_tui.tui.machine import Machine
+from day6_tui.machine import Machine
+from tests.tui.fakes import FakeDesk
 
 GOLDEN = Path(__file__).parent / "golden"
 

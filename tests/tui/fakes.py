@@ -6,12 +6,12 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from day6_tui.core.graph.graph import Graph
-from day6_tui.core.ros.programs.turtlesim.model.trail import Trail
-from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.display import Display
-from day6_tui.core.shell.runs import Runs
-from day6_tui.core.shell.screen import Screen
+from day6_core.graph.graph import Graph
+from day6_core.ros.programs.turtlesim.model.trail import Trail
+from day6_core.session.clock import WorldClock
+from day6_core.session.display import Display
+from day6_core.shell.runs import Runs
+from day6_core.shell.screen import Screen
 
 
 class FakeTerminal:

@@ -7,15 +7,14 @@ from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
 from contextlib import asynccontextmanager
 from typing import Any, TypeVar
 
-import parsed_once
-import settled
-from fakes import FakeDesk
-from stepped_time import stepped_time
 from textual.app import App
-from waiting import Deadline
 
-from day6_tui.tui.app import Day6App, make_look
-from day6_tui.tui.options import Options
+from day6_tui.app import Day6App, make_look
+from day6_tui.options import Options
+from tests.support.waiting import Deadline
+from tests.tui import parsed_once, settled
+from tests.tui.fakes import FakeDesk
+from tests.tui.stepped_time import stepped_time
 
 settled.install()
 parsed_once.install()

@@ -13,11 +13,12 @@ import math
 
 import textual.app
 import textual.pilot
-from stepped_time import move_on
 from textual._context import active_app
 from textual.app import App
 from textual.pilot import Pilot
-from waiting import Deadline
+
+from tests.support.waiting import Deadline
+from tests.tui.stepped_time import move_on
 
 ROUNDS = 256
 """Turns of the event loop between two looks at the clock, which cost more than a turn."""

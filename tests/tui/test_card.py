@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from screens import screen_lines, screen_text
-from test_real_desk import _shows, _type, opened, until
 
-from day6_tui.tui.card import CardModal
-from day6_tui.tui.manual import Manual
+from day6_tui.card import CardModal
+from day6_tui.manual import Manual
+from tests.tui.screens import screen_lines, screen_text
+from tests.tui.test_real_desk import _shows, _type, opened, until
 
 SLIP = "ros2 run turtlesm turtlesim_node"
 

@@ -6,14 +6,14 @@ import random
 
 import pyte
 import pytest
-from folded import folded
 from rich.console import Console
 from rich.segment import Segment
 from rich.style import Style
 from textual._compositor import ChopsUpdate
 from textual.strip import Strip
 
-from day6_tui.tui import chops
+from day6_tui import chops
+from tests.support.folded import folded
 
 WIDTH, HEIGHT = 40, 6
 STYLES = [Style(color="red"), Style(bgcolor="blue"), Style(bold=True), None]
@@ -79,9 +79,9 @@ def test_a_small_change_far_from_the_left_edge_costs_few_bytes() -> None:
 
 
 def test_it_is_in_place_for_the_textual_that_is_installed() -> None:
-    import day6_tui.tui.app
+    import day6_tui.app
 
-    assert day6_tui.tui.app is not None
+    assert day6_tui.app is not None
     assert ChopsUpdate.render_segments is chops.render_segments
     assert chops.textual_version().startswith("8.2.")
 

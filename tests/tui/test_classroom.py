@@ -6,18 +6,18 @@ import math
 from contextvars import Context
 
 import numpy as np
-from fakes import FakeDesk, FakeSimulation
-from screens import opened, screen_lines, screen_text, step
 from textual import events
 
-from day6_tui.core.classroom.order import Order
-from day6_tui.core.classroom.order import encode as order
-from day6_tui.tui.app import Day6App
-from day6_tui.tui.classroom import strips_of
-from day6_tui.tui.classroom_modals import GRACE_SECONDS, Consent
-from day6_tui.tui.pixels.ask import SIXEL, Ability
-from day6_tui.tui.pixels.halves import halved
-from day6_tui.tui.pixels.pictures import Pictures
+from day6_core.classroom.order import Order
+from day6_core.classroom.order import encode as order
+from day6_tui.app import Day6App
+from day6_tui.classroom import strips_of
+from day6_tui.classroom_modals import GRACE_SECONDS, Consent
+from day6_tui.pixels.ask import SIXEL, Ability
+from day6_tui.pixels.halves import halved
+from day6_tui.pixels.pictures import Pictures
+from tests.tui.fakes import FakeDesk, FakeSimulation
+from tests.tui.screens import opened, screen_lines, screen_text, step
 
 
 def watch(app: Day6App) -> None:

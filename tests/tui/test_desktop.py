@@ -5,15 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from fakes import FakeSimulation, turtle
 from rich.cells import cell_len
-from screens import opened, screen_lines, screen_text, step
-from stepped_time import move_on
 from textual import events
-from waiting import Deadline
 
-from day6_tui.tui.options import Options
-from day6_tui.tui.scenes import SCENES, Player, Scene
+from day6_tui.options import Options
+from day6_tui.scenes import SCENES, Player, Scene
+from tests.support.waiting import Deadline
+from tests.tui.fakes import FakeSimulation, turtle
+from tests.tui.screens import opened, screen_lines, screen_text, step
+from tests.tui.stepped_time import move_on
 
 
 class _Stage:
@@ -425,9 +425,8 @@ async def test_an_unknown_kind_of_window_says_so(desk) -> None:
 
 
 async def test_a_home_that_cannot_be_used_is_told_in_plain_words(monkeypatch) -> None:
-    from screens import UTF8, make_look, running
-
-    from day6_tui.tui.app import Day6App
+    from day6_tui.app import Day6App
+    from tests.tui.screens import UTF8, make_look, running
 
     options = Options(fps=0, lang="en", home=Path("/proc/nothing/here"))
     app = Day6App(options, look=make_look(options, UTF8))

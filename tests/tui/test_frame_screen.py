@@ -8,15 +8,15 @@ import random
 import pyte
 from rich.console import Console
 from rich.text import Text
-from settled import install
 from textual._compositor import Compositor
 from textual.app import App, ComposeResult
 from textual.geometry import Region
 from textual.screen import Screen
 from textual.widgets import Static
 
-from day6_tui.tui import chops
-from day6_tui.tui.frame_screen import FrameScreen, SpansCompositor
+from day6_tui import chops
+from day6_tui.frame_screen import FrameScreen, SpansCompositor
+from tests.tui.settled import install
 
 install()
 

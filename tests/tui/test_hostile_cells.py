@@ -5,18 +5,18 @@ from __future__ import annotations
 from itertools import product
 
 import pytest
-from folded import folded
 from rich.cells import cell_len as cells_on_the_terminal
 from rich.segment import Segment
-from screens import UTF8
 from textual.geometry import Size
 
-from day6_tui.core.session.harmless import one_line
-from day6_tui.tui.app import make_look
-from day6_tui.tui.bars import Bar
-from day6_tui.tui.cells import cell_len, clip, fit, wrap
-from day6_tui.tui.options import Options
-from day6_tui.tui.pane import Pane, Piece
+from day6_core.session.harmless import one_line
+from day6_tui.app import make_look
+from day6_tui.bars import Bar
+from day6_tui.cells import cell_len, clip, fit, wrap
+from day6_tui.options import Options
+from day6_tui.pane import Pane, Piece
+from tests.support.folded import folded
+from tests.tui.screens import UTF8
 
 HOSTILE = [
     "\x1b]0;T\x07",

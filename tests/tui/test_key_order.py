@@ -9,15 +9,15 @@ from contextlib import asynccontextmanager
 from typing import cast
 
 import pytest
-from stepped_time import stepped_time
 from textual import events
 from textual.app import App, ComposeResult
 from textual.containers import Vertical
 from textual.message import Message
 from textual.widgets import Static
 
-from day6_tui.tui import key_order
-from day6_tui.tui.key_order import PATIENCE, KeyOrder, is_letter
+from day6_tui import key_order
+from day6_tui.key_order import PATIENCE, KeyOrder, is_letter
+from tests.tui.stepped_time import stepped_time
 
 
 class Slow(Static):

@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-import waiting
-from screens import step
-from test_real_desk import _shows, opened, until
+
+from tests.support import waiting
+from tests.tui.screens import step
+from tests.tui.test_real_desk import _shows, opened, until
 
 
 @pytest.mark.long

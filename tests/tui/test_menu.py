@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from screens import UTF8, make_look, running, step
 from textual import events
 
-from day6_tui.tui.app import Day6App
-from day6_tui.tui.menu import Entry, Menu, ranked
-from day6_tui.tui.options import Options
+from day6_tui.app import Day6App
+from day6_tui.menu import Entry, Menu, ranked
+from day6_tui.options import Options
+from tests.tui.screens import UTF8, make_look, running, step
 
 ENTRIES = (
     Entry("Quit", "^Q", lambda: None, also=("退出", "Quit"), words="Ends day6-tui and closes everything"),

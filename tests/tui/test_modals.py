@@ -5,15 +5,15 @@ from __future__ import annotations
 import sys
 
 import pytest
-from fakes import FakeDesk, FakeSimulation, turtle
-from screens import opened, screen_lines, screen_text, step
-from stepped_time import move_on
 from textual import events
 
-from day6_tui.tui.menu import Entry, Menu
-from day6_tui.tui.message import ErrorModal, LogModal
-from day6_tui.tui.prompt import Prompt
-from day6_tui.tui.question import Answer, Question
+from day6_tui.menu import Entry, Menu
+from day6_tui.message import ErrorModal, LogModal
+from day6_tui.prompt import Prompt
+from day6_tui.question import Answer, Question
+from tests.tui.fakes import FakeDesk, FakeSimulation, turtle
+from tests.tui.screens import opened, screen_lines, screen_text, step
+from tests.tui.stepped_time import move_on
 
 NAMED = {"enter": "\r", "escape": "\x1b"}
 
@@ -111,10 +111,9 @@ async def test_the_turtle_moves_behind_the_palette(desk: FakeDesk) -> None:
 
 
 async def test_a_palette_opened_while_the_desk_is_still_starting_stays(desk: FakeDesk) -> None:
-    from screens import UTF8, make_look, running
-
-    from day6_tui.tui.app import Day6App
-    from day6_tui.tui.options import Options
+    from day6_tui.app import Day6App
+    from day6_tui.options import Options
+    from tests.tui.screens import UTF8, make_look, running
 
     options = Options(fps=0, lang="en")
     app = Day6App(options, desk=desk, look=make_look(options, UTF8))
@@ -216,7 +215,7 @@ async def test_an_error_is_shown_as_it_is_and_its_button_closes_it(desk: FakeDes
 @pytest.mark.long
 @pytest.mark.parametrize("width", [80, 120])
 async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk: FakeDesk, width: int) -> None:
-    from day6_tui.tui.manual import PAGES
+    from day6_tui.manual import PAGES
 
     async with opened(desk, width, 30, lang="en") as (app, pilot):
         await pilot.press("f1")
@@ -310,7 +309,7 @@ async def test_leaving_does_not_ask_while_only_shells_wait(desk: FakeDesk) -> No
 
 
 async def test_the_chosen_theme_is_worn_by_panes_and_widgets_and_found_again(desk: FakeDesk) -> None:
-    from day6_tui.tui.app import Day6App
+    from day6_tui.app import Day6App
 
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         app.actions["theme"]()
@@ -327,8 +326,8 @@ async def test_the_chosen_theme_is_worn_by_panes_and_widgets_and_found_again(des
 async def test_settings_that_cannot_be_understood_are_told_and_left_alone(
     desk: FakeDesk, text: bytes, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_tui.tui.app import Day6App
-    from day6_tui.tui.settings import Settings
+    from day6_tui.app import Day6App
+    from day6_tui.settings import Settings
 
     path = Settings().path
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -365,8 +364,8 @@ async def test_a_log_that_is_closed_at_once_ends_nothing_else(desk: FakeDesk) ->
 async def test_the_chosen_distribution_is_that_of_the_next_start(
     desk: FakeDesk, lang: str, told: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_tui.core.ros import distribution
-    from day6_tui.tui.settings import Settings
+    from day6_core.ros import distribution
+    from day6_tui.settings import Settings
 
     async with opened(desk, 80, 24, lang=lang, scene="empty") as (app, pilot):
         app.actions["distro"]()
@@ -379,7 +378,7 @@ async def test_the_chosen_distribution_is_that_of_the_next_start(
 
 
 async def test_a_distribution_named_at_the_start_is_remembered(desk: FakeDesk) -> None:
-    from day6_tui.tui.settings import Settings
+    from day6_tui.settings import Settings
 
     async with opened(desk, 80, 24, lang="en", scene="empty", distro="humble"):
         pass

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import time
 
-from fakes import FakeTerminal
-from screens import UTF8, make_look
 from textual import events
 
-from day6_tui.tui.held_keys import HeldKeys
-from day6_tui.tui.notices import Notices
-from day6_tui.tui.options import Options
-from day6_tui.tui.terminal_view import TerminalView
+from day6_tui.held_keys import HeldKeys
+from day6_tui.notices import Notices
+from day6_tui.options import Options
+from day6_tui.terminal_view import TerminalView
+from tests.tui.fakes import FakeTerminal
+from tests.tui.screens import UTF8, make_look
 
 
 def key(name: str) -> events.Key:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from fakes import FakeSimulation
-from screens import opened, screen_lines, screen_text, step
 from textual import events
+
+from tests.tui.fakes import FakeSimulation
+from tests.tui.screens import opened, screen_lines, screen_text, step
 
 
 def places(app) -> dict[int, tuple[int, int, int, int]]:

@@ -10,7 +10,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from waiting import PATIENCE, until
+
+from tests.support.waiting import PATIENCE, until
 
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST = 20.0
@@ -33,7 +34,7 @@ class Pty:
         self._slave, self._master = slave, master
         env = {**os.environ, "TERM": "xterm-256color", "LANG": "C.UTF-8", "DAY6_LINK": "off", **environ}
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "day6_tui.tui.main", "--home", str(home), "--lang", "en", *options],
+            [sys.executable, "-m", "day6_tui.main", "--home", str(home), "--lang", "en", *options],
             stdin=slave, stdout=slave, stderr=slave, env=env, cwd=ROOT, start_new_session=True,
             preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
         )  # fmt: skip
@@ -139,8 +140,8 @@ def test_no_student_process_outlives_the_desktop(home, end) -> None:
 def test_the_first_frame_needs_neither_numpy_nor_pygments_nor_the_link(home) -> None:
     code = (
         "import sys\n"
-        "from day6_tui.tui.options import Options\n"
-        "from day6_tui.tui.app import Day6App\n"
+        "from day6_tui.options import Options\n"
+        "from day6_tui.app import Day6App\n"
         "app = Day6App(Options(fps=0, lang='zh'))\n"
         "async def main():\n"
         "    app._open_desk = lambda: None\n"
@@ -156,7 +157,7 @@ def test_the_first_frame_needs_neither_numpy_nor_pygments_nor_the_link(home) -> 
 @pytest.mark.process
 def test_the_desktop_does_without_openssl_and_leaves_it_importable() -> None:
     code = (
-        "import sys, day6_tui.tui.app, asyncio\n"
+        "import sys, day6_tui.app, asyncio\n"
         "print('ssl' in sys.modules)\n"
         "import ssl; print(ssl.create_default_context() is not None)\n"
     )
@@ -167,7 +168,7 @@ def test_the_desktop_does_without_openssl_and_leaves_it_importable() -> None:
 @pytest.mark.process
 def test_without_a_terminal_it_says_so_and_what_to_use_instead(home) -> None:
     done = subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "--home", str(home)],
+        [sys.executable, "-m", "day6_tui.main", "--home", str(home)],
         stdin=subprocess.DEVNULL, capture_output=True, text=True, cwd=ROOT, timeout=LONGEST,
     )  # fmt: skip
     assert done.returncode != 0 and done.stdout == ""
@@ -186,7 +187,7 @@ def test_without_a_terminal_it_says_so_and_what_to_use_instead(home) -> None:
     ],
 )
 def test_the_command_line_speaks_the_language_of_the_user(monkeypatch, capfd, words, variables, said) -> None:
-    from day6_tui.tui.main import main
+    from day6_tui.main import main
 
     monkeypatch.setenv("COLUMNS", "80")
     for name, value in variables.items():
@@ -200,8 +201,8 @@ def test_the_command_line_speaks_the_language_of_the_user(monkeypatch, capfd, wo
 
 
 def test_the_command_line_knows_every_scene() -> None:
-    from day6_tui.tui.command_line import build_parser
-    from day6_tui.tui.scenes import SCENES
+    from day6_tui.command_line import build_parser
+    from day6_tui.scenes import SCENES
 
     (option,) = [action for action in build_parser()._actions if action.dest == "scene"]
     assert tuple(option.choices) == tuple(SCENES)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from fakes import FakeDesk
-from screens import opened, screen_text, step
 
-from day6_tui.tui.prompt import Prompt, before_replacing
+from day6_tui.prompt import Prompt, before_replacing
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_text, step
 
 
 @pytest.mark.parametrize("size", [(80, 24), (20, 6), (10, 3), (4, 2)])

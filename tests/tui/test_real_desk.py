@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from screens import UTF8, make_look, screen_lines, screen_text, step
-from waiting import Deadline
 
-from day6_tui.core.shell.desk import Desk
-from day6_tui.tui.app import Day6App
-from day6_tui.tui.options import Options
+from day6_core.shell.desk import Desk
+from day6_tui.app import Day6App
+from day6_tui.options import Options
+from tests.support.waiting import Deadline
+from tests.tui.screens import UTF8, make_look, screen_lines, screen_text, step
 
 pytestmark = pytest.mark.process
 

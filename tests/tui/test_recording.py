@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from fakes import FakeDesk
-from screens import opened, screen_lines, screen_text, step
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_lines, screen_text, step
 
 
 async def test_a_running_recording_is_seen_and_a_click_ends_it(desk: FakeDesk, tmp_path: Path) -> None:

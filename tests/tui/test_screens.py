@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from fakes import FakeDesk, FakeSimulation, turtle
 from rich.cells import cell_len
-from screens import opened, screen_lines, screen_text, step
 
-from day6_tui.tui.actions import ACTIONS
+from day6_tui.actions import ACTIONS
+from tests.tui.fakes import FakeDesk, FakeSimulation, turtle
+from tests.tui.screens import opened, screen_lines, screen_text, step
 
 ASCII = {"LANG": "C", "TERM": "xterm"}
 CONSOLE = {"LANG": "C.UTF-8", "TERM": "linux"}
@@ -107,8 +107,8 @@ async def test_every_size_of_terminal_shows_something_and_every_line_fits(desk, 
 
 async def test_the_first_picture_after_a_resize_is_drawn_before_anybody_was_told(monkeypatch) -> None:
     """Textual renders a pane at its new size before the pane hears of it."""
-    from day6_tui.tui.pane import Pane
-    from day6_tui.tui.windows.turtlesim import TurtleSimPane
+    from day6_tui.pane import Pane
+    from day6_tui.windows.turtlesim import TurtleSimPane
 
     desk = FakeDesk()
     window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from screens import screen_lines, screen_text
-from test_real_desk import _shows, _type, opened, until
 
-from day6_tui.tui.app import Day6App
-from day6_tui.tui.card import CardModal
-from day6_tui.tui.locale import Texts
+from day6_tui.app import Day6App
+from day6_tui.card import CardModal
+from day6_tui.locale import Texts
+from tests.tui.screens import screen_lines, screen_text
+from tests.tui.test_real_desk import _shows, _type, opened, until
 
 DRILL = """---
 drill: slip

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from screens import screen_text
-from test_real_desk import opened, until
 
-from day6_tui.tui.app import Day6App
-from day6_tui.tui.layouts import build, describe
-from day6_tui.tui.settings import Settings
-from day6_tui.tui.splits import Tree
+from day6_tui.app import Day6App
+from day6_tui.layouts import build, describe
+from day6_tui.settings import Settings
+from day6_tui.splits import Tree
+from tests.tui.screens import screen_text
+from tests.tui.test_real_desk import opened, until
 
 pytestmark = pytest.mark.process
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import pytest
-from fakes import FakeTerminal
-from folded import folded
 from rich.cells import cell_len
-from screens import opened, screen_lines, screen_text, step, step_until
 from textual import events
 
-from day6_tui.tui.colours import colours
-from day6_tui.tui.terminal_keys import _PLAIN, decode, encode
-from day6_tui.tui.terminal_view import TerminalView, tab_name
+from day6_tui.colours import colours
+from day6_tui.terminal_keys import _PLAIN, decode, encode
+from day6_tui.terminal_view import TerminalView, tab_name
+from tests.support.folded import folded
+from tests.tui.fakes import FakeTerminal
+from tests.tui.screens import opened, screen_lines, screen_text, step, step_until
 
 
 @folded(

@@ -7,15 +7,15 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from fakes import FakeDesk
 from rich.cells import cell_len
-from screens import opened, screen_lines, screen_text, step
 
-from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
-from day6_tui.tui.actions import ACTIONS
-from day6_tui.tui.locale import LANGUAGES, catalogue
-from day6_tui.tui.manual import KEY_WIDTH
+from day6_core.graph import Graph
+from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
+from day6_tui.actions import ACTIONS
+from day6_tui.locale import LANGUAGES, catalogue
+from day6_tui.manual import KEY_WIDTH
+from tests.tui.fakes import FakeDesk
+from tests.tui.screens import opened, screen_lines, screen_text, step
 
 
 def test_no_key_is_cut_on_a_help_page() -> None:

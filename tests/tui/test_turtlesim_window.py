@@ -8,19 +8,19 @@ from itertools import product
 from types import SimpleNamespace
 
 import pytest
-from fakes import FakeSimulation, turtle
-from folded import folded
-from screens import UTF8, make_look, opened, screen_text, step
 from textual.geometry import Size
 
-from day6_tui.core.ros.programs.turtlesim.model import TurtleTopics
-from day6_tui.core.session.display import Display
-from day6_tui.tui.canvas import Canvas, square
-from day6_tui.tui.cells import cell_len
-from day6_tui.tui.colours import colours
-from day6_tui.tui.options import Options
-from day6_tui.tui.windows.turtle_shapes import COATS, HEADINGS, characters, heading_step, pixels
-from day6_tui.tui.windows.turtlesim import TurtleSimPane, _shrink
+from day6_core.ros.programs.turtlesim.model import TurtleTopics
+from day6_core.session.display import Display
+from day6_tui.canvas import Canvas, square
+from day6_tui.cells import cell_len
+from day6_tui.colours import colours
+from day6_tui.options import Options
+from day6_tui.windows.turtle_shapes import COATS, HEADINGS, characters, heading_step, pixels
+from day6_tui.windows.turtlesim import TurtleSimPane, _shrink
+from tests.support.folded import folded
+from tests.tui.fakes import FakeSimulation, turtle
+from tests.tui.screens import UTF8, make_look, opened, screen_text, step
 
 SECONDS = itertools.count(1.0)
 

@@ -8,16 +8,16 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.lessons.program import lessons_of
-from day6_tui.core.link.classroom.teacher import Teacher
-from day6_tui.core.session.display import Window
-from day6_tui.core.session.streams import InputStream, OutputStream
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.interpreter import subshell_main
-from day6_tui.core.shell.language.redirection import Streams
-from day6_tui.tui import windows
-from day6_tui.tui.class_link import TeacherLink
-from day6_tui.tui.windows import KINDS, WindowPane
+from day6_core.lessons.program import lessons_of
+from day6_core.link.classroom.teacher import Teacher
+from day6_core.session.display import Window
+from day6_core.session.streams import InputStream, OutputStream
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.interpreter import subshell_main
+from day6_core.shell.language.redirection import Streams
+from day6_tui import windows
+from day6_tui.class_link import TeacherLink
+from day6_tui.windows import KINDS, WindowPane
 
 COMMANDS = {
     "turtlesim": "ros2 run turtlesim turtlesim_node",

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from stepped_keyboard import Keyboard
-from stepped_machine import Running, SteppedMachine
+
+from tests.support.stepped_keyboard import Keyboard
+from tests.support.stepped_machine import Running, SteppedMachine
 
 TICK = 0.016
 

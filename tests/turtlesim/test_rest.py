@@ -9,7 +9,7 @@ from geometry_msgs.msg import Twist
 from turtlesim.msg import Pose
 from turtlesim.srv import TeleportAbsolute
 
-from day6_tui.core.ros.programs.turtlesim.turtlesim_node import TurtleFrame
+from day6_core.ros.programs.turtlesim.turtlesim_node import TurtleFrame
 
 if TYPE_CHECKING:
     from tests.turtlesim.conftest import Machine

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from day6_tui.core.ros.programs.turtlesim.model import CENTRE, KINDS, Simulation
+from day6_core.ros.programs.turtlesim.model import CENTRE, KINDS, Simulation
 
 TICK_NS = 16_000_000
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from day6_tui.core.ros.programs.turtlesim.model import CENTRE, Pose, Square, Trail, Turtle
+from day6_core.ros.programs.turtlesim.model import CENTRE, Pose, Square, Trail, Turtle
 
 TICK_NS = 16_000_000
 

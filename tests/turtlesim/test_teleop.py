@@ -8,11 +8,10 @@ import pytest
 from geometry_msgs.msg import Twist
 from turtlesim.msg import Pose
 
-from day6_tui.core.ros import distribution
+from day6_core.ros import distribution
 
 if TYPE_CHECKING:
-    from stepped_keyboard import Keyboard
-
+    from tests.support.stepped_keyboard import Keyboard
     from tests.turtlesim.conftest import Machine
 
 UP, DOWN, RIGHT, LEFT = "\x1b[A", "\x1b[B", "\x1b[C", "\x1b[D"

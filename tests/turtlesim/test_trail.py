@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.core.ros.programs.turtlesim.model import SIZE, Trail
-from day6_tui.core.ros.programs.turtlesim.model.trail import RECENT
+from day6_core.ros.programs.turtlesim.model import SIZE, Trail
+from day6_core.ros.programs.turtlesim.model.trail import RECENT
 
 QT = [
     ("one tick at 2 m/s", (250.9, 249.5, 249.5, 249.5, 3), (248, 248), "#### #### ####"),

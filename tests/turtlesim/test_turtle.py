@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from day6_tui.core.ros.programs.turtlesim.model import HEIGHT, WIDTH, Rotation, Step, Trail, Turtle, float32
+from day6_core.ros.programs.turtlesim.model import HEIGHT, WIDTH, Rotation, Step, Trail, Turtle, float32
 
 MS = 1_000_000
 TICK_NS = 16 * MS

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.urdf import parse_robot, shipped_model, shipped_models
-from day6_tui.urdf.advice import advice_of
+from day6_urdf import parse_robot, shipped_model, shipped_models
+from day6_urdf.advice import advice_of
 
 CAR = """<robot name="r">
   <link name="base"/>

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.urdf import Report, check_file, check_text
-from day6_tui.urdf.check import MAX_BYTES
+from day6_urdf import Report, check_file, check_text
+from day6_urdf.check import MAX_BYTES
 
 GOLDEN = Path(__file__).resolve().parents[1] / "conformance" / "golden" / "check_urdf.jsonl"
 """Recorded from the real tools."""

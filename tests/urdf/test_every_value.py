@@ -8,12 +8,11 @@ import random
 from collections.abc import Callable
 
 import pytest
-from folded import folded
 
-from day6_tui.urdf import check_text, parse_robot, yourdfpy_robot
-from day6_tui.urdf.advice import advice_of
-from day6_tui.urdf.kinematics import about, canonical, compose, joint_transform, matrix, multiply, rotate
-from day6_tui.urdf.model import (
+from day6_urdf import check_text, parse_robot, yourdfpy_robot
+from day6_urdf.advice import advice_of
+from day6_urdf.kinematics import about, canonical, compose, joint_transform, matrix, multiply, rotate
+from day6_urdf.model import (
     Box,
     Calibration,
     Cylinder,
@@ -29,7 +28,8 @@ from day6_tui.urdf.model import (
     Sphere,
     quaternion_from_rpy,
 )
-from day6_tui.urdf.xmlreader import Element, XmlError, read_xml, write_xml
+from day6_urdf.xmlreader import Element, XmlError, read_xml, write_xml
+from tests.support.folded import folded
 
 MODEL, LINK, JOINT, POSE = (f"./urdf_parser/src/{name}.cpp" for name in ("model", "link", "joint", "pose"))
 

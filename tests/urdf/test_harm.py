@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.urdf import check_text, load_robot, parse_robot
-from day6_tui.urdf.kinematics import link_transforms
-from day6_tui.urdf.load import RobotError
-from day6_tui.urdf.topview import render_top
+from day6_urdf import check_text, load_robot, parse_robot
+from day6_urdf.kinematics import link_transforms
+from day6_urdf.load import RobotError
+from day6_urdf.topview import render_top
 
 LAUGHS = (
     "<!DOCTYPE r ["
@@ -108,7 +108,7 @@ def test_reading_harm_from_a_file_stays_small(tmp_path: Path) -> None:
             out.write("<link name='a'/>" * 65_536)
     code = f"""
         import resource
-        from day6_tui.urdf.check import check_file
+        from day6_urdf.check import check_file
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         report = check_file({str(file)!r})
         after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from day6_tui.urdf import check_text
-from day6_tui.urdf.explain import hint_of, hints_wanted, language_of
+from day6_urdf import check_text
+from day6_urdf.explain import hint_of, hints_wanted, language_of
 
 GOLDEN = Path(__file__).resolve().parents[1] / "conformance" / "golden" / "check_urdf.jsonl"
 

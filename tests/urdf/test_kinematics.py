@@ -8,10 +8,9 @@ import random
 from collections.abc import Callable
 
 import pytest
-from folded import folded
 
-from day6_tui.urdf import parse_robot, shipped_model, yourdfpy_robot
-from day6_tui.urdf.kinematics import (
+from day6_urdf import parse_robot, shipped_model, yourdfpy_robot
+from day6_urdf.kinematics import (
     about,
     canonical,
     compose,
@@ -22,7 +21,8 @@ from day6_tui.urdf.kinematics import (
     multiply,
     positions_with_mimics,
 )
-from day6_tui.urdf.model import Pose, quaternion_from_rpy
+from day6_urdf.model import Pose, quaternion_from_rpy
+from tests.support.folded import folded
 
 
 @folded("seed", range(30))

@@ -15,10 +15,10 @@ from types import ModuleType
 
 import pytest
 import yaml
-from folded import folded
 
-from day6_tui.urdf import RobotError, copy_model, load_robot, parse_robot, shipped_model, shipped_models
-from day6_tui.urdf.model import Box, Collision, Cylinder, Inertial, Joint, Link, Pose, Robot, Sphere, Visual
+from day6_urdf import RobotError, copy_model, load_robot, parse_robot, shipped_model, shipped_models
+from day6_urdf.model import Box, Collision, Cylinder, Inertial, Joint, Link, Pose, Robot, Sphere, Visual
+from tests.support.folded import folded
 
 
 def rough(value: object) -> object:
@@ -100,7 +100,7 @@ def test_a_robot_with_a_part_yourdfpy_dies_of_is_still_loaded() -> None:
 
 
 def test_it_is_noted_when_yourdfpy_refuses_and_only_then(caplog: pytest.LogCaptureFixture) -> None:
-    with caplog.at_level("INFO", "day6_tui.urdf.load"):
+    with caplog.at_level("INFO", "day6_urdf.load"):
         load_robot(shipped_model())
         assert caplog.messages == []
         load_robot('<robot name="r"><link name="a"><visual><geometry><cone/></geometry></visual></link></robot>')
@@ -150,7 +150,7 @@ def fresh(code: str) -> str:
 @pytest.mark.process
 def test_loading_a_robot_leaves_scipy_and_networkx_out() -> None:
     code = (
-        "import sys; from day6_tui.urdf import load_robot, shipped_model; load_robot(shipped_model())\n"
+        "import sys; from day6_urdf import load_robot, shipped_model; load_robot(shipped_model())\n"
         "print(sorted(set(sys.modules) & {'yourdfpy', 'scipy', 'networkx', 'PIL', 'shapely'}))\n"
         "import scipy; print(scipy.__name__)"
     )
@@ -160,7 +160,7 @@ def test_loading_a_robot_leaves_scipy_and_networkx_out() -> None:
 @pytest.mark.process
 def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
     code = (
-        "import sys; from day6_tui.urdf import parse_robot, shipped_model; import day6_tui.urdf.topview\n"
+        "import sys; from day6_urdf import parse_robot, shipped_model; import day6_urdf.topview\n"
         "parse_robot(shipped_model()); print(set(sys.modules) & {'numpy', 'yourdfpy', 'lxml', 'xml'} or 'none')"
     )
     assert fresh(code).strip() == "none"
@@ -170,7 +170,7 @@ def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
 def test_when_the_light_import_fails_the_plain_one_is_used() -> None:
     code = (
         "import sys, importlib.util\n"
-        "from day6_tui.urdf import yourdfpy_robot, load_robot, shipped_model\n"
+        "from day6_urdf import yourdfpy_robot, load_robot, shipped_model\n"
         "real = importlib.import_module\n"
         "def minding(name, *rest):\n"
         "    if name == 'yourdfpy' and not importlib.util.find_spec('scipy'): raise RuntimeError('no scipy')\n"
@@ -191,7 +191,7 @@ def test_a_robot_is_data_that_compares_and_cannot_change() -> None:
 
 
 def test_what_is_hidden_while_yourdfpy_is_imported_can_be_imported_afterwards() -> None:
-    from day6_tui.urdf import yourdfpy_robot
+    from day6_urdf import yourdfpy_robot
 
     sys.modules.pop("colorsys", None)
     imported: list[ModuleType] = []

@@ -1,6 +1,6 @@
 """Robots from above, compared with the pictures in pictures.txt: shapes, slanted wheels, zoom, labels, every kind of line.
 
-After a change made on purpose: `python tests/urdf/test_pictures.py`, then look at the difference.
+After a change made on purpose: `python -m tests.urdf.test_pictures`, then look at the difference.
 """
 
 from __future__ import annotations
@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from folded import folded
 
-from day6_tui.urdf import parse_robot, shipped_model
-from day6_tui.urdf.canvas import Canvas, cell_width
-from day6_tui.urdf.kinematics import link_transforms
-from day6_tui.urdf.model import Robot
-from day6_tui.urdf.topplan import find_wheels, hull, plan_top, spin_of, stand, steering_of
-from day6_tui.urdf.topview import render_top, tread_marks
+from day6_urdf import parse_robot, shipped_model
+from day6_urdf.canvas import Canvas, cell_width
+from day6_urdf.kinematics import link_transforms
+from day6_urdf.model import Robot
+from day6_urdf.topplan import find_wheels, hull, plan_top, spin_of, stand, steering_of
+from day6_urdf.topview import render_top, tread_marks
+from tests.support.folded import folded
 
 WRITTEN = Path(__file__).with_name("pictures.txt")
 

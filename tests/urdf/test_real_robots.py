@@ -14,10 +14,10 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.urdf import RobotError, parse_robot, yourdfpy_robot
-from day6_tui.urdf.kinematics import link_transforms, matrix
-from day6_tui.urdf.load import load_robot
-from day6_tui.urdf.xmlreader import read_xml, write_xml
+from day6_urdf import RobotError, parse_robot, yourdfpy_robot
+from day6_urdf.kinematics import link_transforms, matrix
+from day6_urdf.load import load_robot
+from day6_urdf.xmlreader import read_xml, write_xml
 
 pytestmark = pytest.mark.outside
 

@@ -6,14 +6,14 @@ import itertools
 import math
 
 import pytest
-from folded import folded
 
-from day6_tui.urdf import parse_robot, shipped_model
-from day6_tui.urdf.canvas import Canvas, cell_width
-from day6_tui.urdf.kinematics import link_transforms
-from day6_tui.urdf.model import Robot
-from day6_tui.urdf.topplan import find_wheels, spin_of
-from day6_tui.urdf.topview import STYLES, render_top
+from day6_urdf import parse_robot, shipped_model
+from day6_urdf.canvas import Canvas, cell_width
+from day6_urdf.kinematics import link_transforms
+from day6_urdf.model import Robot
+from day6_urdf.topplan import find_wheels, spin_of
+from day6_urdf.topview import STYLES, render_top
+from tests.support.folded import folded
 
 CAR = parse_robot(shipped_model())
 SIZES = [(38, 10), (60, 18), (100, 34), (150, 50)]

@@ -7,10 +7,10 @@ import sys
 from pathlib import Path
 
 import pytest
-from waiting import run
 
-from day6_tui.core.ros.environment import SHARE_PATH
-from day6_tui.urdf.check import check_text
+from day6_core.ros.environment import SHARE_PATH
+from day6_urdf.check import check_text
+from tests.support.waiting import run
 
 ROBOTS = SHARE_PATH / "urdf_tutorial/urdf"
 LAUNCHED = """
@@ -31,7 +31,7 @@ def typed(tmp_path: Path, lines: str) -> str:
         [
             sys.executable,
             "-m",
-            "day6_tui.tui.main",
+            "day6_tui.main",
             "exec",
             "--home",
             str(tmp_path / "home"),

@@ -30,7 +30,7 @@ CAR = """<?xml version="1.0"?>
 
 def day6(tmp_path: Path, *words: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", *words],
+        [sys.executable, "-m", "day6_tui.main", *words],
         cwd=tmp_path,
         env={**os.environ, "DAY6_RUNTIME_DIR": str(tmp_path), "DAY6_LINK": "off"},
         capture_output=True,

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from day6_tui.urdf.xmlreader import XmlError, read_xml, write_xml
+from day6_urdf.xmlreader import XmlError, read_xml, write_xml
 
 # Text, and the error with the line it blames. Each was traced through TinyXML-2's parser.
 BROKEN = {

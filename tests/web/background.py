@@ -7,8 +7,8 @@ import threading
 from collections.abc import Coroutine
 from typing import Any, TypeVar
 
-from in_time import in_time
-from waiting import PATIENCE
+from tests.support.waiting import PATIENCE
+from tests.web.in_time import in_time
 
 T = TypeVar("T")
 

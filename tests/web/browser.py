@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
-    from background import Background
-    from chromium import Chromium
+    from tests.web.background import Background
+    from tests.web.chromium import Chromium
 
 
 @pytest.fixture(scope="session")
 def background() -> Iterator[Background]:
-    from background import Background
+    from tests.web.background import Background
 
     made = Background()
     yield made
@@ -25,7 +25,7 @@ def background() -> Iterator[Background]:
 def chromium(background: Background) -> Iterator[Chromium]:
     """The browser of the run; tests that need it are skipped where there is none."""
     pytest.importorskip("aiohttp", reason="aiohttp is not installed (the extra serve)")
-    from chromium import Chromium, program
+    from tests.web.chromium import Chromium, program
 
     if (executable := program()) is None:
         pytest.skip("no Chromium on this machine")

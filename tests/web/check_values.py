@@ -1,4 +1,4 @@
-"""Checks hub/values.yaml against the chart: python tests/web/check_values.py CHART
+"""Checks hub/values.yaml against the chart: python -m tests.web.check_values CHART
 
 CHART is the folder `jupyterhub` of a checkout of Zero to JupyterHub. As helm does, the values are laid over the chart's own
 before they are checked. Needs jsonschema.

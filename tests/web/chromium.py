@@ -20,8 +20,9 @@ from pathlib import Path
 from typing import Any
 
 import aiohttp
-from background import Background
-from waiting import until
+
+from tests.support.waiting import until
+from tests.web.background import Background
 
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
 SWITCHES = (

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from short_folder import make_short_folder
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
-from browser import background, chromium  # noqa: F401
+from tests.support.short_folder import make_short_folder
+from tests.web.browser import background, chromium  # noqa: F401
 
 if TYPE_CHECKING:
-    from serving import Serving
+    from tests.web.serving import Serving
 
 LIST = "\ufeffname,group\r\nanna,1\r\n李雷,1\r\n,2\r\nANNA,2\r\nbert,2\r\n"
 
@@ -23,7 +19,7 @@ LIST = "\ufeffname,group\r\nanna,1\r\n李雷,1\r\n,2\r\nANNA,2\r\nbert,2\r\n"
 @pytest.fixture(scope="session")
 def class_server() -> Iterator[Serving]:
     """A server for all tests that do not end it."""
-    from serving import WORD, Serving
+    from tests.web.serving import WORD, Serving
 
     folder = make_short_folder("d6w-")
     table = folder / "pupils.csv"

@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Coroutine
 from typing import Any, TypeVar
 
-from waiting import PATIENCE, Deadline
+from tests.support.waiting import PATIENCE, Deadline
 
 T = TypeVar("T")
 

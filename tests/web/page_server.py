@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from aiohttp import WSMsgType, web
-from background import Background
-from waiting import until
 
-from day6_tui.tui import web as door
+from day6_tui import web as door
+from tests.support.waiting import until
+from tests.web.background import Background
 
 T = TypeVar("T")
 

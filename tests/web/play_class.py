@@ -1,4 +1,4 @@
-"""A class in a real browser, to be looked at: python tests/web/play_class.py FOLDER [--pupils 8] [--isolation auto] [--lang zh]
+"""A class in a real browser, to be looked at: python -m tests.web.play_class FOLDER [--pupils 8] [--isolation auto] [--lang zh]
 
 Every pupil has a browser tab with a profile of its own and plays the first lesson; the teacher's page is open beside them, with
 all screens in small. Two more pupils are on the list: one never comes, one finds the class full. Screenshots go to FOLDER.
@@ -18,8 +18,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from background import Background
-from chromium import Chromium, Page, program
+from tests.web.background import Background
+from tests.web.chromium import Chromium, Page, program
 
 WORD = "turtle"
 LANGUAGES = {"zh": "zh-CN", "en": "en-US"}
@@ -79,7 +79,7 @@ def main() -> None:
     words = ["serve", "--word", WORD, "--class", str(class_list(place)), "--most", str(options.pupils)]
     words += ["--port", "0", "--data", f"{place}/class", "--isolation", options.isolation]
     server = subprocess.Popen(
-        [sys.executable, "-m", "day6_tui.tui.main", *words, "--lang", options.lang],
+        [sys.executable, "-m", "day6_tui.main", *words, "--lang", options.lang],
         stdout=subprocess.PIPE,
         text=True,
         encoding="utf-8",
@@ -122,7 +122,7 @@ def main() -> None:
         )
         front.wait_for("document.querySelectorAll('.pupil progress:not([hidden])').length > 0", 30)
         time.sleep(3)
-        marks = (b"tui.main\0serve", b"day6_tui.tui.detached", b"day6_tui.tui.main", b"chromium")
+        marks = (b"tui.main\0serve", b"day6_tui.detached", b"day6_tui.main", b"chromium")
         before, began = cpu_of(marks), time.monotonic()
         for page in pupils:
             page.press("F5")

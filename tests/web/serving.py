@@ -18,8 +18,9 @@ from typing import Any
 
 import pyte
 import pytest
-from in_time import LOOK_SECONDS, in_time
-from waiting import PATIENCE, Deadline
+
+from tests.support.waiting import PATIENCE, Deadline
+from tests.web.in_time import LOOK_SECONDS, in_time
 
 pytest.importorskip("termios", reason="this system has no pseudo-terminals, and the server no keepers")
 pytest.importorskip("aiohttp", reason="needs the extra: pip install 'day6-tui[serve]'")
@@ -46,7 +47,7 @@ class Serving:
         environ = {**os.environ, "DAY6_RUNTIME_DIR": str(self.folder / "run"), "SECRET_OF_SERVER": "x31337"}
         environ.pop("DAY6_LINK", None)
         self.process = subprocess.Popen(
-            [self._python, "-m", "day6_tui.tui.main", "serve", *self._words, *more],
+            [self._python, "-m", "day6_tui.main", "serve", *self._words, *more],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
@@ -89,7 +90,7 @@ class Serving:
                     words = Path("/proc", name, "cmdline").read_bytes()
                 except OSError:
                     continue
-                if mark in words and b"day6_tui.tui.main\0serve" not in words:
+                if mark in words and b"day6_tui.main\0serve" not in words:
                     found.append(int(name))
         return found
 

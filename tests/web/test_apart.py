@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import os
 import signal
-import sys
 from pathlib import Path
 
 import aiohttp
 import pytest
-from serving import WORD, Browser, Serving, browser, run
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "isolation"))
+from tests.web.serving import WORD, Browser, Serving, browser, run
 
-school = pytest.importorskip("school", reason="pupils are kept apart on Linux only")
+school = pytest.importorskip("tests.isolation.school", reason="pupils are kept apart on Linux only")
 
 
 @pytest.mark.process

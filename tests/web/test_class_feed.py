@@ -8,9 +8,10 @@ from typing import Any
 
 import aiohttp
 import pytest
-from in_time import in_time
-from serving import Serving, browser, run
-from waiting import Deadline
+
+from tests.support.waiting import Deadline
+from tests.web.in_time import in_time
+from tests.web.serving import Serving, browser, run
 
 pytestmark = pytest.mark.process
 

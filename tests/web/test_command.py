@@ -10,8 +10,9 @@ from pathlib import Path
 
 import aiohttp
 import pytest
-from serving import PATIENCE, Browser, Serving, run
-from short_folder import make_short_folder
+
+from tests.support.short_folder import make_short_folder
+from tests.web.serving import PATIENCE, Browser, Serving, run
 
 pytestmark = pytest.mark.process
 
@@ -19,7 +20,7 @@ pytestmark = pytest.mark.process
 def refused(*words: str, folder: Path | None = None) -> tuple[int, str]:
     data = make_short_folder("d6w-") if folder is None else folder
     done = subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "serve", "--lang", "en", "--data", str(data), *words],
+        [sys.executable, "-m", "day6_tui.main", "serve", "--lang", "en", "--data", str(data), *words],
         capture_output=True,
         text=True,
         timeout=PATIENCE,
@@ -84,7 +85,7 @@ def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link_and_has_one_grap
                 await tab.see("anna@day6:~$")
                 await tab.type('echo seen > mine.txt; ros2 topic pub -r 5 /told std_msgs/msg/String "{data: hi}"\r')
                 await tab.see("publishing #1")
-                echo = [sys.executable, "-m", "day6_tui.tui.main", "ros2", "topic", "echo", "--once", "/told"]
+                echo = [sys.executable, "-m", "day6_tui.main", "ros2", "topic", "echo", "--once", "/told"]
                 env = {name: value for name, value in os.environ.items() if name != "DAY6_LINK"}
                 heard = await asyncio.to_thread(
                     subprocess.run, echo, env=env, capture_output=True, text=True, timeout=PATIENCE

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import aiohttp
 import pytest
-from serving import WORD, Browser, Serving, Tab, browser, run
-from short_folder import make_short_folder
-from waiting import until
 
-from day6_tui.tui.web.viewer import MOST_UNACKNOWLEDGED
+from day6_tui.web.viewer import MOST_UNACKNOWLEDGED
+from tests.support.short_folder import make_short_folder
+from tests.support.waiting import until
+from tests.web.serving import WORD, Browser, Serving, Tab, browser, run
 
 pytestmark = pytest.mark.process
 

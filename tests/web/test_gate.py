@@ -10,12 +10,12 @@ from pathlib import Path
 
 import aiohttp
 import pytest
-from serving import WORD, Browser, Serving, browser, run
-from short_folder import make_short_folder
 
-from day6_tui.tui.web.links import Links
-from day6_tui.tui.web.tokens import Tokens
-from day6_tui.tui.web.tries import MOST_OF_ONE
+from day6_tui.web.links import Links
+from day6_tui.web.tokens import Tokens
+from day6_tui.web.tries import MOST_OF_ONE
+from tests.support.short_folder import make_short_folder
+from tests.web.serving import WORD, Browser, Serving, browser, run
 
 
 async def status_of_socket(door: Browser, **headers: str) -> int:

@@ -17,7 +17,7 @@ pytest.importorskip("aiohttp", reason="needs the extra: pip install 'day6-tui[se
 def test_jupyter_finds_the_tile_without_loading_a_desktop() -> None:
     code = """
 import json, sys
-from day6_tui.tui.web.jupyter import server
+from day6_tui.web.jupyter import server
 print(json.dumps([server(), sorted({"textual", "aiohttp", "rich", "numpy"} & set(sys.modules))]))
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True, cwd="/")
@@ -28,8 +28,8 @@ print(json.dumps([server(), sorted({"textual", "aiohttp", "rich", "numpy"} & set
 
 
 def test_what_jupyter_starts_is_a_command_line_of_ours() -> None:
-    from day6_tui.tui.web.jupyter import server
-    from day6_tui.tui.web.options import parse
+    from day6_tui.web.jupyter import server
+    from day6_tui.web.options import parse
 
     command = [word.format(unix_socket="/run/s", base_url="/user/anna/day6/", port=0) for word in server()["command"]]
     settings = parse(command[command.index("serve") + 1 :], "en")

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from background import Background
-    from chromium import Chromium, Page
-    from page_server import PageServer
+    from tests.web.background import Background
+    from tests.web.chromium import Chromium, Page
+    from tests.web.page_server import PageServer
 
 pytestmark = pytest.mark.browser
 
@@ -99,7 +99,7 @@ class Desk:
 @pytest.fixture(scope="module")
 def whole_desk(chromium: Chromium, background: Background) -> Iterator[Desk]:
     """One tab and one server for all tests of this file."""
-    from page_server import PageServer
+    from tests.web.page_server import PageServer
 
     page, server = chromium.page(), PageServer(background)
     yield Desk(page, server)
@@ -583,7 +583,7 @@ def test_nothing_is_asked_of_any_other_machine_and_nothing_fails(desk: Desk) -> 
 
 @pytest.mark.parametrize("text", WIDE_AND_NARROW)
 def test_characters_are_as_wide_as_the_desktop_thinks(widths: dict[str, int], text: str) -> None:
-    from day6_tui.tui.cells import cell_len
+    from day6_tui.cells import cell_len
 
     assert widths[text] == cell_len(text)
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from background import Background
-    from chromium import Chromium, Page
-    from page_server import PageServer
+    from tests.web.background import Background
+    from tests.web.chromium import Chromium, Page
+    from tests.web.page_server import PageServer
 
 pytestmark = pytest.mark.browser
 
@@ -84,7 +84,7 @@ class ClassPage:
 
 @pytest.fixture(scope="module")
 def tab(chromium: Chromium, background: Background) -> Iterator[tuple[Page, PageServer]]:
-    from page_server import PageServer
+    from tests.web.page_server import PageServer
 
     page, server = chromium.page(), PageServer(background)
     server.hello = {"t": "hello", "lang": "en", "lessons": [{"name": "day1", "title": LESSON["title"]}]}

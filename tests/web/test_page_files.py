@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.tui import web
+from day6_tui import web
 
 pytestmark = pytest.mark.browser
 

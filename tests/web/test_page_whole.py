@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from serving import Serving
-from short_folder import make_short_folder
+
+from tests.support.short_folder import make_short_folder
+from tests.web.serving import Serving
 
 if TYPE_CHECKING:
-    from chromium import Chromium, Page
+    from tests.web.chromium import Chromium, Page
 
 pytestmark = pytest.mark.browser
 

@@ -1,4 +1,4 @@
-"""Walks hub/README.md with a real JupyterHub, two pupils and a real browser: python tests/web/try_hub.py BIN PROXY FOLDER
+"""Walks hub/README.md with a real JupyterHub, two pupils and a real browser: python -m tests.web.try_hub BIN PROXY FOLDER
 
 BIN is the bin folder of an environment with jupyterhub, jupyterlab, jupyter-server-proxy and day6-tui[serve], PROXY that of
 configurable-http-proxy; screenshots go to FOLDER. Prints PSS and CPU of the hub, its proxy and a pupil's server, and when the
@@ -17,8 +17,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from background import Background
-from chromium import Chromium, Page, program
+from tests.web.background import Background
+from tests.web.chromium import Chromium, Page, program
 
 WORD = "chalk-and-sponge"
 TEACHER_WORD = "a sentence that only the teacher knows"
@@ -28,8 +28,8 @@ PARTS = {
     "hub": b"bin/jupyterhub\0",
     "proxy": b"configurable-http-proxy",
     "pupil's server": b"singleuser",
-    "serve": b"day6_tui.tui.main\0serve",
-    "desktop": b"day6_tui.tui.main\0--",
+    "serve": b"day6_tui.main\0serve",
+    "desktop": b"day6_tui.main\0--",
 }
 
 

@@ -1,4 +1,4 @@
-"""Opens the tile in a real JupyterLab, in a real browser: python tests/web/try_jupyter.py JUPYTER FOLDER
+"""Opens the tile in a real JupyterLab, in a real browser: python -m tests.web.try_jupyter JUPYTER FOLDER
 
 JUPYTER is the `jupyter` of an environment with jupyterlab, jupyter-server-proxy and day6-tui[serve]; screenshots go to FOLDER.
 """
@@ -13,8 +13,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from background import Background
-from chromium import Chromium, program
+from tests.web.background import Background
+from tests.web.chromium import Chromium, program
 
 
 def main() -> None:

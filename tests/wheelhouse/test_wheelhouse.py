@@ -15,8 +15,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.tui.wheelhouse import closure, command, folder, guide, own_wheel
-from day6_tui.tui.wheelhouse.targets import PLATFORMS, Target, this_platform, this_python
+from day6_tui.wheelhouse import closure, command, folder, guide, own_wheel
+from day6_tui.wheelhouse.targets import PLATFORMS, Target, this_platform, this_python
 
 
 def texts_for(targets: list[Target]) -> dict[str, str]:
@@ -275,14 +275,14 @@ def test_the_wheel_of_an_installed_day6_holds_what_was_installed(tmp_path: Path)
 
     site = tmp_path / "site"
     info = site / "day6_tui-7.0.dist-info"
-    (site / "day6_tui" / "tui").mkdir(parents=True)
+    (site / "day6_tui").mkdir(parents=True)
     info.mkdir()
-    (site / "day6_tui" / "tui" / "a.py").write_text("A = 1\n", encoding="utf-8")
+    (site / "day6_tui" / "a.py").write_text("A = 1\n", encoding="utf-8")
     (info / "METADATA").write_text("Metadata-Version: 2.1\nName: day6-tui\nVersion: 7.0\n", encoding="utf-8")
     (info / "WHEEL").write_text("Wheel-Version: 1.0\nTag: py3-none-any\n", encoding="utf-8")
     (info / "INSTALLER").write_text("pip\n", encoding="utf-8")
     (info / "RECORD").write_text(
-        "day6_tui/tui/a.py,,\nday6_tui/tui/__pycache__/a.cpython-312.pyc,,\n../../bin/day6-tui,,\n"
+        "day6_tui/a.py,,\nday6_tui/__pycache__/a.cpython-312.pyc,,\n../../bin/day6-tui,,\n"
         "day6_tui-7.0.dist-info/METADATA,,\nday6_tui-7.0.dist-info/WHEEL,,\nday6_tui-7.0.dist-info/INSTALLER,,\n",
         encoding="utf-8",
     )
@@ -296,7 +296,7 @@ def test_the_wheel_of_an_installed_day6_holds_what_was_installed(tmp_path: Path)
         encoding="utf-8",
     )
     assert done.returncode == 0, done.stderr
-    assert (target / "day6_tui" / "tui" / "a.py").read_text(encoding="utf-8") == "A = 1\n"
+    assert (target / "day6_tui" / "a.py").read_text(encoding="utf-8") == "A = 1\n"
 
 
 @pytest.mark.parametrize("lang", ["zh", "en"])

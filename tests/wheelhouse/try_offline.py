@@ -1,4 +1,4 @@
-"""Makes a wheelhouse with the real pip and installs from it without any index: python tests/wheelhouse/try_offline.py
+"""Makes a wheelhouse with the real pip and installs from it without any index: python -m tests.wheelhouse.try_offline
 
 Needs a package index for the first half. Prints what it does; exit status 0 if the installed day6-tui runs.
 """
@@ -22,7 +22,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="day6-offline-") as name:
         place = Path(name)
         stick, home = place / "stick", place / "home"
-        run(sys.executable, "-m", "day6_tui.tui.main", "wheelhouse", stick, "--lang", "en")
+        run(sys.executable, "-m", "day6_tui.main", "wheelhouse", stick, "--lang", "en")
         # An index or a folder of wheels from the user's configuration would hide what is missing.
         env = {key: value for key, value in os.environ.items() if not key.startswith("PIP_")}
         env["PIP_CONFIG_FILE"] = os.devnull

@@ -1,6 +1,6 @@
 """Builds the shapes of packages with the real colcon and with ours, and prints what differs; started by hand.
 
-    python tests/workspace/compare_shapes.py --real /path/of/colcon [SHAPE …]
+    python -m tests.workspace.compare_shapes --real /path/of/colcon [SHAPE …]
 
 For each step: which packages were built, what became of the sources, the install trees, and what Python then imports.
 """
@@ -16,9 +16,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-from shapes import PYTHON, STEPS, changes, lay_out, snapshot
+from tests.workspace.shapes import PYTHON, STEPS, changes, lay_out, snapshot
 
 _LEFT_OUT = ("setup.", "local_setup.", "_local_setup", "COLCON_IGNORE", ".colcon_install_layout")
 _IMPORTED = """\

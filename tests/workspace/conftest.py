@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 # Tests are imported by path (--import-mode=importlib), their helpers by name.
-sys.path.insert(0, str(Path(__file__).parent))
-
-from workshop import Workshop
+from tests.workspace.workshop import Workshop
 
 
 @pytest.fixture

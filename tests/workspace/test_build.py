@@ -10,7 +10,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from workshop import Workshop, edit
+
+from tests.workspace.workshop import Workshop, edit
 
 posix_only = pytest.mark.skipif(sys.platform == "win32", reason="needs a POSIX system")
 BASH = shutil.which("bash")
@@ -381,8 +382,8 @@ def test_a_new_terminal_reads_bashrc_and_an_old_one_does_not(workshop: Workshop)
 
 
 def test_tab_knows_verbs_options_and_packages(workshop: Workshop) -> None:
-    from day6_tui.core.session.session import Session
-    from day6_tui.core.shell.completion import Completer
+    from day6_core.session.session import Session
+    from day6_core.shell.completion import Completer
 
     workshop.create("day6_one")
     workshop.create("day6_two")
@@ -412,7 +413,7 @@ def test_a_log_that_cannot_be_written_fails_no_build(workshop: Workshop, monkeyp
     def full(*arguments: object, **options: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("day6_tui.core.workspace.logs.open", full, raising=False)
+    monkeypatch.setattr("day6_core.workspace.logs.open", full, raising=False)
     done = workshop.run("colcon build")
     said = "[<T>] WARNING:colcon.colcon_core.logging:the log cannot be written: No space left on device\n"
     assert (done.status, timeless(done.err)) == (0, said), "once"

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 
 import pytest
-from workshop import Workshop, edit
+
+from tests.workspace.workshop import Workshop, edit
 
 
 def timeless(text: str) -> str:

@@ -6,7 +6,8 @@ import ast
 from pathlib import Path
 
 import pytest
-from workshop import Workshop
+
+from tests.workspace.workshop import Workshop
 
 
 def create(workshop: Workshop, words: str):

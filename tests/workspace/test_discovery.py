@@ -6,11 +6,11 @@ import re
 from pathlib import Path
 
 import pytest
-from workshop import Workshop
 
-from day6_tui.core.workspace.manifest import ManifestError, read_manifest
-from day6_tui.core.workspace.order import OrderError, plan
-from day6_tui.core.workspace.packages import Package, find_packages
+from day6_core.workspace.manifest import ManifestError, read_manifest
+from day6_core.workspace.order import OrderError, plan
+from day6_core.workspace.packages import Package, find_packages
+from tests.workspace.workshop import Workshop
 
 MANIFEST = """\
 <?xml version="1.0"?>

@@ -12,9 +12,9 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from workshop import Workshop
 
-from day6_tui.core.workspace.export import LARGEST, ExportError, export, main
+from day6_core.workspace.export import LARGEST, ExportError, export, main
+from tests.workspace.workshop import Workshop
 
 posix_only = pytest.mark.skipif(sys.platform == "win32", reason="needs links, pipes and sockets")
 REAL_COLCON = os.environ.get("DAY6_REAL_COLCON") or shutil.which("colcon")
@@ -184,8 +184,8 @@ def test_what_cannot_be_read_is_told(
             raise PermissionError(13, "Permission denied", str(path))
         return real_scan(path)
 
-    monkeypatch.setattr("day6_tui.core.workspace.export.os.open", no_open)
-    monkeypatch.setattr("day6_tui.core.workspace.export.os.scandir", no_scan)
+    monkeypatch.setattr("day6_core.workspace.export.os.open", no_open)
+    monkeypatch.setattr("day6_core.workspace.export.os.scandir", no_scan)
     assert main(["--workspace", str(workshop.workspace), "-o", str(tmp_path / "out.zip")]) == 1
     assert f"one/{name}': Permission denied" in capsys.readouterr().err
     assert list(tmp_path.glob("*.zip")) == []

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from workshop import Workshop, edit
+
+from tests.workspace.workshop import Workshop, edit
 
 MANIFEST = """\
 <?xml version="1.0"?>

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_build import site_packages
-from workshop import Workshop, edit
+
+from tests.workspace.test_build import site_packages
+from tests.workspace.workshop import Workshop, edit
 
 PROGRAM = "#!/usr/bin/env python3\nfrom words import WORD\n\nprint(WORD)\n"
 

@@ -9,11 +9,11 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-from shapes import CMAKE, PYTHON, STEPS, Shape, changes, lay_out, snapshot
-from waiting import PATIENCE
-from workshop import Workshop, edit
 
-from day6_tui.core.workspace import build as build_task
+from day6_core.workspace import build as build_task
+from tests.support.waiting import PATIENCE
+from tests.workspace.shapes import CMAKE, PYTHON, STEPS, Shape, changes, lay_out, snapshot
+from tests.workspace.workshop import Workshop, edit
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="most shapes need links")
 

@@ -6,7 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
-from workshop import Workshop
+
+from tests.workspace.workshop import Workshop
 
 GOOD = "def test_one():\n    assert 1 + 1 == 2\n"
 BAD = "def test_two():\n    assert 1 + 1 == 3\n"
@@ -56,7 +57,7 @@ def test_without_pytest_nothing_is_green(workshop: Workshop, package: Path, monk
     blocked = workshop.workspace / "blocked"
     blocked.mkdir()
     (blocked / "pytest.py").write_text("import sys\nsys.exit('No module named pytest')\n", encoding="utf-8")
-    monkeypatch.setattr("day6_tui.core.workspace.package_tests.find_spec", lambda name: None)
+    monkeypatch.setattr("day6_core.workspace.package_tests.find_spec", lambda name: None)
     done = workshop.run(f"colcon build > /dev/null\nexport PYTHONPATH='{blocked}':\"$PYTHONPATH\"\ncolcon test")
     assert done.status == 1
     assert "No module named pytest" in done.err and "Failed   <<< hello" in done.err

@@ -10,9 +10,9 @@ import pytest
 from launch import LaunchContext
 from launch.substitutions import Command
 from launch.substitutions.substitution_failure import SubstitutionFailure
-from workshop import Workshop
 
-from day6_tui.core.ros.programs.xacro import xacro as program
+from day6_core.ros.programs.xacro import xacro as program
+from tests.workspace.workshop import Workshop
 
 pytestmark = pytest.mark.process
 
@@ -91,7 +91,7 @@ def test_in_a_launch_file_and_in_a_real_terminal_too(tmp_path: Path) -> None:
         Command(["xacro '", str(file), "'"]).perform(LaunchContext())
     assert str(failure.value).startswith(f"executed command failed. Command: xacro '{file}'\n")
     assert str(failure.value).endswith(OUT_OF_MEMORY)
-    words = [sys.executable, "-m", "day6_tui.tui.main", "xacro", str(file)]
+    words = [sys.executable, "-m", "day6_tui.main", "xacro", str(file)]
     done = subprocess.run(words, capture_output=True, text=True, encoding="utf-8", timeout=60)
     assert done.returncode == 2 and done.stderr.endswith(OUT_OF_MEMORY)
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from waiting import PATIENCE, until
-
-from day6_tui.core.session.program import Program
-from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured, InputStream
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted
-from day6_tui.core.shell.language.interpreter import Shell
-from day6_tui.core.shell.language.redirection import Streams
+from day6_core.session.program import Program
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured, InputStream
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.control_flow import ExitShell, Interrupted
+from day6_core.shell.language.interpreter import Shell
+from day6_core.shell.language.redirection import Streams
+from tests.support.waiting import PATIENCE, until
 
 """Seconds a command may take at most."""
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from stepped_machine import Running, SteppedMachine
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
+from tests.support.stepped_machine import Running, SteppedMachine
 
 
 class Machine(SteppedMachine):

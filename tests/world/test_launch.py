@@ -23,7 +23,7 @@ kill %1
 
 @pytest.mark.process
 def test_a_xacro_robot_in_the_world_of_a_launch_file(tmp_path: Path) -> None:
-    from day6_tui.urdf import shipped_model
+    from day6_urdf import shipped_model
 
     text = shipped_model("day6_bot_gazebo").read_text(encoding="utf-8")
     text = text.replace(
@@ -33,7 +33,7 @@ def test_a_xacro_robot_in_the_world_of_a_launch_file(tmp_path: Path) -> None:
     (tmp_path / "car.urdf.xacro").write_text(text, encoding="utf-8")
     home = tmp_path / "home"
     done = subprocess.run(
-        [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", str(home), "--timeout", "40", "-c", LESSON],
+        [sys.executable, "-m", "day6_tui.main", "exec", "--home", str(home), "--timeout", "40", "-c", LESSON],
         cwd=tmp_path,
         env={**os.environ, "DAY6_RUNTIME_DIR": str(tmp_path), "DAY6_LINK": "off"},
         capture_output=True,

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.ros.environment import SHARE_PATH
-from day6_tui.core.ros.programs.day6_world.scenery import SceneryError, read_scenery, shipped_worlds
-from day6_tui.core.ros.programs.day6_world.shapes import Outline, RayCaster, box, overlap
+from day6_core.ros.environment import SHARE_PATH
+from day6_core.ros.programs.day6_world.scenery import SceneryError, read_scenery, shipped_worlds
+from day6_core.ros.programs.day6_world.shapes import Outline, RayCaster, box, overlap
 
 WORLDS = shipped_worlds(SHARE_PATH / "day6_world")
 

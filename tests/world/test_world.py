@@ -16,7 +16,7 @@ from std_msgs.msg import Float32MultiArray
 from std_srvs.srv import Empty, SetBool
 from tf2_msgs.msg import TFMessage
 
-from day6_tui.urdf import shipped_model
+from day6_urdf import shipped_model
 
 if TYPE_CHECKING:
     from tests.world.conftest import Machine

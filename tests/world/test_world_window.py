@@ -9,19 +9,19 @@ from typing import Any
 import pytest
 from textual.geometry import Size
 
-from day6_tui.core.ros.environment import SHARE_PATH
-from day6_tui.core.ros.programs.day6_world._admission import status
-from day6_tui.core.ros.programs.day6_world.model import Scan, Trail, WorldModel, WorldSnapshot
-from day6_tui.core.ros.programs.day6_world.scenery import read_scenery, shipped_worlds
-from day6_tui.core.ros.remark_texts import TEXTS
-from day6_tui.core.session.display import Display
-from day6_tui.tui.app import make_look
-from day6_tui.tui.cells import cell_len
-from day6_tui.tui.locale import catalogue
-from day6_tui.tui.options import Options
-from day6_tui.tui.windows import world_picture as picture
-from day6_tui.tui.windows.world import WorldPane
-from day6_tui.urdf import parse_robot, shipped_model
+from day6_core.ros.environment import SHARE_PATH
+from day6_core.ros.programs.day6_world._admission import status
+from day6_core.ros.programs.day6_world.model import Scan, Trail, WorldModel, WorldSnapshot
+from day6_core.ros.programs.day6_world.scenery import read_scenery, shipped_worlds
+from day6_core.ros.remark_texts import TEXTS
+from day6_core.session.display import Display
+from day6_tui.app import make_look
+from day6_tui.cells import cell_len
+from day6_tui.locale import catalogue
+from day6_tui.options import Options
+from day6_tui.windows import world_picture as picture
+from day6_tui.windows.world import WorldPane
+from day6_urdf import parse_robot, shipped_model
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 CAR = parse_robot(shipped_model("day6_bot_gazebo"))

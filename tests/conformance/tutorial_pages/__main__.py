@@ -22,22 +22,17 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-HERE = Path(__file__).resolve().parent
-TESTS = HERE.parents[1]
-sys.path[:0] = [str(TESTS), str(TESTS / "stepped"), str(HERE.parent)]
-
-from day6_tui.core.ros import distribution  # noqa: E402
-from tutorial_pages.documentation import Documentation  # noqa: E402
-from tutorial_pages.pages import Page, pages  # noqa: E402
-from tutorial_pages.table import TABLE, printed, summary  # noqa: E402
+from day6_core.ros import distribution
+from tests.conformance.tutorial_pages.documentation import Documentation
+from tests.conformance.tutorial_pages.pages import Page, pages
+from tests.conformance.tutorial_pages.table import TABLE, printed, summary
 
 
 def play(documentation: Documentation, chain: list[Page], mirror: Path | None, report: Path | None) -> dict[str, Any]:
     """Play the pages of a chain in one home; return the rows of the table by page."""
-    import conftest as surroundings
-
-    from tutorial_pages.player import Player
-    from tutorial_pages.reader_machine import Machine
+    from tests import conftest as surroundings
+    from tests.conformance.tutorial_pages.player import Player
+    from tests.conformance.tutorial_pages.reader_machine import Machine
 
     done: dict[str, Any] = {}
     with tempfile.TemporaryDirectory(prefix="d6-", ignore_cleanup_errors=True) as folder:
@@ -101,7 +96,7 @@ def main() -> int:
 
 
 def _in_its_own_process(chain: str) -> Iterable[tuple[str, Any]]:
-    command = [sys.executable, str(HERE), "--chain", chain, *sys.argv[1:]]
+    command = [sys.executable, "-m", "tests.conformance.tutorial_pages", "--chain", chain, *sys.argv[1:]]
     done = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert done.stdout is not None
     rows: list[tuple[str, Any]] = []

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from day6_tui.core.ros.differences import value
+from day6_core.ros.differences import value
 
 ELSEWHERE = ("macos", "windows", "rhel", "fedora", "opensplice", "powershell")
 """Tabs of other systems: nobody reads two."""

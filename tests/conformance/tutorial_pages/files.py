@@ -6,7 +6,7 @@ import re
 import textwrap
 from pathlib import Path
 
-from tutorial_pages.documentation import Block
+from tests.conformance.tutorial_pages.documentation import Block
 
 _CODE = re.compile(r"``([^`]+)``|\*\*([^*]+)\*\*")
 _FILE = re.compile(r"[\w./~-]+\.(?:py|xml|ya?ml|urdf|xacro|msg|srv|action|rviz|txt|cfg|urdf\.xml|repos)$")

@@ -22,7 +22,7 @@ _MASKS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"rosbag2_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d(_\d+)?", "<BAG>"),
         (r"(?<=_)\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d", "<TIME>"),
         (r"(?<=frames_)\d{4}-\d\d-\d\d_\d\d\.\d\d\.\d\d", "<TIME>"),
-        (re.escape(str(Path(__file__).parents[3] / "core" / "ros")), "<PREFIX>"),
+        (re.escape(str(Path(__file__).parents[3] / "core" / "day6_core" / "ros")), "<PREFIX>"),
         (r"\d{4}-\d\d-\d\d-\d\d-\d\d-\d\d-\d{6}-[\w.-]+-\d+", "<LOG>"),
         (r"(?:/home/[\w.-]+|~|/tmp/[\w.-]+(?:/home)?)(?=/|\b|$)", "<HOME>"),
         (r"(?:[0-9a-f]{1,2}[:.]){7,}[0-9a-f]{1,2}", "<ID>"),

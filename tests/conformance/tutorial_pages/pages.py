@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from tutorial_pages.documentation import Block
+from tests.conformance.tutorial_pages.documentation import Block
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,14 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from day6_tui.core.shell.runs import Run
-from day6_tui.core.shell.terminal import Terminal
-from tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
-from tutorial_pages.documentation import CPLUSPLUS, Block, Documentation, as_of_today
-from tutorial_pages.files import Workspace
-from tutorial_pages.judge import Verdict, compare
-from tutorial_pages.pages import HANDS, Hand, Page
-from tutorial_pages.reader_machine import LEFT, UP, Machine
+from day6_core.shell.runs import Run
+from day6_core.shell.terminal import Terminal
+from tests.conformance.tutorial_pages.commands import SHELLS, is_form, opens_window, runs_on, split
+from tests.conformance.tutorial_pages.documentation import CPLUSPLUS, Block, Documentation, as_of_today
+from tests.conformance.tutorial_pages.files import Workspace
+from tests.conformance.tutorial_pages.judge import Verdict, compare
+from tests.conformance.tutorial_pages.pages import HANDS, Hand, Page
+from tests.conformance.tutorial_pages.reader_machine import LEFT, UP, Machine
 
 ENDS_S = 180.0
 """Seconds that a command which ends by itself may take."""

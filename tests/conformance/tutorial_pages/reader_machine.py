@@ -7,11 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from waiting import until
-
-from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.runs import Run
-from day6_tui.core.shell.terminal import Terminal
+from day6_core.shell.desk import Desk
+from day6_core.shell.runs import Run
+from day6_core.shell.terminal import Terminal
+from tests.support.waiting import until
 
 COLUMNS, ROWS = 160, 50
 UP = "\x1b[A"

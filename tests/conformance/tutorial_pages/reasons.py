@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from tutorial_pages.judge import masked
+from tests.conformance.tutorial_pages.judge import masked
 
 if TYPE_CHECKING:
-    from tutorial_pages.player import Row
+    from tests.conformance.tutorial_pages.player import Row
 
 _OLDER = "page: recorded before get_type_description and its parameter came (Iron)"
 

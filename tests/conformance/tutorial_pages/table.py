@@ -8,12 +8,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tutorial_pages.judge import Verdict, masked
-from tutorial_pages.reasons import reason
+from tests.conformance.tutorial_pages.judge import Verdict, masked
+from tests.conformance.tutorial_pages.reasons import reason
 
 if TYPE_CHECKING:
-    from tutorial_pages.pages import Page
-    from tutorial_pages.player import Player, Row
+    from tests.conformance.tutorial_pages.pages import Page
+    from tests.conformance.tutorial_pages.player import Player, Row
 
 FILE = Path(__file__).resolve().parents[1] / "tutorials.json"
 

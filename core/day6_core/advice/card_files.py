@@ -1,0 +1,295 @@
+"""Cards: what a message means, what to do about it, and what is different on a real robot. They are data, in `cards/*.md`.
+
+A file is one topic. It begins with `# TITLE | ENGLISH TITLE`; each card in it is
+
+    ## id-of-the-card
+    - says: `Package '{name}' not found`
+    - look: package
+    - next: `ros2 pkg list`
+
+    **zh** What it means, in Chinese: the first line appears by itself, what follows explains it.
+    1. what to check first, where no cause was found
+    > what is different on a real robot
+
+    **en** The same in English, with as many checks.
+
+`says` is a whole line with {names} for what varies ({…}: not needed later), `match` a regular expression from the beginning
+of the line; there may be several. `look` names functions of the modules `lookers_*.py`. `next` is what to type.
+Words alone: `- hint` (the first line is certain enough to be shown as a hint, in every language), `- echo` (the message only
+says that another one came before it), `- same` (on a real robot nothing is different). {names} in the texts are filled in; a
+brace is written twice.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from string import Formatter
+
+from day6_core.ros.differences import retold
+
+TOPICS = ("python", "syntax", "packages", "build", "setup", "launch", "graph", "messages", "parameters", "actions", "tf",
+          "rviz", "urdf", "programs", "link", "bags", "files", "shell", "usage", "rclpy", "errors", "ends")  # fmt: skip
+"""The files in the order in which their cards are tried: what is special comes before what is general."""
+
+LANGUAGES = ("zh", "en")
+FOLDER = Path(__file__).parent / "cards"
+
+_FLAGS = ("hint", "echo", "same")
+_ITEM = re.compile(r"- (\w+)(?:: (.+))?$")
+_HEAD = re.compile(r"## ([a-z0-9]+(?:-[a-z0-9]+)*)$")
+_SAID = re.compile(r"\*\*(\w+)\*\* (.+)$")
+_HOLE = re.compile(r"\{(\w+|…)\}")
+KNOWN_VALUES = ("line", "file")
+"""What every text may name: the place in a program, where a traceback says it."""
+
+
+class CardError(ValueError):
+    """A card that is not written as it has to be."""
+
+    def __init__(self, path: Path, line: int, reason: str) -> None:
+        super().__init__(f"{path.name}, line {line}: {reason}")
+        self.line = line
+
+
+@dataclass(frozen=True)
+class Words:
+    """A card in one language: its first line, the rest, what to check in which order, what differs on a real robot."""
+
+    first: str
+    more: str = ""
+    checks: tuple[str, ...] = ()
+    robot: str = ""
+
+
+@dataclass
+class Card:
+    """One card, as it stands in its file."""
+
+    id: str
+    topic: str
+    patterns: tuple[Pattern, ...] = ()
+    look: tuple[str, ...] = ()
+    next: str = ""
+    hint: bool = False
+    echo: bool = False
+    same: bool = False
+    words: dict[str, Words] = field(default_factory=dict)
+
+
+class Pattern:
+    """A line with names for what varies, or a regular expression; compiled when a line has what both must have in common."""
+
+    def __init__(self, text: str, *, is_line: bool) -> None:
+        """Raises re.error for a regular expression that is none."""
+        self.text = text
+        self.is_line = is_line
+        self.source = _expression(text) if is_line else text
+        self.literal = max(_HOLE.split(text)[::2], key=len) if is_line else _longest_literal(text)
+        self._compiled: re.Pattern[str] | None = None
+        if not is_line:
+            re.compile(text)
+
+    @property
+    def names(self) -> set[str]:
+        """What it finds: names, and the numbers of groups as text."""
+        compiled = self.compiled
+        return {*compiled.groupindex, *map(str, range(compiled.groups))}
+
+    @property
+    def compiled(self) -> re.Pattern[str]:
+        if self._compiled is None:
+            self._compiled = re.compile(self.source)
+        return self._compiled
+
+    def match(self, line: str) -> dict[str, str] | None:
+        """Return what varies in this line, None if it is another one."""
+        if self.literal not in line:
+            return None
+        found = self.compiled.match(line)
+        if found is None:
+            return None
+        numbered = {str(number): group or "" for number, group in enumerate(found.groups())}
+        return numbered | {name: group or "" for name, group in found.groupdict().items()}
+
+
+def _expression(line: str) -> str:
+    """`Package '{name}' not found` as a regular expression for the whole line."""
+    parts = _HOLE.split(line)
+    seen: set[str] = set()
+    found = []
+    for number, part in enumerate(parts):
+        if number % 2 == 0:
+            found.append(re.escape(part))
+        elif part == "…":
+            found.append(".*?")
+        else:
+            found.append(f"(?P={part})" if part in seen else f"(?P<{part}>.+?)")
+            seen.add(part)
+    return "".join(found) + r"\Z"
+
+
+def _longest_literal(expression: str) -> str:
+    """The longest text without anything special that a line must contain to match; '' if that cannot be told simply."""
+    plain = re.sub(r"\\[.()\[\]{}'\"/ -]", "\0", expression)
+    while (shorter := re.sub(r"\[[^\[\]]*\]|\([^()]*\)", "\1", plain)) != plain:
+        plain = shorter
+    if "|" in plain:
+        return ""
+    runs = re.findall(r"[\w ':,/-]+(?![?*{\w ':,/-])", re.sub(r"\\.", "\0", plain))
+    return max(runs, key=len, default="")
+
+
+# -- reading -------------------------------------------------------------------------------------------------------------
+
+
+def read_topic(path: Path) -> tuple[dict[str, str], list[Card]]:
+    """Return the titles of a topic by language, and its cards. Raises CardError with the line, OSError."""
+    lines = retold(path.read_text(encoding="utf-8")).split("\n")
+    titles = [title.strip() for title in lines[0].removeprefix("# ").split("|")]
+    if not lines[0].startswith("# ") or len(titles) != 2 or not all(titles):
+        raise CardError(path, 1, "the first line has to be '# TITLE | ENGLISH TITLE'")
+    reader = _Reader(path)
+    for number, line in enumerate(lines[1:], 2):
+        reader.take(number, line.rstrip())
+    return dict(zip(LANGUAGES, titles, strict=True)), reader.close(len(lines))
+
+
+class _Reader:
+    """Takes the lines of one file."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._number = 0
+        self._cards: list[Card] = []
+        self._begun = 0
+        """Where the card begins that is read."""
+        self._language = ""
+        self._said: dict[str, tuple[list[str], list[str], list[str]]] = {}
+        """By language: what it means, checks, the real robot."""
+
+    def _wrong(self, reason: str, line: int = 0) -> CardError:
+        return CardError(self._path, line or self._number, reason)
+
+    def take(self, number: int, line: str) -> None:
+        self._number = number
+        if line.startswith("#"):
+            found = _HEAD.match(line)
+            if found is None:
+                raise self._wrong("a card begins with '## its-id'")
+            self._finish()
+            self._begun = number
+            self._cards.append(Card(found[1], self._path.stem))
+        elif not line:
+            return
+        elif not self._cards:
+            raise self._wrong("text before the first card")
+        elif self._language == "" and line.startswith("- "):
+            self._item(line)
+        elif (said := _SAID.match(line)) is not None:
+            self._begin(said[1], said[2])
+        elif not self._language:
+            raise self._wrong("expected '- says: …' or '**zh** …'")
+        else:
+            self._say(line)
+
+    def _item(self, line: str) -> None:
+        found, card = _ITEM.match(line), self._cards[-1]
+        name, value = (found[1], found[2]) if found is not None else ("", None)
+        if name in _FLAGS and value is None:
+            setattr(card, name, True)
+            return
+        if name not in ("says", "match", "look", "next") or value is None:
+            raise self._wrong("expected says, match, look or next with a value, or hint, echo or same without one")
+        if name == "look":
+            card.look = tuple(value.split())
+            return
+        if not (len(value) > 2 and value[0] == value[-1] == "`"):
+            raise self._wrong(f"what {name} names stands between `")
+        if name == "next":
+            card.next = value[1:-1]
+            return
+        try:
+            card.patterns += (Pattern(value[1:-1], is_line=name == "says"),)
+        except re.error as error:
+            raise self._wrong(f"this is no regular expression: {error}") from None
+
+    def _begin(self, language: str, text: str) -> None:
+        if language not in LANGUAGES or language in self._said:
+            raise self._wrong(f"each card speaks each of {', '.join(LANGUAGES)} once")
+        self._language = language
+        self._said[language] = ([text], [], [])
+
+    def _say(self, line: str) -> None:
+        means, checks, robot = self._said[self._language]
+        if line.startswith("> "):
+            robot.append(line[2:])
+        elif robot:
+            raise self._wrong("nothing comes after the real robot")
+        elif re.match(r"\d+\. ", line):
+            if not line.startswith(f"{len(checks) + 1}. "):
+                raise self._wrong(f"the next check has the number {len(checks) + 1}")
+            checks.append(line.partition(" ")[2])
+        elif checks:
+            raise self._wrong("after the checks come only '> …' and the next language")
+        else:
+            means.append(line)
+
+    def _finish(self) -> None:
+        """Look at the whole card."""
+        if not self._cards:
+            return
+        card = self._cards[-1]
+        for language in LANGUAGES:
+            if language not in self._said:
+                raise self._wrong(f"the card {card.id} says nothing in '{language}'", self._begun)
+            means, checks, robot = self._said[language]
+            join = "" if language == "zh" else " "
+            card.words[language] = Words(means[0], join.join(means[1:]), tuple(checks), join.join(robot))
+        self._said, self._language = {}, ""
+        chinese, english = (card.words[language] for language in LANGUAGES)
+        if not card.patterns:
+            raise self._wrong(f"the card {card.id} matches nothing", self._begun)
+        if len(chinese.checks) != len(english.checks) or bool(chinese.robot) != bool(english.robot):
+            raise self._wrong(f"the card {card.id} says less in one language", self._begun)
+        if bool(chinese.robot) == card.same:
+            raise self._wrong(f"the card {card.id} needs either '> …' about a real robot or '- same'", self._begun)
+        if card.look and not chinese.checks:
+            raise self._wrong(
+                f"the card {card.id} looks around, so it needs checks for when it finds nothing", self._begun
+            )
+        self._check_names(card)
+
+    def _check_names(self, card: Card) -> None:
+        """Every name in a text is found by every pattern of the card."""
+        known = set(KNOWN_VALUES).union(set.intersection(*(pattern.names for pattern in card.patterns)))
+        for words in card.words.values():
+            for text in (words.first, words.more, *words.checks, words.robot, card.next):
+                try:
+                    named = {name for _, name, _, _ in Formatter().parse(text) if name is not None}
+                except ValueError as error:
+                    raise self._wrong(f"the card {card.id}: {error} (a brace is written twice)", self._begun) from None
+                if named - known:
+                    raise self._wrong(
+                        f"the card {card.id} fills in {min(named - known)}, which is not found", self._begun
+                    )
+
+    def close(self, last: int) -> list[Card]:
+        self._number = last
+        self._finish()
+        return self._cards
+
+
+@lru_cache(maxsize=1)
+def topics() -> dict[str, tuple[dict[str, str], list[Card]]]:
+    """Return all topics in their order: titles and cards. Raises CardError."""
+    return {name: read_topic(FOLDER / f"{name}.md") for name in TOPICS if (FOLDER / f"{name}.md").is_file()}
+
+
+def all_cards() -> Iterator[Card]:
+    """Return all cards in the order in which they are tried."""
+    for _, cards in topics().values():
+        yield from cards

@@ -1,0 +1,370 @@
+"""Lookers that look at files and at the variables of the terminal: workspaces, packages, programs, paths."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+import shlex
+from collections.abc import Iterator
+from difflib import get_close_matches
+from pathlib import Path
+
+from day6_core.advice import known
+from day6_core.advice.lookers_line import of_slip
+from day6_core.advice.looking import Found, Scene, found, looker
+from day6_core.advice.rules import cause_of
+from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
+from day6_core.ros.differences import has_interface, has_package
+from day6_core.ros.distribution import setup_script
+from day6_urdf.explain import language_of
+
+MOST_FILES = 2000
+"""Files below a package that are looked at."""
+
+
+@looker
+def python(scene: Scene) -> Found | None:
+    """The rules for exceptions: slips in names, modules that are not sourced, Chinese punctuation."""
+    if scene.fault is None:
+        return None
+    text = cause_of(scene.fault, scene.around, language_of(scene.variables))
+    run = re.search(r"(?:[Rr]un:|先运行：|可以运行：) ?(.+)$", text)
+    return found("said", run[1] if run is not None else "", text=text) if text else None
+
+
+@looker
+def ros_itself(scene: Scene) -> Found | None:
+    """Whether ROS itself is sourced in this terminal."""
+    if scene.variables.get("ROS_DISTRO") or scene.variables.get("AMENT_PREFIX_PATH"):
+        return None
+    return found("ros_not_sourced", f"source {setup_script()}")
+
+
+@looker
+def package(scene: Scene) -> Found | None:
+    """A package that is built and not sourced, or lies in `src`, or has a name that is nearly this one."""
+    name = scene.value("name")
+    state = _of_the_workspace(name, scene)
+    if state is not None:
+        return state
+    names = known_packages(scene)
+    if name in names:
+        return found("package.now_known", "", name=name)
+    near = get_close_matches(name, names, 1, CLOSE_AMONG_FEW)
+    return found("package.near", _again(scene, name, near[0]), name=name, near=near[0]) if near else None
+
+
+def _of_the_workspace(name: str, scene: Scene) -> Found | None:
+    """Whether a package is built and not sourced, or not even built."""
+    if not name.isidentifier():
+        return None
+    built = known.built_package(name, scene.variables, scene.cwd)
+    if built is not None:
+        source = f"source {_short(built / 'setup.bash', scene)}"
+        return found("package.not_sourced", source, name=name, install=_short(built, scene))
+    lies = known.source_package(name, scene.variables, scene.cwd)
+    if lies is not None:
+        key = "package.build_failed" if known.build_failed(name, lies[1]) else "package.not_built"
+        return found(key, _build(lies[1], name, scene), name=name, folder=_short(lies[0], scene))
+    return None
+
+
+@looker
+def executable(scene: Scene) -> Found | None:
+    """A program that its package does not have: the name is nearly another's, setup.py does not name it, or it was not built."""
+    words = scene.words()
+    if words[:2] != ["ros2", "run"]:
+        return None
+    operands = [word for word in words[2:] if not word.startswith("-")]
+    if len(operands) < 2:
+        return None
+    package, name = operands[:2]
+    installed = _executables(package, scene)
+    near = name.removesuffix(".py") if name.removesuffix(".py") in installed else ""
+    near = near or next(iter(get_close_matches(name, installed, 1, CLOSE_AMONG_FEW)), "")
+    folder = _source_of(package, scene)
+    if folder is None:
+        if near:
+            return found("executable.near", shlex.join(["ros2", "run", package, near]), name=name, near=near)
+        has = ", ".join(installed)
+        return found("executable.has", f"ros2 pkg executables {package}", package=package, names=has) if has else None
+    if (comma := _comma(folder / "setup.py", scene)) is not None:
+        return comma
+    build = _build(_workspace_of(folder, scene), package, scene)
+    points = _entry_points(folder / "setup.py")
+    if name in points:
+        return found("executable.not_built", build, name=name, package=package)
+    if near:
+        return found("executable.near", shlex.join(["ros2", "run", package, near]), name=name, near=near)
+    stem = name.removesuffix(".py")
+    if (folder / package / f"{stem}.py").is_file():
+        line = f"'{stem} = {package}.{stem}:main',"
+        edit = f"nano {_short(folder / 'setup.py', scene)}"
+        return found("executable.no_entry", edit, name=stem, setup=folder / "setup.py", line=line)
+    if points:
+        return found("executable.others", "", package=package, names=", ".join(sorted(points)))
+    return found("executable.none", f"nano {_short(folder / 'setup.py', scene)}", setup=folder / "setup.py")
+
+
+def _comma(setup: Path, scene: Scene) -> Found | None:
+    line = known.missing_comma(setup)
+    return found("setup.comma", f"nano {_short(setup, scene)}", setup=_short(setup, scene), line=line) if line else None
+
+
+@looker
+def setup_comma(scene: Scene) -> Found | None:
+    """A comma that is missing between two entry points of a setup.py."""
+    commas = (_comma(setup, scene) for setup in known.setup_files(scene.variables, scene.cwd))
+    return next((each for each in commas if each is not None), None)
+
+
+@looker
+def launch_file(scene: Scene) -> Found | None:
+    """A launch file that lies in `src` but is not installed, or whose name is nearly this one."""
+    name, package, share = scene.value("name"), scene.value("package"), Path(scene.value("share"))
+    folder = _source_of(package, scene)
+    if folder is not None:
+        source = next((path for path in _files(folder) if path.name == name), None)
+        if source is not None:
+            setup = folder / "setup.py"
+            text = _text(setup) or _text(folder / "CMakeLists.txt")
+            place = source.parent.relative_to(folder).as_posix()
+            if name in text or re.search(rf"{re.escape(place)}['\"/ )]", text):
+                build = _build(_workspace_of(folder, scene), package, scene)
+                return found("launch.not_rebuilt", build, name=name)
+            file = setup if setup.is_file() else folder / "CMakeLists.txt"
+            key = "launch.data_files" if setup.is_file() else "launch.install"
+            return found(key, f"nano {_short(file, scene)}", name=name, file=file, place=place)
+    names = [
+        path.name for path in _files(share) if path.suffix in (".py", ".xml", ".yaml", ".yml") and "launch" in path.name
+    ]
+    near = get_close_matches(name, names, 1, CLOSE_AMONG_FEW)
+    if near:
+        return found("launch.near", shlex.join(["ros2", "launch", package, near[0]]), name=name, near=near[0])
+    return found("launch.others", "", package=package, names=", ".join(sorted(set(names)))) if names else None
+
+
+@looker
+def path(scene: Scene) -> Found | None:
+    """A path that is not there: the home of somebody else, another place, nearly another name, a folder that is missing."""
+    name = scene.value("name").strip("'\"")
+    if scene.command.startswith(name) and not (scene.cwd / name.partition("/")[0]).exists():
+        slip = slip_of_command(name, scene.command, scene.commands)
+        if slip is not None:
+            return of_slip(slip)
+    home = re.match(r"/home/[^/]+((?:/[^/]+)*)/?$", name)
+    if home is not None and not Path(name).exists() and not str(scene.home).startswith(f"/home/{name.split('/')[2]}"):
+        rest = home[1]
+        right = f"~{rest}"
+        again = _again(scene, name, right) if (scene.home / rest.lstrip("/")).exists() else ""
+        return found("home", again, wrong=name.removesuffix(rest) or name, home=scene.home, right=right, rest=rest)
+    whole = Path(os.path.normpath(scene.cwd / os.path.expanduser(name).replace("~", str(scene.home), 1)))
+    if not name or whole.exists():
+        return None
+    parent = whole.parent
+    if not parent.is_dir():
+        gone = next((above for above in (parent, *parent.parents) if above.parent.is_dir()), parent)
+        return found("path.no_folder", "", folder=gone, above=gone.parent)
+    entries = _names_in(parent)
+    near = [entry for entry in entries if entry.lower() == whole.name.lower()]
+    near = near or get_close_matches(whole.name, entries, 1, CLOSE_AMONG_FEW)
+    if near and len(whole.name) > 2:
+        right = name.removesuffix(whole.name) + near[0] if name.endswith(whole.name) else near[0]
+        return found("path.near", _again(scene, name, right), name=name, near=right)
+    elsewhere = _elsewhere(whole.name, scene)
+    if elsewhere is not None:
+        return found("path.elsewhere", f"cd {_short(elsewhere.parent, scene)}", name=whole.name, place=elsewhere)
+    return None
+
+
+@looker
+def not_executable(scene: Scene) -> Found | None:
+    """A file that may not be run."""
+    name = scene.value("name")
+    whole = scene.cwd / name
+    if whole.is_dir():
+        return found("is_folder", shlex.join(["cd", name]), name=name)
+    if whole.is_file() and not os.access(whole, os.X_OK):
+        run = ["python3", name] if name.endswith(".py") else ["chmod", "+x", name]
+        return found("not_executable", shlex.join(run), name=name)
+    return None
+
+
+@looker
+def prefix_path(scene: Scene) -> Found | None:
+    """A folder of an environment variable that is not there any more."""
+    folder = Path(scene.value("path"))
+    if folder.exists():
+        return None
+    install = next((above for above in (folder, *folder.parents) if above.name == "install"), None)
+    if install is not None and (install.parent / "src").is_dir():
+        return found("prefix.deleted", shlex.join(["unset", scene.value("variable")]), folder=folder)
+    return found("prefix.gone", "", folder=folder)
+
+
+@looker
+def build_folder(scene: Scene) -> Found | None:
+    """A build that was started in the folder `src`, or a workspace within a workspace."""
+    if scene.cwd.name == "src":
+        return found("folder.src", f"cd {_short(scene.cwd.parent, scene)}", workspace=scene.cwd.parent)
+    outer = next(
+        (above for above in scene.cwd.parents if (above / "src").is_dir() and (above / "install").is_dir()), None
+    )
+    if outer is not None and (scene.cwd / "package.xml").is_file():
+        return found("folder.package", f"cd {_short(outer, scene)}", workspace=outer)
+    workspace = scene.home / "ros2_ws"
+    if any((workspace / "src").glob("*/package.xml")) and scene.cwd != workspace and not (scene.cwd / "src").is_dir():
+        return found("folder.nothing", "cd ~/ros2_ws")
+    return None
+
+
+@looker
+def message_package(scene: Scene) -> Found | None:
+    """A message type whose package is built and not sourced, or whose name is nearly another's."""
+    whole = scene.value("type")
+    if not whole:
+        whole = next((word for word in scene.words() if re.fullmatch(r"\w+(?:/\w+)?/\w+", word)), "")
+    if re.fullmatch(r"\w+", whole):
+        return _type_of_name(whole, scene)
+    package, _, kind = whole.partition("/")
+    if not kind or not package.isidentifier():
+        return None
+    state = _of_the_workspace(package, scene)
+    if state is not None:
+        return state
+    name = kind.rpartition("/")[2]
+    exact = known.types_called(name, scene.variables)
+    if exact and whole.count("/") == 1 and (three := [each for each in exact if each.startswith(f"{package}/")]):
+        return found("type.parts", scene.with_word(whole, three[0]), name=whole, near=three[0])
+    others = [each for each in exact if each != whole]
+    if others and whole not in exact:
+        near = others[0]
+    else:
+        types = sorted({f"{f.parent.parent.name}/{f.parent.name}/{f.stem}" for share in known.shares(scene.variables)
+                        for f in share.glob(f"{package}/*/*.*") if f.parent.name in ("msg", "srv", "action")})  # fmt: skip
+        types = list(filter(has_interface, types))
+        found_near = get_close_matches(whole, types, 1, CLOSE)
+        if not found_near or found_near[0] == whole:
+            return None
+        near = found_near[0]
+    return found("type.near", _again(scene, whole, near), name=whole, near=near)
+
+
+def _type_of_name(name: str, scene: Scene) -> Found | None:
+    """A type without its package: the one there is, or all of them."""
+    exact = known.types_called(name, scene.variables) or known.types_called(
+        name[:1].upper() + name[1:], scene.variables
+    )
+    exact = [each for each in exact if not each.startswith("test_msgs/")] or exact
+    if len(exact) == 1:
+        return found("type.whole", scene.with_word(name, exact[0]), name=name, near=exact[0])
+    return found("type.several", "", name=name, types=", ".join(exact)) if exact else None
+
+
+# -- what they share -------------------------------------------------------------------------------------------------------
+
+
+def known_packages(scene: Scene) -> list[str]:
+    """Return the packages that this terminal knows."""
+    names = {path.parent.name for share in known.shares(scene.variables) for path in share.glob("*/package.xml")}
+    return sorted(filter(has_package, names))
+
+
+def _again(scene: Scene, wrong: str, right: str) -> str:
+    """The line that was run with one name put right; '' if that cannot be done safely."""
+    plain = shlex.quote(right.removeprefix("~")) == right.removeprefix("~") or right == "~"
+    return scene.command.replace(wrong, right) if wrong and plain and scene.command.count(wrong) == 1 else ""
+
+
+def _build(workspace: Path, package: str, scene: Scene) -> str:
+    """The line that builds one package and makes it known here."""
+    go = "" if workspace == scene.cwd else f"cd {_short(workspace, scene)}; "
+    return f"{go}colcon build --packages-select {shlex.quote(package)}; source install/setup.bash"
+
+
+def _short(place: Path, scene: Scene) -> str:
+    """A path as one types it: from here, from home, or whole; quoted where that is needed."""
+    for base, beginning in ((scene.cwd, ""), (scene.home, "~/")):
+        if place != base and place.is_relative_to(base) and (beginning or base != scene.home):
+            rest = place.relative_to(base).as_posix()
+            return beginning + (rest if shlex.quote(rest) == rest else shlex.quote(rest))
+    return "~" if place == scene.home else "." if place == scene.cwd else shlex.quote(str(place))
+
+
+def _workspaces(scene: Scene) -> Iterator[Path]:
+    around = [folder for folder in (scene.cwd, *scene.cwd.parents) if (folder / "src").is_dir()]
+    yield from dict.fromkeys([*around, scene.home / "ros2_ws"])
+
+
+def _source_of(package: str, scene: Scene) -> Path | None:
+    """The folder of a package's sources."""
+    for workspace in _workspaces(scene):
+        for manifest in (*(workspace / "src").glob("*/package.xml"), *(workspace / "src").glob("*/*/package.xml")):
+            if re.search(rf"<name>\s*{re.escape(package)}\s*</name>", _text(manifest)):
+                return manifest.parent
+    return None
+
+
+def _workspace_of(folder: Path, scene: Scene) -> Path:
+    return next((workspace for workspace in _workspaces(scene) if folder.is_relative_to(workspace)), folder)
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8", errors="replace")[:200_000] if path.is_file() else ""
+    except OSError:
+        return ""
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    count = 0
+    for root, folders, names in os.walk(folder):
+        folders[:] = [each for each in folders if not each.startswith(".") and each != "__pycache__"]
+        for name in names:
+            count += 1
+            if count > MOST_FILES:
+                return
+            yield Path(root, name)
+
+
+def _names_in(folder: Path) -> list[str]:
+    try:
+        return sorted(entry.name for entry in os.scandir(folder))[:MOST_FILES]
+    except OSError:
+        return []
+
+
+def _elsewhere(name: str, scene: Scene) -> Path | None:
+    """The one file of that name below home's workspace or this folder; None if there is none, or several."""
+    if len(name) < 3 or "." not in name:
+        return None
+    roots = [root for root in (scene.cwd, scene.home / "ros2_ws" / "src", scene.home) if root.is_dir()]
+    for root in roots:
+        places = [
+            each for each in _files(root) if each.name == name and not {"build", "install", "log"} & {*each.parts}
+        ]
+        if places:
+            return places[0] if len(places) == 1 else None
+    return None
+
+
+def _executables(package: str, scene: Scene) -> list[str]:
+    from day6_core.ros.program_index import executables
+
+    names = list(executables(package))
+    for prefix in scene.variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
+        if prefix and (Path(prefix) / "lib" / package).is_dir():
+            names += _names_in(Path(prefix) / "lib" / package)
+    return sorted(set(names))
+
+
+def _entry_points(setup: Path) -> dict[str, str]:
+    """Name and target of the console scripts that a setup.py names, as far as they are written as plain texts."""
+    try:
+        tree = ast.parse(_text(setup))
+    except (SyntaxError, ValueError):
+        return {}
+    texts = [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    pairs = (re.fullmatch(r"\s*([\w.-]+)\s*=\s*([\w.]+:\w+)\s*", text) for text in texts)
+    return {pair[1]: pair[2] for pair in pairs if pair is not None}

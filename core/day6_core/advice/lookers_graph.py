@@ -1,0 +1,251 @@
+"""Lookers that ask the live graph: names that are nearly right, topics without a publisher, QoS that does not fit."""
+
+from __future__ import annotations
+
+import shlex
+from difflib import get_close_matches
+
+from day6_core.advice.known import template_of
+from day6_core.advice.looking import Found, GraphFacts, Scene, found, looker
+from day6_core.advice.typed import CLOSE_AMONG_FEW
+
+_ACTION = "/_action/send_goal"
+
+
+@looker
+def node(scene: Scene) -> Found | None:
+    """A node that is not there: none is, or one has nearly this name."""
+    if scene.graph is None:
+        return None
+    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
+    nodes = sorted(set(scene.graph.nodes()))
+    if not nodes:
+        return _alone(scene)
+    full = _full(name)
+    if full in nodes:
+        return found("graph.now_there", scene.command, name=full)
+    return _near(scene, name, nodes, "ros2 node list")
+
+
+@looker
+def topic(scene: Scene) -> Found | None:
+    """A topic that nobody publishes, or whose name is nearly another's."""
+    if scene.graph is None:
+        return None
+    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
+    if not scene.graph.nodes():
+        return _alone(scene)
+    topics = scene.graph.topics()
+    full = _full(name)
+    if full in topics:
+        kinds = topics[full]
+        if len(kinds) > 1:
+            return _types(scene.graph, full, kinds)
+        if not scene.graph.publishers(full):
+            return found("topic.no_publisher", shlex.join(["ros2", "topic", "info", "-v", full]), name=full)
+        return found("graph.now_there", scene.command, name=full)
+    return _near(scene, name, sorted(topics), "ros2 topic list")
+
+
+@looker
+def service(scene: Scene) -> Found | None:
+    """A service that nobody offers, or whose name is nearly another's."""
+    if scene.graph is None:
+        return None
+    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
+    if not scene.graph.nodes():
+        return _alone(scene)
+    services = scene.graph.services()
+    full = _full(name)
+    if full in services:
+        wanted = next((word for word in scene.words() if word.count("/") == 2 and not word.startswith("/")), "")
+        if wanted and wanted not in services[full]:
+            right = services[full][0]
+            return found("service.type", _with(scene, wanted, right), name=full, wanted=wanted, right=right)
+        return found("graph.now_there", "", name=full)
+    return _near(scene, name, sorted(each for each in services if "/_action/" not in each), "ros2 service list")
+
+
+@looker
+def action(scene: Scene) -> Found | None:
+    """The same for an action."""
+    if scene.graph is None:
+        return None
+    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
+    if not scene.graph.nodes():
+        return _alone(scene)
+    actions = sorted(each.removesuffix(_ACTION) for each in scene.graph.services() if each.endswith(_ACTION))
+    if _full(name) in actions:
+        return found("graph.now_there", "", name=_full(name))
+    return _near(scene, name, actions, "ros2 action list")
+
+
+@looker
+def needed(scene: Scene) -> Found | None:
+    """What a command still needs and the graph knows: the type of a service, an action, a topic; the node of a parameter."""
+    words = scene.words()
+    if scene.graph is None or words[:1] != ["ros2"] or len(words) < 3:
+        return None
+    first = next((name.strip() for name in scene.value("names").split(",")), "")
+    operands = [word for word in words[3:] if not word.startswith("-")]
+    if first in _LISTS and not operands:
+        return found("needed.name", _LISTS[first], lists=_LISTS[first])
+    if first in _TYPES and len(operands) == 1 and scene.command.rstrip().endswith(operands[0]):
+        return _needed_type(scene, words[1], operands[0])
+    if words[1] == "param":
+        return _needed_node(scene, words, operands)
+    return None
+
+
+_LISTS = {"service_name": "ros2 service list", "action_name": "ros2 action list", "topic_name": "ros2 topic list",
+          "node_name": "ros2 node list"}  # fmt: skip
+"""What is missing -> the command that lists what there is."""
+
+_TYPES = ("service_type", "action_type", "message_type")
+
+
+def _needed_type(scene: Scene, command: str, name: str) -> Found | None:
+    """The type of what is named, from the graph, and the whole line with it."""
+    assert scene.graph is not None
+    full = _full(name)
+    if command == "action":
+        services = scene.graph.services()
+        known_types = {
+            each.removesuffix(_ACTION): [kind.removesuffix("_SendGoal") for kind in kinds]
+            for each, kinds in services.items()
+            if each.endswith(_ACTION)
+        }
+    elif command == "service":
+        known_types = {each: kinds for each, kinds in scene.graph.services().items() if "/_action/" not in each}
+    else:
+        known_types = scene.graph.topics()
+    if full not in known_types:
+        return _near(scene, name, sorted(known_types), f"ros2 {command} list") if known_types else None
+    kind = known_types[full][0]
+    contents = template_of(kind, scene.variables)
+    line = f"{scene.command.rstrip()} {kind}" + (f' "{contents}"' if contents else "")
+    return found("needed.type" if contents else "needed.type_alone", line, name=full, type=kind)
+
+
+def _needed_node(scene: Scene, words: list[str], operands: list[str]) -> Found | None:
+    """`ros2 param set NAME VALUE`: the node is missing, not the value; and `NAME=VALUE`."""
+    assert scene.graph is not None
+    nodes = sorted(set(scene.graph.nodes()))
+    if not operands or words[2] not in ("set", "get", "describe", "delete"):
+        return None
+    if _full(operands[0]) in nodes:
+        name, _, value = operands[-1].partition("=")
+        if words[2] == "set" and len(operands) == 2 and name and value:
+            return found("needed.no_equals", scene.with_word(operands[1], f"{name} {value}"), name=name, value=value)
+        return None
+    if "/" in operands[0] or not nodes or len(operands) > (2 if words[2] == "set" else 1):
+        return None
+    if get_close_matches(_full(operands[0]), nodes, 1, CLOSE_AMONG_FEW):
+        return _near(scene, operands[0], nodes, "ros2 node list")
+    line = shlex.join([*words[:3], nodes[0], *words[3:]]) if len(nodes) == 1 else "ros2 param list"
+    return found("needed.node", line, name=operands[0], nodes=", ".join(nodes))
+
+
+@looker
+def qos(scene: Scene) -> Found | None:
+    """A publisher and a subscription whose reliability does not fit."""
+    if scene.graph is None:
+        return None
+    name = _full(scene.value("name"))
+    senders, listeners = scene.graph.publishers(name), scene.graph.subscriptions(name)
+    weak = [node for node, reliability in senders if reliability == "best_effort"]
+    strict = [node for node, reliability in listeners if reliability == "reliable"]
+    if weak and strict:
+        look = shlex.join(["ros2", "topic", "info", "-v", name])
+        return found("qos.reliability", look, name=name, publisher=weak[0], subscriber=strict[0])
+    return None
+
+
+@looker
+def twins(scene: Scene) -> Found | None:
+    """Nodes that share a name."""
+    if scene.graph is None:
+        return None
+    nodes = scene.graph.nodes()
+    twice = sorted({each for each in nodes if nodes.count(each) > 1})
+    return found("graph.twins", name=", ".join(twice), count=nodes.count(twice[0])) if twice else None
+
+
+@looker
+def frames(scene: Scene) -> Found | None:
+    """Whether anybody publishes transforms, and whether the joints that move have somebody who says how far."""
+    if scene.graph is None:
+        return None
+    moving, fixed = scene.graph.publishers("/tf"), scene.graph.publishers("/tf_static")
+    described = scene.graph.publishers("/robot_description")
+    if not moving and not fixed:
+        key = "tf.nobody" if not described else "tf.only_description"
+        return found(key, nodes=_names(described))
+    publisher = next((node for node, _ in moving + fixed if "robot_state_publisher" in node), "")
+    if publisher and not scene.graph.publishers("/joint_states"):
+        if scene.graph.topics().get("/joint_states"):
+            return found(
+                "tf.no_joints", "ros2 run joint_state_publisher_gui joint_state_publisher_gui", publisher=publisher
+            )
+        return None
+    return None
+
+
+@looker
+def description(scene: Scene) -> Found | None:
+    """Whether anybody publishes a robot description."""
+    if scene.graph is None or scene.graph.publishers("/robot_description"):
+        return None
+    nodes = [each for each in scene.graph.nodes() if "robot_state_publisher" in each]
+    return found("description.nobody" if not nodes else "description.silent", nodes=", ".join(nodes))
+
+
+@looker
+def clock(scene: Scene) -> Found | None:
+    """Whether anybody publishes /clock."""
+    if scene.graph is None or scene.graph.publishers("/clock"):
+        return None
+    return found("clock.nobody")
+
+
+def _alone(scene: Scene) -> Found:
+    """No node runs where this terminal looks; perhaps in another domain."""
+    domain = scene.variables.get("ROS_DOMAIN_ID", "") or "0"
+    others = scene.graph.elsewhere() if scene.graph is not None else {}
+    if others:
+        number = min(others)
+        nodes = ", ".join(sorted(set(others[number])))
+        return found("graph.other_domain", f"export ROS_DOMAIN_ID={number}", domain=domain, other=number, nodes=nodes)
+    return found("graph.empty", domain=domain)
+
+
+def _full(name: str) -> str:
+    return name if name.startswith("/") else f"/{name}"
+
+
+def _names(endpoints: list[tuple[str, str]]) -> str:
+    return ", ".join(dict.fromkeys(node for node, _ in endpoints))
+
+
+def _types(graph: GraphFacts, topic: str, kinds: list[str]) -> Found:
+    look = shlex.join(["ros2", "topic", "info", "-v", topic])
+    who = _names([*graph.publishers(topic), *graph.subscriptions(topic)])
+    return found("topic.types", look, name=topic, types=", ".join(kinds), nodes=who)
+
+
+def _near(scene: Scene, name: str, names: list[str], lists: str) -> Found | None:
+    """The one of the names that is nearly this one, or has the same last part."""
+    full = _full(name)
+    last = full.rpartition("/")[2]
+    same = [each for each in names if last and each.rpartition("/")[2] == last]
+    near = same if len(same) == 1 else get_close_matches(full, names, 1, CLOSE_AMONG_FEW)
+    if near:
+        right = near[0] if name.startswith("/") or name.count("/") or same else near[0].removeprefix("/")
+        return found("graph.near", _with(scene, name, right), name=full, near=near[0])
+    if not names:
+        return found("graph.none", lists, name=full)
+    return None
+
+
+def _with(scene: Scene, wrong: str, right: str) -> str:
+    return scene.command.replace(wrong, right) if wrong and scene.command.count(wrong) == 1 else ""

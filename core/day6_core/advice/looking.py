@@ -1,0 +1,110 @@
+"""What the lookers of cards see, and what they answer: files, the terminal's variables, the live graph, what was run."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+from day6_core.advice.fault import Fault
+from day6_core.advice.rules import Surroundings
+
+
+class GraphFacts(Protocol):
+    """The live graph, as far as cards ask. Names are full names; hidden ones (with `_`) are left out but for actions."""
+
+    def nodes(self) -> list[str]:
+        """Return the names of all nodes, one for each node."""
+
+    def topics(self) -> dict[str, list[str]]:
+        """Return the topics with their types."""
+
+    def services(self) -> dict[str, list[str]]:
+        """Return the services with their types; an action counts as the service NAME/_action/send_goal."""
+
+    def elsewhere(self) -> dict[int, list[str]]:
+        """Return the nodes of the other domains that this machine knows of, those that have any."""
+
+    def publishers(self, topic: str) -> list[tuple[str, str]]:
+        """Return node and reliability (`reliable`, `best_effort`) of each publisher of a topic."""
+
+    def subscriptions(self, topic: str) -> list[tuple[str, str]]:
+        """Return the same of its subscriptions."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What a looker may look at; `graph` is None where nobody can ask one."""
+
+    around: Surroundings
+    values: Mapping[str, str] = field(default_factory=dict)
+    command: str = ""
+    """The line that was run in the terminal, '' if that is not known."""
+    fault: Fault | None = None
+    graph: GraphFacts | None = None
+    commands: tuple[str, ...] = ()
+    """The commands that the terminal knows."""
+    letters: str = ""
+    """The answers that a question of the lesson waits for: 'abc'."""
+
+    @property
+    def variables(self) -> Mapping[str, str]:
+        return self.around.variables
+
+    @property
+    def cwd(self) -> Path:
+        return self.around.cwd
+
+    @property
+    def home(self) -> Path:
+        return Path(self.variables.get("HOME", "/"))
+
+    def words(self) -> list[str]:
+        """Return the words of the line that was run; [] if they cannot be told apart."""
+        try:
+            return shlex.split(self.command)
+        except ValueError:
+            return []
+
+    def with_word(self, wrong: str, right: str) -> str:
+        """Return the line that was run with one word put right; '' if that word is not there once."""
+        pattern = rf"(?<!\S){re.escape(wrong)}(?!\S)"
+        plain = all(shlex.quote(word) == word for word in right.split(" "))
+        return (
+            re.sub(pattern, lambda _: right, self.command)
+            if plain and len(re.findall(pattern, self.command)) == 1
+            else ""
+        )
+
+    def value(self, name: str) -> str:
+        """Return what the card's pattern found, '' if it has no such name."""
+        return self.values.get(name, "")
+
+
+@dataclass(frozen=True)
+class Found:
+    """A cause that is certain: the text for it (`texts.py`) with its values, and what to type next ('': what the card says)."""
+
+    key: str
+    values: Mapping[str, object]
+    next: str = ""
+
+
+Looker = Callable[[Scene], Found | None]
+
+LOOKERS: dict[str, Looker] = {}
+"""By the name that cards call them."""
+
+
+def looker(function: Looker) -> Looker:
+    """Register a function under its own name."""
+    LOOKERS[function.__name__.strip("_")] = function
+    return function
+
+
+def found(key: str, next_: str = "", **values: object) -> Found:
+    """Return a cause in short."""
+    return Found(key, values, next_)

@@ -1,0 +1,99 @@
+"""Finds the card for a line of output, and the lines of an output that have one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from day6_core.advice.card_files import Card, all_cards
+from day6_core.session.plain import without_sequences
+
+MOST_LINES = 400
+"""Lines at the end of an output in which cards are looked for."""
+
+LONGEST_LINE = 2000
+"""Characters of a line that are looked at."""
+
+_BEFORE = (
+    re.compile(r"\[[\w.-]+-\d+\] "),  # launch, before each line of a node
+    re.compile(r"\[?(?:DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]? \[[\d.]+\] \[[^\]]*\]: "),  # rclpy and rclcpp
+    re.compile(r"\[(?:WARNING|WARN|ERROR|CRITICAL)\] \[[^\]]*\]: "),  # launch, ros2 bag
+    re.compile(r"(?:\[[\d.]+s\] )?(?:WARNING|ERROR):[\w.]+:"),  # colcon
+    re.compile(r"(?:bash|sh): (?:line \d+: )?"),
+    re.compile(r"(?: - |E +)"),  # launch, of several exceptions; pytest
+    re.compile(r"(?:error: |(?:Error|Warning): +)(?=[A-Z'\"\[]|\w+ [\['])"),  # some tools; urdfdom
+    re.compile(r"(?:[a-z_]\w*\.)+(?=_?[A-Z]\w*(?:Error|Exception|Warning|Interrupt|Cycle|Full|Exit)\b)"),
+)
+"""What says where a line comes from, not what it says."""
+
+
+_CALM = re.compile(r"(?:\[[\w.-]+-\d+\] )?\[(?:INFO|DEBUG)\] \[[^\]]*\] \[(?!rclcpp\])")
+"""A line of a log that tells of no trouble."""
+
+
+@dataclass(frozen=True)
+class Match:
+    """A line, its card, and what the card's pattern found in it."""
+
+    line: str
+    card: Card
+    values: Mapping[str, str]
+
+
+def plain_lines(output: str) -> list[str]:
+    """Return the lines of what a terminal was given, without colours and what was overwritten."""
+    return [line.rpartition("\r")[2].rstrip()[:LONGEST_LINE] for line in without_sequences(output).split("\n")]
+
+
+def forms(line: str) -> list[str]:
+    """Return a line as it is, then without what stands before its message."""
+    found = [line]
+    changed = True
+    while changed and len(found) < 6:
+        changed = False
+        for before in _BEFORE:
+            match = before.match(found[-1])
+            if match is not None and match.end() < len(found[-1]):
+                found.append(found[-1][match.end() :])
+                changed = True
+    return found
+
+
+def card_for(line: str) -> Match | None:
+    """Return the first card for a line, None if there is none."""
+    if not line or line.isspace() or _CALM.match(line):
+        return None
+    candidates = forms(line[:LONGEST_LINE])[::-1]
+    for card in all_cards():
+        for pattern in card.patterns:
+            for form in candidates:
+                values = pattern.match(form)
+                if values is not None:
+                    return Match(line, card, values)
+    return None
+
+
+def cards_in(output: str) -> Iterator[Match]:
+    """Yield the lines of an output that have a card, the last first; after all others those that only echo another one."""
+    echoes: list[Match] = []
+    seen: set[str] = set()
+    for line in reversed(plain_lines(output)[-MOST_LINES:]):
+        if line in seen:
+            continue
+        seen.add(line)
+        match = card_for(line)
+        if match is None:
+            continue
+        if match.card.echo:
+            echoes.append(match)
+        else:
+            yield match
+    yield from echoes
+
+
+def unfinished(source: str) -> Match | None:
+    """Return the card of the prompt `> `, with what was typed so far."""
+    line = next(iter(source.strip().splitlines()), "")
+    match = card_for(f"the prompt > waits for the end of: {line}")
+    return replace(match, line=line) if match is not None else None

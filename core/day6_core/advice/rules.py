@@ -1,0 +1,319 @@
+"""The rules: from a fault and the machine around it to a hint."""
+
+from __future__ import annotations
+
+import re
+import sys
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import lru_cache
+from pathlib import Path
+
+from day6_core.advice import known
+from day6_core.advice.fault import Fault, fault_in
+from day6_core.advice.matching import card_for, cards_in
+from day6_core.advice.texts import TEXTS
+from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, PUNCTUATION, chinese_sign, near_choice, slip_of_command
+from day6_core.advice.wording import filled_in
+from day6_core.ros import differences
+from day6_core.ros.distribution import current
+from day6_urdf.explain import Hint, hints_wanted, language_of
+
+_FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
+"""Packages whose types are seldom meant."""
+
+_PIP = {"cv2": "opencv-python", "serial": "pyserial", "PIL": "pillow", "sklearn": "scikit-learn", "yaml": "pyyaml"} | {
+    name: name for name in ("matplotlib", "numpy", "pandas", "pygame", "requests", "scipy", "transforms3d")
+}
+"""Python packages that lessons use: module -> what pip calls it."""
+
+_SAMPLES = {
+    "Node": "from rclpy.node import Node",
+    "LaunchDescription": "from launch import LaunchDescription",
+    "get_package_share_directory": "from ament_index_python.packages import get_package_share_directory",
+    "glob": "from glob import glob",
+}
+"""Names that the lessons' programs import, and how."""
+
+
+_HINTED = re.compile(r"^(?:\x1b\[\d*m)*(?:提示：|意思：|hint: )", re.MULTILINE)
+"""Whether what was printed has been explained already."""
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Where the program ran: its variables, its folder, and whether a launch file or colcon started it."""
+
+    variables: Mapping[str, str]
+    cwd: Path
+    launch: bool = False
+
+
+def hint_below(output: str, around: Surroundings) -> str:
+    """Return the line to print below a program's output, '' if there is nothing certain to say."""
+    if not hints_wanted(around.variables):
+        return ""
+    language = language_of(around.variables)
+    fault = fault_in(output)
+    text = _explain(fault, around, language) if fault is not None else _of_a_tool(output, language)
+    return Hint(0, 0, text).sentence("", language) if text else ""
+
+
+def hint_about_command(
+    argv: list[str],
+    around: Surroundings,
+    commands: Iterable[str] = (),
+    *,
+    line: str = "",
+    letters: str = "",
+    output: str = "",
+) -> str:
+    """Return the same for a command that failed: what is wrong for certain with its words, its prompt, its blanks.
+
+    `commands`: if it does not exist, those that do; `line` is how it was typed, `letters` are the answers that a question of
+    the lesson waits for, `output` is what it printed.
+    """
+    if not hints_wanted(around.variables):
+        return ""
+    language = language_of(around.variables)
+    line = line or " ".join(argv)
+    text = next((text for word in argv[1:] if (text := _home(word, "home", around, language))), "")
+    if not text and argv[:2] in (["ros2", "run"], ["ros2", "launch"]):
+        package = next((word for word in argv[2:] if not word.startswith("-")), "")
+        text = _of_the_workspace(package, around, language)
+    if not text and (slip := chinese_sign(argv, line)) is not None:
+        text = _say(slip.key, language, **slip.values)
+    folder = "/" in argv[0] and (around.cwd / argv[0].partition("/")[0]).exists()
+    if not text and not folder and (known_ones := list(commands)):
+        slip = slip_of_command(argv[0], line, known_ones, letters)
+        text = _say(slip.key, language, **slip.values) if slip is not None else ""
+    if not text and (choice := _CHOICE.search(output)) is not None:
+        near = near_choice(choice[1], re.findall(r"[\w.-]+", choice[2]))
+        text = _say("choice.near", language, name=choice[1], near=near) if near else ""
+    return Hint(0, 0, text).sentence("", language) if text else ""
+
+
+_CHOICE = re.compile(r"invalid choice: '([^'\n]*)' \(choose from ([^\n]*)\)")
+
+
+def hint_about_quote(quote: str, around: Surroundings) -> str:
+    """Return the same for lines that are typed while a quotation mark is open."""
+    if not hints_wanted(around.variables):
+        return ""
+    language = language_of(around.variables)
+    return Hint(0, 0, _say("quote.open", language, quote=quote)).sentence("", language)
+
+
+def hint_about_folder(packages: int, around: Surroundings) -> str:
+    """Return the same for a build in the wrong folder: in `src`, or where no packages are."""
+    home = Path(around.variables.get("HOME", "/"))
+    if not hints_wanted(around.variables):
+        return ""
+    language, text = language_of(around.variables), ""
+    if packages and around.cwd.name == "src":
+        text = _say("folder.src", language, workspace=around.cwd.parent)
+    elif not packages and around.cwd != home / "ros2_ws" and any((home / "ros2_ws" / "src").glob("*/package.xml")):
+        text = _say("folder.nothing", language)
+    return Hint(0, 0, text).sentence("", language) if text else ""
+
+
+def _say(key: str, language: str, **values: object) -> str:
+    return TEXTS[key][language == "zh"].format(**values)
+
+
+def _explain(fault: Fault, around: Surroundings, language: str) -> str:
+    rule = _RULES.get(fault.kind)
+    return (rule(fault, around, language) if rule is not None else "") or _by_card(
+        f"{fault.kind}: {fault.message}", fault, language
+    )
+
+
+def _of_a_tool(output: str, language: str) -> str:
+    """What setuptools says without an exception."""
+    lines = (line for line in output.splitlines() if line.startswith("error"))
+    return next((text for line in lines if (text := _by_card(line, None, language))), "")
+
+
+def _by_card(line: str, fault: Fault | None, language: str) -> str:
+    """The first line of its card, if that is certain enough for a hint."""
+    match = card_for(line)
+    if match is None or not match.card.hint:
+        return ""
+    return filled_in(match.card.words[language].first, match.values, fault)
+
+
+def wants_first_lines(around: Surroundings) -> bool:
+    """Return whether the first line of a card is to appear by itself: in Chinese, unless hints are switched off."""
+    return hints_wanted(around.variables) and language_of(around.variables) == "zh"
+
+
+def first_line_below(output: str, around: Surroundings) -> str:
+    """Return the first line of the card for what a failed command printed, where Chinese is spoken; '' if there is none.
+
+    It says what the message means, and no more: what is certain here is a hint (`hint_below`), and comes in its place.
+    """
+    if not wants_first_lines(around) or _HINTED.search(output.replace("\r\n", "\n")):
+        return ""
+    match = next(cards_in(output), None)
+    if match is None or match.card.echo:
+        return ""
+    return TEXTS["card.below"][1].format(first=filled_in(match.card.words["zh"].first, match.values, fault_in(output)))
+
+
+@lru_cache(maxsize=16)
+def in_short(message: str, line: int, language: str) -> str:
+    """Return what a message of a checker (`SyntaxError: …`) about a line of a text means, in one sentence; '' without a card."""
+    kind, _, rest = message.partition(": ")
+    fault = Fault(kind, rest, "", line)
+    if kind == "SyntaxError" and (text := _syntax(fault, Surroundings({}, Path()), language)):
+        return text
+    match = card_for(message)
+    return filled_in(match.card.words[language].first, match.values, fault) if match is not None else ""
+
+
+def dimmed(line: str) -> str:
+    """Return a line for a terminal in grey: it is not the program's own."""
+    return f"\x1b[90m{line}\x1b[0m"
+
+
+# -- files ---------------------------------------------------------------------------------------------------------------
+
+
+def _no_file(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.search(r"No such file or directory: '(/home/[^']*)'", fault.message)
+    return _home(found[1], "home.launch" if around.launch else "home.python", around, language) if found else ""
+
+
+def _home(word: str, key: str, around: Surroundings, language: str) -> str:
+    """A path below /home/SOMEBODY that is not here, while the same path below the real home, or its beginning, is."""
+    found = re.match(r"/home/[^/]+((?:/[^/]+)*)/?$", word)
+    home = Path(around.variables.get("HOME", "/"))
+    if found is None or Path(word).exists():
+        return ""
+    rest = found[1]
+    if rest and not (home / rest.split("/")[1]).exists():
+        return ""
+    return _say(key, language, wrong=word.removesuffix(rest) or word, home=home, right=f"~{rest}", rest=rest)
+
+
+# -- modules and names -----------------------------------------------------------------------------------------------------
+
+
+def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"No module named '([\w.]+)'", fault.message)
+    if found is None:
+        return ""
+    whole = found[1]
+    outer, _, last = whole.rpartition(".")
+    if outer:
+        near = get_close_matches(last, known.parts_of(outer, around.variables), 1, CLOSE_AMONG_FEW)
+        return _say("module.near", language, name=whole, near=f"{outer}.{near[0]}") if near else ""
+    if text := _of_the_workspace(whole, around, language):
+        return text
+    turtlesim = differences.value("turtlesim.interfaces")
+    if whole in differences.VALUES["turtlesim.interfaces"][0] and whole != turtlesim:
+        return _say("module.moved", language, name=whole, distro=current(), now=turtlesim)
+    if whole in _PIP:
+        return _say("module.pip", language, name=whole, package=_PIP[whole])
+    near = get_close_matches(whole, known.modules(around.variables), 1, CLOSE)
+    return _say("module.near", language, name=whole, near=near[0]) if near else ""
+
+
+def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
+    """Whether a package was built and not sourced, or not even built."""
+    if not package.isidentifier():
+        return ""
+    built = known.built_package(package, around.variables, around.cwd)
+    if built is not None:
+        return _say("not_sourced", language, name=package, setup=built / "setup.bash")
+    source = known.source_package(package, around.variables, around.cwd)
+    if source is not None:
+        key = "build_failed" if known.build_failed(package, source[1]) else "not_built"
+        return _say(key, language, name=package, folder=source[0], workspace=source[1])
+    return ""
+
+
+def _no_import(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", fault.message)
+    if found is None:
+        return ""
+    near = get_close_matches(found[1], known.names_of(found[2], around.variables), 1, CLOSE)
+    return _say("import.near", language, name=found[1], module=found[2], near=near[0]) if near else ""
+
+
+def _no_name(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"name '(\w+)' is not defined(?:. Did you mean: '(\w+)')?", fault.message)
+    if found is None:
+        return ""
+    name, near = found[1], found[2]
+    line = _SAMPLES.get(name, "")
+    if not line:
+        homes = [home for home in known.types_called(name, around.variables) if not home.startswith(_FOR_EXAMPLES)]
+        if len({home.partition("/")[0] for home in homes}) == 1:
+            line = f"from {homes[0].replace('/', '.').rpartition('.')[0]} import {name}"
+        elif name in sys.stdlib_module_names or name == "rclpy":
+            line = f"import {name}"
+    if line:
+        return _say("name.import", language, name=name, line=line)
+    return _say("name.near", language, name=name, near=near) if near else ""
+
+
+def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"'(\w+)' object has no attribute '(\w+)'", fault.message)
+    if found is None:
+        return ""
+    kind, name = found[1], found[2]
+    if name.startswith("_") and "rclpy" in Path(fault.file).parts:
+        return _say("no_super", language, kind=kind)
+    layouts = known.fields_of(kind, around.variables)
+    if not layouts or any(fields != layouts[0][1] for _, fields in layouts):
+        return ""
+    fields = layouts[0][1]
+    close = get_close_matches(name, fields, 1, CLOSE)
+    near = _say("field.near", language, near=close[0]).rstrip("?？") if close else ""
+    return _say("field", language, type=kind, name=name, near=near, fields=", ".join(fields))
+
+
+def _no_setup(fault: Fault, around: Surroundings, language: str) -> str:
+    """setuptools gave up: what it says does not name the comma that is missing between two entry points."""
+    if not fault.message.startswith("'distutils.core.setup()' was never called"):
+        return ""
+    for setup in known.setup_files(around.variables, around.cwd):
+        if line := known.missing_comma(setup):
+            return _say("setup.comma", language, setup=setup, line=line)
+    return ""
+
+
+# -- syntax ----------------------------------------------------------------------------------------------------------------
+
+
+def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"invalid (?:non-printable )?character (?:'(.)' )?\(?U\+([0-9A-F]+)\)?", fault.message)
+    if found is None:
+        return ""
+    wrong = chr(int(found[2], 16))
+    right = PUNCTUATION.get(wrong) or unicodedata.normalize("NFKC", wrong)
+    if right.isspace():
+        return _say("odd_blank", language, line=fault.line)
+    if right == wrong or not right.isascii():
+        return ""
+    return _say("chinese", language, line=fault.line, wrong=wrong, right=right)
+
+
+def cause_of(fault: Fault, around: Surroundings, language: str) -> str:
+    """Return what a rule finds to be the cause of an exception here, '' if nothing is certain."""
+    rule = _RULES.get(fault.kind)
+    return rule(fault, around, language) if rule is not None else ""
+
+
+_RULES: dict[str, Callable[[Fault, Surroundings, str], str]] = {
+    "FileNotFoundError": _no_file,
+    "ModuleNotFoundError": _no_module,
+    "ImportError": _no_import,
+    "NameError": _no_name,
+    "AttributeError": _no_attribute,
+    "SyntaxError": _syntax,
+    "RuntimeError": _no_setup,
+}

@@ -1,0 +1,174 @@
+"""What a pupil's desktop says of itself."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from day6_core.session.harmless import lines, one_line
+
+VERSION = 1
+LONGEST = 256 << 10
+"""Bytes of one note."""
+LONGEST_TEXT = 200
+MOST_NAMES = 64
+LANGUAGES = ("zh", "en")
+COLUMNS, ROWS = (1, 500), (1, 200)
+MOST_STEPS = 10_000
+REFUSALS = tuple(f"class.refused.{why}" for why in ("busy", "type", "no", "taken_back", "place", "unknown", "full"))
+"""Why an order was not followed: keys of the catalogue."""
+
+
+class NoteError(ValueError):
+    """It is no note; the message says why."""
+
+
+@dataclass(frozen=True)
+class LessonPlace:
+    """Where the pupil is in a lesson. `step` counts from 1; `hints` is how many of the step's were asked for."""
+
+    name: str
+    title: Mapping[str, str]
+    step: int
+    all: int
+    solved: bool = False
+    hints: int = 0
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """The card that fits what a terminal said last (`day6_core/advice`): its title in each language, and the line itself."""
+
+    title: Mapping[str, str]
+    line: str
+
+
+@dataclass(frozen=True)
+class Picture:
+    """The pupil's screen: lines of text with colours (SGR) and no other sequences."""
+
+    columns: int
+    rows: int
+    ansi: str
+
+
+@dataclass(frozen=True)
+class Note:
+    """One pupil now. `idle` is the seconds since the last key or click when this was said."""
+
+    lesson: LessonPlace | None = None
+    trouble: Trouble | None = None
+    nodes: tuple[str, ...] = ()
+    programs: tuple[str, ...] = ()
+    hand: bool = False
+    idle: float = 0.0
+    attended: bool = False
+    """Whether it knows of a teacher who is there."""
+    watched: bool = False
+    seen: bool = False
+    """Whether it knows of somebody who looks by a link that only watches."""
+    frozen: bool = False
+    asked: bool = False
+    """Whether the question is open whether the teacher may type."""
+    may_type: bool = False
+    """Whether the pupil lets the teacher type."""
+    refused: str = ""
+    """Why an order was not followed, if the last one was not: one of REFUSALS, or ''."""
+    screen: Picture | None = None
+    """Only while the pupil is watched."""
+
+
+def encode(note: Note) -> bytes:
+    """Return a note as it is sent; without its screen if that makes it too long."""
+    found: dict[str, Any] = {"v": VERSION, **asdict(note)}
+    data = json.dumps(found, ensure_ascii=False).encode(errors="replace")
+    if len(data) > LONGEST and note.screen is not None:
+        found["screen"] = None
+        data = json.dumps(found, ensure_ascii=False).encode(errors="replace")
+    return data
+
+
+def decode(data: bytes) -> Note:
+    """Read a note from outside: every text is clipped and harmless on a terminal. Raises NoteError."""
+    if len(data) > LONGEST:
+        raise NoteError(f"{len(data)} bytes")
+    try:
+        found = json.loads(data)
+    except (ValueError, RecursionError) as error:
+        raise NoteError(str(error)) from None
+    if not isinstance(found, dict) or found.get("v") != VERSION:
+        raise NoteError("not a note of this version")
+    try:
+        return Note(
+            lesson=_lesson(found.get("lesson")),
+            trouble=_trouble(found.get("trouble")),
+            nodes=_names(found.get("nodes")),
+            programs=_names(found.get("programs")),
+            hand=found.get("hand") is True,
+            idle=_seconds(found.get("idle")),
+            attended=found.get("attended") is True,
+            watched=found.get("watched") is True,
+            seen=found.get("seen") is True,
+            frozen=found.get("frozen") is True,
+            asked=found.get("asked") is True,
+            may_type=found.get("may_type") is True,
+            refused=found["refused"] if found.get("refused") in REFUSALS else "",
+            screen=_picture(found.get("screen")),
+        )
+    except (TypeError, ValueError, KeyError, OverflowError) as error:
+        raise NoteError(str(error)) from None
+
+
+def _text(found: object) -> str:
+    return one_line(found[:LONGEST_TEXT]) if isinstance(found, str) else ""
+
+
+def _names(found: object) -> tuple[str, ...]:
+    if not isinstance(found, list):
+        return ()
+    return tuple(text for text in map(_text, found[:MOST_NAMES]) if text)
+
+
+def _title(found: object) -> dict[str, str]:
+    return {each: _text(found.get(each)) for each in LANGUAGES} if isinstance(found, dict) else {}
+
+
+def _seconds(found: object) -> float:
+    if isinstance(found, bool) or not isinstance(found, (int, float)):
+        return 0.0
+    return float(found) if 0 <= found < 1e9 else 0.0
+
+
+def _count(found: object, low: int, high: int) -> int:
+    if isinstance(found, bool) or not isinstance(found, int) or not low <= found <= high:
+        raise ValueError(f"{one_line(str(found))[:40]} is no number from {low} to {high}")
+    return found
+
+
+def _lesson(found: object) -> LessonPlace | None:
+    if not isinstance(found, dict):
+        return None
+    steps = _count(found["all"], 1, MOST_STEPS)
+    return LessonPlace(
+        name=_text(found["name"]),
+        title=_title(found["title"]),
+        step=_count(found["step"], 1, steps),
+        all=steps,
+        solved=found.get("solved") is True,
+        hints=_count(found.get("hints", 0), 0, 100),
+    )
+
+
+def _trouble(found: object) -> Trouble | None:
+    return Trouble(_title(found.get("title")), _text(found.get("line"))) if isinstance(found, dict) else None
+
+
+def _picture(found: object) -> Picture | None:
+    if not isinstance(found, dict):
+        return None
+    columns, rows, ansi = _count(found["columns"], *COLUMNS), _count(found["rows"], *ROWS), found["ansi"]
+    if not isinstance(ansi, str):
+        raise TypeError("a screen is text")
+    return Picture(columns, rows, "\n".join(lines(ansi).split("\n")[:rows]))

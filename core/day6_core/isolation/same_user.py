@@ -1,0 +1,67 @@
+"""All pupils are the server's own user: with Landlock their files and processes are apart, otherwise nothing is."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+
+from day6_core.isolation import enter, groups, installed, left
+from day6_core.isolation.cell import Cell, IsolationError
+from day6_core.isolation.mode import Mode, key, programs_of
+
+_KERNEL = ("/proc", "/sys")
+"""What is another's process there stays closed: Landlock asks whether one may trace it."""
+_DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom", "/dev/tty", "/dev/ptmx", "/dev/pts")
+
+
+class Nothing(Mode):
+    """Separates nothing. A supervisor still ends what a pupil's programs leave behind; limits hold for each process."""
+
+    name = "none"
+
+    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
+        """Return the command line of the supervisor."""
+        return enter.command(cell, self._plan(cell, descriptors), argv)
+
+    def _plan(
+        self, cell: Cell, descriptors: Iterable[int], readable: Iterable[str] = (), writable: Iterable[str] = ()
+    ) -> enter.Plan:
+        return enter.Plan(
+            folder=str(cell.home),
+            environment=self.environment(cell),
+            groups=[str(tree.group(key(cell)) / "cgroup.procs") for tree in self.trees],
+            limits=self.rlimits(cell),
+            readable=list(readable),
+            writable=list(writable),
+            scoped=bool(writable),
+            supervise=sys.platform == "linux",
+            descriptors=list(descriptors),
+        )
+
+    def processes(self, cell: Cell) -> list[int]:
+        """Return the ids of the cell's processes."""
+        return programs_of(cell.mark)
+
+    def end(self, cell: Cell) -> bool:
+        """Tell the supervisor to end everything, and then end it; return whether nothing is left."""
+        gone = left.end_marked(cell.mark, gently=True)
+        return groups.end(self.trees, key(cell)) and gone
+
+
+class Landlock(Nothing):
+    """A pupil can open the system's programs, his home and his runtime folder, and signal his own processes only.
+
+    Before version 9 Landlock does not watch who connects to a Unix socket that has a path, and all paths can be listed
+    (/proc/net/unix, `ss`): a pupil can then connect to another's sockets, so this does not separate.
+    """
+
+    name = "landlock"
+
+    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
+        """Return the command line of the supervisor. Raises IsolationError if a rule would open what must stay closed."""
+        readable = [*installed.folders(), *_KERNEL]
+        for path in (cell.home, cell.runtime, *cell.hidden):
+            if any(installed.is_below(path, folder) for folder in readable):
+                raise IsolationError("isolation.no.inside", folder=str(path))
+        writable = [str(cell.home), str(cell.runtime), *_DEVICES]
+        return enter.command(cell, self._plan(cell, descriptors, readable, writable), argv)

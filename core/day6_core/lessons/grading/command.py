@@ -1,0 +1,144 @@
+"""`day6-tui grade`: runs the programs of submissions on hidden scenarios and writes what was seen."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+
+from day6_core.lessons.grading import reports
+from day6_core.lessons.grading.grader import SECONDS, Graded, Grader
+from day6_core.lessons.grading.scenarios import HERE, Grading, gradings
+from day6_core.lessons.source import LANGUAGES, LessonMistakes
+from day6_core.lessons.tables import Exists, must_be_new, write_table
+from day6_core.lessons.texts import Say
+from day6_core.session.harmless import lines, one_line
+
+MOST_JOBS = 64
+JOBS_FOR_A_CORE = 10
+"""A submission waits most of its time: for a turtle to arrive, for the next message."""
+
+MEMORY_FOR_A_JOB = 250 * 2**20
+
+
+def default_jobs() -> int:
+    """How many submissions at a time this machine has cores and memory for."""
+    if sys.platform == "win32":
+        return 1
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    try:
+        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (OSError, ValueError, AttributeError):
+        memory = 4 * 2**30
+    return max(1, min(cores * JOBS_FOR_A_CORE, memory // 2 // MEMORY_FOR_A_JOB, MOST_JOBS))
+
+
+def _parser(language: str) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="day6-tui grade",
+        description="Run the programs of submissions (day6-tui submit) on hidden scenarios. Nothing they claim is believed.",
+    )
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="submissions, or folders of them (*.zip)")
+    parser.add_argument("--lesson", default="", metavar="NAME", help="only the scenarios of this lesson (default: all)")
+    parser.add_argument("--scenarios", type=Path, metavar="DIR", help="your own scenarios instead of those shipped")
+    parser.add_argument("--csv", type=Path, metavar="FILE", help="write a table for a spreadsheet")
+    parser.add_argument("--html", type=Path, metavar="FILE", help="write a page")
+    parser.add_argument("--force", action="store_true", help="overwrite existing files")
+    parser.add_argument("--jobs", type=int, metavar="N", help="so many submissions at a time")
+    parser.add_argument(
+        "--seconds",
+        type=float,
+        metavar="S",
+        help=f"time limit of a submission (default: {SECONDS:g}; {2 * SECONDS:g} for several lessons)",
+    )
+    parser.add_argument("--seed", default="", metavar="WORD", help="draw the same names and numbers as another time")
+    parser.add_argument("--lang", choices=LANGUAGES, default=language)
+    return parser
+
+
+def main(arguments: list[str], language: str) -> int:
+    """Run `day6-tui grade ARGUMENTS`; the status is 0 if every submission passed everything, 1 if not, 2 for a bad call."""
+    parser = _parser(language)
+    options = parser.parse_args(arguments)
+    language = options.lang
+
+    def tell(key: str, **values: object) -> int:
+        print(one_line(f"day6-tui grade: {Say(key, **values).text(language)}"), file=sys.stderr)
+        return 2
+
+    if sys.platform == "win32":
+        return tell("grade.windows")
+    if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
+        parser.error(f"argument --jobs: 1 to {MOST_JOBS}")
+    if options.seconds is not None and not 1 <= options.seconds <= 3600:
+        parser.error("argument --seconds: 1 to 3600")
+    try:
+        chosen = _chosen(options.scenarios, options.lesson)
+        must_be_new([options.csv, options.html], options.force)
+    except LessonMistakes as mistakes:
+        print(lines(str(mistakes)), file=sys.stderr)
+        return 2
+    except LookupError as error:
+        return tell(*error.args[:1], **error.args[1])
+    except Exists as error:
+        return tell("office.exists", file=error)
+    except OSError as error:
+        return tell("office.failed", file=error.filename or "", reason=error.strerror or error)
+    files = [each for path in options.files for each in (sorted(path.glob("*.zip")) if path.is_dir() else [path])]
+    if not files:
+        return tell("grade.nothing", names=tuple(map(str, options.files)))
+    jobs = min(options.jobs or default_jobs(), len(files))
+    seconds = options.seconds or SECONDS * min(2, len(chosen))
+    grader = Grader(chosen, seconds=seconds, seed=options.seed)
+    began = time.monotonic()
+    lock = threading.Lock()
+
+    def told(graded: Graded) -> None:
+        with lock:
+            print(lines(reports.in_text(graded, language)), flush=True)
+
+    before = {number: signal.signal(number, signal.default_int_handler) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        found = grader.grade(files, jobs, told)
+    except KeyboardInterrupt:
+        tell("grade.stopped")
+        return 130
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    took = f"{time.monotonic() - began:.1f}"
+    total = Say("grade.total", count=len(found), seconds=took, jobs=jobs, seed=grader.seed)
+    print(f"\n{one_line(total.text(language))}")
+    if any(graded.refused is None and not graded.shielded for graded in found):
+        tell("grade.weak")
+    try:
+        if options.csv is not None:
+            write_table(options.csv, reports.as_csv(found, language), options.force)
+        if options.html is not None:
+            write_table(options.html, reports.as_page(found, language, total.text(language)), options.force)
+    except Exists as error:
+        return tell("office.exists", file=error)
+    except OSError as error:
+        return tell("office.failed", file=error.filename or "", reason=error.strerror or error)
+    for path in (options.csv, options.html):
+        if path is not None:
+            print(one_line(Say("office.written", file=path).text(language)))
+    return 0 if all(graded.refused is None and graded.passed == len(graded.results) for graded in found) else 1
+
+
+def _chosen(folder: Path | None, lesson: str) -> list[Grading]:
+    """The scenarios to play. Raises LessonMistakes, OSError, and LookupError with the key of a text and its values."""
+    if folder is not None and not folder.is_dir():
+        raise NotADirectoryError(20, os.strerror(20), str(folder))
+    found = gradings(folder)
+    if not found:
+        raise LookupError("grade.no_scenarios", {"folder": str(folder or HERE)})
+    chosen = [each for each in found if lesson in ("", each.lesson)]
+    if not chosen:
+        names = tuple(dict.fromkeys(each.lesson for each in found))
+        raise LookupError("grade.no_lesson", {"name": lesson, "names": names})
+    return chosen

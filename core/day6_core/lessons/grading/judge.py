@@ -1,0 +1,95 @@
+"""Judges one submission: `python -I -m day6_core.lessons.grading.judge`, started by the warden, with a job on standard input.
+
+The machine, its turtlesim, its builds and the node that sends and listens are in this process; only the pupil's programs are
+not. Verdicts go, one line of JSON each, to a pipe that no other process has.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import threading
+import time
+import traceback
+from pathlib import Path
+from typing import Any
+
+from day6_core.lessons.grading import shield
+from day6_core.lessons.texts import Say
+
+
+class Report:
+    """The pipe to the grader."""
+
+    def __init__(self) -> None:
+        self._pipe = os.fdopen(os.dup(1), "w", encoding="utf-8")
+        os.set_inheritable(self._pipe.fileno(), False)
+        silent = os.open(os.devnull, os.O_RDWR)
+        for number in (0, 1, 2):
+            os.dup2(silent, number)
+
+    def say(self, **what: Any) -> None:
+        """Send one line."""
+        self._pipe.write(json.dumps(what) + "\n")
+        self._pipe.flush()
+
+
+def both(say: Say | None) -> list[str]:
+    """A text in Chinese and English, empty ones for none."""
+    return [say.text("zh"), say.text("en")] if say is not None else ["", ""]
+
+
+def main() -> int:
+    shield.hide()
+    job = json.loads(sys.stdin.read())
+    report = Report()
+    from day6_core.lessons.grading.archive import Refused, unpack
+
+    home = Path(job["work"]) / "home"
+    try:
+        submission = unpack(Path(job["archive"]), home)
+    except Refused as refused:
+        report.say(refused=both(refused.say))
+        return 0
+    report.say(pupil=submission.pupil, answers=submission.answers)
+    _play(job, home, report)
+    return 0
+
+
+def _play(job: dict[str, Any], home: Path, report: Report) -> None:
+    from day6_core.ros.environment import activate
+
+    activate()
+    from day6_core.lessons.grading.play import Play
+    from day6_core.lessons.grading.scenarios import read_grading
+    from day6_core.session.session import Session
+    from day6_core.shell.desk import Desk
+
+    gradings = [read_grading(Path(path)) for path in job["gradings"]]
+    desk = Desk(home, domain_id=0)
+    done = threading.Event()
+
+    async def run(session: Session) -> int:
+        session.background = True
+        try:
+            play = Play(desk, session, job["seed"])
+            for grading in gradings:
+                await play.grading(grading, lambda lesson=grading.lesson, **what: report.say(lesson=lesson, **what))
+        except Exception as error:
+            # The grader shows it as ours, not as the pupil's; a traceback has nobody to read it here.
+            place = traceback.extract_tb(error.__traceback__)[-1]
+            report.say(problem=f"{type(error).__name__}: {error} ({Path(place.filename).name}:{place.lineno})")
+        finally:
+            done.set()
+        return 0
+
+    desk.start()
+    desk.start_unseen("grade", run)
+    done.wait(float(job["seconds"]))
+    report.say(done=True, seconds=round(time.process_time(), 2))
+    os._exit(0)  # the warden ends whatever runs
+
+
+if __name__ == "__main__":
+    sys.exit(main())

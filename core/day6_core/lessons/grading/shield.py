@@ -1,0 +1,258 @@
+"""Keeps one judge and everything that it starts apart from the rest of the machine and inside its limits.
+
+On Linux, where the system lets a user make namespaces, the judge lives in its own: it sees and can kill only its own
+processes, all of them end with the first one (no `setsid` or double fork leads out), it has no network, and the whole
+machine is read-only but for a folder in memory of a limited size. Elsewhere the processes are found by their parents and
+their mark and ended one by one; whoever is there is told that this is weaker (`Shield.NONE`).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import os
+import signal
+import struct
+import sys
+import time
+from collections.abc import Callable, Iterator
+from enum import Enum
+from pathlib import Path
+
+from day6_core.guardian import MARK
+
+MOST_PROCESSES = 120
+MOST_MEMORY = 2 * 2**30
+"""Bytes in memory that all processes of a submission may have together."""
+
+MOST_DISK = 256 * 2**20
+LARGEST_FILE = 64 * 2**20
+LOOK_SECONDS = 0.15
+
+_NEW_USER, _NEW_NS, _NEW_PID, _NEW_NET, _NEW_IPC = 0x10000000, 0x00020000, 0x20000000, 0x40000000, 0x08000000
+_REC, _PRIVATE, _NO_SUID, _NO_DEV = 0x4000, 1 << 18, 2, 4
+_DEATH, _DUMPABLE, _NO_NEW_PRIVILEGES, _SUBREAPER = 1, 4, 38, 36
+_MOUNT_SETATTR, _RECURSIVE, _READ_ONLY = 442, 0x8000, 1
+_INSIDE = 1000
+"""The user's number inside: not 0, so that nobody there has a right that the user has not."""
+
+
+class Shield(Enum):
+    """How well programs are kept apart."""
+
+    WHOLE = "whole"
+    NONE = "none"
+
+
+class Unshielded(Exception):
+    """The system does not let us make namespaces."""
+
+
+def _prctl(option: int, value: int) -> None:
+    ctypes.CDLL(None, use_errno=True).prctl(option, value, 0, 0, 0)
+
+
+def hide() -> None:
+    """Let no other process of this user look into this one: not its memory, its environment, its open files."""
+    if sys.platform == "linux":
+        _prctl(_DUMPABLE, 0)
+
+
+def end_with_parent() -> None:
+    """Be killed when the process that started this one is gone."""
+    if sys.platform == "linux":
+        _prctl(_DEATH, signal.SIGKILL)
+
+
+def adopt_orphans() -> None:
+    """Become the parent of what descendants leave behind."""
+    if sys.platform == "linux":
+        _prctl(_SUBREAPER, 1)
+
+
+# -- namespaces --------------------------------------------------------------------------------------------------------
+
+
+def enter(work: Path) -> int:
+    """Make namespaces; returns 0 in the first process inside and its number in the one outside, which has to wait for it.
+
+    `work` is the one folder that can be written to inside. Only for a process with a single thread. Raises Unshielded.
+    """
+    if sys.platform != "linux":
+        raise Unshielded("there are no namespaces on this system")
+    libc = ctypes.CDLL(None, use_errno=True)
+    user, group = os.getuid(), os.getgid()
+    if libc.unshare(_NEW_USER | _NEW_NS | _NEW_PID | _NEW_NET | _NEW_IPC):
+        raise Unshielded(f"unshare: {os.strerror(ctypes.get_errno())}")
+    try:
+        Path("/proc/self/setgroups").write_text("deny", encoding="ascii")
+        Path("/proc/self/gid_map").write_text(f"{_INSIDE} {group} 1", encoding="ascii")
+        Path("/proc/self/uid_map").write_text(f"{_INSIDE} {user} 1", encoding="ascii")
+        _mount(libc, "none", "/", "", _REC | _PRIVATE)
+    except OSError as error:
+        raise Unshielded(f"user namespace: {error}") from None
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child:
+        os.close(writing)
+        with os.fdopen(reading, "rb") as answer:
+            problem = answer.read()
+        if problem:
+            os.waitpid(child, 0)
+            raise Unshielded(problem.decode())
+        return child
+    os.close(reading)
+    end_with_parent()
+    try:
+        _furnish(libc, work)
+    except OSError as error:
+        os.write(writing, str(error).encode())
+        os._exit(1)
+    os.close(writing)
+    return 0
+
+
+def _furnish(libc: ctypes.CDLL, work: Path) -> None:
+    """Mount what the first process inside needs: its own /proc, one folder to write to, all others read-only."""
+    attributes = struct.pack("=QQQQ", _READ_ONLY, 0, 0, 0)
+    if libc.syscall(_MOUNT_SETATTR, -100, b"/", _RECURSIVE, attributes, len(attributes)):
+        raise OSError(ctypes.get_errno(), f"mount_setattr: {os.strerror(ctypes.get_errno())}")
+    _mount(libc, "proc", "/proc", "proc", _NO_SUID | _NO_DEV)
+    _mount(libc, "tmpfs", str(work), "tmpfs", _NO_SUID | _NO_DEV, f"size={MOST_DISK},mode=0700")
+    if os.path.isdir("/dev/shm"):
+        _mount(libc, "tmpfs", "/dev/shm", "tmpfs", _NO_SUID | _NO_DEV, f"size={LARGEST_FILE}")
+    _bring_up_loopback()
+
+
+def _mount(libc: ctypes.CDLL, source: str, target: str, kind: str, flags: int, data: str = "") -> None:
+    options = data.encode() or None
+    if libc.mount(source.encode(), os.fsencode(target), kind.encode() or None, ctypes.c_ulong(flags), options):
+        raise OSError(ctypes.get_errno(), f"mount {target}: {os.strerror(ctypes.get_errno())}")
+
+
+def _bring_up_loopback() -> None:
+    """Some programs talk to themselves over 127.0.0.1; without it they fail in a way that a pupil never saw."""
+    if sys.platform != "linux":
+        return
+    import fcntl
+    import socket
+
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one, contextlib.suppress(OSError):
+        fcntl.ioctl(one, 0x8914, struct.pack("16sh14x", b"lo", 1))
+
+
+# -- limits ------------------------------------------------------------------------------------------------------------
+
+
+def limit(seconds: float) -> None:
+    """Limit this process and those that it starts, each by itself, in what the system can limit."""
+    if sys.platform == "win32":
+        return
+    import resource
+
+    if sys.platform == "linux":
+        _prctl(_NO_NEW_PRIVILEGES, 1)
+    time_limit = int(seconds) + 5
+    for kind, most in (
+        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_CPU, time_limit),
+        (resource.RLIMIT_FSIZE, LARGEST_FILE),
+        (resource.RLIMIT_DATA, MOST_MEMORY),
+    ):
+        with contextlib.suppress(OSError, ValueError):
+            hard = resource.getrlimit(kind)[1]
+            resource.setrlimit(kind, (most, most) if hard == resource.RLIM_INFINITY else (min(most, hard), hard))
+
+
+def watch(child: int, seconds: float, processes: Callable[[], list[int]]) -> str:
+    """Wait for `child` and reap everybody; returns '' when it ended, or 'time', 'processes', 'memory', 'killed'.
+
+    `processes` are those that count. What still runs afterwards is for the caller to end.
+    """
+    if sys.platform == "win32":
+        raise NotImplementedError  # nothing is graded there: `command.main` says so
+    deadline = time.monotonic() + seconds
+    while True:
+        with contextlib.suppress(ChildProcessError):
+            while (found := os.waitpid(-1, os.WNOHANG))[0]:
+                if found[0] == child:
+                    return "killed" if os.WIFSIGNALED(found[1]) else ""
+        if time.monotonic() > deadline:
+            return "time"
+        pids = processes()
+        if len(pids) > MOST_PROCESSES:
+            return "processes"
+        if sum(map(_memory, pids)) > MOST_MEMORY:
+            return "memory"
+        time.sleep(LOOK_SECONDS)
+
+
+def all_processes() -> list[int]:
+    """The processes of this /proc, without this one."""
+    own = os.getpid()
+    return [int(name) for name in os.listdir("/proc") if name.isdigit() and int(name) != own]
+
+
+def descendants(root: int, mark: str = "") -> list[int]:
+    """The processes below `root` and those whose environment bears the mark (their parent may have ended long ago)."""
+    parents: dict[int, int] = {}
+    found: set[int] = set()
+    if sys.platform == "linux":
+        for pid in all_processes():
+            with contextlib.suppress(OSError, ValueError, IndexError):
+                stat = Path(f"/proc/{pid}/stat").read_bytes()
+                parents[pid] = int(stat.rpartition(b")")[2].split()[1])
+    else:
+        parents = dict(_listed())
+    below = {root}
+    while grown := {pid for pid, parent in parents.items() if parent in below} - below:
+        below |= grown
+        found |= grown
+    if mark and sys.platform == "linux":
+        wanted = f"{MARK}_GRADE={mark}".encode()
+        for pid in parents.keys() - found - {root}:
+            with contextlib.suppress(OSError):
+                if wanted in Path(f"/proc/{pid}/environ").read_bytes().split(b"\0"):
+                    found.add(pid)
+    return sorted(found)
+
+
+def _listed() -> Iterator[tuple[int, int]]:
+    import subprocess
+
+    listed = subprocess.run(
+        ["ps", "-axo", "pid=,ppid="], stdout=subprocess.PIPE, encoding="ascii", errors="replace", check=False
+    ).stdout
+    for line in listed.splitlines():
+        pid, parent = line.split()
+        yield int(pid), int(parent)
+
+
+def end_all(root: int, mark: str) -> None:
+    """Kill everything below `root`: first all are stopped, so that nobody starts others while they are being counted."""
+    if sys.platform == "win32":
+        raise NotImplementedError
+    for number in (signal.SIGSTOP, signal.SIGKILL):
+        for _ in range(50):
+            pids = descendants(root, mark)
+            for pid in pids:
+                with contextlib.suppress(ProcessLookupError, PermissionError):
+                    os.kill(pid, number)
+            with contextlib.suppress(ChildProcessError):
+                while os.waitpid(-1, os.WNOHANG)[0]:
+                    pass
+            after = descendants(root, mark)
+            if not after or (number == signal.SIGSTOP and after == pids):
+                break
+
+
+def _memory(pid: int) -> int:
+    """Bytes that a process has in memory for itself, 0 where that is unknown."""
+    if sys.platform != "linux":
+        return 0
+    try:
+        with open(f"/proc/{pid}/statm", encoding="ascii") as file:
+            _, resident, shared, *_ = file.read().split()
+    except (OSError, ValueError):
+        return 0
+    return (int(resident) - int(shared)) * os.sysconf("SC_PAGE_SIZE")

@@ -1,0 +1,33 @@
+"""The program behind the lesson window."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_core.lessons.course import Course
+
+if TYPE_CHECKING:
+    from day6_core.session.session import Main, Session
+    from day6_core.shell.desk import Desk
+
+
+def lessons_of(desk: Desk, pupil: str, folder: Path | None, first: str = "", demo: str = "") -> Main:
+    """The main function of a program that opens the window.
+
+    `first` is a lesson that is opened at once; with `demo`, a language, it is played by itself from its beginning.
+    """
+
+    async def main(session: Session) -> int:
+        course = Course(desk, session, pupil, folder)
+        await course.load()
+        course.request(lambda: course.open(first, "*" if demo else "") if first else course.open_last())
+        if demo:
+            course.request(lambda: course.demonstrate(demo))
+        course.handle_requests()
+        if session.display is not None:  # only now: a list needs the keyboard, a step leaves it to the terminal
+            session.display.open("lesson", "Lessons", course)
+        await course.run()
+        return 0
+
+    return main

@@ -1,0 +1,237 @@
+"""What checks and actions say, in English and Chinese."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from day6_core.lessons.grading.texts import GRADING
+from day6_core.lessons.office_texts import OFFICE
+
+
+class Say:
+    """A text of the table with its values; a value may be another one, or several."""
+
+    __slots__ = ("key", "values")
+
+    def __init__(self, key: str, **values: Any) -> None:
+        self.key = key
+        self.values = values
+
+    def text(self, language: str) -> str:
+        """In 'zh' or 'en'."""
+        return TEXTS[self.key][language == "zh"].format(
+            **{name: _written(value, language) for name, value in self.values.items()}
+        )
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Say) and (self.key, self.values) == (other.key, other.values)
+
+    def __hash__(self) -> int:
+        return hash((self.key, tuple(map(str, self.values.items()))))
+
+    def __repr__(self) -> str:
+        return f"<{self.key}: {self.text('en')}>"
+
+
+def _written(value: Any, language: str) -> Any:
+    if isinstance(value, Say):
+        return value.text(language)
+    if isinstance(value, (tuple, list)):
+        texts = [str(_written(each, language)) for each in value]
+        if texts:
+            joint = ("；" if language == "zh" else "; ") if any(isinstance(each, Say) for each in value) else ", "
+            return joint.join(texts)
+        return "（没有）" if language == "zh" else "(none)"
+    return value
+
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "check.failed": (
+        "the check '{name}' itself failed ({reason}); nothing is known. The step can be passed over",
+        "检查“{name}”自己出错了（{reason}），所以无法判断。这一步可以先跳过",
+    ),
+    "check.not": ("not: {inner}", "不能是：{inner}"),
+    "check.any": ("one of: {inner}", "下面任意一条：{inner}"),
+    "check.waiting": ("not known yet", "还不知道"),
+    # The graph
+    "node": ("the node {name} runs", "节点 {name} 在运行"),
+    "node.count": ("{count} nodes {name} run", "有 {count} 个 {name} 节点在运行"),
+    "node.saw": ("There is no node {name}; there are: {nodes}.", "没有节点 {name}，现在有：{nodes}。"),
+    "node.saw_count": ("There are {found} of them.", "现在有 {found} 个。"),
+    "no_node": ("no node {name} runs", "没有节点 {name} 在运行"),
+    "no_node.saw": ("The node {name} still runs.", "节点 {name} 还在运行。"),
+    "topic": ("the topic {name} is there", "有话题 {name}"),
+    "topic.type": ("the topic {name} has the type {type}", "话题 {name} 的类型是 {type}"),
+    "topic.ends": (
+        "the topic {name} has at least {publishers} publishers and {subscribers} subscribers",
+        "话题 {name} 至少有 {publishers} 个发布者和 {subscribers} 个订阅者",
+    ),
+    "topic.saw": ("There is no topic {name}; there are: {topics}.", "没有话题 {name}，现在有：{topics}。"),
+    "topic.saw_type": ("Its type is {types}.", "现在的类型是 {types}。"),
+    "topic.saw_ends": (
+        "There are {publishers} publishers and {subscribers} subscribers.",
+        "现在有 {publishers} 个发布者、{subscribers} 个订阅者。",
+    ),
+    "no_topic": ("there is no topic {name}", "没有话题 {name}"),
+    "no_topic.saw": ("{nodes} still use it.", "{nodes} 还在用它。"),
+    "service": ("a server offers the service {name}", "有节点提供服务 {name}"),
+    "service.saw": ("Nobody offers {name}.", "没有节点提供 {name}。"),
+    "action": ("a server offers the action {name}", "有节点提供动作 {name}"),
+    "publishers": ("exactly {count} nodes publish {topic}", "正好有 {count} 个节点在发布 {topic}"),
+    "publishers.saw": ("{found} publish: {nodes}.", "现在有 {found} 个在发布：{nodes}。"),
+    "parameter": ("the parameter {name} of {node} is {value}", "{node} 的参数 {name} 是 {value}"),
+    "parameter.saw": ("It is {found}.", "现在是 {found}。"),
+    "parameter.no_node": ("There is no node {node}.", "没有节点 {node}。"),
+    "parameter.silent": ("{node} does not answer.", "{node} 没有回答。"),
+    "transform": ("the transform from {to} to {frame} is known", "已经知道 {to} 到 {frame} 的坐标变换"),
+    "transform.saw": ("It is not known; frames: {frames}.", "还不知道；现有的坐标系：{frames}。"),
+    # Messages
+    "message": ("a message on {topic}", "话题 {topic} 上来过一条消息"),
+    "message.count": ("{count} messages on {topic}", "话题 {topic} 上来过 {count} 条消息"),
+    "message.field": ("a message on {topic} with {field} {how}", "话题 {topic} 上来过一条消息，其中 {field} {how}"),
+    "message.field_count": (
+        "{count} messages on {topic} with {field} {how}",
+        "话题 {topic} 上来过 {count} 条消息，其中 {field} {how}",
+    ),
+    "message.equals": ("= {value}", "等于 {value}"),
+    "message.above": ("above {value}", "大于 {value}"),
+    "message.below": ("below {value}", "小于 {value}"),
+    "message.matches": ("like {value}", "像 {value}"),
+    "message.saw": (
+        "{found} so far; the last one had {field} = {value}.",
+        "到现在 {found} 条；最后一条的 {field} = {value}。",
+    ),
+    "message.by": ("{inner}, sent by {nodes}", "{inner}，由 {nodes} 发出"),
+    "message.saw_others": (
+        "Such a message came, but not from there: from {sender}.",
+        "来过这样的消息，可是不是它发的，是 {sender} 发的。",
+    ),
+    "message.saw_none": ("No message on {topic} yet.", "{topic} 上还没有消息。"),
+    "message.saw_count": ("{found} so far.", "到现在 {found} 条。"),
+    "message.no_field": ("Its messages have no field {field}.", "它的消息里没有字段 {field}。"),
+    "rate": ("{topic} has {least} messages a second or more", "{topic} 每秒至少 {least} 条消息"),
+    "rate.most": (
+        "{topic} has between {least} and {most} messages a second",
+        "{topic} 每秒有 {least} 到 {most} 条消息",
+    ),
+    "rate.saw": ("Measured: {rate} a second.", "量到的是每秒 {rate} 条。"),
+    "rate.saw_none": ("Nothing arrives.", "没有消息到达。"),
+    "turned": ("the joint {joint} has turned by {least} rad", "关节 {joint} 一共转过 {least} 弧度"),
+    "turned.saw": ("It has turned by {found} rad.", "到现在转了 {found} 弧度。"),
+    "turned.saw_names": ("/joint_states names: {names}.", "/joint_states 里的名字是：{names}。"),
+    "moved": ("what {topic} tells has moved by {least}", "{topic} 报告的位置一共移动了 {least}"),
+    "moved.saw": ("It has moved by {found}.", "到现在移动了 {found}。"),
+    # Terminals
+    "ran": ("a command like `{line}` was run", "运行过像 `{line}` 这样的命令"),
+    "ran.with": ("a command with `{line}` in it was run", "运行过有 `{line}` 的命令"),
+    "ran.status": ("{inner} and ended without an error", "{inner}，而且没有出错"),
+    "ran.status_is": ("{inner} and ended with status {status}", "{inner}，而且退出状态是 {status}"),
+    "ran.prints": ("{inner} and printed {prints}", "{inner}，而且打印了 {prints}"),
+    "ran.new": ("{inner}, in a new terminal", "{inner}，是在新开的终端里"),
+    "ran.saw_nothing_new": ("Nothing was run in a new terminal yet.", "新开的终端里还没有运行过命令。"),
+    "ran.saw_last": ("The last command was `{line}`", "最后一条命令是 `{line}`"),
+    "ran.saw_nothing": ("Nothing was run yet.", "还没有运行过命令。"),
+    "ran.saw_status": (
+        "It ended with status {status}; 0 would mean that all went well.",
+        "它结束时的退出状态是 {status}；0 才表示顺利。",
+    ),
+    "ran.saw_prints": ("That was not in what it printed.", "它打印的内容里没有这个。"),
+    "ran.saw_running": ("It still runs.", "它还在运行。"),
+    "running": ("`{line}` runs in a terminal", "有一个终端正在运行 `{line}`"),
+    "running.saw": ("Running now: {lines}.", "现在正在运行：{lines}。"),
+    "terminals": ("{count} terminals are open", "开着 {count} 个终端"),
+    "terminals.saw": ("There are {found}.", "现在有 {found} 个。"),
+    "window": ("the window {kind} is open", "窗口“{kind}”开着"),
+    "window.inspector": ("Inspector (F6)", "检查（F6）"),
+    "window.kitchen": ("Kitchen", "厨房"),
+    "window.saw": ("Open windows: {kinds}.", "开着的窗口：{kinds}。"),
+    "environment": ("a terminal has {name} like {value}", "有一个终端的 {name} 像 {value}"),
+    "environment.saw": ("{name} is: {values}.", "{name} 现在是：{values}。"),
+    "sourced": ("a terminal knows the package {name} (sourced)", "有一个终端认识功能包 {name}（source 过）"),
+    "sourced.saw": ("No terminal has it on its path.", "没有终端的路径里有它。"),
+    # Files
+    "file": ("the file {path} is there", "有文件 {path}"),
+    "file.has": ("{path} has: {pattern}", "{path} 里有：{pattern}"),
+    "file.lacks": ("{path} has no: {pattern}", "{path} 里没有：{pattern}"),
+    "file.saw_none": ("There is no {path}.", "没有 {path}。"),
+    "file.saw_not": ("It is not in there.", "里面没有。"),
+    "file.saw_still": ("It is still in there.", "里面还有。"),
+    "file.unread": ("{path} cannot be read: {reason}.", "{path} 读不了：{reason}。"),
+    "folder": ("the folder {path} is there", "有文件夹 {path}"),
+    "no_file": ("there is no {path}", "没有 {path}"),
+    "no_file.saw": ("{path} is still there.", "{path} 还在。"),
+    "package": ("the package {name} is in {folder}", "{folder} 里有功能包 {name}"),
+    "package.type": ("its build type is {type}", "它的构建类型是 {type}"),
+    "package.depends": ("its package.xml depends on {names}", "它的 package.xml 依赖 {names}"),
+    "package.saw": ("There are: {names}.", "现在有：{names}。"),
+    "package.saw_deeper": ("It is in {path}, one level too deep.", "它在 {path}，多嵌套了一层。"),
+    "package.saw_twice": (
+        "It is there more than once: {paths}. Take the old ones out of src, for instance with mv.",
+        "同名的功能包不止一个：{paths}。把旧的从 src 里移出去，比如用 mv。",
+    ),
+    "package.saw_type": ("It is {type}.", "现在是 {type}。"),
+    "package.saw_missing": ("Missing: {names}.", "还缺：{names}。"),
+    "package.bad": ("Its package.xml cannot be read: {reason}.", "它的 package.xml 读不了：{reason}。"),
+    "entry_point": (
+        "setup.py of {package} names the executable {name}",
+        "{package} 的 setup.py 里写了可执行文件 {name}",
+    ),
+    "entry_point.to": (
+        "setup.py of {package} has '{name} = {to}'",
+        "{package} 的 setup.py 里有“{name} = {to}”",
+    ),
+    "entry_point.saw": ("It names: {names}.", "里面写的是：{names}。"),
+    "built": ("the package {name} is built as it is now", "功能包 {name} 按现在的样子编译过"),
+    "built.saw_never": ("It was not built.", "还没有编译过。"),
+    "built.saw_failed": ("Its last build failed.", "上一次编译没有成功。"),
+    "built.saw_old": ("{path} was changed after the build.", "编译之后又改过 {path}。"),
+    # The robot
+    "urdf": ("{path} is a robot that check_urdf accepts", "{path} 是 check_urdf 能接受的机器人"),
+    "urdf.saw": ("{reason}", "{reason}"),
+    "urdf.name": ("the robot in {path} is called {name}", "{path} 里的机器人叫 {name}"),
+    "urdf.links": ("{path} has the links {names}", "{path} 里有 link：{names}"),
+    "urdf.joints": ("{path} has the joints {names}", "{path} 里有 joint：{names}"),
+    "urdf.has": ("It has: {names}.", "现在有：{names}。"),
+    "urdf.joint": ("the joint {joint} has {what} {value}", "关节 {joint} 的 {what} 是 {value}"),
+    "urdf.joint_saw": ("It is {found}.", "现在是 {found}。"),
+    "description": ("a robot is published on /robot_description", "/robot_description 上发布了机器人"),
+    "description.joints": (
+        "the robot on /robot_description has the joints {names}",
+        "/robot_description 上的机器人有关节 {names}",
+    ),
+    "description.saw_none": ("Nothing was published there.", "那里还没有发布任何内容。"),
+    "rviz": ("RViz is open", "RViz 开着"),
+    "rviz.frame": ("RViz's Fixed Frame is {frame}", "RViz 的 Fixed Frame 是 {frame}"),
+    "rviz.display": ("RViz shows {display}", "RViz 里显示了 {display}"),
+    "rviz.status": ("RViz's {display} has the status {status}", "RViz 的 {display} 的状态是 {status}"),
+    "rviz.saw_frame": ("It is {frame}.", "现在是 {frame}。"),
+    "rviz.saw_displays": ("Its displays: {displays}.", "现在显示的有：{displays}。"),
+    "rviz.saw_status": ("It is {status}: {reason}.", "现在是 {status}：{reason}。"),
+    "rviz.saw_none": ("RViz is not open.", "RViz 没有开着。"),
+    # Drawing
+    "trail": ("{turtle} has drawn a {shape}", "{turtle} 画出了{shape}"),
+    "shape.pentagram": ("pentagram", "五角星"),
+    "shape.square": ("square", "正方形"),
+    "shape.triangle": ("triangle", "等边三角形"),
+    "shape.circle": ("circle", "圆"),
+    "shape.closed": ("closed figure", "闭合的图形"),
+    "trail.saw_none": ("TurtleSim is not open.", "海龟窗口没有开着。"),
+    "trail.saw_little": ("There is no straight line yet.", "还没有画出直线。"),
+    "trail.saw_legs": (
+        "The last straight lines: {lengths} long, turned by {turns} degrees in between.",
+        "最后几条直线的长度：{lengths}；中间转的角度：{turns} 度。",
+    ),
+    "trail.saw_open": ("The ends are {gap} apart.", "起点和终点还差 {gap}。"),
+    "trail.saw_round": ("It is not round.", "它不是圆的。"),
+    # Answers and programs of a lesson
+    "answer": ("the right answer is chosen", "选出正确的答案"),
+    "answer.saw": ("You chose {letter}.", "你选的是 {letter}。"),
+    "python": ("{name} has to say that it is right", "要由 {name} 判断为正确"),
+    "python.running": ("It is looking …", "正在检查……"),
+    "python.silent": ("It ended and printed nothing.", "它结束了，什么也没有打印。"),
+    "python.saw": ("{text}", "{text}"),
+    "python.late": ("It did not answer within {seconds} s.", "它在 {seconds} 秒里没有回答。"),
+    "python.missing": ("There is no file {name} beside the lesson.", "课程旁边没有文件 {name}。"),
+    **GRADING,
+    **OFFICE,
+}

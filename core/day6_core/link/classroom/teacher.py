@@ -1,0 +1,155 @@
+"""The teacher's part: the router of the class, who is in it, and the notes and orders."""
+
+from __future__ import annotations
+
+import json
+import logging
+import threading
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from day6_core.link.classroom import access, keys
+from day6_core.link.classroom.naming import TeacherNaming
+from day6_core.link.classroom.part import Outbox
+from day6_core.link.limits import MOST_MACHINES
+from day6_core.link.naming import Naming, Plain
+
+if TYPE_CHECKING:
+    import zenoh
+
+_log = logging.getLogger(__name__)
+
+MOST_REFUSED = 1000
+RESERVED_SECONDS = 5.0
+"""How long a granted name waits for its pupil's token."""
+
+
+class Teacher:
+    """`noted(name, note)`, `came(name, is_here)` and `turned_away(name, why)` are called on foreign threads."""
+
+    def __init__(self, *, room: bool = False) -> None:
+        self.is_room = room
+        self.is_closed = not room
+        self.noted: Callable[[str, bytes], None] = _ignore
+        self.came: Callable[[str, bool], None] = _ignore
+        self.turned_away: Callable[[str, str], None] = _ignore
+        self.problem = None
+        self.naming: Naming | None = None
+        self._outbox: Outbox | None = None
+        self._domain_id = 0
+        self._declared: list[Any] = []
+        self._lock = threading.Lock()
+        self._here: dict[str, str] = {}
+        """name -> session of the pupil who has it"""
+        self._reserved: dict[str, tuple[str, float]] = {}
+        self._refused: dict[str, tuple[str, str]] = {}
+        """session -> name and reason, for those who were told"""
+
+    @property
+    def joined(self) -> int:
+        """How many pupils are here."""
+        return len(self._here)
+
+    def order(self, name: str, order: bytes) -> bool:
+        """Send an order to a pupil; False if that pupil is not here. Any thread."""
+        outbox = self._outbox
+        return outbox is not None and name in self._here and outbox.put(keys.order_key(name), order)
+
+    # -- for the gateway -----------------------------------------------------------------------------------------------
+
+    def configure(self, config: zenoh.Config) -> None:
+        if not self.is_room:
+            config.insert_json5("access_control", json.dumps(access.rules()))
+
+    def begin(self, session: zenoh.Session, domain_id: int) -> None:
+        self._domain_id = domain_id
+        self._outbox = Outbox(session, _report)
+        self.naming = Plain(domain_id) if self.is_room else TeacherNaming(domain_id)
+        self._declared = [
+            session.declare_queryable(keys.join_key("*"), self._on_question),
+            session.declare_subscriber(keys.note_key("*"), self._on_note),
+            session.liveliness().declare_subscriber(keys.here_token("*", "*"), self._on_token, history=True),
+            session.liveliness().declare_token(keys.teacher_token(str(session.info.zid()))),
+        ]
+
+    def poll(self) -> None:
+        pass
+
+    def end(self) -> None:
+        self._declared.clear()
+        self.naming = None
+        if self._outbox is not None:
+            self._outbox.close()
+            self._outbox = None
+        with self._lock:
+            names, self._here, self._reserved, self._refused = list(self._here), {}, {}, {}
+        for name in names:
+            self.came(name, False)
+
+    # -- on Zenoh's threads --------------------------------------------------------------------------------------------
+
+    def _on_question(self, query: zenoh.Query) -> None:
+        name = keys.name_in(str(query.key_expr))
+        try:
+            asked = json.loads(query.payload.to_bytes() if query.payload is not None else b"{}")
+            zid, domain_id = str(asked["zid"])[:32], asked["domain"]
+        except (ValueError, TypeError, KeyError):
+            return
+        if name is not None:
+            refusal = self._refusal(name, zid, domain_id)
+            query.reply(query.key_expr, json.dumps({"refused": refusal, "room": self.is_room}).encode())
+            if refusal is not None and self._refused.get(zid) != (name, refusal):  # it asks again every second
+                if len(self._refused) >= MOST_REFUSED:
+                    self._refused.clear()
+                self._refused[zid] = (name, refusal)
+                self.turned_away(name, refusal)
+
+    def _refusal(self, name: str, zid: str, domain_id: object) -> str | None:
+        """Return why this session cannot have the name, and keep it for it if it can."""
+        now = time.monotonic()
+        with self._lock:
+            reserved, until = self._reserved.get(name, ("", 0.0))
+            holder = self._here.get(name) or (reserved if now < until else None)
+            if holder is not None and holder != zid:
+                return "taken"
+            if self.is_room and domain_id != self._domain_id:
+                return "domain"
+            if holder is None and len(self._here) + len(self._reserved) >= MOST_MACHINES:
+                self._reserved = {key: value for key, value in self._reserved.items() if now < value[1]}
+                if len(self._here) + len(self._reserved) >= MOST_MACHINES:
+                    return "full"
+            self._reserved[name] = zid, now + RESERVED_SECONDS
+        return None
+
+    def _on_note(self, sample: zenoh.Sample) -> None:
+        name = keys.name_in(str(sample.key_expr))
+        if name is not None and name in self._here:
+            self.noted(name, sample.payload.to_bytes())
+
+    def _on_token(self, sample: zenoh.Sample) -> None:
+        import zenoh
+
+        key = str(sample.key_expr)
+        name, zid, is_here = keys.name_in(key), key.rpartition("/")[2], sample.kind == zenoh.SampleKind.PUT
+        if name is None or len(zid) > 32:
+            return
+        with self._lock:
+            self._reserved.pop(name, None)
+            if is_here:
+                if name in self._here or len(self._here) >= MOST_MACHINES:
+                    return
+                self._here[name] = zid
+            elif self._here.get(name) == zid:
+                del self._here[name]
+            else:
+                return
+        self.came(name, is_here)
+
+
+def _report(what: str, error: Exception) -> None:
+    _log.warning("%s: %s", what, error)
+
+
+def _ignore(*_: object) -> None:
+    pass

@@ -1,0 +1,442 @@
+"""What differs between the distributions of ROS 2, with the source of each row. Code asks the functions below.
+
+A source names repository and file, with the branch or the change. Whole Python packages that a distribution lacks are not in its
+`python_of/<name>`; interfaces whose text was another one are in `share_of/<name>`. Where no source could settle it, `UNSETTLED`
+says what is done.
+"""
+
+from __future__ import annotations
+
+import os
+
+from day6_core.ros.distribution import DEFAULT, NAMES, current
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_SHARE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "share")
+_SHARES = f"{_SHARE}_of"
+
+
+def _in_humble(old: Any, usual: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
+    return (old, usual, usual, usual), source
+
+
+def _in_rolling(usual: Any, new: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
+    return (usual, usual, usual, new), source
+
+
+VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
+    "turtlesim.interfaces": (
+        ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
+        "ros/ros_tutorials#169 (turtlesim_msgs 1.9.2); ros2/ros2_documentation#5131: Jazzy and older use turtlesim",
+    ),
+    "turtlesim.holonomic": _in_humble(
+        False, True, "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling"
+    ),
+    "turtlesim.keys_in_help": _in_humble(
+        "GBVCDERTFQ",
+        "gbvcdertfq",
+        "ros/ros_tutorials#165 (turtlesim 1.8.3; #166 in Jazzy): teleop_turtle_key.cpp, branch humble",
+    ),
+    "action_tutorials.interfaces": _in_humble(
+        "action_tutorials_interfaces", "example_interfaces", "ros2/demos#701 (after Jazzy, see KEPT)"
+    ),
+    "messages.check_fields": _in_humble(
+        "always",
+        "option",
+        "ros2/rosidl_python#194: resource/_msg.py.em, branches humble and jazzy (where day6-tui checks unless told not to)",
+    ),
+    "messages.have_hashes": _in_humble(
+        False, True, "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported"
+    ),
+    "services.have_events": _in_humble(
+        False, True, "REP 2012 (Iron): Release-Iron-Irwini.rst of ros2_documentation; no service_msgs in branch humble"
+    ),
+    "node.describes_types": _in_humble(
+        False, True, "ros2/rclpy: rclpy/type_description_service.py, in branch jazzy and not in humble"
+    ),
+    "rclpy.init_returns_manager": _in_humble(False, True, "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
+    "rclcpp.signal": (
+        ("SIGINT/SIGTERM", "SIGINT/SIGTERM", "SIGINT/SIGTERM", "signum={number}"),
+        "ros2/rclcpp#2986 (30.1.4), and #3000 for the others (16.0.17, 28.1.15, 29.5.6), which before said what Rolling says",
+    ),
+    "rclcpp.lifecycle_warns": (
+        (False, False, True, True),
+        "ros2/rclcpp: rclcpp_lifecycle/src/lifecycle_node.cpp, branches humble, jazzy and rolling (29.3)",
+    ),
+    "ros2.same_names": _in_humble(
+        "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
+        "WARNING: Be aware that there are nodes in the graph that share an exact name, which can have unintended side effects.",
+        "ros2/ros2cli: ros2node/verb/list.py, branches humble and jazzy",
+    ),
+    "pkg.create_licences": _in_humble(
+        "identitifers", "identifiers", "ros2/ros2cli: ros2pkg/verb/create.py, branches humble and jazzy"
+    ),
+    "param.get_arrays": _in_humble(
+        "array", "list", "ros2/ros2cli: ros2param/verb/get.py, branches humble and jazzy (`.tolist()`)"
+    ),
+    "param.dump_to_folder": _in_humble(
+        True, False, "ros2/ros2cli: --output-dir and --print in ros2param/verb/dump.py, branches humble and not jazzy"
+    ),
+    "param.several": _in_rolling(
+        False, True, "ros2/ros2cli#1170, #1174, #1185, #1203, #1204: ros2param/verb; Release-Lyrical-Luth.rst"
+    ),
+    "robot_state_publisher.names_segments": _in_humble(
+        True, False, "ros/robot_state_publisher: setupURDF, branches humble and rolling (`Robot initialized`)"
+    ),
+    "bag.storage": _in_humble(
+        "sqlite3", "mcap", "ros2/rosbag2#1160 (Iron); Release-Iron-Irwini.rst of ros2_documentation"
+    ),
+    "bag.metadata_version": _in_humble(
+        5, 9, "ros2/rosbag2: rosbag2_storage/bag_metadata.hpp and yaml.hpp, branches humble and jazzy"
+    ),
+    "bag.topics_have_ids": _in_humble(
+        False, True, "ros2/rosbag2: rosbag2_py/src/rosbag2_py/_storage.cpp, branches humble and jazzy"
+    ),
+    "bag.options_have_old_names": _in_humble(
+        True, False, "ros2/rosbag2: rosbag2_py/src/rosbag2_py/_transport.cpp, branches humble (all, exclude) and jazzy"
+    ),
+    "bag.recorder_can_pause": _in_humble(
+        False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
+    ),
+    "bag.info_names_distribution_and_services": _in_humble(
+        False, True, "ros2/rosbag2: rosbag2_py/format_bag_metadata.cpp, branches humble and jazzy"
+    ),
+    "bag.recorder_logs_pause_at_end": _in_humble(
+        False, True, "ros2/rosbag2: Recorder::stop in recorder.cpp, branches humble and jazzy"
+    ),
+    "bag.recorder_waits": _in_humble(
+        "Waiting for recording", "Wait for recording", "ros2/rosbag2: recorder.cpp, branches humble and jazzy"
+    ),
+    "bag.player_logs_end": _in_humble(
+        False, True, "ros2/rosbag2: `Playback until timestamp` in player.cpp, branch jazzy and not humble"
+    ),
+    "bag.player_logs_stop": _in_humble(
+        False, True, "ros2/rosbag2: `Stopping playback.` in player.cpp, branch jazzy and not humble"
+    ),
+    "bag.player_logs_next": _in_humble(
+        True, False, "ros2/rosbag2: `Playing next message.` in player.cpp: INFO in branch humble, DEBUG in jazzy"
+    ),
+    "bag.progress_rate": _in_humble(0, 3, "ros2/rosbag2#1836 (after Jazzy, see KEPT)"),
+    "bag.positional_topics": (
+        ("taken", "taken", "deprecated", "removed"),
+        "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling; #2328 (Lyrical)",
+    ),
+    "bag.play_takes_storage": _in_rolling(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
+    "bag.file_names": _in_rolling(
+        "name_index", "index_name_time", "ros2/rosbag2#2265; Release-Lyrical-Luth.rst of ros2_documentation"
+    ),
+    "service.info_verbose": _in_rolling(
+        False,
+        True,
+        "ros2/ros2cli#916, ros2/rclpy#1307; Release-Lyrical-Luth.rst and Understanding-ROS2-Services.rst of "
+        "ros2_documentation, whose rmw_fastrtps has two endpoints for a service",
+    ),
+    "topic.bw_of_several": _in_rolling(False, True, "ros2/ros2cli#1124, #1130: ros2topic/verb/bw.py (Lyrical)"),
+    "topic.hz_of_all": _in_rolling(False, True, "ros2/ros2cli#1122: ros2topic/verb/hz.py (Lyrical)"),
+    "rqt_robot_steering.stamped": (
+        (False, False, False, True),
+        "ros-visualization/rqt_robot_steering#18 (1.0.1: what is not kept is not the text 'true') and #28 (4.0.2, Rolling)",
+    ),
+    "rqt_robot_steering.parameters": (
+        (False, False, False, True),
+        "ros-visualization/rqt_robot_steering#28 (4.0.2, Rolling); before it asks for undeclared ones, '~default_topic'",
+    ),
+    "action.root_node": (
+        ("/", "/", "//", "/"),
+        "ros2/ros2cli#926, #1049 (#1052 in Humble 0.18.13, #1051 in Jazzy 0.32.5); Kilted as it was recorded",
+    ),
+}
+"""Key -> (the values in the order of `NAMES`, the source)."""
+
+
+def _since(name: str, source: str) -> tuple[tuple[str, ...], str]:
+    return NAMES[NAMES.index(name) :], source
+
+
+def _until(name: str, source: str) -> tuple[tuple[str, ...], str]:
+    return NAMES[: NAMES.index(name) + 1], source
+
+
+_SPLIT = VALUES["turtlesim.interfaces"][1]
+_IRON = "ros2/rcl_interfaces: no such folder or file in branch humble, in branch jazzy there is (Iron)"
+_COMMON = "ros2/common_interfaces: branches humble and jazzy"
+_BAG = "ros2/rosbag2: rosbag2_interfaces/srv, branches humble and jazzy"
+
+PACKAGES: dict[str, tuple[tuple[str, ...], str]] = {
+    "turtlesim_msgs": _since("kilted", _SPLIT),
+    "action_tutorials_interfaces": _until("jazzy", "ros2/demos#701"),
+    "actionlib_msgs": _until("kilted", "ros2/common_interfaces#280"),
+    "service_msgs": _since("jazzy", _IRON),
+    "type_description_interfaces": _since("jazzy", _IRON),
+}
+"""Package -> (the distributions that have it, the source); all others are in every one."""
+
+INTERFACES: dict[str, tuple[tuple[str, ...], str]] = {
+    "turtlesim": _until("jazzy", _SPLIT),
+    "rcl_interfaces/msg/LoggerLevel": _since("jazzy", _IRON),
+    "rcl_interfaces/msg/SetLoggerLevelsResult": _since("jazzy", _IRON),
+    "rcl_interfaces/srv/GetLoggerLevels": _since("jazzy", _IRON),
+    "rcl_interfaces/srv/SetLoggerLevels": _since("jazzy", _IRON),
+    "geometry_msgs/msg/PolygonInstance": _since("jazzy", _COMMON),
+    "geometry_msgs/msg/PolygonInstanceStamped": _since("jazzy", _COMMON),
+    "geometry_msgs/msg/Pose2D": _until("kilted", "ros2/common_interfaces#283"),
+    "nav_msgs/msg/Goals": _since("jazzy", "ros2/common_interfaces#269 (after Jazzy, see KEPT)"),
+    "rosbag2_interfaces/srv/Play": _since("jazzy", _BAG),
+    "rosbag2_interfaces/srv/SplitBagfile": _since("jazzy", _BAG),
+    "rosbag2_interfaces/srv/Stop": _since("jazzy", _BAG),
+}
+"""Interface, or package for all of its interfaces -> (the distributions that have it, the source); all others are everywhere."""
+
+_STORES = "the type stores of rosbags 0.11 (from the message definitions of each release)"
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "rcl_interfaces/msg/Log": ("humble", "ros2/rcl_interfaces: Log.msg, branches humble (byte) and jazzy (uint8)"),
+    "sensor_msgs/msg/BatteryState": ("humble", _COMMON),
+    "sensor_msgs/msg/NavSatStatus": ("humble", _COMMON),
+    "sensor_msgs/msg/Range": ("humble", _COMMON),
+    "visualization_msgs/msg/Marker": ("humble", _COMMON),
+    "rosbag2_interfaces/msg/ReadSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "rosbag2_interfaces/msg/WriteSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "lifecycle_msgs/msg/TransitionEvent": ("rolling", _STORES),
+    "sensor_msgs/msg/PointField": ("rolling", _STORES),
+    "nav_msgs/msg/Trajectory": ("rolling", _STORES),
+    "nav_msgs/msg/TrajectoryPoint": ("rolling", _STORES),
+    "rosbag2_interfaces/msg/MessagesLostEvent": ("rolling", "ros2/rosbag2#2150"),
+    "rosbag2_interfaces/msg/MessagesLostEventTopicStat": ("rolling", "ros2/rosbag2#2150"),
+    **dict.fromkeys(
+        (f"rosgraph_msgs/msg/{name}"
+         for name in ("Action", "Graph", "InterfaceType", "Node", "QoSProfile", "Service", "Topic", "TypeHash")),
+        ("rolling", _STORES),
+    ),
+}  # fmt: skip
+"""Interface -> (the only distribution that has the text in `share_of/<name>`, the source); the others have that of `share`,
+where there is one."""
+
+_RCLPY = "ros2/rclpy: branches humble and jazzy"
+
+RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
+    "rclpy:try_shutdown": _since("jazzy", "ros2/rclpy#1302 (after Jazzy, see KEPT)"),
+    "rclpy.client:Client.configure_introspection": _since("jazzy", _RCLPY),
+    "rclpy.client:Client.service_name": _since("jazzy", _RCLPY),
+    "rclpy.context:Context.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.executors:Executor.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.logging:get_logger_level": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.add_post_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.add_pre_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.count_clients": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.count_services": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.get_fully_qualified_node_names": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.remove_post_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.remove_pre_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.wait_for_node": _since("jazzy", "ros2/rclpy#930"),
+    "rclpy.parameter:parameter_dict_from_yaml_file": _since("jazzy", _RCLPY),
+    "rclpy.service:Service.configure_introspection": _since("jazzy", _RCLPY),
+    "rclpy.service:Service.service_name": _since("jazzy", _RCLPY),
+    "rclpy.subscription:Subscription.get_publisher_count": _since("jazzy", _RCLPY),
+}
+"""`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
+
+_DEMOS = "ros2/demos: setup.py of demo_nodes_py and CMakeLists.txt of demo_nodes_cpp, branches humble and jazzy"
+
+_DEMO_LAUNCH = "ros2/demos: the packages' launch folders, branches humble and jazzy"
+
+LAUNCH_FILES: dict[str, tuple[str, str]] = {
+    **{f"{package} {name}_launch.{kind}": (f"{name}.launch.{kind}", _DEMO_LAUNCH)
+       for package, names, kinds in (
+           ("composition", "composition_demo", "py"),
+           ("demo_nodes_cpp", "add_two_ints add_two_ints_async talker_listener talker_listener_best_effort", "py xml"),
+           ("dummy_robot_bringup", "dummy_robot_bringup", "py"),
+           ("lifecycle", "lifecycle_demo", "py"),
+           ("lifecycle_py", "lifecycle_demo", "py"))
+       for name in names.split() for kind in kinds.split()},
+    **{f"demo_nodes_cpp {name}": ("", _DEMO_LAUNCH)
+       for name in ("introspect_services_launch.py", "talker_listener_launch.yaml", "talker_listener_best_effort_launch.yaml")},
+}  # fmt: skip
+"""Package and launch file of ours -> (its name in Humble, '' where it is not there, the source)."""
+
+EXECUTABLES: dict[str, tuple[tuple[str, ...], str]] = {
+    f"{package} {name}": _since("jazzy", _DEMOS)
+    for package, names in (
+        ("demo_nodes_cpp", "introspection_client introspection_service"),
+        ("demo_nodes_py", "async_param_client introspection"),
+        ("demo_nodes_cpp", "matched_event_detect set_parameters_callback use_logger_service"),
+        ("demo_nodes_py", "matched_event_detect set_parameters_callback use_logger_service"),
+    )
+    for name in names.split()
+}  # fmt: skip
+"""Package and executable -> (the distributions that have it, the source)."""
+
+_CLI = "ros2/ros2cli: the verb's module, branches humble and jazzy"
+_BAGCLI = "ros2/rosbag2: ros2bag/verb, branches humble and jazzy"
+
+VERBS: dict[str, tuple[tuple[str, ...], str]] = {
+    "action echo": _since("jazzy", "ros2/ros2cli#978 (after Jazzy, see KEPT)"),
+    "action find": _since("jazzy", "ros2/ros2cli: ros2action/verb, branches jazzy and kilted (after Jazzy, see KEPT)"),
+    "action type": _since("jazzy", "ros2/ros2cli#894"),
+    "bag burst": _since("jazzy", _BAGCLI),
+    "service echo": _since("jazzy", _CLI),
+    "service info": _since("jazzy", _CLI),
+}
+"""Verb of `ros2` -> (the distributions that have it, the source)."""
+
+OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
+    "action send_goal": (("--stdin",), *_since("jazzy", _CLI)),
+    "bag info": (("--sort", "--topic-name", "--verbose"), *_since("jazzy", _BAGCLI)),
+    "bag play": (
+        ("--clock-topics", "--clock-topics-all", "--exclude-regex", "--exclude-services", "--exclude-topics", "--input",
+         "--message-order", "--playback-duration", "--playback-until-nsec", "--playback-until-sec",
+         "--progress-bar-update-rate", "--publish-service-requests", "--regex", "--service-requests-source", "--services"),
+        *_since("jazzy", _BAGCLI),
+    ),
+    "bag record": (
+        ("--all-services", "--all-topics", "--compression-threads-priority", "--custom-data", "--disable-keyboard-controls",
+         "--exclude-regex", "--exclude-services", "--exclude-topic-types", "--exclude-topics", "--node-name", "--services",
+         "--topic-types", "--topics"),
+        *_since("jazzy", _BAGCLI),
+    ),
+    "interface package": (("--only-actions", "--only-msgs", "--only-srvs"), *_since("jazzy", _CLI)),
+    "multicast receive": (("--group", "--port"), *_since("jazzy", _CLI)),
+    "multicast send": (("--group", "--port"), *_since("jazzy", _CLI)),
+    **{f"param {verb}": (("--timeout",), *_since("jazzy", "ros2/ros2cli#802"))
+       for verb in ("delete", "describe", "dump", "get", "load", "set")},
+    "service call": (("--stdin",), *_since("jazzy", _CLI)),
+    "topic echo": (
+        ("--clear", "--include-message-info", "--node-name", "--qos-liveliness", "--qos-liveliness-lease-duration-seconds",
+         "--timeout"),
+        *_since("jazzy", _CLI),
+    ),
+    "topic pub": (
+        ("--max-wait-time-secs", "--qos-liveliness", "--qos-liveliness-lease-duration-seconds", "--stdin"),
+        *_since("jazzy", _CLI),
+    ),
+}  # fmt: skip
+"""Verb of `ros2` -> (options, the distributions that have them, the source)."""
+
+KEPT: dict[str, str] = {
+    "rclpy and ros2 of Jazzy": (
+        "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
+        "`with node`, `ros2 action echo`; the action tutorials use example_interfaces; there is nav_msgs/msg/Goals"
+    ),
+    "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0: a learner's mistake is told at its line",
+}
+"""What deliberately is another one than there, and how."""
+
+UNSETTLED: dict[str, str] = {
+    "Rolling": "has Lyrical's packages and interfaces; of its rclpy and ros2 what stands above, else Kilted's",
+    "rclpy of Rolling": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
+    "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510); what #1456 removed as deprecated is there",
+    "ros2 of Rolling": "lacks what doctor --report adds (#1045, #1059, #1076, #1079), "
+    "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
+    "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",
+    "bags of Rolling": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
+    "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150), the newer methods of its classes",
+    "launch of Rolling": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
+    "(rcl#1275), robot_state_publisher use_robot_description_topic (#234)",
+    "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
+    "rclpy#1584): the words are in no source at hand",
+    "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
+    "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
+    "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",
+    "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
+    "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",
+    "words of help": "of options that all have are Kilted's",
+    "ros2 doctor --exclude-packages": "is there in Humble too",
+    "pictures of turtles": "one more in each distribution; windows here draw all turtles alike",
+    "rqt_robot_steering before Rolling": "its restore_settings is known from #18 only, not after #23 (1.0.2 to 3.0.0): as in #18",
+    "depth of a Humble turtlesim's topics": "7 as later (ros_tutorials#161) in place of 1: no tool shows it",
+}
+"""What no source could settle, or is known and not told apart -> what is done."""
+
+
+def value(key: str) -> Any:
+    """Return the value of a row of `VALUES` in this process's distribution."""
+    return VALUES[key][0][NAMES.index(current())]
+
+
+def has_package(name: str) -> bool:
+    """Return whether one of our packages is in this distribution."""
+    return name not in PACKAGES or current() in PACKAGES[name][0]
+
+
+def has_interface(name: str) -> bool:
+    """Return whether an interface ('std_msgs/msg/String') of our packages is in this distribution."""
+    package = name.partition("/")[0]
+    rows = (INTERFACES.get(name), INTERFACES.get(package))
+    return has_package(package) and all(current() in row[0] for row in rows if row is not None)
+
+
+def path_of(interface: str, share: str) -> str:
+    """Return the file with the text of an interface of our packages, which are in `share`."""
+    package, kind, name = interface.split("/")
+    folder = os.path.join(_SHARES, current()) if _has_own_text(interface) else share
+    return os.path.join(folder, package, kind, f"{name}.{kind}")
+
+
+def lacking(module: str) -> list[str]:
+    """Return the names of a module of rclpy that this distribution lacks, like 'Node.wait_for_node'."""
+    mine = current()
+    return [
+        key.partition(":")[2] for key, (there, _) in RCLPY.items() if mine not in there and key.startswith(f"{module}:")
+    ]
+
+
+def has_verb(words: str) -> bool:
+    """Return whether `ros2` has a verb here, like 'service echo'."""
+    return words not in VERBS or current() in VERBS[words][0]
+
+
+def has_executable(package: str, name: str) -> bool:
+    """Return whether an executable of one of our packages is in this distribution."""
+    row = EXECUTABLES.get(f"{package} {name}")
+    return row is None or current() in row[0]
+
+
+def launch_file(package: str, file: str) -> str:
+    """Return the name that a launch file of a package has in this distribution; '' if it is not in this one."""
+    row = LAUNCH_FILES.get(f"{package} {file}")
+    return row[0] if row is not None and current() == "humble" else file
+
+
+def launch_file_at(path: str) -> str:
+    """Return the file to read for the path of a launch file as this distribution has it; any other path as it is."""
+    if current() != "humble":
+        return path
+    folder, name = os.path.split(path)
+    package = os.path.realpath(folder).removeprefix(_SHARE + os.sep).partition(os.sep)[0]
+    ours = (
+        key.partition(" ")[2] for key, (old, _) in LAUNCH_FILES.items() if old == name and key.startswith(f"{package} ")
+    )
+    return next((os.path.join(folder, file) for file in ours), path)
+
+
+def lacking_options(words: str) -> tuple[str, ...]:
+    """Return the long options that a verb of `ros2` lacks here."""
+    options, there, _ = OPTIONS.get(words, ((), NAMES, ""))
+    return () if current() in there else options
+
+
+def retold(text: str) -> str:
+    """Return a text written for the usual distribution (a lesson, a card) as it is for this one.
+
+    The names of the two change places, so that what is a wrong name in the text stays one; turtlesim's types get their package.
+    """
+    mine = current()
+    if mine == DEFAULT:
+        return text
+    import re
+
+    swapped = {DEFAULT: mine, mine: DEFAULT}
+    text = re.sub(rf"\b({DEFAULT}|{mine})\b", lambda found: swapped[found[1]], text)
+    return re.sub(r"\bturtlesim(?=[./](?:msg|srv|action)\b)", value("turtlesim.interfaces"), text)
+
+
+def own_texts(package: str) -> list[str]:
+    """Return 'msg/Log'-like names of the interfaces of a package that have another text in this distribution, or only here."""
+    return [name.partition("/")[2] for name in TEXTS if name.startswith(f"{package}/") and _has_own_text(name)]
+
+
+def _has_own_text(interface: str) -> bool:
+    return interface in TEXTS and TEXTS[interface][0] == current()

@@ -1,0 +1,99 @@
+"""The facts that the rules judge: about the graph, the robot, the terminals, the files and the programs' insides. Plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from day6_core.link.state import LinkState
+from day6_core.ros.programs.day6_inspector.files import Files
+from day6_core.ros.programs.day6_inspector.insides import Process
+from day6_core.session.overview import TerminalView
+
+
+@dataclass(frozen=True)
+class Endpoint:
+    """A publisher or subscription: its node and type."""
+
+    node: str
+    type: str
+
+
+@dataclass(frozen=True)
+class RVizView:
+    """One RViz window: its Fixed Frame and the frames it knows, its enabled displays, and what their statuses say in red."""
+
+    fixed_frame: str
+    frames: tuple[str, ...]
+    displays: tuple[str, ...]
+    """Types of the enabled ones."""
+    described: bool
+    """Whether a RobotModel has read a description."""
+    description_topic: str
+    """Of the first RobotModel."""
+    untransformed: tuple[str, ...] = ()
+    """Frames without a transform to the Fixed Frame."""
+
+
+@dataclass(frozen=True)
+class RobotFacts:
+    """What /robot_description says, as far as it concerns beginners' mistakes."""
+
+    links: frozenset[str] = frozenset()
+    mistakes: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = ()
+    """Mistakes that parsers accept: `wheel_tumbles` …, each with the parameters of its text."""
+    problem: str = ""
+    """Why it cannot be read."""
+
+
+@dataclass(frozen=True)
+class Facts:
+    """The facts about a graph, without hidden nodes and topics (with `_`), and about what is around it."""
+
+    publishers: Mapping[str, tuple[Endpoint, ...]] = field(default_factory=dict)
+    subscriptions: Mapping[str, tuple[Endpoint, ...]] = field(default_factory=dict)
+    nodes: tuple[str, ...] = ()
+    """Full names, one for each node, so that duplicates count."""
+    servers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Service -> nodes that offer it; an action by its own name too."""
+    clients: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    deaf: tuple[tuple[str, str, str, str], ...] = ()
+    """Pairs with incompatible QoS: topic, publisher's node, subscriber's node, the policy."""
+    missed: tuple[tuple[str, str, float], ...] = ()
+    """Publishers that nobody who listens has heard: topic, node, the seconds it lived or 0 if it is still there."""
+    rates: Mapping[str, float] = field(default_factory=dict)
+    """Messages a second of topics that are subscribed to."""
+    joint_states: str = "/joint_states"
+    heard_joints: tuple[str, ...] = ()
+    """Names in the newest joint states."""
+    unequal_joints: tuple[int, int] | None = None
+    """Where the newest joint states have not as many positions as names: the names, the positions."""
+    timeless_joints: bool = False
+    """Whether the newest joint states have no stamp."""
+    joints: frozenset[str] | None = None
+    """Names of the movable joints of the robot description; None while there is none."""
+    robot: RobotFacts | None = None
+    """The rest of it."""
+    frames: frozenset[str] = frozenset()
+    """Frames that transforms were heard of; none before somebody complained of a frame."""
+    link: LinkState = field(default_factory=LinkState)
+    speed: float = 1.0
+    """World seconds per real second that the user chose."""
+    pace: float = 1.0
+    """The same as it was lately, less what this computer was too slow for."""
+    rviz: tuple[RVizView, ...] = ()
+    world: tuple[tuple[str, tuple[tuple[str, object], ...]], ...] = ()
+    """What the worlds' windows complain about: key and parameters of their remarks."""
+    domain: int = 0
+    domains: Mapping[int, tuple[str, ...]] = field(default_factory=dict)
+    """Domains in use here -> their nodes."""
+    terminals: tuple[TerminalView, ...] | None = None
+    """None where there is nobody to ask about terminals."""
+    now_ns: int = 0
+    """Epoch nanoseconds, by the clock of the terminals' lines."""
+    files: Files | None = None
+    """None before they were looked at."""
+    processes: tuple[Process, ...] = ()
+    """The insides of Python programs that run as processes."""
+    silent_processes: tuple[str, ...] = ()
+    """Nodes of programs on this machine that do not tell about their insides."""

@@ -1,0 +1,29 @@
+"""A finding: a problem, its level, and the command that helps.
+
+"error" keeps something from working, "warning" is probably unintended, "info" is worth knowing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from day6_core.ros.programs.remark import Remark
+
+ORDER = {"error": 0, "warning": 1, "info": 2}
+
+
+@dataclass(frozen=True)
+class Finding(Remark):
+    """One thing that is wrong."""
+
+    next: str = ""
+    """What to type next, '' where no one command helps."""
+
+
+def finding(level: str, key: str, *, then: str = "", **parameters: object) -> Finding:
+    """Make the finding `inspector.KEY`; `then` is the next command.
+
+    A name with a control character, which might press Return, makes a command that is not offered.
+    """
+    then = then if then.isprintable() else ""
+    return replace(Finding.of(level, f"inspector.{key}", **parameters), next=then)

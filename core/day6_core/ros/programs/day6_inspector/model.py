@@ -1,0 +1,204 @@
+"""Gathers the facts and keeps the findings: the model of the window.
+
+The graph is looked at through a node that only looks on; terminals, windows and files through what the session has of the
+machine; the insides of other processes by asking them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Protocol
+
+from day6_core.graph.endpoints import EndpointKind
+from day6_core.graph.names import full_name
+from day6_core.link.state import LinkState
+from day6_core.ros.programs.day6_inspector.facts import Facts
+from day6_core.ros.programs.day6_inspector.files import Files, Typed, Where
+from day6_core.ros.programs.day6_inspector.finding import Finding
+from day6_core.ros.programs.day6_inspector.frame_rules import complains_of_frames
+from day6_core.ros.programs.day6_inspector.graph_facts import deaf_pairs, endpoint, participants, shown
+from day6_core.ros.programs.day6_inspector.insides import Process
+from day6_core.ros.programs.day6_inspector.listening import JOINT_STATES, Listening
+from day6_core.ros.programs.day6_inspector.pace import Pace
+from day6_core.ros.programs.day6_inspector.program_rules import home_of, script_of, typed_as
+from day6_core.ros.programs.day6_inspector.publications import Publications
+from day6_core.ros.programs.day6_inspector.rules import findings
+from day6_core.ros.programs.day6_inspector.windows import rviz_views, world_remarks
+
+if TYPE_CHECKING:
+    from day6_core.graph.graph import Graph
+    from day6_core.session.clock import WorldClock
+    from day6_core.session.overview import Overview, TerminalView
+    from rclpy.node import Node
+
+
+class Insides(Protocol):
+    """Asks the other processes (`asking.Asking`)."""
+
+    @property
+    def processes(self) -> tuple[Process, ...]: ...
+
+    def silent(self) -> tuple[str, ...]:
+        """Return nodes of processes that do not answer."""
+
+    def ask(self) -> None: ...
+
+    def hear(self) -> None: ...
+
+
+class Inspector:
+    """The model of the window: when the findings change, `findings` is replaced as a whole and `version` incremented."""
+
+    def __init__(
+        self,
+        node: Node,
+        clock: WorldClock,
+        link: Callable[[], LinkState] = LinkState,
+        *,
+        graph: Graph | None = None,
+        overview: Overview | None = None,
+        insides: Insides | None = None,
+    ) -> None:
+        self._node = node
+        self._clock = clock
+        self._link = link
+        self._graph = graph
+        self._overview = overview
+        self._insides = insides
+        self._files: Files | None = None
+        self._clock_pace = Pace(clock)
+        self._pace = clock.speed
+        self._listening = Listening(node)
+        self._publications = Publications(graph) if graph is not None else None
+        self.findings: tuple[Finding, ...] = ()
+        self.unseen: tuple[str, ...] = ()
+        """What could not be looked at: 'terminals', 'files', 'programs', 'domains'."""
+        self.quiet = ""
+        """'drill' or 'exam' while nothing is said because the pupil is to find a fault himself."""
+        self.version = 0
+
+    def close(self) -> None:
+        """Stop following the graph."""
+        if self._publications is not None:
+            self._publications.close()
+
+    def refresh(self) -> None:
+        """Look again (on the program's thread)."""
+        self._pace = self._clock_pace.now()
+        self._listening.listen()
+        if self._insides is not None:
+            self._insides.ask()
+        self.judge()
+
+    def judge(self) -> None:
+        """Judge again what is known; other processes' answers to the last question are taken first."""
+        if self._insides is not None:
+            self._insides.hear()
+        quiet = self._overview.searching if self._overview is not None else ""
+        facts = self.facts()
+        self._listening.wants_frames = complains_of_frames(facts)
+        found = () if quiet else tuple(findings(facts))
+        unseen = () if quiet else self._unseen()
+        if (quiet, found, unseen) != (self.quiet, self.findings, self.unseen):
+            self.quiet, self.findings, self.unseen = quiet, found, unseen
+            self.version += 1
+
+    def _unseen(self) -> tuple[str, ...]:
+        missing = {
+            "terminals": self._overview is None,
+            "files": self._files is None,
+            "programs": self._insides is None,
+        }
+        return tuple(key for key, is_missing in missing.items() if is_missing)
+
+    # -- files: in a thread --------------------------------------------------------------------------------------------
+
+    def where(self) -> Where | None:
+        """Return where to look for files now; None where nobody tells about terminals."""
+        if self._overview is None:
+            return None
+        terminals = self._overview.terminals()
+        typed = [(each, source) for each in terminals for source in each.running]
+        typed += [(each, line.source) for each in terminals for line in each.lines if line.status is None]
+        lines = [typed_as(each, source) for each, source in typed]
+        if self._insides is not None:
+            lines += [Typed(" ".join(each.arguments), (), self._overview.home) for each in self._insides.processes]
+        last = [(each.lines[-1], home_of(each)) for each in terminals if each.lines]
+        scripts = [script_of(line.source, line.cwd, home) for line, home in last if line.status == 0]
+        return Where(
+            self._overview.home,
+            tuple((each.number, each.cwd, dict(each.variables)) for each in terminals),
+            tuple(dict.fromkeys(lines)),
+            tuple(script for script in scripts if script is not None),
+        )
+
+    def take_files(self, files: Files) -> None:
+        """Take what `files.look` found."""
+        self._files = files
+
+    # -- all facts -----------------------------------------------------------------------------------------------------
+
+    def facts(self) -> Facts:
+        """Return what is known now, without hidden nodes and topics."""
+        node = self._node
+        names = [
+            full_name(space, name) for name, space in node.get_node_names_and_namespaces() if not name.startswith("_")
+        ]
+        publishers, subscriptions, deaf = {}, {}, []
+        for topic, _ in node.get_topic_names_and_types():
+            if any(part.startswith("_") for part in topic.split("/")):
+                continue
+            offers = shown(node.get_publishers_info_by_topic(topic))
+            requests = shown(node.get_subscriptions_info_by_topic(topic))
+            if offers:
+                publishers[topic] = tuple(map(endpoint, offers))
+            if requests:
+                subscriptions[topic] = tuple(map(endpoint, requests))
+            deaf += deaf_pairs(topic, offers, requests)
+        heard = self._listening
+        published = JOINT_STATES in publishers
+        overview, windows = self._overview, self._overview.windows() if self._overview is not None else ()
+        processes = self._insides.processes if self._insides is not None else ()
+        rate = heard.rate()
+        return Facts(
+            publishers=publishers,
+            subscriptions=subscriptions,
+            nodes=tuple(names),
+            servers=participants(self._graph, EndpointKind.SERVICE),
+            clients=participants(self._graph, EndpointKind.CLIENT),
+            deaf=tuple(deaf),
+            missed=self._missed(processes),
+            rates={JOINT_STATES: rate} if rate is not None else {},
+            heard_joints=heard.joint_names if published else (),
+            unequal_joints=heard.unequal if published else None,
+            timeless_joints=heard.timeless and published,
+            joints=heard.joints,
+            robot=heard.robot,
+            frames=heard.frames,
+            link=self._link(),
+            speed=self._clock.speed,
+            pace=self._pace,
+            rviz=rviz_views(windows),
+            world=world_remarks(windows),
+            domain=self._graph.domain_id if self._graph is not None else 0,
+            domains={key: tuple(each) for key, each in overview.domains().items()} if overview is not None else {},
+            terminals=self._terminals(),
+            now_ns=self._clock.now_ns(),
+            files=self._files,
+            processes=processes,
+            silent_processes=self._insides.silent() if self._insides is not None else (),
+        )
+
+    def _terminals(self) -> tuple[TerminalView, ...] | None:
+        return tuple(self._overview.terminals()) if self._overview is not None else None
+
+    def _missed(self, processes: tuple[Process, ...]) -> tuple[tuple[str, str, float], ...]:
+        if self._publications is None:
+            return ()
+        received: Mapping[tuple[str, str], int] = {
+            (inside.node, topic): count
+            for process in processes
+            for inside in process.nodes
+            for topic, count in inside.subscriptions.items()
+        }
+        return self._publications.missed(received, processes)

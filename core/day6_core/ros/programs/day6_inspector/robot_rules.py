@@ -1,0 +1,96 @@
+"""Rules about the robot: joint states, its description, RViz, the world."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator
+
+from day6_core.ros.programs.day6_inspector.facts import Facts, RVizView
+from day6_core.ros.programs.day6_inspector.finding import Finding, finding
+
+DESCRIPTION = "/robot_description"
+JOINT_STATE = "sensor_msgs/msg/JointState"
+
+
+def of_joints(facts: Facts) -> Iterator[Finding]:
+    """Yield joints that joint states and description do not have in common, and unequal lists."""
+    if facts.unequal_joints is not None:
+        names, positions = facts.unequal_joints
+        then = f"ros2 topic echo {facts.joint_states} --once"
+        yield finding("error", "unequal_joints", topic=facts.joint_states, names=names, positions=positions, then=then)
+    if facts.joints is None or not facts.heard_joints:
+        return
+    if facts.timeless_joints and facts.subscriptions.get(facts.joint_states):
+        then = f"ros2 topic echo {facts.joint_states} --once --field header"
+        yield finding("error", "no_stamp", topic=facts.joint_states, then=then)
+    echo = f"ros2 topic echo {facts.joint_states} --once"
+    for joint in facts.heard_joints:
+        if joint not in facts.joints:
+            free = sorted(facts.joints - set(facts.heard_joints))
+            near = difflib.get_close_matches(joint, free, 1, 0.5)
+            said = {"topic": facts.joint_states, "joint": joint}
+            if near:
+                yield finding("error", "unknown_joint_near", **said, nearest=near[0], then=echo)
+            else:
+                yield finding("error", "unknown_joint", **said, then=echo)
+    for joint in sorted(facts.joints - set(facts.heard_joints)):
+        yield finding("warning", "silent_joint", topic=facts.joint_states, joint=joint, then=echo)
+
+
+def of_description(facts: Facts) -> Iterator[Finding]:
+    """Yield a missing robot_state_publisher, and mistakes in the description that parsers accept."""
+    described = DESCRIPTION in facts.publishers
+    start = "ros2 run robot_state_publisher robot_state_publisher my_car.urdf"
+    senders = facts.publishers.get(facts.joint_states, ())
+    heard = facts.subscriptions.get(facts.joint_states, ())
+    if not described and any(each.type == JOINT_STATE for each in senders) and not heard:
+        yield finding("warning", "no_state_publisher", topic=facts.joint_states, nodes=senders[0].node, then=start)
+    elif not described and any("RobotModel" in view.displays for view in facts.rviz):
+        yield finding("error", "rviz_no_description", then=start)
+    if facts.robot is None:
+        return
+    if facts.robot.problem:
+        then = "ros2 topic echo /robot_description --once --full-length"
+        yield finding("error", "bad_description", reason=facts.robot.problem, then=then)
+    for key, parameters in facts.robot.mistakes:
+        yield finding("warning", key, **dict(parameters))
+
+
+def of_rviz(facts: Facts) -> Iterator[Finding]:
+    """Yield what an RViz window cannot show, and why."""
+    for view in facts.rviz:
+        known = view.fixed_frame in view.frames
+        if not known and view.frames:
+            near = difflib.get_close_matches(view.fixed_frame, view.frames, 1, 0.6)
+            frame = near[0] if near else root_of(view)
+            said = {"frame": view.fixed_frame, "other": frame, "frames": ", ".join(sorted(view.frames)[:6])}
+            yield finding("error", "fixed_frame", **said, then="ros2 run tf2_tools view_frames")
+        elif not known and DESCRIPTION in facts.publishers:
+            said = {"frame": view.fixed_frame}
+            yield finding("warning", "no_transforms", **said, then="ros2 topic info /tf")
+        elif view.untransformed:
+            links = ", ".join(view.untransformed[:4])
+            said = {"links": links, "frame": view.fixed_frame}
+            then = f"ros2 topic echo {facts.joint_states} --once"
+            yield finding("error", "untransformed", **said, then=then)
+        if DESCRIPTION not in facts.publishers:
+            continue
+        if "RobotModel" not in view.displays:
+            yield finding("warning", "no_robot_model")
+        elif not view.described:
+            topic = view.description_topic or '""'
+            yield finding("warning", "robot_model_deaf", topic=topic, right=DESCRIPTION)
+
+
+def root_of(view: RVizView) -> str:
+    """Return the frame a beginner probably means: base_link or the like, else the first."""
+    return next(
+        (each for each in ("base_link", "base_footprint", "odom", "world") if each in view.frames), view.frames[0]
+    )
+
+
+def of_world(facts: Facts) -> Iterator[Finding]:
+    """Yield why a robot may not enter the world, or is a ghost there: the remarks below the world's picture."""
+    for identifier, parameters in facts.world:
+        level = "error" if identifier in ("world.no_inertial", "world.refused", "world.bad_mass") else "warning"
+        yield Finding(level, identifier, parameters)

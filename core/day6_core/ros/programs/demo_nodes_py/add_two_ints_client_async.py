@@ -1,0 +1,14 @@
+"""add_two_ints_client_async: requests the sum of 2 and 3 once, and spins until the response arrives."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_core.ros.programs.demo_nodes_py._sum import ask
+
+if TYPE_CHECKING:
+    from day6_core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    return await ask(session)

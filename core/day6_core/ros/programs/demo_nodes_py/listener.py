@@ -1,0 +1,18 @@
+"""listener: logs what comes on `chatter`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from std_msgs.msg import String
+
+from day6_core.ros.programs._waiting import spin
+
+if TYPE_CHECKING:
+    from day6_core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    node = session.create_node("listener")
+    node.create_subscription(String, "chatter", lambda each: node.get_logger().info(f"I heard: [{each.data}]"), 10)
+    return await spin(session, node)

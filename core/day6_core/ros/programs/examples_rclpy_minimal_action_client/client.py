@@ -1,0 +1,14 @@
+"""client: sends a goal and waits for the result."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_core.ros.programs.examples_rclpy_minimal_action_client._goals import send_and_wait
+
+if TYPE_CHECKING:
+    from day6_core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    return await send_and_wait(session, "status")

@@ -1,0 +1,31 @@
+"""RViz's tools (rviz_default_plugins/tools): what the mouse and the keys do in the view.
+
+A tool's class is imported when a configuration names it. `toolbox` holds those that are there.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_core.ros.programs.rviz2.model.tools.tool import Tool
+
+TYPES: dict[str, tuple[str, str]] = {
+    "Interact": ("interact", "Interact"),
+    "MoveCamera": ("camera", "MoveCamera"),
+    "Select": ("select", "Select"),
+    "FocusCamera": ("picking", "FocusCamera"),
+    "Measure": ("picking", "Measure"),
+    "SetInitialPose": ("pose", "SetInitialPose"),
+    "SetGoal": ("pose", "SetGoal"),
+    "PublishPoint": ("picking", "PublishPoint"),
+}
+"""Type -> module and class, in the order of the toolbar of default.rviz."""
+
+
+def tool_class(type_name: str) -> type[Tool]:
+    """The class of a type of `TYPES`. Raises KeyError."""
+    module, name = TYPES[type_name]
+    found: type[Tool] = getattr(import_module(f"{__name__}.{module}"), name)
+    return found

@@ -1,0 +1,19 @@
+"""turtle_tf2_broadcaster: broadcasts where a turtle is."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_core.ros.programs._component import spin_cpp
+from day6_core.ros.programs.rclcpp import create_node
+from day6_core.ros.programs.tf2_ros.broadcasting import TransformBroadcaster
+from day6_core.ros.programs.turtle_tf2_py.frames import broadcast_turtle
+
+if TYPE_CHECKING:
+    from day6_core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    node = create_node(session, "turtle_tf2_frame_publisher")
+    broadcast_turtle(node, TransformBroadcaster)
+    return await spin_cpp(session, node)

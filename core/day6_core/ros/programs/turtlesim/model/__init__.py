@@ -1,0 +1,40 @@
+"""The turtles, their trail and their world as plain Python: no node, no clock of its own, no screen.
+
+Time comes in as nanoseconds and goes on in steps of 16 ms. `Simulation` is what the TurtleSim window draws.
+"""
+
+from day6_core.ros.programs.turtlesim.model.simulation import (
+    CENTRE,
+    DEFAULT_BACKGROUND,
+    KINDS,
+    Scene,
+    Simulation,
+    TurtleTopics,
+    TurtleView,
+)
+from day6_core.ros.programs.turtlesim.model.square import Square
+from day6_core.ros.programs.turtlesim.model.trail import PIXELS_PER_METRE, SIZE, Segment, Trail
+from day6_core.ros.programs.turtlesim.model.turtle import HEIGHT, TICK, WIDTH, Pose, Rotation, Step, Turtle, float32
+
+__all__ = [
+    "CENTRE",
+    "DEFAULT_BACKGROUND",
+    "HEIGHT",
+    "KINDS",
+    "PIXELS_PER_METRE",
+    "SIZE",
+    "TICK",
+    "WIDTH",
+    "Pose",
+    "Rotation",
+    "Scene",
+    "Segment",
+    "Simulation",
+    "Square",
+    "Step",
+    "Trail",
+    "Turtle",
+    "TurtleTopics",
+    "TurtleView",
+    "float32",
+]

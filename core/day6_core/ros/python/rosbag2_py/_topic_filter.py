@@ -1,0 +1,96 @@
+"""Selects the topics of a recorder (rosbag2_transport/topic_filter.cpp)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from day6_core.interfaces import get_interface
+from day6_core.user_pattern import user_pattern
+from rosbag2_py._options import RecordOptions
+from rosbag2_py._storage import EVENT_SUFFIX
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+HIDDEN = "Hidden topics are not recorded. Enable them with --include-hidden-topics"
+
+
+def is_service_event(topic: str, type_name: str) -> bool:
+    """Return whether a topic carries the events of a service."""
+    return topic.endswith(EVENT_SUFFIX) and "/srv/" in type_name and type_name.endswith("_Event")
+
+
+class TopicFilter:
+    """Selects topics of the graph. `warn(text)` is called once for each different text."""
+
+    def __init__(self, options: RecordOptions, node: Node, warn: Callable[[str], object]) -> None:
+        self._options = options
+        self._node = node
+        self._warn = warn
+        self._warned: set[str] = set()
+
+    def wanted(self) -> dict[str, Any]:
+        """Return the classes of the topics to record, by topic."""
+        found = {}
+        for name, types in self._node.get_topic_names_and_types():
+            if len(types) > 1:
+                if self._is_selected(name, types[0]):
+                    self._warn_once(
+                        f"Topic '{name}' has more than one type associated. Only topics with one type are supported"
+                    )
+            elif self._is_selected(name, types[0]) and self._published(name):
+                kind = self._class_of(name, types[0])
+                if kind is not None:
+                    found[name] = kind
+        return found
+
+    def _warn_once(self, text: str) -> None:
+        if text not in self._warned:
+            self._warned.add(text)
+            self._warn(text)
+
+    def _is_selected(self, name: str, type_name: str) -> bool:
+        return self._service(name) if is_service_event(name, type_name) else self._topic(name, type_name)
+
+    def _topic(self, name: str, type_name: str) -> bool:
+        options = self._options
+        named = name in options.topics or type_name in options.topic_types or _found(options.regex, name)
+        if not options.all_topics and not named:
+            return False
+        if type_name in options.exclude_topic_types or name in options.exclude_topics:
+            return False
+        if _found(options.exclude_regex, name):
+            return False
+        if not options.include_hidden_topics and any(part.startswith("_") for part in name.split("/")):
+            self._warn_once(HIDDEN)
+            return False
+        return True
+
+    def _service(self, name: str) -> bool:
+        options = self._options
+        service = name.removesuffix(EVENT_SUFFIX)
+        if not options.all_services and name not in options.services and not _found(options.regex, service):
+            return False
+        return name not in options.exclude_service_events and not _found(options.exclude_regex, service)
+
+    def _published(self, name: str) -> bool:
+        options = self._options
+        if not options.include_unpublished_topics and not self._node.count_publishers(name):
+            return False
+        return not options.ignore_leaf_topics or bool(self._node.count_subscribers(name))
+
+    def _class_of(self, name: str, type_name: str) -> Any | None:
+        try:
+            return get_interface(type_name)
+        except Exception as error:
+            # Whatever is wrong with a type, the other topics are recorded.
+            self._warn_once(
+                f"Topic '{name}' has unknown type '{type_name}' . Only topics with known type are supported. "
+                f"Reason: '{error}"
+            )
+            return None
+
+
+def _found(pattern: str, name: str) -> bool:
+    return bool(pattern) and user_pattern(pattern).search(name) is not None

@@ -1,0 +1,140 @@
+"""`ros2 doctor hello`: sends a hello on a topic and by multicast, and counts the hellos of each other machine."""
+
+from __future__ import annotations
+
+import re
+import socket
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections import Counter
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from day6_core.ros.ros2.cli.node import direct_node
+from day6_core.ros.ros2.multicast._group import GROUP, LARGEST, PORT, member, send
+
+if TYPE_CHECKING:
+    from day6_core.session.session import Session
+
+SUMMARY = "Check network connectivity between multiple hosts"
+
+
+def _positive(kind: type[float]) -> Callable[[str], Any]:
+    def parse(text: str) -> Any:
+        try:
+            value = kind(text)
+        except ValueError:
+            value = kind(-1)
+        if value <= 0:
+            # The braces are in the real command's text too.
+            raise ArgumentTypeError("value must be a positive {type_.__name__}")
+        return value
+
+    return parse
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "-t",
+        "--topic",
+        nargs="?",
+        default="/canyouhearme",
+        help="Name of ROS topic to publish to (default: '/canyouhearme')",
+    )
+    for short, long, default, what in (
+        ("-ep", "--emit-period", 0.1, "publish/send one message"),
+        ("-pp", "--print-period", 1.0, "print summary table"),
+    ):
+        parser.add_argument(
+            short,
+            long,
+            metavar="N",
+            type=_positive(float),
+            default=default,
+            help=f"Time period to {what} (default: {default}s)",
+        )
+    parser.add_argument("--ttl", type=_positive(int), help="TTL for multicast send (default: None)")
+    parser.add_argument(
+        "-1",
+        "--once",
+        action="store_true",
+        help="Publish and multicast send for one emit period then exit; used in test case.",
+    )
+
+
+async def main(session: Session, args: Namespace) -> None:
+    from std_msgs.msg import String
+
+    from rclpy.qos import qos_profile_system_default
+
+    host = socket.gethostname()
+    name = f"ros2doctor_{re.sub('[^0-9a-zA-Z_]', '_', host)}_{session.pid}_node"
+    node = await direct_node(session, None, name)
+    counts = _Counts()
+
+    def receive(message: Any) -> None:
+        sender = _sender(message.data)
+        if sender not in ("", host):
+            counts.subscribed[sender] += 1
+
+    publisher = node.create_publisher(String, args.topic, qos_profile_system_default)
+    node.create_subscription(String, args.topic, receive, qos_profile_system_default)
+    session.executor.add_node(node)
+    hello = f"hello, it's me {host}"
+    with member(GROUP, PORT) as receiver:
+        printed = session.clock.steady_ns()
+        try:
+            while True:
+                now = session.clock.steady_ns()
+                if now - printed > args.print_period * 1e9:
+                    counts.print(session, args)
+                    counts, printed = _Counts(), now
+                publisher.publish(String(data=hello))
+                send(hello.encode(), GROUP, PORT, args.ttl)
+                counts.emitted += 1
+                await session.sleep(args.emit_period)
+                session.spin_some()
+                _receive(receiver, host, counts)
+                if args.once:
+                    counts.print(session, args)
+                    return
+        except KeyboardInterrupt:
+            return
+
+
+def _receive(receiver: socket.socket, host: str, counts: _Counts) -> None:
+    while True:
+        try:
+            data, _ = receiver.recvfrom(LARGEST)
+        except BlockingIOError:
+            return
+        sender = _sender(data.decode("utf-8", "replace"))
+        if sender not in ("", host):
+            counts.received[sender] += 1
+
+
+def _sender(text: str) -> str:
+    words = text.split()
+    return words[-1] if words else ""
+
+
+class _Counts:
+    """Messages sent and received since the last table."""
+
+    def __init__(self) -> None:
+        self.emitted = 0
+        self.subscribed: Counter[str] = Counter()
+        self.received: Counter[str] = Counter()
+
+    def print(self, session: Session, args: Namespace) -> None:
+        def table(counts: Counter[str]) -> None:
+            for name, count in (("Hostname", f"Msg Count /{args.print_period}s"), *counts.items()):
+                session.print(f"{'':<15} {name:<20} {count:<10}")
+
+        session.print("MULTIMACHINE COMMUNICATION SUMMARY")
+        session.print(f"Topic: {args.topic}, Published Msg Count: {self.emitted}")
+        session.print("Subscribed from:")
+        table(self.subscribed)
+        session.print(f"Multicast Group/Port: {GROUP}/{PORT}, Sent Msg Count: {self.emitted}")
+        session.print("Received from:")
+        table(self.received)
+        session.print("-" * 60)

@@ -1,0 +1,292 @@
+"""cat, mkdir, rmdir, touch, rm, tee, chmod."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from pathlib import Path
+
+from day6_core.session.session import Main, Session
+from day6_core.session.streams import FileOutput, OutputStream, WriteError
+from day6_core.shell.builtins.options import UsageError, complain, parse, reason
+from day6_core.shell.builtins.text import lines_of
+from day6_core.shell.outside import asking
+from day6_core.shell.own_streams import own_output, table_of
+
+
+async def cat(session: Session) -> int:
+    try:
+        options, names = parse(session.argv, "nbAEsTvu")
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    problems: list[str] = []
+    number = 0
+    async for _, line in lines_of(session, names, problems):
+        numbered = ("n" in options and "b" not in options) or ("b" in options and line != "\n")
+        if numbered:
+            number += 1
+            line = f"{number:>6}\t{line}"
+        if "T" in options or "A" in options:
+            number_mark, tab, rest = line.partition("\t") if numbered else ("", "", line)
+            line = number_mark + tab + rest.replace("\t", "^I")
+        if "E" in options or "A" in options:
+            line = line.replace("\n", "$\n")
+        session.stdout.write(line)
+    return 1 if problems else 0
+
+
+async def tee(session: Session) -> int:
+    options, names = parse(session.argv, "ai")
+    files: list[FileOutput] = []
+    targets: dict[str, OutputStream] = {"'standard output'": session.stdout}
+    status = 0
+    for name in names:
+        try:
+            target = own_output(session.cwd / name, table_of(session))
+            if target is None:
+                if name.endswith("/"):
+                    raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+                target = FileOutput(session.cwd / name, append="a" in options)
+                files.append(target)
+        except OSError as error:
+            complain(session, f"{name}: {reason(error)}")
+            status = 1
+        else:
+            targets[name] = target
+    try:
+        while targets and (line := await session.stdin.read_line()):
+            for name, target in list(targets.items()):
+                try:
+                    target.write(line)
+                    await target.drain()
+                except WriteError as error:
+                    complain(session, f"{name}: {reason(error)}")
+                    status = 1
+                    del targets[name]  # the others still get theirs
+        for name, target in targets.items():
+            try:
+                target.flush()
+            except WriteError as error:
+                complain(session, f"{name}: {reason(error)}")
+                status = 1
+    finally:
+        for file in files:
+            file.close()
+    return status
+
+
+async def mkdir(session: Session) -> int:
+    try:
+        options, names = parse(session.argv, "pv", "m", {"--parents": "p", "--verbose": "v"})
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    if not names:
+        complain(session, "missing operand\nTry 'mkdir --help' for more information.")
+        return 1
+    status = 0
+    for name in names:
+        try:
+            mode = _new_mode(options["m"], 0o777) if "m" in options else None
+            _make_folder(session.cwd, name, parents="p" in options)
+            if mode is not None:
+                (session.cwd / name).chmod(mode)
+        except ValueError:
+            complain(session, f"invalid mode ‘{options['m']}’")
+            return 1
+        except OSError as error:
+            complain(session, f"cannot create directory ‘{error.filename or name}’: {reason(error)}")
+            status = 1
+        else:
+            if "v" in options:
+                session.print(f"mkdir: created directory '{name}'")
+    return status
+
+
+def _make_folder(cwd: Path, name: str, *, parents: bool) -> None:
+    """Make a folder. Raises OSError, which names the part of `name` that could not be made."""
+    parts = [name]
+    while parents and os.path.dirname(parts[-1].rstrip("/")) not in ("", "/", "."):
+        parts.append(os.path.dirname(parts[-1].rstrip("/")))
+    for part in reversed(parts):
+        try:
+            os.mkdir(os.path.join(cwd, part) if part else "")
+        except FileExistsError as error:
+            if not parents or (part == name and not (cwd / part).is_dir()):
+                raise OSError(error.errno, error.strerror, part) from None
+            if not (cwd / part).is_dir():
+                raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), part) from None
+        except OSError as error:
+            raise OSError(error.errno, error.strerror, part) from None
+
+
+async def rmdir(session: Session) -> int:
+    try:
+        _, names = parse(session.argv, "")
+        if not names:
+            raise UsageError("missing operand\nTry 'rmdir --help' for more information.")
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    status = 0
+    for name in names:
+        try:
+            (session.cwd / name).rmdir()
+        except OSError as error:
+            complain(session, f"failed to remove '{name}': {reason(error)}")
+            status = 1
+    return status
+
+
+async def touch(session: Session) -> int:
+    status = 0
+    names = [word for word in session.argv[1:] if not word.startswith("-")]
+    if not names:
+        complain(session, "missing file operand\nTry 'touch --help' for more information.")
+        return 1
+    for name in names:
+        try:
+            if not name or (name.endswith("/") and not os.path.lexists(session.cwd / name)):
+                raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
+            (session.cwd / name).touch()
+        except OSError as error:
+            complain(session, f"cannot touch '{name}': {reason(error)}")
+            status = 1
+    return status
+
+
+async def rm(session: Session) -> int:
+    try:
+        options, names = parse(
+            session.argv, "rRfvid", "", {"--recursive": "r", "--force": "f", "--verbose": "v", "--interactive": "i"}
+        )
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    if not names and "f" not in options:
+        complain(session, "missing operand\nTry 'rm --help' for more information.")
+        return 1
+    status = 0
+    for name in names:
+        if not await _removed(session, name, options):
+            status = 1
+    return status
+
+
+async def _removed(session: Session, name: str, options: dict[str, str]) -> bool:
+    """Remove one operand of rm; return False, with a message, if any part of it could not be removed."""
+    recursive = "r" in options or "R" in options
+    refusal = _refusal(session, name) if recursive else ""
+    if refusal:
+        complain(session, refusal)
+        return False
+    path = session.cwd / name
+    try:
+        if not name:
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
+        found = path.lstat()
+        folder = stat.S_ISDIR(found.st_mode)
+        if name.endswith("/") and not folder:
+            raise NotADirectoryError(errno.ENOTDIR if recursive else errno.EISDIR, "")
+        if folder and not recursive:
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if "i" in options and not await _agreed_to_remove(session, name, found):
+            return True
+        inner = sorted(os.listdir(path)) if folder else []
+    except FileNotFoundError as error:
+        if "f" not in options:
+            complain(session, f"cannot remove '{name}': {reason(error)}")
+        return "f" in options
+    except OSError as error:
+        complain(session, f"cannot remove '{name}': {os.strerror(error.errno or 0)}")
+        return False
+    whole = all([await _removed(session, os.path.join(name, each), options) for each in inner])
+    try:
+        if whole:
+            path.rmdir() if folder else path.unlink()
+    except OSError as error:
+        complain(session, f"cannot remove '{name}': {reason(error)}")
+        return False
+    if whole and "v" in options:
+        session.print(f"removed {'directory ' if folder else ''}'{name}'")
+    return whole
+
+
+def _refusal(session: Session, name: str) -> str:
+    """Why a folder is never removed recursively, '' if it may be: the root, the home folder and its parents, `.`."""
+    if os.path.basename(name.rstrip("/")) in (".", ".."):
+        return f"refusing to remove '.' or '..' directory: skipping '{name}'"
+    path = session.cwd / name
+    if path.is_symlink():
+        return ""
+    whole, home = path.resolve(), Path(session.env.get("HOME", "/")).resolve()
+    if whole.parent == whole:
+        return (
+            f"it is dangerous to operate recursively on '{name}'\nrm: use --no-preserve-root to override this failsafe"
+        )
+    if name and (whole == home or whole in home.parents):
+        return f"it is dangerous to operate recursively on '{name}'"
+    return ""
+
+
+async def _agreed_to_remove(session: Session, name: str, found: os.stat_result) -> bool:
+    """`rm -i` asks."""
+    kinds = {stat.S_IFDIR: "directory", stat.S_IFLNK: "symbolic link"}
+    kind = kinds.get(stat.S_IFMT(found.st_mode), "regular file" if found.st_size else "regular empty file")
+    session.stderr.write(f"rm: remove {kind} '{name}'? ")
+    return (await session.stdin.read_line()).strip().lower() in ("y", "yes")
+
+
+async def chmod(session: Session) -> int:
+    words = [word for word in session.argv[1:] if word != "-R"]
+    if len(words) < 2:
+        complain(session, "missing operand\nTry 'chmod --help' for more information.")
+        return 1
+    mode, *names = words
+    status = 0
+    for name in names:
+        path = session.cwd / name
+        try:
+            path.chmod(_new_mode(mode, path.stat().st_mode))
+        except ValueError:
+            complain(session, f"invalid mode: ‘{mode}’\nTry 'chmod --help' for more information.")
+            return 1
+        except OSError as error:
+            complain(session, f"cannot access '{name}': {reason(error)}")
+            status = 1
+    return status
+
+
+def _new_mode(text: str, now: int) -> int:
+    """`755`, `+x`, `u+rwx,go-w`. Raises ValueError for anything else."""
+    if text.isdigit():
+        return int(text, 8)
+    mode = stat.S_IMODE(now)
+    for clause in text.split(","):
+        at = next((index for index, char in enumerate(clause) if char in "+-="), -1)
+        if at < 0 or not set(clause[:at]) <= set("ugoa") or not set(clause[at + 1 :]) <= set("rwx"):
+            raise ValueError(text)
+        shifts = [{"u": 6, "g": 3, "o": 0}[who] for who in (clause[:at] if clause[:at] not in ("", "a") else "ugo")]
+        bits = sum({"r": 4, "w": 2, "x": 1}[what] for what in set(clause[at + 1 :]))
+        for shift in shifts:
+            if clause[at] == "=":
+                mode &= ~(7 << shift)
+            mode = mode & ~(bits << shift) if clause[at] == "-" else mode | (bits << shift)
+    return mode
+
+
+def _all(names: list[str]) -> list[str]:
+    return names
+
+
+COMMANDS: dict[str, Main] = {
+    "cat": cat,
+    "mkdir": asking(mkdir, _all),
+    "rmdir": asking(rmdir, _all),
+    "touch": asking(touch, _all),
+    "rm": asking(rm, _all),
+    "tee": asking(tee, _all),
+    "chmod": asking(chmod, lambda names: names[1:]),
+}

@@ -1,0 +1,191 @@
+"""Maps command names to programs."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_core.ros.executables import are_on
+from day6_core.ros.program_index import named_by, place_of_command
+from day6_core.ros.programs import load
+from day6_core.session.session import Main, Session
+from day6_core.shell.real_tools import find_tool, running
+
+if TYPE_CHECKING:
+    from day6_core.shell.language.interpreter import Shell
+
+_PACKAGE = "day6_core.shell.builtins"
+
+MODULES: dict[str, tuple[str, ...]] = {
+    module: tuple(names.split())
+    for module, names in {
+        "state": "cd pwd shift exit logout break continue return source . eval history",
+        "variables": "export unset local declare typeset readonly let read alias unalias set shopt bind complete stty trap "
+        "ulimit umask",
+        "jobs": "jobs fg bg wait kill disown ps pkill killall",
+        "files": "cat mkdir rmdir touch rm tee chmod",
+        "transfer": "cp mv",
+        "listing": "ls tree",
+        "text": "echo printf head tail wc sort uniq",
+        "search": "grep egrep fgrep",
+        "paths": "ln readlink realpath pushd popd dirs",
+        "repeated": "xargs watch",
+        "download": "wget curl",
+        "machine": "nproc lsb_release locale",
+        "display": "tput dircolors lesspipe",
+        "find": "find",
+        "columns": "cut tr rev sed diff",
+        "pager": "less more man",
+        "packages": "sudo apt apt-get rosdep pip pip3",
+        "edit": "nano gedit vim vi code mousepad gnome-text-editor",
+        "terminals": "xterm gnome-terminal x-terminal-emulator",
+        "times": "sleep timeout date",
+        "why": "why explain",
+        "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
+        "basename dirname seq",
+        "programs": "python3 python pytest launch_test ros2 colcon rqt rqt_bag rqt_graph rqt_console rqt_plot rqt_topic rviz2 "
+        "check_urdf urdf_to_graphviz xacro bash sh",
+    }.items()
+}
+"""The module of `builtins` in which each command is; each has a table `COMMANDS` with the same names."""
+
+_MODULE_OF = {name: module for module, names in MODULES.items() for name in names}
+
+_ALSO_BUILTIN = "pushd popd dirs jobs fg bg wait kill disown echo printf help type command true false : test ["
+SHELL_BUILTINS = frozenset((*MODULES["state"], *MODULES["variables"], *_ALSO_BUILTIN.split())) - {"stty"}
+"""Built-ins of bash itself; all other commands have a place in /usr/bin or /opt/ros."""
+
+
+def command_names() -> list[str]:
+    """Every command there is, sorted."""
+    return sorted(_MODULE_OF)
+
+
+def builtin(name: str) -> Main | None:
+    """The command of that name among ours, None if there is none."""
+    module = _MODULE_OF.get(name)
+    if module is None:
+        return None
+    main: Main = importlib.import_module(f"{_PACKAGE}.{module}").COMMANDS[name]
+    return main
+
+
+def place_of(name: str) -> str:
+    """The path that `which` prints for a command; '' for a built-in of the shell."""
+    if name not in _MODULE_OF or name in SHELL_BUILTINS - {"echo", "printf", "kill", "test", "[", "true", "false"}:
+        return ""
+    return place_of_command(name) or f"/usr/bin/{name}"
+
+
+def where(name: str, shell: Shell) -> str:
+    """The same for every program: ours, else one of the real machine; '' for what is not one."""
+    if name in _MODULE_OF:
+        return "" if _is_unsourced(name, shell.variables) else place_of(name)
+    return find_tool(name, shell.variables, shell.cwd)
+
+
+def _is_unsourced(name: str, variables: Mapping[str, str]) -> bool:
+    """Whether it is a command of ROS, and PATH has lost the folder that sourcing /opt/ros puts there."""
+    return bool(place_of_command(name)) and not are_on(variables.get("PATH", ""))
+
+
+LONGEST_ARGUMENT = 128 * 1024
+LONGEST_ARGUMENTS = 2 * 1024 * 1024
+"""Bytes that Linux passes to a program, its variables included (execve(2): MAX_ARG_STRLEN, a quarter of an 8 MB stack)."""
+
+
+def too_long(argv: list[str], environment: Mapping[str, str]) -> bool:
+    """Whether these arguments are too long for a program; built-ins of the shell take any."""
+    if not argv or argv[0] in SHELL_BUILTINS:
+        return False
+    texts = [*argv, *(f"{name}={value}" for name, value in environment.items())]
+    if sum(map(len, texts)) < LONGEST_ARGUMENT // 4:
+        return False
+    sizes = [len(text.encode("utf-8", "surrogateescape")) + 1 for text in texts]
+    return max(sizes) > LONGEST_ARGUMENT or sum(sizes) + 8 * len(sizes) > LONGEST_ARGUMENTS
+
+
+def list_too_long(name: str, shell: Shell) -> Main:
+    """Return a program that reports that, as bash does."""
+    return _saying(f"{shell.name}: {where(name, shell) or name}: Argument list too long", 126)
+
+
+def find_command(name: str, shell: Shell) -> Main:
+    """Return the program for `name`: a function, one of ours, a file (with a / in it), one of the real machine.
+
+    If there is none, it is one that prints `command not found`.
+    """
+    if name in shell.functions:
+        from day6_core.shell.language.functions import calling
+
+        return calling(shell.functions[name])
+    if "/" in name:
+        return _file(name, shell)
+    if name in _MODULE_OF and not _is_unsourced(name, shell.variables):
+        return builtin(name) or _nothing
+    if tool := find_tool(name, shell.variables, shell.cwd):
+        return running([tool])
+    return _saying(f"{shell.name}: {name}: command not found", 127)
+
+
+def _file(name: str, shell: Shell) -> Main:
+    path = shell.cwd / name
+    ours = place_of(path.name)
+    if ours == name or (name.startswith(("/bin/", "/usr/bin/")) and ours.startswith("/usr/bin/")):
+        return builtin(path.name) or _nothing
+    program = named_by(path)
+    if program is not None:
+        return load(*program)
+    if path.is_dir():
+        return _saying(f"{shell.name}: {name}: Is a directory", 126)
+    if not path.exists():
+        return _saying(f"{shell.name}: {name}: No such file or directory", 127)
+    if os.name != "nt" and not os.access(path, os.X_OK):
+        return _saying(f"{shell.name}: {name}: Permission denied", 126)
+    interpreter = _interpreter(path)
+    if interpreter is None or (interpreter and not interpreter.endswith("sh") and "python" not in interpreter):
+        return running([str(path)])
+    return _run_python([name]) if "python" in interpreter else _run_script(name)
+
+
+def _interpreter(path: Path) -> str | None:
+    """What is after `#!`; '' for a text that begins with something else, None for a file that is not text."""
+    try:
+        with path.open("rb") as file:
+            line = file.readline(256)
+    except OSError:
+        return ""
+    if b"\0" in line:
+        return None
+    return line[2:].decode("utf-8", "replace").strip() if line.startswith(b"#!") else ""
+
+
+def _saying(text: str, status: int) -> Main:
+    async def main(session: Session) -> int:
+        session.print_error(text)
+        return status
+
+    return main
+
+
+def _run_python(arguments: list[str]) -> Main:
+    async def main(session: Session) -> int:
+        return await session.run_python([*arguments, *session.argv[1:]])
+
+    return main
+
+
+def _run_script(name: str) -> Main:
+    async def main(session: Session) -> int:
+        from day6_core.shell.builtins.programs import run_script
+
+        return await run_script(session, name, session.argv[1:])
+
+    return main
+
+
+async def _nothing(session: Session) -> int:
+    return 0

@@ -1,0 +1,126 @@
+"""`day6-tui exec`: lines of the simulated terminal without a screen, on the real standard input, output and error."""
+
+from __future__ import annotations
+
+import argparse
+import io
+import signal
+import sys
+from pathlib import Path
+
+from day6_core.session.folder import working_folder
+from day6_core.session.program import Program
+from day6_core.session.real_streams import RealInput, RealOutput
+from day6_core.session.scheduler import STUCK_SECONDS
+from day6_core.session.session import Session
+from day6_core.session.signals import from_system
+from day6_core.session.streams import InputStream
+from day6_core.shell.desk import Desk
+from day6_core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_core.shell.language.redirection import Streams
+
+TIMED_OUT = 124
+
+
+def build_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="day6-tui exec",
+        description="Run lines of the simulated terminal without a screen, print what it would show, exit with the last status.",
+    )
+    parser.add_argument(
+        "-c", dest="commands", metavar="COMMANDS", help="the lines to run (otherwise FILE, otherwise standard input)"
+    )
+    parser.add_argument("file", nargs="?", metavar="FILE", help="a file of lines")
+    parser.add_argument("arguments", nargs="*", metavar="ARG", help="become $1, $2 … in them")
+    parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ (default: that of the desktop)")
+    parser.add_argument(
+        "--timeout", type=float, metavar="S", help=f"end everything after S seconds, with status {TIMED_OUT}"
+    )
+    return parser
+
+
+def main(arguments: list[str]) -> int:
+    """Run `day6-tui exec ARGUMENTS` and return the status to exit with."""
+    options = build_parser().parse_args(arguments)
+    words = list(options.arguments)
+    commands: str | None = options.commands
+    name = "bash"
+    stdin: RealInput | None = RealInput()
+    if commands is not None:
+        words = ([options.file] if options.file is not None else []) + words
+    elif options.file is not None:
+        try:
+            commands = Path(options.file).read_text(encoding="utf-8", errors="surrogateescape")
+        except OSError as error:
+            print(f"day6-tui exec: {options.file}: {error.strerror}", file=sys.stderr)
+            return 127
+    else:
+        if isinstance(sys.stdin, io.TextIOWrapper):
+            sys.stdin.reconfigure(encoding="utf-8", errors="surrogateescape")
+        commands = sys.stdin.read()
+        stdin = None
+    try:
+        desk = Desk(options.home, display=False)
+    except OSError as error:
+        print(f"day6-tui exec: the home folder cannot be used: {error}", file=sys.stderr)
+        return 1
+    return run(desk, commands, words, name=name, stdin=stdin, timeout=options.timeout)
+
+
+def run(
+    desk: Desk, commands: str, arguments: list[str], *, name: str, stdin: RealInput | None, timeout: float | None
+) -> int:
+    """Run command lines on a desk that is not running yet, in this thread; close the desk."""
+    shell = desk.shell(cwd=working_folder())
+    shell.name = name
+    shell.arguments = arguments
+    stdout, stderr = RealOutput(sys.stdout), RealOutput(sys.stderr)
+    streams = Streams(stdin if stdin is not None else InputStream(), stdout, stderr)
+
+    async def script(session: Session) -> int:
+        session.on_interrupt = shell.interrupt
+        try:
+            return await shell.run(commands, streams)
+        except ExitShell as end:
+            return end.status
+        except Interrupted:
+            raise KeyboardInterrupt from None
+        except (LoopControl, ReturnFromSource):
+            return shell.status
+
+    desk.link_on_demand()
+    program = desk.start_program([name], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell)
+    status = TIMED_OUT
+    before = _handle_signals(desk, program)
+    try:
+        if desk.scheduler.run(lambda: program.status is not None, timeout):
+            status = program.status or 0
+    finally:
+        # What still runs is in the background: closing a terminal ends it silently.
+        stdout.mute()
+        stderr.mute()
+        desk.close()
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        if stdin is not None:
+            stdin.restore()
+    return status
+
+
+def _handle_signals(desk: Desk, program: Program) -> dict[int, signal._HANDLER]:
+    """Ctrl-C goes to what runs in the foreground; SIGTERM and SIGHUP end the script. Returns the handlers before."""
+
+    def interrupt(number: int, frame: object) -> None:
+        desk.scheduler.call_soon_threadsafe(program.interrupt)
+        if desk.scheduler.stuck_for > STUCK_SECONDS:
+            raise KeyboardInterrupt
+
+    def terminate(number: int, frame: object) -> None:
+        desk.scheduler.call_soon_threadsafe(lambda: program.send(from_system(number)))
+        if desk.scheduler.stuck_for > STUCK_SECONDS:
+            raise KeyboardInterrupt
+
+    wanted = {signal.SIGINT: interrupt, signal.SIGTERM: terminate}
+    if sys.platform != "win32":
+        wanted[signal.SIGHUP] = terminate
+    return {number: signal.signal(number, handler) for number, handler in wanted.items()}

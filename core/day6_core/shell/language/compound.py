@@ -1,0 +1,155 @@
+"""Compound commands: `{ }` and `( )`, `if`, `case`, `for`, `while` and `until`, `[[ ]]`, `(( ))`, and defining a function."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import replace
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+from day6_core.session.task import let_others_run
+from day6_core.shell.language import syntax
+from day6_core.shell.language.arithmetic import ArithmeticProblem
+from day6_core.shell.language.conditional import holds
+from day6_core.shell.language.control_flow import LoopControl
+from day6_core.shell.language.expansion import (
+    ExpansionProblem,
+    UnboundProblem,
+    expand,
+    expand_pattern,
+    expand_text,
+    sum_of,
+)
+from day6_core.shell.language.redirection import Streams, redirect
+
+if TYPE_CHECKING:
+    from day6_core.shell.language.interpreter import Shell
+
+
+async def run_compound(shell: Shell, command: syntax.Command, streams: Streams) -> int:
+    """Run one compound command with its redirections in `shell`; returns its status, which becomes the shell's."""
+    assert not isinstance(command, syntax.SimpleCommand)
+    with ExitStack() as opened:
+        try:
+            streams = await redirect(command.redirections, shell, streams, opened)
+        except OSError as error:
+            streams.stderr.write(f"{shell.name}: {error.filename}: {error.strerror}\n")
+            shell.status = 1
+            return 1
+        if isinstance(command, syntax.Group):
+            await _group(shell, command, streams)
+        elif isinstance(command, syntax.If):
+            await _if(shell, command, streams)
+        elif isinstance(command, syntax.Case):
+            await _case(shell, command, streams)
+        elif isinstance(command, (syntax.Conditional, syntax.Arithmetic)):
+            await _conditional(shell, command, streams)
+        elif isinstance(command, syntax.Function):
+            shell.functions[command.name] = command
+            shell.status = 0
+        else:
+            await _loop(shell, command, streams)
+    return shell.status
+
+
+async def _group(shell: Shell, command: syntax.Group, streams: Streams) -> None:
+    if not command.subshell:
+        await shell.run_tree(command.body, streams)
+        return
+    inner = shell.clone()
+    front = replace(streams, stdin=streams.stdin.fork())
+    await shell.run_subshell(inner, lambda: inner.run_tree(command.body, front), front, streams)
+
+
+async def _if(shell: Shell, command: syntax.If, streams: Streams) -> None:
+    for condition, body in command.branches:
+        if await _holds(shell, condition, streams):
+            await shell.run_tree(body, streams)
+            return
+    shell.status = 0
+    if command.otherwise is not None:
+        await shell.run_tree(command.otherwise, streams)
+
+
+async def _holds(shell: Shell, condition: syntax.Sequence, streams: Streams) -> bool:
+    shell.condition_depth += 1
+    try:
+        return await shell.run_tree(condition, streams) == 0
+    finally:
+        shell.condition_depth -= 1
+
+
+async def _case(shell: Shell, command: syntax.Case, streams: Streams) -> None:
+    text = await expand_text(command.word, shell, streams)
+    shell.status = 0
+    fallen = False
+    for patterns, body, end in command.choices:
+        if not fallen:
+            found = [fnmatchcase(text, await expand_pattern(pattern, shell, streams)) for pattern in patterns]
+        if fallen or any(found):
+            await shell.run_tree(body, streams)
+            if end == ";;":
+                return
+        fallen = (fallen or any(found)) and end == ";&"
+
+
+async def _conditional(shell: Shell, command: syntax.Conditional | syntax.Arithmetic, streams: Streams) -> None:
+    """`[[ … ]]` and `(( … ))`: status 0 if it is true, 1 if not; a condition that cannot be evaluated 2, a sum 1."""
+    if isinstance(command, syntax.Arithmetic):
+        shell.status = 0 if await _sum(command.source, shell, streams) else 1
+        return
+    try:
+        answer = await holds(command.condition, shell, streams)
+    except (OSError, ValueError) as error:
+        streams.stderr.write(f"{shell.name}: [[: {error}\n")
+        shell.status = 1 if isinstance(error, ArithmeticProblem) else 2
+        return
+    shell.status = 0 if answer else 1
+
+
+async def _sum(source: str, shell: Shell, streams: Streams) -> int | None:
+    """The value of an expression in `(( ))`, None after a message if it has none."""
+    try:
+        return await sum_of(source, shell, streams)
+    except UnboundProblem:
+        raise
+    except ExpansionProblem as problem:
+        streams.stderr.write(f"{shell.name}: ((: {problem}\n")
+        return None
+
+
+async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.ArithmeticFor, streams: Streams) -> None:
+    if isinstance(command, syntax.ArithmeticFor) and await _sum(command.first, shell, streams) is None:
+        shell.status = 1
+        return
+    values: list[str] | None = None
+    if isinstance(command, syntax.For):
+        values = list(shell.arguments) if command.words is None else await expand(command.words, shell, streams)
+    status = 0
+    again = False
+    while True:
+        if isinstance(command, syntax.ArithmeticFor):
+            if again and await _sum(command.step, shell, streams) is None:
+                status = 1
+                break
+            again = True
+            holding = await _sum(command.condition, shell, streams) if command.condition.strip() else 1
+            if not holding:
+                status = 1 if holding is None else status
+                break
+        elif isinstance(command, syntax.For):
+            if not values:
+                break
+            shell.variables[command.name] = values.pop(0)
+        elif await _holds(shell, command.condition, streams) == command.until:
+            break
+        await let_others_run()
+        try:
+            status = await shell.run_tree(command.body, streams)
+        except LoopControl as control:
+            if control.levels > 1:
+                raise LoopControl(control.levels - 1, control.again) from None
+            status = 0
+            if not control.again:
+                break
+    shell.status = status

@@ -1,0 +1,389 @@
+"""The grammar: tokens to a tree of commands, by recursive descent. What each node does is in `interpreter` and `compound`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NoReturn
+
+from day6_core.shell.language.conditional import parse_condition
+from day6_core.shell.language.lexer import REDIRECTIONS, Lexer, Token, tokenize
+from day6_core.shell.language.syntax import (
+    AndOr,
+    Arithmetic,
+    ArithmeticFor,
+    Case,
+    Command,
+    Conditional,
+    For,
+    Function,
+    Group,
+    If,
+    Pipeline,
+    Redirection,
+    Sequence,
+    SimpleCommand,
+    While,
+)
+from day6_core.shell.language.words import Incomplete, SyntaxProblem, Text, Word
+
+_CLOSERS = frozenset({"then", "do", "done", "fi", "elif", "else", "}", "esac"})
+_ENDS_OF_CHOICE = (";;", ";&", ";;&")
+_COMPOUND = frozenset({"{", "if", "for", "while", "until", "case", "[["})
+
+
+def parse(source: str, aliases: Mapping[str, str] | None = None) -> Sequence:
+    """Return the tree of `source`. Raises Incomplete when more lines are needed, SyntaxProblem when it is wrong.
+
+    `aliases` are texts that stand for the command they are written as.
+    """
+    return Sequence([item for line in lines(source, aliases) for item in line.items])
+
+
+def lines(source: str, aliases: Mapping[str, str] | None = None) -> Iterator[Sequence]:
+    """Parse as much as makes whole lines, one after the other, so that each can be run before the next is looked at."""
+    try:
+        parser = Parser(source, aliases or {})
+        parser.skip_newlines()
+        while parser.token.kind != "end":
+            yield parser.line()
+            parser.skip_newlines()
+    except RecursionError:
+        raise SyntaxProblem("memory exhausted") from None  # bison's message: its stack is limited too
+
+
+class Parser:
+    """Parses one text; holds the position in it."""
+
+    def __init__(self, source: str, aliases: Mapping[str, str]) -> None:
+        self.source = source
+        self.lexer = Lexer(source)
+        self.rest = self.lexer.tokens()
+        self.tokens: list[Token] = []
+        """Tokens read ahead: at most the current one, unless an alias was replaced by several."""
+        self.index = 0
+        self.aliases = aliases
+        self.replaced: dict[int, frozenset[str]] = {}
+        """By token (its id): the aliases it came from, which are not expanded again in their own text."""
+
+    @property
+    def token(self) -> Token:
+        if self.index >= len(self.tokens):
+            self.tokens.append(next(self.rest))
+        return self.tokens[self.index]
+
+    def unexpected(self) -> NoReturn:
+        raise SyntaxProblem(f"syntax error near unexpected token `{self.token.text}'")
+
+    def take(self) -> Token:
+        token = self.token
+        self.index += 1
+        return token
+
+    def is_op(self, *texts: str) -> bool:
+        return self.token.kind == "op" and self.token.text in texts
+
+    def is_keyword(self, *texts: str) -> bool:
+        return self.token.kind == "word" and self.token.word is not None and self.token.word.plain in texts
+
+    def expect_keyword(self, text: str) -> None:
+        if self.token.kind == "end":
+            raise Incomplete("syntax error: unexpected end of file")
+        if not self.is_keyword(text):
+            self.unexpected()
+        self.take()
+
+    def skip_newlines(self) -> None:
+        while self.token.kind == "newline":
+            self.take()
+
+    def sequence(self) -> Sequence:
+        """Commands up to the end, a `)`, the end of a choice or a closing keyword."""
+        items: list[AndOr] = []
+        self.skip_newlines()
+        while self.token.kind != "end" and not self.is_op(")", *_ENDS_OF_CHOICE) and not self.is_keyword(*_CLOSERS):
+            item = self.and_or()
+            items.append(item)
+            if self.is_op("&", ";"):
+                item.background = self.take().text == "&"
+                self.skip_newlines()
+            elif self.token.kind == "newline":
+                self.skip_newlines()
+            else:
+                break
+        return Sequence(items)
+
+    def line(self) -> Sequence:
+        """Commands up to the end of the line."""
+        items: list[AndOr] = []
+        while self.token.kind not in ("end", "newline"):
+            if self.is_keyword(*_CLOSERS):
+                self.unexpected()
+            item = self.and_or()
+            items.append(item)
+            if self.is_op("&", ";"):
+                item.background = self.take().text == "&"
+            elif self.token.kind not in ("end", "newline"):
+                self.unexpected()
+        return Sequence(items)
+
+    def body(self) -> Sequence:
+        sequence = self.sequence()
+        if self.token.kind == "end":
+            raise Incomplete("syntax error: unexpected end of file")
+        if not sequence.items:
+            self.unexpected()
+        return sequence
+
+    def and_or(self) -> AndOr:
+        start = self.token.start
+        items = [("&&", self.pipeline())]
+        while self.is_op("&&", "||"):
+            operator = self.take().text
+            self.skip_newlines()
+            items.append((operator, self.pipeline()))
+        return AndOr(items, False, self.slice(start))
+
+    def pipeline(self) -> Pipeline:
+        start = self.token.start
+        negated = timed = False
+        while self.is_keyword("!", "time"):
+            word = self.take().text
+            negated, timed = negated != (word == "!"), timed or word == "time"
+            if timed and self.is_keyword("-p"):
+                self.take()
+        commands = [self.command()]
+        while self.is_op("|", "|&"):
+            if self.take().text == "|&":
+                commands[-1].redirections.append(Redirection(2, ">&", Word((Text("1"),), "1")))
+            self.skip_newlines()
+            commands.append(self.command())
+        return Pipeline(commands, negated, self.slice(start), timed)
+
+    def slice(self, start: int) -> str:
+        return self.source[start : self.tokens[self.index - 1].end].strip()
+
+    def command(self) -> Command:
+        if self.token.kind == "end":
+            if self.index and self.tokens[self.index - 1].kind in ("op", "newline"):
+                raise Incomplete("syntax error: unexpected end of file")
+            self.unexpected()
+        self.replace_alias()
+        command: Command
+        if self.is_op("("):
+            bracket = self.take()
+            value = self.arithmetic(bracket)
+            command = Arithmetic(value) if value is not None else self.subshell()
+        elif self.is_keyword("[["):
+            self.take()
+            command = Conditional(parse_condition(self))
+            self.expect_keyword("]]")
+        elif self.is_keyword("case"):
+            command = self.case()
+        elif self.is_keyword("function"):
+            command = self.function()
+        elif self.is_keyword("{"):
+            self.take()
+            command = Group(self.body(), subshell=False)
+            self.expect_keyword("}")
+        elif self.is_keyword("for"):
+            command = self.for_loop()
+        elif self.is_keyword("while", "until"):
+            until = self.take().text == "until"
+            condition = self.body()
+            self.expect_keyword("do")
+            command = While(condition, self.body(), until)
+            self.expect_keyword("done")
+        elif self.is_keyword("if"):
+            command = self.conditional()
+        else:
+            return self.simple()
+        while self.token.kind == "number" or self.is_op(*REDIRECTIONS):
+            command.redirections.append(self.redirection())
+        return command
+
+    def subshell(self) -> Group:
+        group = Group(self.body(), subshell=True)
+        if not self.is_op(")"):
+            self.unexpected()
+        self.take()
+        return group
+
+    def arithmetic(self, bracket: Token) -> str | None:
+        """Return the expression in `((…))` if `bracket` is its first parenthesis, and consume all of it; else None."""
+        if self.index != len(self.tokens):
+            return None
+        value = self.lexer.arithmetic()
+        if value is not None:
+            bracket.end = self.lexer.at
+        return value
+
+    def pattern(self) -> Word:
+        """The regular expression after `=~`."""
+        return self.lexer.pattern() if self.index == len(self.tokens) else self.word()
+
+    def for_loop(self) -> For | ArithmeticFor:
+        self.take()
+        if self.is_op("("):
+            return self.arithmetic_for()
+        name = self.take()
+        if name.word is None or not (name.word.plain or "").isidentifier():
+            raise SyntaxProblem(f"`{name.text}': not a valid identifier")
+        words: list[Word] | None = None
+        self.skip_newlines()
+        if self.is_keyword("in"):
+            self.take()
+            words = []
+            while self.token.word is not None:
+                words.append(self.token.word)
+                self.take()
+        return For(name.text, words, self.loop_body())
+
+    def arithmetic_for(self) -> ArithmeticFor:
+        bracket = self.take()
+        parts = (self.arithmetic(bracket) or "").split(";")
+        if len(parts) != 3:
+            raise SyntaxProblem("syntax error: arithmetic expression required")
+        return ArithmeticFor(parts[0], parts[1], parts[2], self.loop_body())
+
+    def loop_body(self) -> Sequence:
+        if self.is_op(";"):
+            self.take()
+        self.skip_newlines()
+        self.expect_keyword("do")
+        body = self.body()
+        self.expect_keyword("done")
+        return body
+
+    def case(self) -> Case:
+        self.take()
+        command = Case(self.word(), [])
+        self.skip_newlines()
+        self.expect_keyword("in")
+        self.skip_newlines()
+        while not self.is_keyword("esac"):
+            if self.is_op("("):
+                self.take()
+            patterns = [self.word()]
+            while self.is_op("|"):
+                self.take()
+                patterns.append(self.word())
+            if not self.is_op(")"):
+                self.unexpected()
+            self.take()
+            body = self.sequence()
+            end = self.take().text if self.is_op(*_ENDS_OF_CHOICE) else ";;"
+            command.choices.append((patterns, body, end))
+            self.skip_newlines()
+        self.take()
+        return command
+
+    def word(self) -> Word:
+        if self.token.kind == "end":
+            raise Incomplete("syntax error: unexpected end of file")
+        word = self.token.word
+        if word is None:
+            self.unexpected()
+        self.take()
+        return word
+
+    def function(self) -> Function:
+        """`function name body`."""
+        start = self.take().start
+        name = self.word().source
+        if self.is_op("("):
+            self.take()
+            if not self.is_op(")"):
+                self.unexpected()
+            self.take()
+        return self.function_body(name, start)
+
+    def function_body(self, name: str, start: int) -> Function:
+        self.skip_newlines()
+        if self.token.kind == "end":
+            raise Incomplete("syntax error: unexpected end of file")
+        if not (self.is_op("(") or self.is_keyword(*_COMPOUND)):
+            self.unexpected()
+        body = self.command()
+        return Function(name, body, self.slice(start))
+
+    def replace_alias(self) -> None:
+        """Replace an alias by its tokens."""
+        while self.token.word is not None:
+            name = self.token.word.plain or ""
+            known = self.replaced.get(id(self.token), frozenset())
+            if name in known or name not in self.aliases:
+                return
+            before = self.token
+            tokens = tokenize(self.aliases[name])[:-1]
+            for token in tokens:
+                token.start, token.end = before.start, before.end
+                self.replaced[id(token)] = known | {name}
+            self.tokens[self.index : self.index + 1] = tokens
+
+    def conditional(self) -> If:
+        branches: list[tuple[Sequence, Sequence]] = []
+        otherwise = None
+        while True:
+            self.take()  # if, elif
+            condition = self.body()
+            self.expect_keyword("then")
+            branches.append((condition, self.body()))
+            if not self.is_keyword("elif"):
+                break
+        if self.is_keyword("else"):
+            self.take()
+            otherwise = self.body()
+        self.expect_keyword("fi")
+        return If(branches, otherwise)
+
+    def simple(self) -> SimpleCommand | Function:
+        command = SimpleCommand()
+        start = self.token.start
+        while True:
+            if not command.words:
+                self.replace_alias()
+            token = self.token
+            if token.kind == "number" or self.is_op(*REDIRECTIONS):
+                command.redirections.append(self.redirection())
+            elif token.word is not None:
+                self.take()
+                assignment = None if command.words else _assignment(token.word)
+                if assignment is not None:
+                    command.assignments.append(assignment)
+                else:
+                    command.words.append(token.word)
+            else:
+                break
+        if not (command.words or command.assignments or command.redirections):
+            self.unexpected()
+        if self.is_op("("):
+            name = command.words[0].plain if len(command.words) == 1 and not command.assignments else None
+            if name is None or command.redirections:
+                self.unexpected()
+            self.take()
+            if not self.is_op(")"):
+                self.unexpected()
+            self.take()
+            return self.function_body(name, start)
+        return command
+
+    def redirection(self) -> Redirection:
+        fd = int(self.take().text) if self.token.kind == "number" else None
+        operator = self.take()
+        target = self.token
+        if target.word is None:
+            self.unexpected()
+        self.take()
+        return Redirection(fd, operator.text, target.word, operator.document)
+
+
+def _assignment(word: Word) -> tuple[str, Word] | None:
+    """Split `NAME=value` (the name of `NAME+=value` is `NAME+`); None if the word is not an assignment."""
+    first = word.parts[0] if word.parts else None
+    if not isinstance(first, Text) or first.quoted:
+        return None
+    name, equals, rest = first.text.partition("=")
+    if not equals or not name.removesuffix("+").isidentifier() or not name.isascii():
+        return None
+    parts = (Text(rest), *word.parts[1:]) if rest else word.parts[1:]
+    return name, Word(parts, word.source[len(name) + 1 :])

@@ -1,0 +1,571 @@
+"""A student's program, or one of the real machine: a process on the streams of the session that started it.
+
+In a terminal the process has a pty as controlling terminal, so line buffering, `input()`, getpass, curses and Ctrl-C are the
+system's own. Where its output goes into a pipe or a capture it gets pipes, and where a stream is a real file or our own standard
+output it simply inherits that. It leads a session of its own, runs at nice +10, and is ended as a whole group.
+"""
+
+from __future__ import annotations
+
+import codecs
+import contextlib
+import io
+import logging
+import os
+import select
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+from typing import IO
+
+from day6_core.advice.fault import LONGEST
+from day6_core.guardian import MARK, end_marked, guard, new_mark, release
+from day6_core.session.folder import LOST
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import KilledBySignal, Session
+from day6_core.session.signals import NUMBERS, from_system, to_system
+from day6_core.session.streams import InputStream, OutputStream, TerminalSide
+from day6_core.session.task import Signal, TaskCancelled, wait_for
+from day6_core.session.threads import in_thread
+from day6_core.shell.feeder import Feeder
+from day6_core.shell.memory import memory_limit
+from day6_core.shell.pty_keys import PtyKeys
+
+LAUNCHER = Path(__file__).with_name("launch_process.py")
+NICE = 10
+READ_SIZE = 65536
+_ENDED_BY_CTRL_C = 0xC000013A
+"""The exit status of a program on Windows that Ctrl-C or Ctrl-Break ended (STATUS_CONTROL_C_EXIT)."""
+
+_log = logging.getLogger(__name__)
+
+_running: set[Process] = set()
+_running_lock = threading.Lock()
+
+
+def running_processes(scheduler: Scheduler) -> list[Process]:
+    """The students' processes that are running or being started in the world of this scheduler."""
+    with _running_lock:
+        return [process for process in _running if process.session.scheduler is scheduler]
+
+
+async def run_python(session: Session, args: list[str]) -> int:
+    """Run `python3 ARGS…` for a program until it ends, as `run_process` does; a hint follows an error on the terminal."""
+    process = Process(session, [sys.executable, *args])
+    status = await _run(session, process)
+    launch = session.argv[:2] == ["ros2", "launch"]
+    if not (status or launch) or not process.recent or not session.stderr.isatty():
+        return status
+    if hint := await in_thread(partial(_hint, process.recent, session.env, session.cwd, launch)):
+        session.print_error(hint)
+    return status
+
+
+def _hint(output: str, variables: Mapping[str, str], cwd: Path, launch: bool) -> str:
+    from day6_core.advice.rules import Surroundings, dimmed, first_line_below, hint_below  # most programs need none
+
+    around = Surroundings(variables, cwd, launch)
+    hint = hint_below(output, around) or first_line_below(output, around)
+    return dimmed(hint) if hint else ""
+
+
+async def run_process(session: Session, argv: list[str]) -> int:
+    """Run a process for a program until it ends; returns its exit status. `argv` begins with a path.
+
+    Ctrl-C becomes SIGINT, SIGTERM SIGTERM, and SIGKILL SIGKILL of its group. Raises KilledBySignal (KeyboardInterrupt for SIGINT)
+    when a signal ended it, and OSError when it could not be started.
+    """
+    return await _run(session, Process(session, argv))
+
+
+async def _run(session: Session, process: Process) -> int:
+    if not session.cwd.is_dir():
+        session.print_error(f"{session.name}: {LOST}")
+        return 1
+    session.on_stop = process.pause
+    session.defer(process.kill)
+    process.start()
+    while not process.ended.is_set():
+        try:
+            await wait_for(process.ended)
+        except KeyboardInterrupt:
+            process.interrupt()
+        except TaskCancelled:
+            process.kill()
+        except KilledBySignal as order:
+            process.send(order.number)
+    if process.problem is not None:
+        raise process.problem
+    code = process.returncode
+    if code == -2 or code == _ENDED_BY_CTRL_C:
+        raise KeyboardInterrupt
+    if code < 0:
+        raise KilledBySignal(from_system(-code))
+    return code
+
+
+class Process:
+    """One child process. `ended` is set when it is gone and its output has been read; then `returncode` is as in subprocess."""
+
+    def __init__(self, session: Session, argv: list[str]) -> None:
+        self.session = session
+        self.argv = argv
+        self.ended = Signal()
+        self.recent = ""
+        """The end of what it wrote to the terminal."""
+        self.returncode = 0
+        self.problem: Exception | None = None
+        self._popen: subprocess.Popen[bytes] | None = None
+        self._master: int | None = None
+        self._slave: int | None = None
+        """Our own descriptor of the program's side of the pty, so that keys it has not read outlive it."""
+        self._keys: PtyKeys | None = None
+        """What is typed, on its way to the program."""
+        self._master_lock = threading.Lock()
+        self._copies: list[_Copy] = []
+        """Of its output."""
+        self._dropped = False
+        """Whether a signal came when it had ended: nobody waits any more for who reads its output."""
+        self._early: list[int] | None = []
+        """Signals from before there was a process; None once there is one."""
+        self._early_lock = threading.Lock()
+        self._mark = ""
+        self._stopped_for: set[str] = set()
+
+    @property
+    def pid(self) -> int:
+        """The system's process number, 0 while it is being started."""
+        return self._popen.pid if self._popen is not None else 0
+
+    def start(self) -> None:
+        """Start it, on a thread of its own: starting takes milliseconds in which other programs' ticks are due."""
+        threading.Thread(target=self._live, name="day6-process", daemon=True).start()
+
+    # -- signals -------------------------------------------------------------------------------------------------------
+
+    def interrupt(self) -> None:
+        """Ctrl-C from outside the terminal (`kill -INT`, `timeout`, closing)."""
+        self.send(2)
+
+    def kill(self) -> None:
+        self.send(9)
+
+    def pause(self, stopped: bool, reason: str = "job") -> None:
+        """Stop it or let it go on, where the system can; it stays stopped as long as any reason ('job', 'world') holds."""
+        if stopped:
+            self._stopped_for.add(reason)
+        else:
+            self._stopped_for.discard(reason)
+        if sys.platform != "win32":
+            self.send(NUMBERS["STOP" if self._stopped_for else "CONT"])
+
+    def send(self, number: int) -> None:
+        """Deliver a signal to the whole group once it has started; no effect after it has ended.
+
+        On Windows every signal but Ctrl-C just ends it.
+        """
+        with self._early_lock:
+            if self._early is not None:
+                self._early.append(number)
+                return
+        popen = self._popen
+        if popen is None or self.ended.is_set():
+            return
+        if popen.returncode is not None:
+            self._dropped = True
+        if sys.platform != "win32":
+            try:
+                os.killpg(popen.pid, to_system(number))
+            except (ProcessLookupError, PermissionError):
+                return  # gone already (macOS says "not permitted" for a group of zombies)
+        elif number == 2:
+            popen.send_signal(signal.CTRL_BREAK_EVENT)
+        else:
+            popen.kill()
+
+    # -- the terminal's side -------------------------------------------------------------------------------------------
+
+    def keys(self, text: str) -> None:
+        """Send typed keys to the pty, whose line discipline does the echo and the signals."""
+        keys = self._keys
+        if keys is not None and not keys.put(text.encode("utf-8", "surrogateescape")):
+            terminal = self.session.stdin.terminal_of()
+            if terminal is not None:
+                terminal.output.write("\a")  # it does not read, and more than a person types is waiting already
+
+    def resize(self, columns: int, rows: int) -> None:
+        with self._master_lock:
+            if self._master is not None:
+                _set_window_size(self._master, columns, rows)
+
+    def wants_signal_keys(self) -> bool:
+        """Whether Ctrl-Z means "stop" to it now, rather than being a key it reads itself."""
+        if sys.platform == "win32":
+            return False
+        import termios
+
+        with self._master_lock:
+            if self._master is None:
+                return False
+            try:
+                return bool(termios.tcgetattr(self._master)[3] & termios.ISIG)
+            except termios.error:
+                return False
+
+    # -- its life, on a thread of its own ------------------------------------------------------------------------------
+
+    def _live(self) -> None:
+        with _running_lock:
+            _running.add(self)  # now: what it prints may be seen before this thread is back from launching it
+        try:
+            self._launch()
+        except Exception as error:
+            # This thread has nobody to tell; `run_python` raises it where the program waits.
+            self.problem = error
+            self._close_master()
+            with _running_lock:
+                _running.discard(self)
+            self.ended.set()
+            return
+        popen = self._popen
+        assert popen is not None
+        try:
+            guard(popen.pid)
+            self._deliver_early_signals()
+            self.returncode = popen.wait()
+            self._clear_up(popen.pid)
+        except Exception as error:
+            self.problem = error
+        finally:
+            with _running_lock:
+                _running.discard(self)
+            self.ended.set()  # whatever failed: the terminal waits for this
+
+    def _clear_up(self, pid: int) -> None:
+        """Clean up after it ended: end what it left running, and pass the keys it has not read to the next reader."""
+        typed_ahead = self._take_unread()
+        # What the process started in the background may hold its output open; that must not hold up the prompt.
+        for copy in self._copies:
+            copy.join(0.5)
+        with _running_lock:
+            _running.discard(self)
+        release(pid)
+        _end_group(pid)
+        end_marked(self._mark)
+        # What it wrote itself arrives, however long the machine or the reader of a pipe takes.
+        for copy in self._copies:
+            while copy.is_behind() and not self._dropped:
+                copy.join(0.02)
+        self._close_master(typed_ahead)
+
+    def _deliver_early_signals(self) -> None:
+        with self._early_lock:
+            early, self._early = self._early, None
+        for number in early or ():
+            self.send(number)
+
+    def _launch(self) -> None:
+        session = self.session
+        terminal = session.stdin.terminal_of(session.stdout, session.stderr)
+        env = dict(session.env)
+        self._mark = env[MARK] = new_mark()
+        argv = self.argv
+        if sys.platform == "win32":
+            self._launch_with_pipes(argv, env)
+        elif terminal is not None:
+            self._launch_on_pty(argv, env, terminal)
+        else:
+            self._launch_with_pipes([*_launcher("no-tty"), *argv], env)
+
+    def _launch_on_pty(self, argv: list[str], env: dict[str, str], terminal: TerminalSide) -> None:
+        if sys.platform == "win32":
+            raise NotImplementedError("no ptys there")
+        import pty
+
+        session = self.session
+        master, slave = pty.openpty()
+        self._master, self._slave = master, slave
+        self._keys = PtyKeys(master, slave)
+        try:
+            _set_window_size(master, terminal.columns, terminal.rows)
+            _let_any_key_go_on(slave)
+            for name in ("COLUMNS", "LINES"):
+                env.pop(name, None)  # programs ask the pty, whose size follows the window; fixed numbers would lie
+            self._popen = subprocess.Popen(
+                [*_launcher("tty"), *argv],
+                stdin=slave,
+                stdout=slave if session.stdout.isatty() else self._child_end(session.stdout),
+                stderr=slave if session.stderr.isatty() else self._child_end(session.stderr),
+                cwd=session.cwd,
+                env=env,
+                start_new_session=True,
+            )
+        except BaseException:
+            self._take_unread()
+            raise
+        self._read(master, terminal.output)
+        self._read_pipes()
+        session.stdin.pass_keys_to(self)
+
+    def _launch_with_pipes(self, argv: list[str], env: dict[str, str]) -> None:
+        session = self.session
+        # Ctrl-C would cut off the end of block-buffered output.
+        env.setdefault("PYTHONUNBUFFERED", "1")
+        flags = 0
+        if sys.platform == "win32":
+            flags = subprocess.CREATE_NEW_PROCESS_GROUP | subprocess.BELOW_NORMAL_PRIORITY_CLASS
+            env.setdefault("PYTHONIOENCODING", "utf-8")  # a pipe has the old code page there
+        stdin = session.stdin.fileno()
+        feeds = stdin is None and type(session.stdin) is not InputStream
+        session.stdout.flush()
+        session.stderr.flush()
+        self._popen = subprocess.Popen(
+            argv,
+            stdin=subprocess.PIPE if feeds else (subprocess.DEVNULL if stdin is None else stdin),
+            stdout=self._child_end(session.stdout),
+            stderr=self._child_end(session.stderr),
+            cwd=session.cwd,
+            env=env,
+            start_new_session=sys.platform != "win32",
+            creationflags=flags,
+        )
+        self._read_pipes()
+        if feeds:
+            session.scheduler.call_soon_threadsafe(lambda: _spawn_feeder(session, self._popen))
+
+    def _child_end(self, stream: OutputStream) -> int:
+        inherited = stream.fileno()
+        return subprocess.PIPE if inherited is None else inherited
+
+    def _read_pipes(self) -> None:
+        popen = self._popen
+        assert popen is not None
+        if popen.stdout is not None:
+            self._read(popen.stdout, self.session.stdout)
+        if popen.stderr is not None:
+            self._read(popen.stderr, self.session.stderr)
+
+    def _read(self, source: int | IO[bytes], target: OutputStream) -> None:
+        seen = self._remember if target.isatty() else None
+        copy = _Copy(source, target, seen)
+        self._copies.append(copy)
+        copy.start()
+
+    def _remember(self, text: str) -> None:
+        self.recent = (self.recent + text)[-LONGEST:]
+
+    def _take_unread(self) -> str:
+        """Close our end of the program's side; return the keys that are still in it, as they were typed."""
+        slave, self._slave = self._slave, None
+        if slave is None or sys.platform == "win32":
+            return ""
+        import termios
+
+        unsent = self._keys.close() if self._keys is not None else b""
+        data = b""
+        try:
+            mode = termios.tcgetattr(slave)
+            mode[3] &= ~(termios.ICANON | termios.ECHO)
+            mode[6][termios.VMIN], mode[6][termios.VTIME] = 0, 0
+            termios.tcsetattr(slave, termios.TCSANOW, mode)
+            while part := os.read(slave, READ_SIZE):  # the kernel hands on what it held back, piece by piece
+                data += part
+        except (OSError, termios.error) as error:
+            _log.debug("what was typed ahead could not be read: %s", error)
+        finally:
+            os.close(slave)
+        data += unsent
+        # Ctrl-D is in there as a NUL: it was meant for the program that is gone.
+        return data.replace(b"\0", b"").decode("utf-8", "surrogateescape").replace("\n", "\r")
+
+    def _close_master(self, typed_ahead: str = "") -> None:
+        with self._master_lock:
+            master, self._master = self._master, None
+        if master is not None:
+            os.close(master)
+        # On that thread, because keys may still be on their way there.
+        self.session.scheduler.call_soon_threadsafe(lambda: self._hand_on(typed_ahead))
+
+    def _hand_on(self, typed_ahead: str) -> None:
+        """Give what was typed, also between the program's end and that of its output, to whoever reads next, in its order."""
+        late = self._keys.close() if self._keys is not None else b""
+        self.session.stdin.pass_keys_to(None)
+        if text := typed_ahead + late.decode("utf-8", "surrogateescape"):
+            self.session.stdin.push_back(text)
+
+
+class _Copy(threading.Thread):
+    """Copies a process's output to a stream, see `_pump`."""
+
+    def __init__(self, source: int | IO[bytes], target: OutputStream, seen: Callable[[str], None] | None) -> None:
+        super().__init__(name="day6-output", daemon=True)
+        self._source, self._target, self._seen = source, target, seen
+        self._fd = source if isinstance(source, int) else source.fileno()
+        self._waits = False
+        """Whether it looks for output and has taken all that it has seen."""
+
+    def run(self) -> None:
+        _pump(self._source, self._target, self._seen, self._wait)
+
+    def _wait(self) -> None:
+        self._waits = True
+        _has_output(self._fd, None)
+        self._waits = False
+
+    def is_behind(self) -> bool:
+        """Whether something that has been written is not in the stream yet."""
+        if sys.platform == "win32" or not self.is_alive():
+            return False
+        # In this order: it stops waiting before it takes what is there.
+        return not self._waits or _has_output(self._fd, 0.0) or not self._waits
+
+
+def _has_output(fd: int, seconds: float | None) -> bool:
+    """Whether something, or the end, can be read within so many seconds (None: as long as it takes)."""
+    if sys.platform == "win32":
+        return True  # nobody can tell; reading waits
+    if sys.platform == "darwin":  # its poll() knows no terminals
+        return bool(select.select([fd], [], [], seconds)[0])
+    poll = select.poll()
+    poll.register(fd, select.POLLIN)
+    return bool(poll.poll(None if seconds is None else 1000 * seconds))
+
+
+def _launcher(mode: str) -> list[str]:
+    return [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE), str(memory_limit())]
+
+
+def _pump(
+    source: int | IO[bytes],
+    target: OutputStream,
+    seen: Callable[[str], None] | None,
+    wait: Callable[[], None],
+) -> None:
+    """Copy a process's output to a stream, and tell `seen`, as it comes, until its end; waits while the stream is full.
+
+    `wait` is called before every read and returns when there is something to read.
+    """
+    decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
+    decoder = codecs.getincrementaldecoder("utf-8")("replace" if target.isatty() else "surrogateescape")
+    if sys.platform == "win32":
+        decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
+    fd = source if isinstance(source, int) else source.fileno()
+    read = _read_waiting if sys.platform != "win32" and not os.get_blocking(fd) else _read_at_once
+    try:
+        while True:
+            try:
+                wait()
+                data = read(fd)
+            except OSError:
+                data = b""  # Linux: the last process left the pty
+            text = decoder.decode(data, final=not data)
+            if text:
+                target.write(text)
+                if seen is not None:
+                    seen(text)
+            if not data:
+                return
+            target.wait_for_room()
+    except BrokenPipeError:
+        return  # the reader is gone; closing our end tells the process, as in any pipeline
+    except Exception:
+        _log.exception("output of a process could not be taken")
+        _read_off(fd, read)
+    finally:
+        if not isinstance(source, int):
+            source.close()
+
+
+def _read_off(fd: int, read: Callable[[int], bytes]) -> None:
+    """Read to the end and discard it: the process would wait for a reader for ever."""
+    with contextlib.suppress(OSError):
+        while read(fd):
+            pass
+
+
+def _read_at_once(fd: int) -> bytes:
+    return os.read(fd, READ_SIZE)
+
+
+def _read_waiting(fd: int) -> bytes:
+    """Wait for output of a pty whose side here never blocks (see `PtyKeys`), and return all that is there; b'' at its end.
+
+    A pty hands out 4 kB at a time, and what follows a read costs more than the read.
+    """
+    parts: list[bytes] = []
+    size = 0
+    while size < READ_SIZE:
+        try:
+            data = os.read(fd, READ_SIZE)
+        except BlockingIOError:
+            if parts:
+                break
+            select.select([fd], [], [])
+            continue
+        except OSError:
+            if parts:
+                break  # the end is there the next time, too
+            raise
+        if not data:
+            break
+        parts.append(data)
+        size += len(data)
+    return b"".join(parts)
+
+
+def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> None:
+    """Start the task that copies the session's input into the process."""
+    if popen is None or popen.stdin is None:
+        return
+    feeder = Feeder(popen.stdin)
+
+    async def feed() -> None:
+        try:
+            while not feeder.broken and (line := await session.stdin.read_line()):
+                feeder.put(line.encode("utf-8", "surrogateescape"))
+                while feeder.is_full:
+                    feeder.has_room.clear()
+                    if feeder.is_full:
+                        await wait_for(feeder.has_room)
+        finally:
+            feeder.put(b"")
+
+    session.spawn(feed())
+
+
+def _let_any_key_go_on(slave: int) -> None:
+    """After Ctrl-S, which people press to save: Ctrl-Q, which lets the output go on elsewhere, is the desktop's."""
+    if sys.platform != "win32":
+        import termios
+
+        mode = termios.tcgetattr(slave)
+        mode[0] |= termios.IXANY
+        termios.tcsetattr(slave, termios.TCSANOW, mode)
+
+
+def _set_window_size(fd: int, columns: int, rows: int) -> None:
+    if sys.platform == "win32":
+        raise NotImplementedError("no ptys there")
+    import fcntl
+    import struct
+    import termios
+
+    fcntl.ioctl(fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+
+
+def _end_group(group: int) -> None:
+    """End what the process left running in its own group, if the system has process groups."""
+    if sys.platform == "win32":
+        return
+    for number in (15, 9):
+        try:
+            os.killpg(group, number)
+        except (ProcessLookupError, PermissionError):
+            return
+        if number == 15:
+            time.sleep(0.05)

@@ -1,0 +1,423 @@
+"""Builds packages with a CMakeLists.txt: messages, services and actions, and installed files. C++ cannot be compiled here.
+
+Only the CMake commands that such packages use are known. A command used wrongly gives CMake's error.
+
+A package that contains C++ and other things is built without the C++, with status 0 and a note on standard error; its messages
+can be used by other packages, and its Python programs run. It fails (status 1, as when a target fails) if nothing else
+remains to be installed: it has C++ headers, libraries and programs only. The names of left-out programs are kept in the ament
+index (`ros/left_out`), so that `ros2 run` can explain why they are missing. A library that cannot be found is an error as in
+CMake, except in a package whose C++ is left out: only the compiler would have needed it, so it is only named.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from ament_index_python.packages import get_packages_with_prefixes
+
+from day6_core.interfaces.definition import (
+    InvalidSpecification,
+    Structure,
+    parse_action,
+    parse_message,
+    parse_service,
+)
+from day6_core.interfaces.package import package_files
+from day6_core.interfaces.values import InvalidValue
+from day6_core.ros.left_out import replacements
+from day6_core.workspace.build_python import python_library
+from day6_core.workspace.cmake import CMakeError, Command, read_commands
+from day6_core.workspace.interface_packages import EXPORTS, InterfacePackages, exports_text
+from day6_core.workspace.jobs import Work
+from day6_core.workspace.left_out import LeftOut, write_note
+from day6_core.workspace.left_out import left_out as find_left_out
+from day6_core.workspace.packages import Package
+from day6_core.workspace.settings import Settings
+from day6_core.workspace.setup_scripts import write_hook, write_package_scripts
+
+_TOOLS = ("ament_", "rosidl_", "eigen", "python", "threads", "pkgconfig")
+"""Prefixes of parts of ROS itself that no build without C++ needs."""
+
+_CPP = """
+    class_loader console_bridge_vendor cv_bridge image_geometry image_transport interactive_markers
+    kdl_parser libstatistics_collector orocos_kdl_vendor pluginlib qt_gui_cpp rcl rcl_action
+    rcl_lifecycle rclcpp rclcpp_action rclcpp_lifecycle rcpputils rcutils resource_retriever rmw rosbag2_cpp
+    rosbag2_storage rosbag2_transport rqt_gui_cpp rviz_ogre_vendor rviz_rendering tf2 tf2_bullet tf2_eigen tf2_kdl
+    urdf urdf_parser_plugin urdfdom_headers yaml_cpp_vendor
+"""
+"""C++ libraries of every ROS 2 desktop. Packages name them out of habit (`ros2 pkg create --dependencies rclcpp`) and then
+install only Python programs, models or messages."""
+
+_INTERFACES = "rosidl_generate_interfaces"
+_GROUP = "rosidl_interface_packages"
+_SUFFIXES = ("msg", "srv", "action", "idl")
+_KEYWORDS = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS", "SKIP_GROUP_MEMBERSHIP_CHECK")
+
+
+_INSTALL_WORDS = """
+    DESTINATION TYPE PERMISSIONS FILE_PERMISSIONS DIRECTORY_PERMISSIONS USE_SOURCE_PERMISSIONS OPTIONAL RENAME
+    CONFIGURATIONS COMPONENT EXCLUDE_FROM_ALL MESSAGE_NEVER FILES_MATCHING PATTERN REGEX EXCLUDE
+"""
+"""Keywords that end a list of files in `install`, in any order (cmake manual, command `install`)."""
+
+_COMPILER = {
+    "CMAKE_VERSION": "3.28.3",
+    "CMAKE_C_COMPILER_ID": "GNU",
+    "CMAKE_CXX_COMPILER_ID": "GNU",
+    "CMAKE_CXX_COMPILER_VERSION": "13.3.0",
+    "CMAKE_COMPILER_IS_GNUCC": "1",
+    "CMAKE_COMPILER_IS_GNUCXX": "1",
+}
+"""Variables about the compiler that packages read, with the values of Ubuntu 24.04, the platform of ROS 2 Kilted."""
+
+
+def build(package: Package, settings: Settings, work: Work) -> int:
+    """Build one package; returns an exit status."""
+    try:
+        return _CMakeBuild(package, settings, work).run()
+    except (CMakeError, _GeneratorError) as error:
+        work.stderr(str(error))
+        return 1
+
+
+class _GeneratorError(ValueError):
+    """An error of the code generator for interfaces; its last line is the real generator's."""
+
+    def __init__(self, last_line: str, about: str) -> None:
+        super().__init__(f"{last_line}\n({about})\n")
+
+
+def _needs_no_compiler(command: Command) -> bool:
+    """Return whether a command produces something that needs no compiler."""
+    if command.name in (_INTERFACES, "ament_python_install_package", "ament_python_install_module"):
+        return True
+    if command.name == "ament_auto_package":
+        return bool(command.after("INSTALL_TO_SHARE", "INSTALL_TO_PATH"))
+    if command.name != "install" or command.words[:1] not in (["DIRECTORY"], ["FILES"], ["PROGRAMS"]):
+        return False
+    return not any(folder.split("/")[0] == "include" for folder in command.after("DESTINATION")[:1])
+
+
+def cmake_variables(package: Package, settings: Settings) -> dict[str, str]:
+    """Return the variables that are set when a package's CMakeLists.txt starts."""
+    here, build_folder = str(package.path), str(settings.build_base / package.name)
+    prefix = settings.prefix(package.name)
+    system = {"win32": "WIN32", "darwin": "APPLE"}.get(sys.platform)
+    return {
+        **{f"ENV{{{name}}}": value for name, value in settings.environment.items()},
+        "CMAKE_CURRENT_SOURCE_DIR": here,
+        "CMAKE_SOURCE_DIR": here,
+        "CMAKE_CURRENT_LIST_DIR": here,
+        "CMAKE_BINARY_DIR": build_folder,
+        "CMAKE_CURRENT_BINARY_DIR": build_folder,
+        "CMAKE_INSTALL_PREFIX": str(prefix),
+        "PYTHON_INSTALL_DIR": python_library(prefix).relative_to(prefix).as_posix(),
+        **_COMPILER,
+        "BUILD_TESTING": "OFF",  # anything only tests need is not built here
+        **({"UNIX": "1"} if sys.platform != "win32" else {}),
+        **({system: "1"} if system else {}),
+    }
+
+
+class _CMakeBuild:
+    def __init__(self, package: Package, settings: Settings, work: Work) -> None:
+        self.package = package
+        self.settings = settings
+        self.output = settings.output
+        self.work = work
+        self.prefix = settings.prefix(package.name)
+        self.share = self.prefix / "share" / package.name
+        self.python = False
+        """Whether something was installed for Python to import."""
+        prefixes = get_packages_with_prefixes(settings.environment)
+        prefixes.update({name: str(settings.prefix(name)) for name in settings.needs.get(package.name, ())})
+        prefixes.pop(package.name, None)
+        self.packages = InterfacePackages(prefixes, settings.environment)
+        self.found: dict[str, None] = {}
+        """Packages found by `find_package`, directly or through others."""
+        self.missing: list[tuple[str, Command]] = []
+        self.exported: dict[str, None] = {}
+
+    def run(self) -> int:
+        self.output.make_folder(self.settings.build_base / self.package.name)
+        lists = self.package.path / "CMakeLists.txt"
+        if not lists.is_file():
+            self.work.stderr(
+                f'CMake Error: The source directory "{self.package.path}" does not appear to contain CMakeLists.txt.\n'
+                "Specify --help for usage, or press the help button on the CMake GUI.\n"
+            )
+            return 1
+        commands = read_commands(
+            lists.read_text(encoding="utf-8", errors="replace"),
+            cmake_variables(self.package, self.settings),
+            self._find,
+        )
+        left_out = find_left_out(commands)
+        only_cpp = bool(left_out) and not any(map(_needs_no_compiler, commands))
+        if only_cpp or self.package.type in ("cmake", "ros.cmake", "ros.catkin"):
+            return self._cannot_compile(left_out)
+        if not left_out:
+            self._refuse_missing()
+        for command in commands:
+            self._run(command)
+        self._finish(left_out)
+        if left_out:
+            self._report_left_out(left_out)
+        return 0
+
+    def _run(self, command: Command) -> None:
+        if command.name == _INTERFACES:
+            self._generate(command)
+        elif command.name == "install":
+            self._install(command)
+        elif command.name == "ament_python_install_package" and command.words:
+            self._install_python(command)
+        elif command.name == "ament_python_install_module" and command.words:
+            self._install_module(command)
+        elif command.name == "ament_export_dependencies":
+            self.exported.update(dict.fromkeys(command.words))
+        elif command.name == "ament_auto_package":
+            for name in command.after("INSTALL_TO_SHARE", "NO_INSTALL_TO_SHARE", "INSTALL_TO_PATH"):
+                self._copy_tree(command.folder / name, self.share / name)
+
+    # -- left-out C++ --------------------------------------------------------------------------------------------------
+
+    def _cannot_compile(self, left_out: LeftOut) -> int:
+        kind = f" ({left_out})" if left_out else ""
+        self.work.stderr(
+            f"day6-tui has no C++ compiler and no CMake: '{self.package.name}' cannot be built here{kind}.\n"
+            "A real ROS 2 can build it: `day6-tui export` makes a zip of the workspace for it. Here you can build Python\n"
+            "packages, and packages with messages or with files to install.\n"
+        )
+        return 1
+
+    def _report_left_out(self, left_out: LeftOut) -> None:
+        names = ", ".join(dict.fromkeys(name for name, _ in self.missing))
+        missing = f"Not found, and needed to compile it: {names}.\n" if names else ""
+        ours = ", ".join(replacements(self.package.name, left_out.executables))
+        instead = f"day6-tui has its own versions of these programs and starts them instead: {ours}.\n" if ours else ""
+        self.work.stderr(
+            f"day6-tui has no C++ compiler: left out of '{self.package.name}': {left_out}.\n{instead}{missing}"
+            "Everything else was built. A real ROS 2 can build all of it: `day6-tui export` makes a zip for it.\n"
+        )
+
+    # -- finding packages ----------------------------------------------------------------------------------------------
+
+    def _find(self, command: Command) -> list[str]:
+        """Run `find_package` or ament_auto's search for all dependencies of package.xml; returns the packages it finds."""
+        if command.name == "find_package":
+            names, required = command.words[:1], "REQUIRED" in command.words
+        else:
+            manifest = self.package.manifest
+            names, required = list(manifest.build_depends) if manifest else [], True
+        here = [name for name in names if self._is_there(name)]
+        if required:
+            self.missing += [(name, command) for name in names if name not in here]
+        found = self.packages.with_exported(here)
+        self.found.update(dict.fromkeys(found))
+        return found
+
+    def _is_there(self, name: str) -> bool:
+        known = self.packages.share(name) is not None or name in self.settings.needs.get(self.package.name, ())
+        return known or name in _CPP.split() or name.lower().startswith(_TOOLS)
+
+    def _refuse_missing(self) -> None:
+        for name, command in self.missing[:1]:
+            raise CMakeError(
+                f'By not providing "Find{name}.cmake" in CMAKE_MODULE_PATH this project has asked CMake to find a package '
+                f'configuration file provided by "{name}", but CMake did not find one.\n\n'
+                f'Could not find a package configuration file provided by "{name}" with any of the following names:\n\n'
+                f"  {name}Config.cmake\n  {name.lower()}-config.cmake\n\n"
+                f'Add the installation prefix of "{name}" to CMAKE_PREFIX_PATH or set "{name}_DIR" to a directory '
+                f'containing one of the above files.  If "{name}" provides a separate development package or SDK, be '
+                "sure it has been installed.",
+                command.line,
+                "find_package",
+                command.file,
+            )
+
+    # -- interfaces ----------------------------------------------------------------------------------------------------
+
+    def _generate(self, command: Command) -> None:
+        if not self.found.keys() & {"rosidl_default_generators", "rosidl_core_generators", "rosidl_cmake"}:
+            raise CMakeError(f'Unknown CMake command "{_INTERFACES}".', command.line, "", command.file)
+        if (
+            self.package.manifest is not None
+            and _GROUP not in self.package.manifest.groups
+            and not {"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"} & set(command.words)
+        ):
+            raise command.error(
+                f"Packages installing interfaces must include '<member_of_group>{_GROUP}</member_of_group>' in their "
+                "package.xml"
+            )
+        files = [word for word in _before_keywords(command.words[1:]) if Path(word).suffix[1:] in _SUFFIXES]
+        if not files:
+            raise command.error(f"{_INTERFACES}() called without any interface files")
+        known = self._known_packages(command, files)
+        listed = {f"{Path(file).suffix[1:]}/{Path(file).stem}" for file in files}
+        made: dict[str, list[str]] = {}
+        for file in files:
+            made.setdefault(Path(file).suffix[1:], []).append(self._interface(file, command, known, listed))
+        for path, text in package_files(self.package.name, sorted(made)).items():
+            self.output.write_text(python_library(self.prefix) / path, text)
+        self.python = True
+        index = "".join(f"{kind}/{name}.{kind}\n" for kind in sorted(made) for name in sorted(made[kind]))
+        self.output.write_text(
+            self.prefix / "share/ament_index/resource_index/rosidl_interfaces" / self.package.name, index
+        )
+
+    def _known_packages(self, command: Command, files: list[str]) -> set[str]:
+        """Return the packages whose messages may be used: DEPENDENCIES, those actions and services need, and their exports."""
+        named = command.after("DEPENDENCIES", *_KEYWORDS)
+        for name in named:
+            if name not in self.found:
+                raise command.error(
+                    f"{_INTERFACES}() the passed dependency '{name}' has not been found before using find_package()"
+                )
+        kinds = {Path(file).suffix for file in files}
+        implied = ["service_msgs"] if kinds & {".srv", ".action"} else []
+        implied += ["action_msgs"] if ".action" in kinds else []
+        self.exported.update(dict.fromkeys([*named, *implied]))
+        return set(self.packages.with_exported([*named, *implied]))
+
+    def _interface(self, file: str, command: Command, known: set[str], listed: set[str]) -> str:
+        """Check and install one definition; returns its name."""
+        base, colon, inside = file.rpartition(":") if Path(file).is_absolute() else ("", "", "")
+        source = Path(base, inside) if colon else command.folder / file
+        kind, name = source.suffix[1:], source.stem
+        if not source.is_file():
+            raise command.error(
+                f"{_INTERFACES}() the passed file '{source}' doesn't exist"
+                if colon
+                else f"{_INTERFACES}() the passed file '{file}' doesn't exist relative to the CMAKE_CURRENT_SOURCE_DIR "
+                f"'{command.folder}'"
+            )
+        if kind == "idl":
+            raise command.error(f"{file}: day6-tui reads .msg, .srv and .action, not .idl")
+        text = source.read_text(encoding="utf-8", errors="surrogateescape")
+        try:
+            parts = self._parse(kind, name, text)
+        except (InvalidSpecification, InvalidValue, TypeError, ValueError, NameError) as error:
+            raise command.error(f"Error processing idl file: {source}\n{type(error).__name__}: {error}") from error
+        for part in parts:
+            for field in part.fields:
+                if field.type.nested and "/msg/" in field.type.base:
+                    self._check_nested(field.type.base, file, known, listed)
+        target = self.share / kind / source.name
+        if self.settings.symlink_install:
+            self.output.link(source, target)
+        else:
+            self.output.write_text(target, text)
+        return name
+
+    def _parse(self, kind: str, name: str, text: str) -> list[Structure]:
+        if kind == "msg":
+            return [parse_message(self.package.name, kind, name, text)]
+        return (parse_service if kind == "srv" else parse_action)(self.package.name, kind, name, text)
+
+    def _check_nested(self, base: str, file: str, known: set[str], listed: set[str]) -> None:
+        """Refuse an unknown type, with the errors of generate_type_hash() in rosidl_generator_type_description."""
+        package, _, interface = base.partition("/")
+        if package == self.package.name:
+            if interface in listed:
+                return
+            folder = self.settings.build_base / package / "rosidl_generator_type_description" / package
+            about = f"{file} uses '{base}', which is not among the files of {_INTERFACES}()"
+        elif package not in known:
+            about = f"{file} uses '{base}', but '{package}' is not among the DEPENDENCIES of {_INTERFACES}()"
+            raise _GeneratorError(f"KeyError: '{package}'", about)
+        elif self.packages.has_type(package, interface):
+            return
+        else:
+            folder = self.packages.share(package) or Path(package)
+            about = f"{file} uses '{base}', but '{package}' has no such message"
+        missing = f"[Errno 2] No such file or directory: '{folder / interface}.json'"
+        raise _GeneratorError(f"FileNotFoundError: {missing}", about)
+
+    # -- files ---------------------------------------------------------------------------------------------------------
+
+    def _install(self, command: Command) -> None:
+        kind = command.words[0] if command.words else ""
+        if kind not in ("DIRECTORY", "FILES", "PROGRAMS"):
+            return
+        destination = command.after("DESTINATION", *_INSTALL_WORDS.split())
+        if not destination:
+            raise command.error(f"install {kind} given no DESTINATION!")
+        folder = self.prefix / destination[0]
+        permissions = command.after(
+            "FILE_PERMISSIONS" if kind == "DIRECTORY" else "PERMISSIONS", *_INSTALL_WORDS.split()
+        )
+        executable = kind == "PROGRAMS" or "OWNER_EXECUTE" in permissions
+        for name in command.after(kind, *_INSTALL_WORDS.split()):
+            source = command.folder / name
+            if not source.exists():
+                if "OPTIONAL" in command.words:
+                    continue
+                raise command.error(f'file INSTALL cannot find "{source}": No such file or directory.')
+            if source.is_dir():
+                inside = "" if name.endswith("/") else source.name
+                self._copy_tree(source, folder / inside, executable=executable)
+            else:
+                named = next(iter(command.after("RENAME", *_INSTALL_WORDS.split())), source.name)
+                self._copy(source, folder / named, executable=executable)
+
+    def _copy_tree(self, source: Path, target: Path, *, executable: bool = False) -> None:
+        for folder, folders, files in os.walk(source):
+            folders[:] = sorted(name for name in folders if name != "__pycache__")
+            for name in sorted(files):
+                path = Path(folder, name)
+                self._copy(path, target / path.relative_to(source), executable=executable)
+
+    def _copy(self, source: Path, target: Path, *, executable: bool = False) -> None:
+        if self.settings.symlink_install:
+            self.output.link(source, target)
+            return
+        self.output.copy(source, target, executable=executable)
+
+    def _install_python(self, command: Command) -> None:
+        name = command.words[0]
+        source = command.folder / next(iter(command.after("PACKAGE_DIR")), name)
+        if not (source / "__init__.py").is_file():
+            raise command.error(
+                f"ament_python_install_package() the Python package folder '{source}' has no '__init__.py'"
+            )
+        self._copy_tree(source, python_library(self.prefix) / name)
+        self.python = True
+
+    def _install_module(self, command: Command) -> None:
+        source = command.folder / command.words[0]
+        if not source.is_file():
+            raise command.error(f"ament_python_install_module() the Python module '{source}' doesn't exist")
+        self._copy(source, python_library(self.prefix) / source.name)
+        self.python = True
+
+    def _finish(self, left_out: LeftOut) -> None:
+        name = self.package.name
+        self.output.write_text(self.prefix / "share/ament_index/resource_index/packages" / name, "")
+        write_note(self.output, self.prefix, name, left_out)
+        self.output.write_text(self.share / EXPORTS, exports_text(self.exported))
+        self._copy(self.package.path / "package.xml", self.share / "package.xml")
+        write_package_scripts(self.output, self.prefix, name, list(self._hooks()), self.package.dependencies("run"))
+
+    def _hooks(self) -> Iterator[str]:
+        name = self.package.name
+        if self.python:
+            library = python_library(self.prefix).relative_to(self.prefix).as_posix()
+            yield from write_hook(self.output, self.prefix, name, "pythonpath", "PYTHONPATH", library)
+        yield from write_hook(self.output, self.prefix, name, "cmake_prefix_path", "CMAKE_PREFIX_PATH", "")
+        yield from write_hook(self.output, self.prefix, name, "ament_prefix_path", "AMENT_PREFIX_PATH", "")
+
+
+def _before_keywords(words: list[str]) -> Iterator[str]:
+    """Yield the arguments of `rosidl_generate_interfaces` that belong to no keyword."""
+    taking = 0
+    for word in words:
+        if word in _KEYWORDS:
+            taking = {"DEPENDENCIES": sys.maxsize, "LIBRARY_NAME": 1}.get(word, 0)
+        elif taking:
+            taking -= 1
+        else:
+            yield word

@@ -1,0 +1,32 @@
+"""The settings of one call of `colcon build` or `colcon test`, for the tasks that process a package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from day6_core.workspace.files import Output
+
+
+@dataclass
+class Settings:
+    """Folders are absolute. `warn(logger, text[, level])` prints a line of colcon's log, `print_error(text)` plain text."""
+
+    build_base: Path
+    install_base: Path
+    environment: Mapping[str, str]
+    output: Output
+    """Writes, links and removes, below the bases of this call only."""
+    warn: Callable[..., None]
+    print_error: Callable[[str], None]
+    merge_install: bool = False
+    symlink_install: bool = False
+    test_result_base: Path | None = None
+    needs: Mapping[str, list[str]] = field(default_factory=dict)
+    """package -> the workspace packages it needs, in build order"""
+    pytest_args: list[str] = field(default_factory=list)
+
+    def prefix(self, package: str) -> Path:
+        """Return the install prefix of a package."""
+        return self.install_base if self.merge_install else self.install_base / package

@@ -1,1 +1,0 @@
-"""urdfdom's tools, typed as commands of their own: `check_urdf` and `urdf_to_graphviz`. `day6_tui.urdf` does the work."""

@@ -1,5 +1,0 @@
-"""Message classes of lifecycle_msgs, each made when first used."""
-
-from day6_tui.core.interfaces.package import lazy_interfaces
-
-__getattr__, __dir__ = lazy_interfaces(__name__)

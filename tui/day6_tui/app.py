@@ -1,0 +1,633 @@
+# ruff: noqa: E402 - two things have to be settled before Textual is imported
+"""The application: wires desk, panes, bars and actions together, and owns nothing else.
+
+`run(options)` is what the command line calls.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import contextvars
+import logging
+import os
+import sys
+import time
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+# Read by Textual at import: how often at most it writes to the terminal.
+os.environ.setdefault("TEXTUAL_FPS", "30")
+
+from day6_tui import lean
+
+lean.import_asyncio()
+
+import asyncio
+
+from textual import events, on
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.message import Message
+from textual.widget import Widget
+
+from day6_core.ros import distribution
+from day6_core.session.harmless import one_line
+from day6_core.shell.heap import keep_heap_small
+from day6_tui import actions, chops, departure, output
+from day6_tui.arranging import Arranging
+from day6_tui.bars import Bar
+from day6_tui.classroom import Classroom
+from day6_tui.colours import colours
+from day6_tui.desktop import Desktop
+from day6_tui.detachment import Detachment
+from day6_tui.distribution_choice import SETTING
+from day6_tui.explaining import Explaining
+from day6_tui.frames import Frames
+from day6_tui.glyphs import choose, terminal_environ
+from day6_tui.guidance import Guidance
+from day6_tui.key_line import KeyLine
+from day6_tui.keyboard import leave
+from day6_tui.leaving import Leaving
+from day6_tui.lessons import LessonAsked, Lessons
+from day6_tui.locale import Texts, detect
+from day6_tui.log_file import keep_log_off_the_screen
+from day6_tui.look import Look
+from day6_tui.looks import Looks
+from day6_tui.machine import Machine
+from day6_tui.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
+from day6_tui.options import Options
+from day6_tui.pane import Piece
+from day6_tui.recording import Recording
+from day6_tui.scene_play import ScenePlay
+from day6_tui.session import Session
+from day6_tui.settings import Settings
+from day6_tui.survival import TYPED, PersonMessage, survive
+from day6_tui.switching import Switching
+from day6_tui.terminal_app import TerminalApp
+from day6_tui.terminal_pane import ARROWS, TerminalPane
+from day6_tui.terminal_trouble import TerminalTrouble
+from day6_tui.terminals import Terminals
+from day6_tui.themes import NAMES
+from day6_tui.top_line import TopLine
+from day6_tui.welcome import WelcomePane
+from day6_tui.windows import WindowPane
+from day6_tui.world_time import WorldTime
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+    from textual.screen import Screen
+
+    from day6_core.session.ending import Ending
+    from day6_core.shell.desk import Desk
+    from day6_tui.class_link import ClassLink
+
+chops.install()
+output.install()
+_log = logging.getLogger(__name__)
+
+DEFAULT_FPS = 30.0
+TITLE_SECONDS = 0.2
+"""Between two looks whether titles have changed: that costs as much as a moving turtle."""
+
+BAR_SECONDS = 0.1
+"""Between two looks whether the bars have changed."""
+
+WHILE_ASKED = ("help", "language", "theme", "glyphs", "detach", "copy")
+"""What keys may do while a question waits for its answer."""
+
+SAVE_SECONDS = 20.0
+"""How much of the session a crash may cost."""
+
+DOOR_SECONDS = 1.0
+"""Seconds between checks of the connections to other machines, if there are any."""
+LINK_SECONDS = 0.4
+"""After the first frame: the prompt comes before the link, whose library costs 50 ms of CPU time and 11 MB."""
+
+
+def make_look(options: Options, environ: Mapping[str, str] | None = None, settings: Settings | None = None) -> Look:
+    """Glyphs, colours and language for the options, what the user chose before, and the terminal.
+
+    Raises KeyError for unknown glyphs or an unknown theme, ValueError for a language.
+    """
+    environ = terminal_environ() if environ is None else environ
+    glyphs = choose(options.glyphs, environ)
+    language = options.lang or detect(environ, wide_glyphs=glyphs.chinese)
+    if not glyphs.unicode:
+        language = "en"  # Chinese cannot be written there at all
+    sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")
+    remembered = settings.text("theme") if settings is not None else ""
+    theme = options.theme or (remembered if remembered in NAMES else NAMES[0])
+    look = Look(
+        glyphs,
+        colours(theme, sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))),
+        Texts(language, plain=not glyphs.unicode),
+    )
+    look.reduced_motion = options.reduced_motion
+    return look
+
+
+class Day6App(TerminalApp):
+    """The desktop. `desk` may be given (tests); otherwise it is made after the first frame."""
+
+    CSS = """
+    Screen { layout: vertical; overflow: hidden; }
+    Toast { background: $hint; color: $hint-text; border: none; }
+    Toast.-information .toast--title { color: $hint-text; }
+    """
+    ENABLE_COMMAND_PALETTE = False
+    BINDINGS = [
+        *(Binding(key, f"do('{name}')", show=False, priority=True) for key, name in actions.bindings()),
+        *(Binding(key, call, show=False, priority=True) for key, call in actions.pane_bindings()),
+        Binding("ctrl+p", "do('palette')", show=False),  # in a terminal it is the shell's: the line before
+    ]
+    TITLE = "day6-tui"
+
+    def __init__(self, options: Options | None = None, *, desk: Desk | None = None, look: Look | None = None) -> None:
+        self.settings = settings = Settings()
+        options = Options() if options is None else options
+        look = make_look(options, settings=settings) if look is None else look
+        super().__init__(ansi_color=not look.has_shades)
+        self.ending: Ending | None = None
+        """The end of the process, where this application is all of it."""
+        self.leave_soon: Callable[[], object] | None = None
+        """Exits the application, from any thread; None until it runs."""
+        self.options = options
+        self.look = look
+        fps = DEFAULT_FPS if options.fps is None else float(options.fps)
+        self.frames = Frames(
+            self.draw_frame, fps, work=self.read_flood, congested=self.is_congested, failed=self.frame_failed
+        )
+        look.wake = self.frames.wake
+        self._barred = 0.0
+        """When the bars were looked at last."""
+        self._titled = 0.0
+        """When the titles of the panes were looked at last."""
+        self.machine = machine = Machine(desk, wake=self.frames.wake)
+        self.welcome = WelcomePane(look)
+        self.desktop = desktop = Desktop(look, self.welcome)
+        self.notices = notices = Notices(look, lambda: self.size.width - 2, self._notify)
+        self.terminals = Terminals(machine, desktop, notices, look)
+        self.switching = Switching(desktop, self.terminals, machine, notices, look)
+        self.scenes = ScenePlay(options.robot, machine, desktop, self.terminals, look, visibly=fps > 0)
+        self.arranging = Arranging(machine, desktop, self.terminals, notices, look)
+        self.session = Session(machine, desktop, self.terminals, self.arranging, notices, look)
+        self.lessons = Lessons(machine, desktop, self.terminals, notices, settings, look, options.lessons)
+        self.welcome.last_lesson = lambda: self.lessons.where
+        self.looks = looks = Looks(self, look)
+        self.explaining = Explaining(machine, desktop, self.terminals, notices, look)
+        self.detachment = Detachment(self, options.keeper)
+        self.class_link: ClassLink | None = None
+        if options.part is not None:
+            from day6_tui.class_link import link_of
+
+            self.class_link = link_of(options.part)
+        is_pupil = self.class_link is not None and not self.class_link.teaches
+        self.classroom = Classroom(self, self._tell, is_possible=self.detachment.is_possible or is_pupil)
+        self.detachment.observed = partial(self.classroom.observe, "keeper")
+        self.detachment.ordered = self.classroom.hear
+        detach = self.detachment.detach if self.detachment.is_possible else None
+        self.leaving = Leaving(self, desktop, look, detach)
+        if self.class_link is not None:
+            self.leaving.joined = self.class_link.joined
+        self.recording = Recording(self, machine, desktop, looks, notices, look)
+        self.actions = registry = actions.Actions()
+        for owner in (
+            self.terminals,
+            self.switching,
+            self.scenes,
+            self.lessons,
+            self.arranging,
+            self.recording,
+            self.classroom,
+            Guidance(desktop, registry, look, self.terminals.run, self.explaining),
+            WorldTime(machine, notices, look),
+        ):
+            registry.offer(owner.actions())
+        registry.offer(
+            {
+                "quit": self.leaving.quit,
+                "detach": self.detachment.detach,
+                "language": looks.next_language,
+                "theme": self.choose_theme,
+                "distro": self.choose_distribution,
+                "glyphs": lambda: notices.show(looks.next_glyphs()),
+                "motion": looks.toggle_motion,
+                "class": self.show_class,
+            }
+        )
+        if detach is None:
+            registry.hidden.add("detach")
+        if self.class_link is None or not self.class_link.teaches:
+            registry.hidden.add("class")
+        if not self.classroom.is_possible:
+            registry.hidden |= self.classroom.actions().keys()
+        top = TopLine(machine, desktop, registry, look, doors=options.has_doors, recording=self.recording.words)
+        top.classroom, top.offers = self._class_pieces, self.classroom.offers
+        self.top = Bar(look, top.pieces, name="top")
+        keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
+        self.bottom = Bar(look, keys.pieces, name="bottom")
+
+    def compose(self) -> ComposeResult:
+        yield self.top
+        yield self.desktop
+        yield self.bottom
+
+    # -- life ----------------------------------------------------------------------------------------------------------
+
+    def on_mount(self) -> None:
+        # Threads of programs share the interpreter with the screen; with shorter turns keys stay quick (tui-tech.md §3.2).
+        sys.setswitchinterval(0.001)
+        self.frames.attach()
+        self._attend_the_end()
+        pane = self.terminals.first_pane()
+        self.desktop.focus_pane(self.welcome if self.options.scene is None else pane)
+        self.call_after_refresh(self._open_desk)
+        self.begin_pictures(self.options.glyphs)
+
+    def _open_desk(self) -> None:
+        """Start the simulated machine; after the first frame, so that the user sees a screen as soon as possible."""
+        try:
+            self.machine.open(self.options)
+        except OSError as error:
+            path = error.filename or self.options.home or ""
+            from rich.text import Text
+
+            message = self.look.texts("error.home", path=path, reason=error.strerror or error)
+            self.exit(return_code=1, message=Text(one_line(message)))  # a plain str would be read as Rich's markup
+            return
+        self.detachment.begin()
+        if self.class_link is not None:
+            self.class_link.begin(self)
+        if self.options.scene is not None or not self.session.restore():
+            self.terminals.open()
+        elif self.session.in_lesson:
+            self.lessons.open()
+        self.set_interval(SAVE_SECONDS, self.session.save_meanwhile)
+        self.set_timer(LINK_SECONDS, self.machine.open_link)
+        if self.options.has_doors:
+            self.set_interval(DOOR_SECONDS, self.frames.wake)
+        if (endpoint := self.options.listen) and not self.options.secret:
+            part = self.options.part
+            key = "notice.open_class" if part is not None and part.is_closed else "notice.open"
+            self.notices.show(self.look.texts(key, port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
+        if self.settings.fault:
+            text = self.look.texts("settings.fault", path=self.settings.path, reason=self.settings.fault)
+            self.notices.show(one_line(text), NOTICE_SECONDS)
+        if self.options.distro is not None:
+            self._remember(SETTING, self.options.distro)
+        if self.options.record is not None:
+            self.recording.begin(self.options.record)
+        if self.options.scene is not None:
+            self.scenes.start(self.options.scene)
+        elif self.options.lessons is not None or self.options.lesson is not None:
+            self.lessons.open(self.options.lesson or "", demo=self.options.demo)
+        for pane in self.terminals.panes:
+            pane.take_early_keys()
+        self.lessons.look_back()
+        self.frames.wake()
+        if not self.frames.rate:
+            self.frames.step()
+
+    def _tell(self, note: bytes) -> None:
+        """Send what this desktop says of itself to all who observe it."""
+        self.detachment.tell(note)
+        if self.class_link is not None:
+            self.class_link.tell(note)
+
+    def _class_pieces(self, short: bool) -> list[Piece]:
+        """What pupil or teacher have to see in the top line."""
+        pieces = self.classroom.pieces(short)
+        return pieces if self.class_link is None else [*pieces, *self.class_link.pieces(short)]
+
+    def show_class(self) -> None:
+        """Bring the teacher's view of the class to the front."""
+        if self.class_link is not None:
+            self.class_link.show(self)
+
+    def _attend_the_end(self) -> None:
+        """A closed terminal window or `kill` ends the desktop in order, with all its programs."""
+        if self.ending is None:
+            return
+        loop = asyncio.get_running_loop()
+        context = contextvars.copy_context()
+
+        def soon(function: Callable[[], object]) -> None:
+            with contextlib.suppress(RuntimeError):  # the loop was closed: this has been left
+                loop.call_soon_threadsafe(function, context=context)
+
+        def leave() -> None:
+            if not self._exit:  # else with the status and the message that are given already
+                self.leaving.end_by_signal()
+
+        self.leave_soon = lambda: soon(leave)
+        self.ending.wake_main_thread = lambda: soon(lambda: None)
+        departure.attend_stops(self, soon)
+        if self.ending.begun:  # a signal came before there was an application to leave
+            self.exit()
+
+    def exit(self, result: None = None, return_code: int = 0, message: RenderableType | None = None) -> None:
+        """Leave the desktop; from here on every step has a deadline."""
+        if self.ending is not None:
+            output.let_go()
+            self.ending.begin()
+        if not self._exit and self.machine.desk is not None:
+            self.session.save()
+        self.recording.end()
+        super().exit(result, return_code, message)
+
+    def _handle_exception(self, error: Exception) -> None:
+        if self.is_headless:
+            super()._handle_exception(error)
+        elif self._exit:
+            _log.warning("something failed on the way out", exc_info=error)  # a key for a pane that is gone
+        else:
+            leave(self, error)
+
+    async def on_event(self, event: events.Event) -> None:
+        if isinstance(event, TYPED):
+            if self._exit:
+                return  # while leaving, there is nothing left to receive keys
+            self.desktop.keep_keyboard()
+            self.classroom.typed_at = time.monotonic()
+        await super().on_event(event)
+
+    def keyboard(self) -> Widget:
+        self.desktop.keep_keyboard()
+        return super().keyboard()
+
+    async def _on_message(self, message: Message) -> None:
+        handling = super()._on_message(message)
+        await (survive(self, message, handling) if isinstance(message, PersonMessage) else handling)
+
+    async def action_do(self, id: str) -> None:  # noqa: A002
+        """Textual's entry: a key of the table was pressed."""
+        if id == "quit":
+            self.leaving.press_quit()
+        elif (overlay := self.desktop.overlay) is not None and overlay.waits and id not in WHILE_ASKED:
+            return
+        elif id == "pause" and self.scenes.player is not None:
+            self.scenes.toggle_pause()  # of the world, the upper line
+        else:
+            self.actions[id]()
+        self.frames.wake()
+
+    async def action_go_to(self, number: int) -> None:
+        """Textual's entry: Alt and a number."""
+        self.switching.go_to(number)
+
+    async def action_focus_beside(self, side: str) -> None:
+        """Textual's entry: Alt and an arrow."""
+        self.switching.focus_beside(side)
+
+    async def action_resize(self, side: str) -> None:
+        """Textual's entry: Alt, Shift and an arrow."""
+        self.switching.resize(side)
+
+    def _notify(self, text: str, seconds: float) -> None:
+        self.notify(one_line(text), timeout=seconds, markup=False)
+
+    def choose_theme(self) -> None:
+        """Offer the themes, and remember the choice."""
+        if self.looks.has_choice:
+            self.desktop.open_overlay(self.looks.theme_menu(partial(self._remember, "theme")))
+
+    def choose_distribution(self) -> None:
+        """Offer the distributions of ROS 2, and remember the choice for the next start: here programs have messages by now."""
+        from day6_tui.menu import Entry, Menu
+
+        def take(name: str) -> None:
+            if self._remember(SETTING, name) and name != distribution.current():
+                self.notices.show(self.look.texts("distro.next_start", name=name), NOTICE_SECONDS)
+
+        entries = [Entry(name.capitalize(), f"/opt/ros/{name}", partial(take, name)) for name in distribution.NAMES]
+        present = distribution.NAMES.index(distribution.current())
+        self.desktop.open_overlay(Menu(self.look, "distro.title", entries, chosen=present))
+
+    def _remember(self, setting: str, value: str) -> bool:
+        """Keep a choice; returns whether that could be done."""
+        try:
+            self.settings.set(setting, value)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            self.notices.show(self.look.texts("settings.not_kept", reason=reason), NOTICE_SECONDS)
+            return False
+        return True
+
+    def action_help_quit(self) -> None:
+        """Ctrl-C that no pane handles does nothing (Textual would explain how to quit)."""
+
+    def on_terminal_trouble(self, event: TerminalTrouble) -> None:
+        self.notices.show(self.look.texts(event.key), HINT_SECONDS)
+
+    def on_cursor_position(self, event: events.CursorPosition) -> None:
+        """For Shift+F3, xterm and its relatives send the bytes of a cursor report for 1;2, and Textual takes it for one."""
+        if (event.x, event.y) == (1, 0):
+            self.actions["previous"]()
+            self.frames.wake()
+
+    async def on_unmount(self) -> None:
+        self.frames.detach()
+
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        self.classroom.has_drawn = True
+        if not self.detachment.away:
+            super()._display(screen, renderable)
+
+    def _write_picture(self, text: str) -> None:
+        self.classroom.has_drawn = True
+        super()._write_picture(text)
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def read_flood(self) -> float | None:
+        """Between frames: read what programs print without end."""
+        return self.terminals.read_flood() if self.machine.desk is not None else None
+
+    def draw_frame(self) -> bool:
+        """Pull what is new into the panes; return True while something is animated."""
+        now = time.monotonic()
+        machine = self.machine
+        if machine.desk is not None:
+            # Before a scene goes on: what it waits for has its place first.
+            if (windows := machine.changed_windows()) is not None:
+                key = actions.BY_ID["windows"].label
+                for unseen in self.desktop.show_windows(windows):
+                    self.notices.show(self.look.texts("window.hidden", title=unseen.label, key=key))
+                self.session.place_windows()
+            self.terminals.follow_desk()
+            self.arranging.follow()
+        again = self.scenes.advance(now)
+        self.recording.advance()
+        if self.detachment.away:
+            return self.notices.expire(now) or again
+        again = self.draw_in_frame(lambda: self._pull_all(now)) or again
+        self.send_pictures()
+        return again
+
+    def _pull_all(self, now: float) -> bool:
+        again = False
+        if self.machine.desk is not None:
+            again = self._pull(now)
+            self.desktop.yield_to_full_terminals()
+        again = self.notices.expire(now) or again
+        if not self.frames.rate or now - self._barred >= BAR_SECONDS:
+            self._barred = now if self.machine.desk is not None else 0.0  # the first look at the desk does not wait
+            self.top.pull(now)
+            self.bottom.pull(now)
+        else:
+            self.frames.wake_after(self._barred + BAR_SECONDS - now)
+        return again
+
+    def _pull(self, now: float) -> bool:
+        """Let the visible panes read their models, and now and then their titles."""
+        titles = not self.frames.rate or now - self._titled >= TITLE_SECONDS
+        if titles:
+            self._titled = now
+        else:
+            self.frames.wake_after(self._titled + TITLE_SECONDS - now)
+        again = False
+        for pane in self.desktop.shown():
+            try:
+                pane.measure()
+                if titles and isinstance(pane, TerminalPane):
+                    pane.key_back = self.switching.key_to(pane)  # before it looks whether its hint has changed
+                again = pane.pull(now) or again
+                if titles:
+                    pane.pull_title()
+            except Exception as error:
+                if not isinstance(pane, WindowPane):
+                    raise
+                self.window_failed(pane, error)
+            if isinstance(pane, TerminalPane):
+                pane.place_cursor()
+        return again
+
+    def frame_failed(self, error: Exception) -> None:
+        """Report an error of the desktop itself, and keep programs and terminals running."""
+        if self.is_headless:
+            self._handle_exception(error)
+            return
+        if self._exit:
+            return  # the panes are going away
+        _log.error("a frame failed", exc_info=error)
+        from day6_tui.message import ErrorModal
+
+        if not isinstance(self.desktop.overlay, ErrorModal):
+            self.desktop.open_overlay(ErrorModal(self.look, f"{type(error).__name__}: {error}"))
+
+    @on(WindowPane.Failed)
+    def drop_broken_window(self, event: WindowPane.Failed) -> None:
+        self.window_failed(event.pane, event.error)
+
+    def window_failed(self, pane: WindowPane[object], error: Exception) -> None:
+        """Replace a window that cannot be drawn by the reason; everything else goes on."""
+        if pane not in self.desktop.panes.values():
+            return  # replaced already
+        _log.warning("a window failed", exc_info=error)
+        self.desktop.break_window(pane, error)
+
+    # -- messages of panes ---------------------------------------------------------------------------------------------
+
+    @on(WelcomePane.Chosen)
+    def do_chosen(self, event: WelcomePane.Chosen) -> None:
+        """An entry of the welcome pane was chosen."""
+        kind, _, rest = event.does.partition(".")
+        if kind == "action":
+            self.actions[rest]()
+        elif event.does.startswith("type:"):
+            self.terminals.type(event.does.removeprefix("type:"))
+        else:
+            self._leave_welcome()
+        self.frames.wake()
+
+    @on(LessonAsked)
+    def follow_lesson(self, event: LessonAsked) -> None:
+        self.lessons.handle(event)
+
+    @on(WindowPane.KeyboardWanted)
+    def give_keyboard(self, event: WindowPane.KeyboardWanted) -> None:
+        self.desktop.focus_pane(event.pane)
+
+    @on(WindowPane.CommandChosen)
+    def type_command(self, event: WindowPane.CommandChosen) -> None:
+        """Type a command where it can be seen, without Return."""
+        self.terminals.type(event.command)
+        self.frames.wake()
+
+    @on(WelcomePane.Closed)
+    def close_guide(self) -> None:
+        self.desktop.close_guide()
+
+    @on(WelcomePane.Typed)
+    def type_in_terminal(self, event: WelcomePane.Typed) -> None:
+        """A command is typed where there is no terminal: send it to one that is waiting for a command."""
+        if (pane := self._leave_welcome()) is not None:
+            pane.on_key(event.key)
+
+    @on(WelcomePane.Pasted)
+    def paste_in_terminal(self, event: WelcomePane.Pasted) -> None:
+        """The same for text from the clipboard."""
+        if (pane := self._leave_welcome()) is not None:
+            pane.paste(event.text)
+
+    def _leave_welcome(self) -> TerminalPane | None:
+        """Give the keyboard to a terminal that waits for a command."""
+        self.welcome.show_guide()
+        pane = self.desktop.focused_pane
+        if not isinstance(pane, TerminalPane):
+            pane = self.terminals.use_idle() if self.machine.desk is not None else self.terminals.current
+            if pane is not None:
+                self.desktop.focus_pane(pane)
+        self.frames.wake()
+        return pane
+
+    @on(TerminalPane.CloseAsked)
+    def close_terminal(self, event: TerminalPane.CloseAsked) -> None:
+        self.terminals.close(event.pane)
+
+    @on(TerminalPane.LineClicked)
+    def explain_line(self, event: TerminalPane.LineClicked) -> None:
+        self.explaining.open_for_line(event.pane, event.line)
+
+    @on(Desktop.ListAsked)
+    def list_panes(self) -> None:
+        self.switching.list_all()
+
+    @on(Desktop.Dragging)
+    def tell_where_it_falls(self, event: Desktop.Dragging) -> None:
+        texts = self.look.texts
+        where = texts(f"drop.{event.side}", name=event.target.label)
+        self.notices.show(texts("drop.told", name=event.pane.label, where=where))
+
+    @on(TerminalPane.ArrowEchoed)
+    def explain_arrows(self) -> None:
+        self.switching.tell_where_arrows_drive()
+
+    def on_key(self, event: events.Key) -> None:
+        """A key that no pane handled."""
+        pane = self.desktop.focused_pane
+        if event.key in ARROWS and isinstance(pane, WindowPane) and pane.window.kind == "turtlesim":
+            self.switching.tell_where_arrows_drive()
+
+
+def run(options: Options) -> int:
+    """Open the desktop and return its exit status when the user has left it and every program has ended."""
+    keep_heap_small()
+    keep_log_off_the_screen()
+    try:
+        app = Day6App(options)
+    except (KeyError, ValueError) as error:
+        print(f"day6-tui: {error}", file=sys.stderr)
+        return 2
+    # For programs on the desk that explain something: new terminals pass it on.
+    os.environ["DAY6_LANG"] = app.look.texts.language
+    app.ending = ending = departure.ending_of(app)
+    ending.handle_signals(sys.stdin.fileno())
+    try:
+        app.run()
+    finally:
+        ending.begin()
+        app.machine.close()
+        ending.over()
+    return ending.status or app.return_code or 0

@@ -1,0 +1,137 @@
+"""Base of the applications whose panes may draw with pixels: asks the terminal after the first frame, writes after Textual."""
+
+from __future__ import annotations
+
+import logging
+import sys
+import time
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from textual import events
+from textual.app import App
+
+from day6_tui.glyphs import CANVASES, GLYPH_SETS, PIXELS, terminal_environ
+from day6_tui.pixels.ask import SIXEL, WINDOWS_TERMINAL_CELL, Ability, Answered, may_be_asked
+from day6_tui.pixels.pictures import Pictures
+from day6_tui.terminal_trouble import TerminalTrouble
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+    from textual.screen import Screen
+
+    from day6_tui.look import Look
+
+_log = logging.getLogger(__name__)
+
+ANSWER_SECONDS = 0.4
+"""How long the end waits for an answer that is under way: it would be typed into the shell."""
+WINDOWS_CHUNK = 8192
+"""The console of Windows loses parts of longer writes (textual/app.py has the same)."""
+
+
+class PictureApp(App[None]):
+    """An application with `look.pictures`."""
+
+    look: Look
+
+    def begin_pictures(self, glyphs: str | None, environ: Mapping[str, str] | None = None) -> None:
+        """Find out whether the terminal shows pixels; `glyphs` is what the user chose. `environ` tells of another terminal."""
+        look, environ = self.look, terminal_environ() if environ is None else environ
+        if self.is_headless or look.colours.colourless or look.glyphs.name not in (PIXELS, *CANVASES[:2]):
+            return
+        look.pictures = pictures = Pictures(
+            look, environ, self._write_picture, changed=self._pictures_changed, given_up=self._too_slow
+        )
+        pictures.wanted = glyphs in (None, "", "auto", PIXELS)
+        if sys.platform != "win32":
+            if may_be_asked(environ):
+                self.call_after_refresh(self._ask)
+        elif glyphs == PIXELS:  # Textual's reader there would take the answers for keys
+            pictures.use(Ability(SIXEL, WINDOWS_TERMINAL_CELL))
+
+    def exit(self, result: None = None, return_code: int = 0, message: RenderableType | None = None) -> None:
+        """Leave the application. Nothing is written but what removes the pictures: so no picture is forgotten before."""
+        if self.look.pictures is not None:
+            self.look.pictures.stopped = True
+        super().exit(result, return_code, message)
+
+    def _ask(self) -> None:
+        if self.look.pictures is not None:
+            self.look.pictures.ask((self.size.width, self.size.height), _pixels_of_screen())
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Letters may have another size now."""
+        pictures = self.look.pictures
+        if pictures is not None and pictures.ability is not None and sys.platform != "win32":
+            self.call_after_refresh(self._ask)
+
+    def on_answered(self, event: Answered) -> None:
+        """The terminal answered."""
+        if (pictures := self.look.pictures) is not None:
+            self._surviving(lambda: pictures.take(event.text))
+
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        super()._display(screen, renderable)
+        if (pictures := self.look.pixels) is not None and renderable is not None:
+            self._surviving(lambda: pictures.displayed(renderable))
+
+    def send_pictures(self) -> None:
+        """At the end of a frame: write what is new, after its text."""
+        if (pictures := self.look.pictures) is not None and pictures.any:
+            self.call_after_refresh(self._surviving, pictures.send)
+
+    def _surviving(self, draw: Callable[[], object]) -> None:
+        """A picture that cannot be drawn must not take the application with it: characters can."""
+        try:
+            draw()
+        except Exception:
+            if self.is_headless:
+                raise
+            _log.exception("drawing with pixels failed")
+            if self.look.pictures is not None:
+                self._write_picture(self.look.pictures.farewell())
+            self.look.pictures, self.look.glyphs = None, GLYPH_SETS[CANVASES[0]]
+            self._pictures_changed()
+
+    def _write_picture(self, text: str) -> None:
+        driver = self._driver
+        if driver is None or self._exit:
+            return
+        size = WINDOWS_CHUNK if sys.platform == "win32" else len(text)
+        for start in range(0, len(text), size):
+            driver.write(text[start : start + size])
+        driver.flush()
+
+    def _too_slow(self) -> None:
+        self.post_message(TerminalTrouble("pixels.slow"))
+
+    def _pictures_changed(self) -> None:
+        from day6_tui.looks import redraw
+
+        redraw(self, self.look)
+
+
+def leave_pictures(pictures: Pictures | None) -> str:
+    """What removes all pictures. Waits a moment for an answer that is under way."""
+    if pictures is None:
+        return ""
+    end = time.monotonic() + ANSWER_SECONDS
+    while pictures.waiting and time.monotonic() < end:
+        time.sleep(0.01)
+    return pictures.farewell()
+
+
+def _pixels_of_screen() -> tuple[int, int]:
+    """Width and height of the terminal in pixels, 0 where it does not say."""
+    if sys.platform == "win32" or sys.__stdin__ is None:
+        return 0, 0
+    import fcntl
+    import struct
+    import termios
+
+    try:
+        _, _, width, height = struct.unpack("HHHH", fcntl.ioctl(sys.__stdin__.fileno(), termios.TIOCGWINSZ, b"\0" * 8))
+    except (OSError, ValueError):
+        return 0, 0
+    return width, height

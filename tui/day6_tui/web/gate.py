@@ -1,0 +1,169 @@
+"""Who may in: the cookie, where a request comes from, under which name the server was called; and what every answer says."""
+
+from __future__ import annotations
+
+import ipaddress
+import os
+import socket
+from collections.abc import Awaitable, Callable
+from urllib.parse import parse_qsl, urlsplit
+from zlib import crc32
+
+from aiohttp import web
+
+from day6_tui.locale import Texts
+from day6_tui.web import pages
+from day6_tui.web.places import login_name
+from day6_tui.web.settings import Settings
+from day6_tui.web.tokens import PUPIL, Ticket, Tokens
+from day6_tui.web.tries import Tries
+
+Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+COOKIE_SECONDS = 30 * 24 * 3600
+"""How long a browser remembers who it is."""
+
+_POLICY = (
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+    "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' ws://{host} wss://{host}; "
+    "worker-src 'self' blob:; manifest-src 'self'; form-action 'self'; base-uri 'none'; frame-ancestors {frames}"
+)
+"""No script but ours. The terminal needs styles of its own making and WebAssembly for pictures (xterm.js and its image addon)."""
+
+MOST_FIELDS = 10
+"""Of a form."""
+
+LOOPBACK_NAMES = ("localhost", "127.0.0.1", "::1")
+
+
+class Gate:
+    """Judges requests. Nothing is told to who has no token."""
+
+    def __init__(self, settings: Settings, tokens: Tokens) -> None:
+        self._settings = settings
+        self._tokens = tokens
+        self.tries = Tries()
+        self._cookie = f"day6-{crc32(os.fsencode(settings.data)):08x}"
+        """Servers on other ports of this machine get the same cookies, so each has a name of its own."""
+        self._names = {*LOOPBACK_NAMES, socket.gethostname().lower(), f"{socket.gethostname().lower()}.local"}
+        self._names |= {name for name in (urlsplit(settings.base_url).hostname, settings.host.lower()) if name}
+
+    def ticket(self, request: web.Request, kind: str) -> Ticket | None:
+        """Who this is, by the cookie for this kind; None for a stranger. A teacher can try a pupil's link beside the class."""
+        if self._settings.proxied:
+            return Ticket(PUPIL, login_name()) if kind == PUPIL else None
+        token = request.cookies.get(f"{self._cookie}-{kind}")
+        if token is None:
+            return None
+        ticket = self._tokens.of(token)
+        if ticket is None:
+            self.tries.add(self.address(request))
+        return ticket if ticket is not None and ticket.kind == kind else None
+
+    def let_in(self, response: web.StreamResponse, kind: str, token: str) -> None:
+        """Have the browser remember the token, out of reach of scripts and of other sites."""
+        response.set_cookie(
+            f"{self._cookie}-{kind}",
+            token,
+            max_age=COOKIE_SECONDS,
+            httponly=True,
+            samesite="Strict",
+            secure=self._is_secure,
+            path=self._path,
+        )
+
+    def forget(self, response: web.StreamResponse, kind: str) -> None:
+        """Have the browser forget it."""
+        response.del_cookie(f"{self._cookie}-{kind}", path=self._path)
+
+    @property
+    def _path(self) -> str:
+        return urlsplit(self._settings.base_url).path or "/"
+
+    @property
+    def _is_secure(self) -> bool:
+        return self._settings.certificate is not None or self._settings.base_url.startswith("https:")
+
+    def address(self, request: web.Request) -> str:
+        """Where somebody calls from; behind a proxy all are one."""
+        return request.remote or "?"
+
+    # -- what a page of another site could make a browser do ---------------------------------------------------------
+
+    def is_called_by_name(self, request: web.Request) -> bool:
+        """Whether the browser means this server, and not a name that somebody lets point to it (DNS rebinding)."""
+        if self._settings.proxied or self._settings.unix is not None:
+            return True
+        name = (_host_name(request.headers.get("Host", "")) or "").lower()
+        return name in self._names or _is_address(name)
+
+    def is_from_here(self, request: web.Request) -> bool:
+        """Whether a page of ours sent this; browsers say that with every WebSocket and every form."""
+        try:
+            origin = urlsplit(request.headers.get("Origin", ""))
+        except ValueError:
+            return False
+        if origin.scheme not in ("http", "https") or not origin.netloc:
+            return False
+        if origin.netloc.lower() == request.headers.get("Host", "").lower():
+            return True
+        base = urlsplit(self._settings.base_url)
+        if base.netloc:
+            return (origin.scheme, origin.netloc.lower()) == (base.scheme, base.netloc.lower())
+        return self._settings.proxied and origin.netloc.lower() == request.headers.get("X-Forwarded-Host", "").lower()
+
+    async def form(self, request: web.Request) -> dict[str, str]:
+        """Read what a form of ours sends. Raises HTTPBadRequest for anything else, HTTPRequestEntityTooLarge."""
+        try:
+            if request.content_type != "application/x-www-form-urlencoded":
+                raise ValueError(request.content_type)
+            return dict(parse_qsl((await request.read()).decode(), keep_blank_values=True, max_num_fields=MOST_FIELDS))
+        except ValueError:
+            raise web.HTTPBadRequest(text="This is no form of this server.\n") from None
+
+    # -- what every answer says --------------------------------------------------------------------------------------
+
+    @web.middleware
+    async def guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
+        """Refuse what does not come from our pages, and forbid what our pages never do."""
+        texts = Texts(pages.language_for(request, self._settings.lang))
+        if not self.is_called_by_name(request):
+            return pages.message(texts, "serve.wrong.host", status=421, leads_back=False)
+        if request.method not in ("GET", "HEAD") and not self.is_from_here(request):
+            return web.Response(status=403, text="This form does not come from this server.\n")
+        try:
+            return await handler(request)
+        except (web.HTTPNotFound, web.HTTPMethodNotAllowed) as error:
+            up = "../" * (request.path.count("/") - 1)
+            return pages.message(texts, "serve.wrong.address", status=error.status, up=up)
+
+    async def sign(self, request: web.Request, response: web.StreamResponse) -> None:
+        """Add the headers to an answer before it is sent."""
+        frames = "'self'" if self._settings.proxied else "'none'"
+        host = request.headers.get("Host", "")
+        plain = host if all(letter.isalnum() or letter in "-.:[]" for letter in host) else ""
+        policy = _POLICY.format(host=plain or "localhost", frames=frames)
+        response.headers.setdefault("Content-Security-Policy", policy)
+        response.headers["X-Content-Type-Options"] = "nosniff"
+        response.headers["Referrer-Policy"] = (
+            "same-origin"  # with "no-referrer", forms would say they come from nowhere
+        )
+        response.headers["Cross-Origin-Opener-Policy"] = "same-origin"
+        response.headers["Cross-Origin-Resource-Policy"] = "same-origin"
+        response.headers.setdefault("Cache-Control", "no-store")
+        response.headers["Server"] = "day6-tui"
+
+
+def _host_name(host: str) -> str | None:
+    try:
+        return urlsplit(f"//{host}").hostname
+    except ValueError:
+        return None
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,93 @@
+"""Fills the teacher's roster: a line to the keeper of each desktop, on which its notes come and orders go."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable
+from functools import partial
+
+from day6_core.classroom import note
+from day6_core.classroom import order as orders
+from day6_core.classroom.note import NoteError
+from day6_core.classroom.order import Order
+from day6_core.classroom.roster import Roster
+from day6_tui.detached import wire
+from day6_tui.detached.loop_line import LoopLine
+
+MOST_ORDERS = 1 << 16
+"""Bytes of orders that may wait for a desktop."""
+
+
+class RosterFeed:
+    """The carrier of the roster. Everything is done in the event loop."""
+
+    def __init__(self) -> None:
+        self.roster = Roster(self)
+        self._lines: dict[str, LoopLine] = {}
+        self._seen: set[str] = set()
+        """Whose desktops somebody looks at by a link that only watches."""
+        self._changed: list[Callable[[], None]] = []
+
+    def subscribe(self, changed: Callable[[], None]) -> Callable[[], None]:
+        """Have this called after every change; returns what ends that."""
+        self._changed.append(changed)
+        return lambda: self._changed.remove(changed)
+
+    def begin(self, name: str, connection: socket.socket) -> None:
+        """A desktop runs, and this is a new line to its keeper."""
+        self._drop(name)
+        line = self._lines[name] = LoopLine(connection)
+        line.send(wire.WATCH)
+        line.on_readable(partial(self._hear, name, line))
+        self.roster.here(name)
+        self.tell()
+
+    def seen(self, name: str, is_seen: bool) -> None:
+        """Somebody looks at this desktop by a link that only watches, or nobody does any more: the pupil is told."""
+        if is_seen != (name in self._seen):
+            (self._seen.add if is_seen else self._seen.discard)(name)
+            self.send(name, Order("seen", on=is_seen))
+
+    def end(self, name: str) -> None:
+        """The desktop has ended."""
+        self._drop(name)
+        self.roster.gone(name)
+        self.tell()
+
+    def send(self, name: str, order: Order) -> bool:
+        """Send an order; False if that pupil cannot be reached."""
+        line = self._lines.get(name)
+        if line is None or line.closed or line.unsent > MOST_ORDERS:
+            return False
+        line.send(wire.ORDER, orders.encode(order))
+        return True
+
+    def close(self) -> None:
+        """Let all desktops go on without being observed."""
+        for name in list(self._lines):
+            self._drop(name)
+
+    def _drop(self, name: str) -> None:
+        line = self._lines.pop(name, None)
+        if line is not None:
+            line.close()
+
+    def _hear(self, name: str, line: LoopLine) -> None:
+        for kind, data in line.receive():
+            if kind == wire.NOTE:
+                try:
+                    heard = note.decode(data)
+                except NoteError:
+                    continue  # a desktop that was tampered with: its pupil stays where the last note said
+                self.roster.heard(name, heard)
+                if heard.seen != (name in self._seen):  # it was not ready when it was told
+                    self.send(name, Order("seen", on=name in self._seen))
+        if line.closed and self._lines.get(name) is line:
+            self._drop(name)
+            self.roster.gone(name)
+        self.tell()
+
+    def tell(self) -> None:
+        """Something has changed."""
+        for changed in self._changed:
+            changed()

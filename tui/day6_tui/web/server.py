@@ -1,0 +1,191 @@
+"""The server: its parts, in the order in which they begin and end."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import errno
+import os
+import socket
+import ssl
+import stat
+import sys
+from pathlib import Path
+from typing import Any
+
+from aiohttp import web
+
+from day6_core.isolation.cell import Words
+from day6_core.isolation.modes import Offer
+from day6_core.link.addresses import own_address
+from day6_core.link.file_lock import FileLock
+from day6_tui.web import class_list
+from day6_tui.web.application import Application
+from day6_tui.web.links import Links
+from day6_tui.web.places import Places, login_name, own_home
+from day6_tui.web.sessions import Sessions, Tell
+from day6_tui.web.settings import Settings
+from day6_tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
+
+CLOSE_SECONDS = 3.0
+"""What open sockets get to say goodbye."""
+
+ONLY_DESKTOP = "me"
+"""The pupil where there is neither a list nor a word."""
+
+
+class InUse(Exception):
+    """Another server has this folder."""
+
+
+class Server:
+    """What `day6-tui serve` runs."""
+
+    def __init__(self, settings: Settings, offer: Offer, tell: Tell) -> None:
+        assert offer.mode is not None
+        self._settings = settings
+        self._tell = tell
+        self._offer = offer
+        self._places = Places(settings.data, offer.mode)
+        self._lock = FileLock(self._places.server / "lock")
+        self._tokens = Tokens(self._places.server / "tokens.json")
+        self._sessions = Sessions(settings, self._places, offer.mode, tell)
+        self._runner: web.AppRunner | None = None
+        self._looking: asyncio.Task[None] | None = None
+
+    async def open(self) -> None:
+        """Begin to serve, and say where. Raises OSError, InUse, BadTokens, BadList."""
+        self._places.make()
+        if not self._lock.try_acquire():
+            raise InUse(str(self._settings.data))
+        self._tokens.load()
+        names = self._names()
+        listener = self._listener()
+        secure = self._secure()
+        base = self._address(listener, secure is not None)
+        links = Links(self._tokens, base)
+        new = links.enrol(names, anew=self._settings.new_links)
+        teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
+        await links.keep()
+        self._sessions.feed.roster.expect(names)
+        again = await self._sessions.find_again([login_name()] if self._settings.proxied else links.all_names())
+        await asyncio.to_thread(self._places.remember)
+        lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
+        what = self._offer.what_it_is
+        application = Application(self._settings, self._tokens, links, self._sessions, what, self._tell, lessons)
+        self._runner = web.AppRunner(
+            application.build(), access_log=None, handle_signals=False, shutdown_timeout=CLOSE_SECONDS
+        )
+        await self._runner.setup()
+        await web.SockSite(self._runner, listener, ssl_context=secure).start()
+        self._looking = asyncio.create_task(self._sessions.look())
+        self._tell("serve.apart", what=what)
+        if again:
+            self._tell("serve.again", number=again)
+        for name in new:
+            self._tell("serve.link", name=name, link=links.known(Ticket(PUPIL, name)))
+        if teacher is not None:
+            self._tell("serve.teacher", link=teacher)
+        self._tell("serve.at", address=base)
+
+    def _names(self) -> list[str]:
+        """The pupils that get a link; the bad lines of the list are told."""
+        if self._settings.class_file is None:
+            alone = self._settings.word is None and not self._settings.proxied
+            return [ONLY_DESKTOP] if alone else []
+        found = class_list.read(self._settings.class_file)
+        file = str(self._settings.class_file)
+        for bad in found.bad:
+            self._tell("serve.class.bad", file=file, line=bad.line, text=bad.text, reason=Words(bad.why))
+        if not found.names:
+            self._tell("serve.class.empty", file=file)
+        return found.names
+
+    # -- where it listens ----------------------------------------------------------------------------------------------
+
+    def _listener(self) -> socket.socket:
+        """The socket, before anything else is done: that the port is taken is the first thing to know. Raises OSError."""
+        settings = self._settings
+        if settings.unix is not None:
+            return _unix_listener(str(settings.unix))
+        found = socket.getaddrinfo(settings.host, settings.port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
+        family, kind, protocol, _, address = found[0]
+        listener = socket.socket(family, kind, protocol)
+        try:
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listener.bind(address)
+        except OSError as error:
+            listener.close()
+            raise OSError(error.errno, error.strerror, f"{settings.host}:{settings.port}") from None
+        return listener
+
+    def _secure(self) -> ssl.SSLContext | None:
+        if self._settings.certificate is None:
+            return None
+        secure = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
+        try:
+            secure.load_cert_chain(self._settings.certificate, self._settings.key)
+        except OSError as error:
+            raise OSError(error.errno, error.strerror or str(error), str(self._settings.certificate)) from None
+        return secure
+
+    def _address(self, listener: socket.socket, secure: bool) -> str:
+        """What pupils type, with a slash at the end."""
+        settings = self._settings
+        if settings.base_url:
+            return settings.base_url
+        if settings.unix is not None:
+            return str(settings.unix)
+        host, port = listener.getsockname()[:2]
+        if host in ("0.0.0.0", "::"):
+            host = own_address()
+        shown = f"[{host}]" if ":" in host else host
+        return f"http{'s' if secure else ''}://{shown}:{port}/"
+
+    async def close(self) -> None:
+        """End the desktops in order, and then the server."""
+        if self._looking is not None:
+            self._looking.cancel()
+        if self._settings.keep:
+            self._sessions.say_bye()
+            self._tell("serve.kept", number=len(self._sessions.running))
+        else:
+            kept = own_home(self._settings.home) if self._settings.proxied else self._places.homes
+            self._tell("serve.ending", number=len(self._sessions.running), folder=str(kept))
+            await self._sessions.end_all()
+        if self._runner is not None:
+            await self._runner.cleanup()
+        if self._settings.unix is not None:
+            with contextlib.suppress(OSError):
+                os.unlink(self._settings.unix)
+        self._lock.release()
+
+
+def _lessons(folder: Path | None) -> list[dict[str, Any]]:
+    """What a teacher can start for all: the days, or the lessons of the folder, and the drills."""
+    from day6_core.lessons import catalogue
+
+    lessons = catalogue.days() if folder is None else catalogue.lessons_in(folder).lessons
+    return [{"name": each.name, "title": dict(each.title)} for each in (*lessons, *catalogue.drills())]
+
+
+def _unix_listener(path: str) -> socket.socket:
+    """Listen on a Unix socket that only this user can reach. A socket nobody listens on makes room, any other file stays."""
+    if sys.platform == "win32":
+        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
+    listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    try:
+        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
+            try:
+                probe.connect(path)
+            except ConnectionRefusedError:
+                if stat.S_ISSOCK(os.lstat(path).st_mode):
+                    os.unlink(path)
+            except OSError:
+                pass
+        listener.bind(path)
+        os.chmod(path, 0o600)  # nobody gets in before it listens
+    except OSError as error:
+        listener.close()
+        raise OSError(error.errno, error.strerror or str(error), path) from None
+    return listener

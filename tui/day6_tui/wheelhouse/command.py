@@ -1,0 +1,91 @@
+"""`day6-tui wheelhouse DIR`: reads the options, fetches, and says what was done."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import sys
+import tempfile
+from functools import partial
+from pathlib import Path
+
+from day6_core.session.harmless import one_line
+from day6_tui.command_line import Formatter, language_of
+from day6_tui.locale import Texts
+from day6_tui.wheelhouse import closure, folder, own_wheel
+from day6_tui.wheelhouse.guide import checker, guide
+from day6_tui.wheelhouse.targets import PLATFORMS, PYTHONS, Target, this_platform, this_python
+
+EXTRAS = ("serve",)
+"""A teacher's machine may want them."""
+
+
+def main(words: list[str]) -> int:
+    """`day6-tui wheelhouse DIR [--platform P …] [--python V …]`; returns the exit status."""
+    language = language_of(words)
+    texts = Texts(language)
+    options = _parser(texts).parse_args(words)
+    here = this_platform()
+    if not here and not options.platform:
+        return _refuse(texts("wheelhouse.no_platform"), 2)
+    if importlib.util.find_spec("pip") is None:
+        return _refuse(texts("wheelhouse.no_pip", command=f"{sys.executable} -m ensurepip"), 1)
+    platforms = options.platform or [here]
+    targets = [Target(PLATFORMS[each], python) for each in platforms for python in options.python or [this_python()]]
+    try:
+        if name := folder.foreign(options.folder):
+            raise folder.NotOurs(name)
+        folder.try_to_write(options.folder)
+        with tempfile.TemporaryDirectory(prefix="day6-wheelhouse-") as place:
+            wheels = _fetch(targets, Path(place))
+            folder.fill(options.folder, wheels, {folder.GUIDE: guide(targets), folder.CHECK: checker(targets)})
+    except folder.NotOurs as error:
+        return _refuse(texts("wheelhouse.foreign", file=options.folder / str(error)), 1)
+    except closure.NoInternet as error:
+        return _refuse(texts("wheelhouse.no_internet", reason=error), 1)
+    except (closure.FetchError, own_wheel.WheelError) as error:
+        return _refuse(texts("wheelhouse.failed", reason=error), 1)
+    except OSError as error:
+        return _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error), 1)
+    size = sum(path.stat().st_size for path in options.folder.iterdir())
+    print(one_line(texts("wheelhouse.done", count=len(wheels), size=f"{size / 1e6:.0f}", folder=options.folder)))
+    print(one_line(texts("wheelhouse.next", file=options.folder / folder.GUIDE)))
+    return 0
+
+
+def _fetch(targets: list[Target], place: Path) -> list[Path]:
+    """Everything for all targets, in a folder of ours, of which errors name what it is in."""
+    own, others = place / "own", place / "others"
+    names = set()
+    try:
+        own.mkdir()
+        others.mkdir()
+        wheel = own_wheel.make(own)
+        for target in targets:
+            names |= closure.fetch(wheel, EXTRAS, target, others, lambda line: print(one_line(line), flush=True))
+    except OSError as error:
+        raise closure.FetchError(f"{place.parent}: {error.strerror or error}") from error
+    return [wheel, *(others / name for name in sorted(names))]
+
+
+def _refuse(text: object, status: int) -> int:
+    print(f"day6-tui wheelhouse: {one_line(str(text))}", file=sys.stderr)
+    return status
+
+
+def _parser(texts: Texts) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="day6-tui wheelhouse",
+        description=texts("cli.wheelhouse"),
+        formatter_class=partial(Formatter, usage=texts("cli.usage")),
+        add_help=False,
+    )
+    parser.add_argument("folder", type=Path, metavar="DIR", help=texts("wheelhouse.folder"))
+    options = parser.add_argument_group(texts("cli.options"))
+    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
+    options.add_argument(
+        "--platform", action="append", choices=tuple(PLATFORMS), metavar="NAME", help=texts("wheelhouse.platform")
+    )
+    options.add_argument("--python", action="append", choices=PYTHONS, metavar="3.12", help=texts("wheelhouse.python"))
+    options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.lang"))
+    return parser

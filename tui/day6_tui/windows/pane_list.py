@@ -1,0 +1,127 @@
+"""A window that is one list: Textual's OptionList in the frame of a pane."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from rich.segment import Segment
+from rich.style import Style as RichStyle
+from textual import events
+from textual.app import ComposeResult
+from textual.message import Message
+from textual.strip import Strip
+from textual.style import Style
+from textual.visual import RenderOptions, Visual
+from textual.widget import Widget
+from textual.widgets import OptionList
+
+from day6_core.session.display import Window
+from day6_tui.cells import fit, wrap
+from day6_tui.look import Look
+from day6_tui.scrollbars import colour_scrollbar
+from day6_tui.survival import survive
+from day6_tui.windows import WindowPane
+
+
+class PaneList(OptionList):
+    """Textual's list in the colours and characters of the desktop."""
+
+    DEFAULT_CSS = Path(__file__).with_suffix(".tcss").read_text(encoding="utf-8")
+
+    def __init__(self, look: Look) -> None:
+        super().__init__(compact=True, markup=False)
+        self.look = look
+        self.take_look(look)
+
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self.app, event, super().on_event(event))
+
+    async def _on_message(self, message: Message) -> None:
+        await survive(self.app, message, super()._on_message(message))
+
+    def take_look(self, look: Look) -> None:
+        """Take the colours and characters of the desktop."""
+        colour_scrollbar(self, look)
+        self.refresh()
+
+
+class Row(Visual):
+    """An entry: a mark, and the text beside it, as high as it needs; `below` it a line of its own in another style."""
+
+    def __init__(
+        self,
+        entries: PaneList,
+        index: int,
+        text: str,
+        mark: str,
+        style: RichStyle,
+        below: str = "",
+        below_style: RichStyle | None = None,
+    ) -> None:
+        self._list = entries
+        self._index = index
+        self._text = text
+        self._mark = mark
+        self._style = style
+        self._below = below
+        self._below_style = below_style or style
+
+    def _lines(self, width: int) -> list[tuple[str, RichStyle]]:
+        before = f" {self._mark} " if self._mark else " "
+        room = max(10, width - len(before) - 1)
+        lines = [(line, self._style) for line in wrap(self._text, room)]
+        if self._below:
+            lines += [(line, self._below_style) for line in wrap(self._below, room)]
+        return [
+            ((before if not number else " " * len(before)) + line, style) for number, (line, style) in enumerate(lines)
+        ]
+
+    def render_strips(self, width: int, height: int | None, style: Style, options: RenderOptions) -> list[Strip]:
+        entries = self._list
+        chosen = entries.highlighted == self._index and entries.has_focus
+        choice = entries.look.colours.choice
+        return [
+            Strip([Segment(fit(line, width), choice if chosen else drawn)], width) for line, drawn in self._lines(width)
+        ]
+
+    def get_optimal_width(self, rules: Any, container_width: int) -> int:
+        return container_width
+
+    def get_minimal_width(self, rules: Any) -> int:
+        return 1
+
+    def get_height(self, rules: Any, width: int) -> int:
+        return len(self._lines(width))
+
+
+Model = TypeVar("Model")
+List = TypeVar("List", bound=PaneList)
+
+
+class ListPane(WindowPane[Model], Generic[Model, List]):
+    """Draws the frame; the list in it has the keyboard."""
+
+    def __init__(self, window: Window[Model], look: Look, entries: List) -> None:
+        super().__init__(window, look)
+        self.list = entries
+
+    def compose(self) -> ComposeResult:
+        yield self.list
+
+    @property
+    def focus_target(self) -> Widget:
+        return self.list if self.list.is_attached else self
+
+    def focus(self, scroll_visible: bool = True) -> ListPane[Model, List]:
+        self.list.focus(scroll_visible)
+        return self
+
+    def restyle(self) -> None:
+        self.list.take_look(self.look)
+        super().restyle()
+
+    def on_focus(self, event: events.Focus) -> None:
+        super().on_focus(event)
+        if self.focus_target is not self:
+            self.screen.set_focus(self.focus_target, scroll_visible=False)

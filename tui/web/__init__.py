@@ -1,6 +1,0 @@
-"""`day6-tui serve`: a desktop of their own in every browser tab, for a class.
-
-The server holds no desktop. Each is kept by a keeper of `tui/detached` in the pupil's cell (`core/isolation`), and the server is
-the keeper's client: so a desktop outlives reloads, closed laptops and the server. aiohttp comes with the extra `serve` and is
-imported by nothing else; nothing here imports Textual.
-"""
