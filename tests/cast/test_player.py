@@ -13,7 +13,7 @@ from day6_core.shell.screen import Screen
 from day6_tui.cast.file import Cast, Event
 from day6_tui.cast.film import Film
 from day6_tui.cast.player import Clock, Painter
-from day6_tui.cells import cell_len
+from day6_tui.panes.cells import cell_len
 
 ALLOWED = re.compile(r"\x1b\[[0-9;]*[mHJK]")
 

@@ -23,21 +23,21 @@ def breaks(*arguments, **named):
     raise RuntimeError("planted")
 """
 A_KEY = f"""{BREAK}
-from day6_tui.guidance import Guidance
+from day6_tui.features.guidance import Guidance
 Guidance.open_palette = breaks
-from day6_tui.terminal_pane import TerminalPane
+from day6_tui.terminals.pane import TerminalPane
 TerminalPane.on_mouse_scroll_up = breaks
 """
 EVERYTHING = f"""{BREAK}
-from day6_tui.guidance import Guidance
+from day6_tui.features.guidance import Guidance
 Guidance.open_palette = lambda self: self._desktop.app.call_later(breaks)
 """
 A_CHOICE = f"""{BREAK}
-from day6_tui.terminals import Terminals
+from day6_tui.terminals.shown import Terminals
 Terminals.use_idle = breaks
 """
 READER = f"""{BREAK}
-from day6_tui.terminal_driver import TerminalDriver
+from day6_tui.screen.driver import TerminalDriver
 original = TerminalDriver._read
 def _read(self):
     data = original(self)

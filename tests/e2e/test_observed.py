@@ -14,7 +14,7 @@ from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
 from day6_core.classroom.note import Note
 from day6_core.classroom.order import Order
-from day6_tui.classroom_modals import GRACE_SECONDS
+from day6_tui.classes.modals import GRACE_SECONDS
 from day6_tui.locale import Texts
 from tests.e2e.test_detach import end_all, sockets
 from tests.support.waiting import Deadline, until

@@ -13,7 +13,7 @@ from day6_core.ros.programs.day6_world.model import Trail, WorldSnapshot
 from day6_core.ros.programs.day6_world.scenery import read_scenery, shipped_worlds
 from day6_core.ros.programs.rqt_graph.model.fit import unfitted
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge
-from day6_tui.colours import colours
+from day6_tui.appearance.colours import colours
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import Surface
 from day6_tui.pixels.sheet import Sheet

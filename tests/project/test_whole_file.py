@@ -277,7 +277,7 @@ def test_the_log_of_the_desktop_is_private_and_a_full_disk_does_not_show(
 ) -> None:
     import logging
 
-    from day6_tui.log_file import keep_log_off_the_screen
+    from day6_tui.screen.log_file import keep_log_off_the_screen
 
     handlers: list[logging.Handler] = []
     monkeypatch.setattr(logging.getLogger(), "addHandler", handlers.append)

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from day6_core.ros.programs.rqt_robot_steering.model import ANGULAR, LINEAR, MAXIMUM, MINIMUM, Axis
-from day6_tui.cells import cell_len
+from day6_tui.panes.cells import cell_len
 from tests.tui.screens import ToolWindow, use_window
 
 

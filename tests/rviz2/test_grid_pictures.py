@@ -10,7 +10,7 @@ import pytest
 
 from day6_core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
 from day6_core.ros.programs.rviz2.model.views import Orbit, TopDownOrtho
-from day6_tui.canvas import PIXELS_PER_CELL
+from day6_tui.panes.canvas import PIXELS_PER_CELL
 from day6_tui.render.cells import cells_of, pixel_aspect
 from day6_tui.render.painter import QUALITIES, paint
 from day6_tui.render.picture import EMPTY

@@ -9,7 +9,7 @@ import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import BOX, Scene, Shape
 from day6_core.ros.programs.rviz2.model.views import Orbit
-from day6_tui.cells import cell_len
+from day6_tui.panes.cells import cell_len
 from day6_tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.render.label_places import LabelPlaces, Piece
 from day6_tui.render.painter import QUALITIES, paint

@@ -29,7 +29,7 @@ from day6_core.ros.programs.rviz2.model.scene import (
     Triangles,
 )
 from day6_core.ros.programs.rviz2.model.views import Camera, Orbit, TopDownOrtho
-from day6_tui.colours import colours
+from day6_tui.appearance.colours import colours
 from day6_tui.render.cells import cells_of, pixel_aspect
 from day6_tui.render.image_file import png, svg
 from day6_tui.render.painter import QUALITIES, paint
@@ -241,7 +241,7 @@ def test_every_quality_shows_the_same_thing() -> None:
 @pytest.mark.parametrize("mode", ["half", "braille", "cell", "ascii"])
 @pytest.mark.parametrize("colourless", [False, True])
 def test_every_set_of_characters_shows_the_robot_in_its_place(mode: str, colourless: bool) -> None:
-    from day6_tui.canvas import PIXELS_PER_CELL
+    from day6_tui.panes.canvas import PIXELS_PER_CELL
 
     across, down = PIXELS_PER_CELL[mode]
     picture = paint(car_scene(0.0), orbit(0.85), 40 * across, 20 * down, pixel_aspect(mode), HIGH)

@@ -265,8 +265,8 @@ def test_every_status_line_has_its_word_and_colour(machine: RVizMachine) -> None
 
 
 def test_f1_on_a_status_explains_it_and_elsewhere_is_the_manual(machine: RVizMachine) -> None:
-    from day6_tui.card import CardModal
-    from day6_tui.manual import Manual
+    from day6_tui.overlays.card import CardModal
+    from day6_tui.overlays.manual import Manual
 
     async def walk() -> None:
         async with walking(machine) as at:

@@ -13,7 +13,7 @@ from day6_core.classroom.note import Note, Picture
 from day6_core.classroom.order import Order
 from day6_core.link.classroom.teacher import Teacher
 from day6_core.link.state import Door, DoorState
-from day6_tui.class_link import TeacherLink
+from day6_tui.classes.link import TeacherLink
 from day6_tui.machine import Machine
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import ToolWindow, opened, step

@@ -18,7 +18,7 @@ from unittest.mock import patch
 
 import textual._time
 
-from day6_tui import key_order
+from day6_tui.screen import key_order
 
 STEP = 1 / 64
 """Seconds; sums of it are exact."""

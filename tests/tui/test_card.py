@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.card import CardModal
-from day6_tui.manual import Manual
+from day6_tui.overlays.card import CardModal
+from day6_tui.overlays.manual import Manual
 from tests.tui.screens import screen_lines, screen_text
 from tests.tui.test_real_desk import _shows, _type, opened, until
 

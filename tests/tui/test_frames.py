@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from day6_tui.frames import Frames
+from day6_tui.screen.frames import Frames
 
 
 class _Loop:
@@ -44,7 +44,7 @@ class _Handle:
 
 def _frames(monkeypatch, draw: Callable[[], bool], fps: float = 30.0, **options: object) -> tuple[Frames, _Loop]:
     loop = _Loop()
-    monkeypatch.setattr("day6_tui.frames.time.monotonic", lambda: loop.now)
+    monkeypatch.setattr("day6_tui.screen.frames.time.monotonic", lambda: loop.now)
     monkeypatch.setattr(asyncio, "get_running_loop", lambda: loop)
     frames = Frames(draw, fps, **options)
     frames.attach()

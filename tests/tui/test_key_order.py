@@ -15,8 +15,8 @@ from textual.containers import Vertical
 from textual.message import Message
 from textual.widgets import Static
 
-from day6_tui import key_order
-from day6_tui.key_order import PATIENCE, KeyOrder, is_letter
+from day6_tui.screen import key_order
+from day6_tui.screen.key_order import PATIENCE, KeyOrder, is_letter
 from tests.tui.stepped_time import stepped_time
 
 

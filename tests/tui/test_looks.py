@@ -13,12 +13,13 @@ import pytest
 from rich.cells import cell_len
 from rich.style import Style
 
-from day6_tui import actions, glyphs, locale
+from day6_tui import actions, locale
+from day6_tui.appearance import glyphs
 from day6_tui.app import Day6App, make_look
-from day6_tui.cells import clip, fit, wrap
-from day6_tui.colours import colours
+from day6_tui.panes.cells import clip, fit, wrap
+from day6_tui.appearance.colours import colours
 from day6_tui.options import Options
-from day6_tui.themes import NAMES, make_theme, palette
+from day6_tui.appearance.themes import NAMES, make_theme, palette
 from day6_tui.windows import KINDS
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -44,7 +45,7 @@ def test_glyphs_follow_the_terminal(environ, name) -> None:
 @pytest.mark.process
 def test_what_python_adds_to_the_environment_is_not_taken_for_the_terminals_word() -> None:
     """In the C locale Python sets LC_CTYPE=C.UTF-8 for itself (PEP 538)."""
-    code = "import os; from day6_tui.glyphs import detect; print(os.environ.get('LC_CTYPE'), detect())"
+    code = "import os; from day6_tui.appearance.glyphs import detect; print(os.environ.get('LC_CTYPE'), detect())"
     keep = {name: os.environ[name] for name in ("PATH", "PYTHONPATH", "HOME") if name in os.environ}
     done = subprocess.run(
         [sys.executable, "-c", code],
@@ -153,7 +154,7 @@ def test_no_two_actions_share_a_key_and_every_key_of_the_bar_is_bound() -> None:
 
 def test_every_kind_of_window_has_a_help_page() -> None:
     assert [kind for kind in (*KINDS, "terminal", "welcome", "desk") if f"help.{kind}" not in EN] == []
-    from day6_tui.manual import PAGES
+    from day6_tui.overlays.manual import PAGES
 
     assert {*KINDS, "terminal", "welcome", "guide", "desk", "classroom_pupil"} == {*PAGES}
     assert [page for page in PAGES if f"manual.{page}" not in EN] == []

@@ -7,10 +7,10 @@ import sys
 import pytest
 from textual import events
 
-from day6_tui.menu import Entry, Menu
-from day6_tui.message import ErrorModal, LogModal
-from day6_tui.prompt import Prompt
-from day6_tui.question import Answer, Question
+from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.overlays.message import ErrorModal, LogModal
+from day6_tui.overlays.prompt import Prompt
+from day6_tui.overlays.question import Answer, Question
 from tests.tui.fakes import FakeDesk, FakeSimulation, turtle
 from tests.tui.screens import opened, screen_lines, screen_text, step
 from tests.tui.stepped_time import move_on
@@ -215,7 +215,7 @@ async def test_an_error_is_shown_as_it_is_and_its_button_closes_it(desk: FakeDes
 @pytest.mark.long
 @pytest.mark.parametrize("width", [80, 120])
 async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk: FakeDesk, width: int) -> None:
-    from day6_tui.manual import PAGES
+    from day6_tui.overlays.manual import PAGES
 
     async with opened(desk, width, 30, lang="en") as (app, pilot):
         await pilot.press("f1")

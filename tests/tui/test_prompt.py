@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.prompt import Prompt, before_replacing
+from day6_tui.overlays.prompt import Prompt, before_replacing
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import opened, screen_text, step
 

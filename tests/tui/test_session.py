@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from day6_tui.app import Day6App
-from day6_tui.layouts import build, describe
+from day6_tui.panes.layouts import build, describe
 from day6_tui.settings import Settings
-from day6_tui.splits import Tree
+from day6_tui.panes.splits import Tree
 from tests.tui.screens import screen_text
 from tests.tui.test_real_desk import opened, until
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from day6_tui.placement import OTHER, TERMINAL, WINDOWS, Needs, arranged, best_spot
-from day6_tui.splits import SIDES, Extent, Layout, Split, Stack, Tree
+from day6_tui.panes.placement import OTHER, TERMINAL, WINDOWS, Needs, arranged, best_spot
+from day6_tui.panes.splits import SIDES, Extent, Layout, Split, Stack, Tree
 
 SIZES = [(1, 1), (20, 5), (40, 10), (80, 22), (99, 40), (100, 14), (120, 38), (400, 118)]
 

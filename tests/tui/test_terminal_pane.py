@@ -6,9 +6,9 @@ import pytest
 from rich.cells import cell_len
 from textual import events
 
-from day6_tui.colours import colours
-from day6_tui.terminal_keys import _PLAIN, decode, encode
-from day6_tui.terminal_view import TerminalView, tab_name
+from day6_tui.appearance.colours import colours
+from day6_tui.terminals.keys import _PLAIN, decode, encode
+from day6_tui.terminals.view import TerminalView, tab_name
 from tests.support.folded import folded
 from tests.tui.fakes import FakeTerminal
 from tests.tui.screens import opened, screen_lines, screen_text, step, step_until

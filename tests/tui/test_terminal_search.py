@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.terminal_search import TerminalSearch
-from day6_tui.terminal_view import TerminalView
+from day6_tui.terminals.search import TerminalSearch
+from day6_tui.terminals.view import TerminalView
 from tests.tui.fakes import FakeTerminal
 
 TEXT = "[INFO] Talker: one\n[WARN] 你好机器人 talker\nnothing here\n[INFO] TALKER three, which goes on for long\n$ "

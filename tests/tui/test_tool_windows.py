@@ -13,7 +13,7 @@ from day6_core.graph import Graph
 from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_tui.actions import ACTIONS
 from day6_tui.locale import LANGUAGES, catalogue
-from day6_tui.manual import KEY_WIDTH
+from day6_tui.overlays.manual import KEY_WIDTH
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import opened, screen_lines, screen_text, step
 

@@ -16,7 +16,7 @@ from day6_core.shell.desk import Desk
 from day6_core.shell.language.interpreter import subshell_main
 from day6_core.shell.language.redirection import Streams
 from day6_tui import windows
-from day6_tui.class_link import TeacherLink
+from day6_tui.classes.link import TeacherLink
 from day6_tui.windows import KINDS, WindowPane
 
 COMMANDS = {

@@ -583,7 +583,7 @@ def test_nothing_is_asked_of_any_other_machine_and_nothing_fails(desk: Desk) -> 
 
 @pytest.mark.parametrize("text", WIDE_AND_NARROW)
 def test_characters_are_as_wide_as_the_desktop_thinks(widths: dict[str, int], text: str) -> None:
-    from day6_tui.cells import cell_len
+    from day6_tui.panes.cells import cell_len
 
     assert widths[text] == cell_len(text)
 

@@ -16,7 +16,7 @@ from day6_core.ros.programs.day6_world.scenery import read_scenery, shipped_worl
 from day6_core.ros.remark_texts import TEXTS
 from day6_core.session.display import Display
 from day6_tui.app import make_look
-from day6_tui.cells import cell_len
+from day6_tui.panes.cells import cell_len
 from day6_tui.locale import catalogue
 from day6_tui.options import Options
 from day6_tui.windows import world_picture as picture

@@ -34,45 +34,48 @@ from textual.widget import Widget
 from day6_core.ros import distribution
 from day6_core.session.harmless import one_line
 from day6_core.shell.heap import keep_heap_small
-from day6_tui import actions, chops, departure, output
-from day6_tui.arranging import Arranging
-from day6_tui.bars import Bar
-from day6_tui.classroom import Classroom
-from day6_tui.colours import colours
-from day6_tui.desktop import Desktop
-from day6_tui.detachment import Detachment
+from day6_tui import actions
+from day6_tui.screen import dirty_spans as chops
+from day6_tui.screen import departure
+from day6_tui.screen import output
+from day6_tui.panes.arranging import Arranging
+from day6_tui.bars.bars import Bar
+from day6_tui.classes.pupil import Classroom
+from day6_tui.appearance.colours import colours
+from day6_tui.panes.desktop import Desktop
+from day6_tui.features.detachment import Detachment
 from day6_tui.distribution_choice import SETTING
-from day6_tui.explaining import Explaining
-from day6_tui.frames import Frames
-from day6_tui.glyphs import choose, terminal_environ
-from day6_tui.guidance import Guidance
-from day6_tui.key_line import KeyLine
-from day6_tui.keyboard import leave
-from day6_tui.leaving import Leaving
-from day6_tui.lessons import LessonAsked, Lessons
+from day6_tui.features.explaining import Explaining
+from day6_tui.screen.frames import Frames
+from day6_tui.appearance.glyphs import choose, terminal_environ
+from day6_tui.features.guidance import Guidance
+from day6_tui.bars.key_line import KeyLine
+from day6_tui.screen.keyboard import leave
+from day6_tui.features.leaving import Leaving
+from day6_tui.features.lessons import LessonAsked, Lessons
 from day6_tui.locale import Texts, detect
-from day6_tui.log_file import keep_log_off_the_screen
-from day6_tui.look import Look
-from day6_tui.looks import Looks
+from day6_tui.screen.log_file import keep_log_off_the_screen
+from day6_tui.appearance.look import Look
+from day6_tui.appearance.changing import Looks
 from day6_tui.machine import Machine
-from day6_tui.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
+from day6_tui.bars.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.options import Options
-from day6_tui.pane import Piece
-from day6_tui.recording import Recording
-from day6_tui.scene_play import ScenePlay
-from day6_tui.session import Session
+from day6_tui.panes.pane import Piece
+from day6_tui.features.recording import Recording
+from day6_tui.features.scene_play import ScenePlay
+from day6_tui.features.saved_desktop import Session
 from day6_tui.settings import Settings
-from day6_tui.survival import TYPED, PersonMessage, survive
-from day6_tui.switching import Switching
+from day6_tui.screen.survival import TYPED, PersonMessage, survive
+from day6_tui.panes.switching import Switching
 from day6_tui.terminal_app import TerminalApp
-from day6_tui.terminal_pane import ARROWS, TerminalPane
-from day6_tui.terminal_trouble import TerminalTrouble
-from day6_tui.terminals import Terminals
-from day6_tui.themes import NAMES
-from day6_tui.top_line import TopLine
-from day6_tui.welcome import WelcomePane
+from day6_tui.terminals.pane import ARROWS, TerminalPane
+from day6_tui.screen.trouble import TerminalTrouble
+from day6_tui.terminals.shown import Terminals
+from day6_tui.appearance.themes import NAMES
+from day6_tui.bars.top_line import TopLine
+from day6_tui.features.welcome import WelcomePane
 from day6_tui.windows import WindowPane
-from day6_tui.world_time import WorldTime
+from day6_tui.features.world_time import WorldTime
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -80,7 +83,7 @@ if TYPE_CHECKING:
 
     from day6_core.session.ending import Ending
     from day6_core.shell.desk import Desk
-    from day6_tui.class_link import ClassLink
+    from day6_tui.classes.link import ClassLink
 
 chops.install()
 output.install()
@@ -179,7 +182,7 @@ class Day6App(TerminalApp):
         self.detachment = Detachment(self, options.keeper)
         self.class_link: ClassLink | None = None
         if options.part is not None:
-            from day6_tui.class_link import link_of
+            from day6_tui.classes.link import link_of
 
             self.class_link = link_of(options.part)
         is_pupil = self.class_link is not None and not self.class_link.teaches
@@ -394,7 +397,7 @@ class Day6App(TerminalApp):
 
     def choose_distribution(self) -> None:
         """Offer the distributions of ROS 2, and remember the choice for the next start: here programs have messages by now."""
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         def take(name: str) -> None:
             if self._remember(SETTING, name) and name != distribution.current():
@@ -511,7 +514,7 @@ class Day6App(TerminalApp):
         if self._exit:
             return  # the panes are going away
         _log.error("a frame failed", exc_info=error)
-        from day6_tui.message import ErrorModal
+        from day6_tui.overlays.message import ErrorModal
 
         if not isinstance(self.desktop.overlay, ErrorModal):
             self.desktop.open_overlay(ErrorModal(self.look, f"{type(error).__name__}: {error}"))

@@ -103,7 +103,7 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
         return text
 
     def _split_lines(self, text: str, width: int) -> list[str]:
-        from day6_tui.cells import wrap
+        from day6_tui.panes.cells import wrap
 
         return wrap(text, width)
 

@@ -51,7 +51,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"day6-tui: {texts('cli.no_command', name=words[0])}", file=sys.stderr)
         return 2
     if in_class:
-        from day6_tui.class_command import class_parser, take_part
+        from day6_tui.classes.command import class_parser, take_part
 
         parser = class_parser(language)
         options = parser.parse_args(words[1:])

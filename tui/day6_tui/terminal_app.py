@@ -12,12 +12,12 @@ from textual.geometry import Size
 from textual.screen import Screen
 from textual.widget import Widget
 
-from day6_tui.frame_screen import FrameScreen
-from day6_tui.key_order import KeyOrder
-from day6_tui.keyboard import sturdy
+from day6_tui.screen.frame_screen import FrameScreen
+from day6_tui.screen.key_order import KeyOrder
+from day6_tui.screen.keyboard import sturdy
 from day6_tui.pixels.app import PictureApp
-from day6_tui.poor_terminals import filters_for
-from day6_tui.survival import survive
+from day6_tui.screen.poor_terminals import filters_for
+from day6_tui.screen.survival import survive
 
 WAITING_OUTPUT = 3
 """Number of writes still waiting for the terminal at which the next frame is postponed."""

@@ -32,24 +32,25 @@ from textual.widget import Widget
 
 from day6_core.session.display import Window
 from day6_core.session.local import Foreground
-from day6_tui import chops, output
+from day6_tui.screen import dirty_spans as chops
+from day6_tui.screen import output
 from day6_tui.app import DEFAULT_FPS, make_look
-from day6_tui.bars import Bar, KeyHint, key_pieces
-from day6_tui.cells import cell_len, clip
-from day6_tui.departure import give_back
-from day6_tui.frames import Frames
-from day6_tui.keyboard import leave
-from day6_tui.log_file import keep_log_off_the_screen
-from day6_tui.look import Look
-from day6_tui.looks import Looks
-from day6_tui.notices import HINT_SECONDS
+from day6_tui.bars.bars import Bar, KeyHint, key_pieces
+from day6_tui.panes.cells import cell_len, clip
+from day6_tui.screen.departure import give_back
+from day6_tui.screen.frames import Frames
+from day6_tui.screen.keyboard import leave
+from day6_tui.screen.log_file import keep_log_off_the_screen
+from day6_tui.appearance.look import Look
+from day6_tui.appearance.changing import Looks
+from day6_tui.bars.notices import HINT_SECONDS
 from day6_tui.options import Options
-from day6_tui.pane import Pane, Piece
-from day6_tui.pane_host import PaneHost
+from day6_tui.panes.pane import Pane, Piece
+from day6_tui.panes.host import PaneHost
 from day6_tui.settings import Settings
-from day6_tui.tabs import Tab, tab_pieces
+from day6_tui.panes.tabs import Tab, tab_pieces
 from day6_tui.terminal_app import TerminalApp
-from day6_tui.terminal_trouble import TerminalTrouble
+from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.windows import BrokenPane, WindowPane, make_window
 
 chops.install()
@@ -267,7 +268,7 @@ class WindowApp(TerminalApp):
     def frame_failed(self, error: Exception) -> None:
         """Report an error of the screen itself, and let the program go on."""
         _log.error("a frame failed", exc_info=error)
-        from day6_tui.message import ErrorModal
+        from day6_tui.overlays.message import ErrorModal
 
         if not isinstance(self.stage.overlay, ErrorModal):
             self.stage.open_overlay(ErrorModal(self.look, f"{type(error).__name__}: {error}"))
@@ -342,7 +343,7 @@ class WindowApp(TerminalApp):
 
     def do_help(self) -> None:
         """Explain the window."""
-        from day6_tui.manual import Manual
+        from day6_tui.overlays.manual import Manual
 
         if isinstance(self.stage.overlay, Manual):
             self.stage.close_overlay()
@@ -353,7 +354,7 @@ class WindowApp(TerminalApp):
 
     def do_log(self) -> None:
         """Show what the program has written."""
-        from day6_tui.message import LogModal
+        from day6_tui.overlays.message import LogModal
 
         if isinstance(self.stage.overlay, LogModal):
             self.stage.close_overlay()

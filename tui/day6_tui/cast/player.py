@@ -19,7 +19,7 @@ from day6_core.shell.rows import Run, Style
 from day6_core.speeds import changed, in_words
 from day6_core.width import char_width
 from day6_tui.cast.film import Film
-from day6_tui.cells import clip, fit
+from day6_tui.panes.cells import clip, fit
 from day6_tui.locale import Texts
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # `command` says so

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from day6_tui.detached import wire
 from day6_tui.detached.wire import Line
 from day6_tui.locale import Texts
-from day6_tui.terminal_modes import GIVE_BACK
+from day6_tui.screen.modes import GIVE_BACK
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # Windows has none of this
 

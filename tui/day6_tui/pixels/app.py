@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING, Any
 from textual import events
 from textual.app import App
 
-from day6_tui.glyphs import CANVASES, GLYPH_SETS, PIXELS, terminal_environ
+from day6_tui.appearance.glyphs import CANVASES, GLYPH_SETS, PIXELS, terminal_environ
 from day6_tui.pixels.ask import SIXEL, WINDOWS_TERMINAL_CELL, Ability, Answered, may_be_asked
 from day6_tui.pixels.pictures import Pictures
-from day6_tui.terminal_trouble import TerminalTrouble
+from day6_tui.screen.trouble import TerminalTrouble
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
     from textual.screen import Screen
 
-    from day6_tui.look import Look
+    from day6_tui.appearance.look import Look
 
 _log = logging.getLogger(__name__)
 
@@ -107,7 +107,7 @@ class PictureApp(App[None]):
         self.post_message(TerminalTrouble("pixels.slow"))
 
     def _pictures_changed(self) -> None:
-        from day6_tui.looks import redraw
+        from day6_tui.appearance.changing import redraw
 
         redraw(self, self.look)
 

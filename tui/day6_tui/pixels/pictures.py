@@ -19,8 +19,8 @@ from textual.geometry import Region
 from textual.screen import Screen
 from textual.widget import Widget
 
-from day6_tui.glyphs import GLYPH_SETS, PIXELS
-from day6_tui.look import Look
+from day6_tui.appearance.glyphs import GLYPH_SETS, PIXELS
+from day6_tui.appearance.look import Look
 from day6_tui.pixels.ask import FIRST, IS_READY, ITERM, KITTY, READY, Ability, Inquiry, closes
 
 if TYPE_CHECKING:

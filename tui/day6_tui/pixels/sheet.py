@@ -9,8 +9,8 @@ from rich.segment import Segment
 from rich.style import Style
 from textual.geometry import Region
 
-from day6_tui.canvas import Span
-from day6_tui.cells import cell_len
+from day6_tui.panes.canvas import Span
+from day6_tui.panes.cells import cell_len
 
 Text = tuple[int, int, str, Style]
 """Column, row, text and style."""

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from day6_tui.cells import cell_len
+from day6_tui.panes.cells import cell_len
 
 ROWS = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
 """How far a text may be moved down or up, in the order in which that is tried."""

@@ -22,7 +22,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from day6_core.classroom import order as orders
 from day6_core.classroom.order import OrderError
 from day6_core.classroom.roster import Row
-from day6_tui import class_log
+from day6_tui.classes import log as class_log
 from day6_tui.locale import Texts
 from day6_tui.web import pages
 from day6_tui.web.gate import Gate

@@ -11,12 +11,12 @@ from textual.geometry import Region
 from textual.strip import Strip
 
 from day6_core.session.display import Model, Window
-from day6_tui.cells import wrap
-from day6_tui.look import Look
-from day6_tui.modal import Modal
-from day6_tui.pane import Pane, PaneMessage
-from day6_tui.pane_host import PaneHost
-from day6_tui.survival import PersonMessage
+from day6_tui.panes.cells import wrap
+from day6_tui.appearance.look import Look
+from day6_tui.overlays.modal import Modal
+from day6_tui.panes.pane import Pane, PaneMessage
+from day6_tui.panes.host import PaneHost
+from day6_tui.screen.survival import PersonMessage
 
 KINDS: dict[str, tuple[str, str]] = {
     "turtlesim": ("turtlesim", "TurtleSimPane"),
@@ -123,7 +123,7 @@ class WindowPane(Pane, Generic[Model]):
 
     def ask(self, title: str, value: str, taken: Callable[[str], str | None], *, note: str = "") -> None:
         """Ask for a line of text: `taken` gets it and returns what is wrong with it, or None."""
-        from day6_tui.prompt import Prompt
+        from day6_tui.overlays.prompt import Prompt
 
         self.lay_over(Prompt(self.look, title, value, taken, note=note))
 

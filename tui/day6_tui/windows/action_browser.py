@@ -8,7 +8,7 @@ from rich.segment import Segment
 from textual import events
 
 from day6_core.session.display import Window
-from day6_tui.look import Look
+from day6_tui.appearance.look import Look
 from day6_tui.windows.buttons import Button
 from day6_tui.windows.field_list import FieldLine
 from day6_tui.windows.field_rows import lines_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 from rich.style import Style
 
 from day6_core.ros.programs.rqt_bag.model.pictures import Picture
-from day6_tui.colours import pixel_style
-from day6_tui.look import Look
+from day6_tui.appearance.colours import pixel_style
+from day6_tui.appearance.look import Look
 
 Cell = tuple[str, Style]
 

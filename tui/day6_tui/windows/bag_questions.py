@@ -21,7 +21,7 @@ class Questions:
 
     def bag(self) -> None:
         """Choose one of the bags in the working folder, or type where it is."""
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         entries = [Entry(name, "", partial(self._pane.model.load, name)) for name in self._pane.model.nearby()]
         other = Entry(self._pane.look.texts("bag.open.other"), "", self._type_bag)
@@ -66,7 +66,7 @@ class Questions:
 
     def menu(self) -> None:
         """What rqt_bag offers at a right click (timeline_menu.py)."""
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         texts, model = self._pane.look.texts, self._pane.model
         publishes = self._pane.chosen in model.player.publishing

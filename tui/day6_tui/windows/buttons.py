@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from rich.segment import Segment
 
-from day6_tui.cells import cell_len, clip
-from day6_tui.pane import Action, Pane
+from day6_tui.panes.cells import cell_len, clip
+from day6_tui.panes.pane import Action, Pane
 
 TIGHT = 3
 """Cells by which a button is narrower where there is little room."""

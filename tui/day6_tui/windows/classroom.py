@@ -20,12 +20,12 @@ from day6_core.classroom.order import MOST_SECONDS, Order
 from day6_core.classroom.roster import Row
 from day6_core.link.state import DoorState
 from day6_core.session.display import Window
-from day6_tui.cells import cell_len, clip, wrap
-from day6_tui.class_link import TeacherLink
-from day6_tui.doors import door_words
-from day6_tui.look import Look
-from day6_tui.pane import Piece
-from day6_tui.terminal_keys import encode
+from day6_tui.panes.cells import cell_len, clip, wrap
+from day6_tui.classes.link import TeacherLink
+from day6_tui.bars.connections import door_words
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
+from day6_tui.terminals.keys import encode
 from day6_tui.windows import WindowPane
 from day6_tui.windows.classroom_keys import KEYS, hints
 from day6_tui.windows.classroom_orders import ALL, Orders
@@ -465,7 +465,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
 
     def _invite(self) -> None:
         """Show the command to join, to be copied; or why nobody can join."""
-        from day6_tui.class_invitation import Invitation
+        from day6_tui.classes.invitation import Invitation
 
         if shut := self._shut():
             self._orders.said = shut

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from day6_tui.look import Look
+from day6_tui.appearance.look import Look
 
 Key = tuple[str, str]
 """The key, and what it does: the text `teacher.key.<what>`."""

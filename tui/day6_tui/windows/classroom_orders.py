@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.classroom.order import LONGEST_SAYING, Order
-from day6_tui.class_link import TeacherLink
+from day6_tui.classes.link import TeacherLink
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
-    from day6_tui.menu import Entry
+    from day6_tui.overlays.menu import Entry
 
 ALL = ""
 """In place of a pupil's name: everybody."""
@@ -79,14 +79,14 @@ class Orders:
 
     def choose_what_to_open(self, name: str) -> None:
         """Offer the lessons, drills and scenes."""
-        from day6_tui.menu import Menu
+        from day6_tui.overlays.menu import Menu
 
         self._window.lay_over(Menu(self._look, "teacher.open", self._entries(name)))
 
     def _entries(self, name: str) -> list[Entry]:
         from day6_core.lessons import catalogue
-        from day6_tui.menu import Entry
-        from day6_tui.scenes import SCENES
+        from day6_tui.overlays.menu import Entry
+        from day6_tui.features.scenes import SCENES
 
         texts, open_there = self._look.texts, partial(self._send_and_tell, name)
         lessons = [
@@ -104,7 +104,7 @@ class Orders:
 
     def ask_to_end(self, name: str) -> None:
         """Ask whether to end a pupil's desktop."""
-        from day6_tui.question import Answer, Question
+        from day6_tui.overlays.question import Answer, Question
 
         texts, row = self._look.texts, self._roster.row(name)
         if row is None or not row.is_here:

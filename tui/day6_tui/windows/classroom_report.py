@@ -6,7 +6,7 @@ from pathlib import Path
 
 from day6_core.classroom.roster import Roster
 from day6_core.lessons.tables import csv_bytes, must_be_new, write_table
-from day6_tui.class_log import as_csv
+from day6_tui.classes.log import as_csv
 from day6_tui.locale import Texts
 
 

@@ -9,7 +9,7 @@ from rich.style import Style
 
 from day6_core.classroom.note import Note
 from day6_core.classroom.roster import IDLE_SECONDS, Row
-from day6_tui.look import Look
+from day6_tui.appearance.look import Look
 
 
 class Words(NamedTuple):

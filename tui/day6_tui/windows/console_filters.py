@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 from day6_core.ros.programs.rqt_console.filters import KINDS, MANY, SIDES, Filter
 from day6_core.ros.programs.rqt_console.model import SEVERITIES, Console, Record
 from day6_core.session.harmless import one_line
-from day6_tui.menu import Entry, Menu
-from day6_tui.prompt import Prompt
+from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.overlays.prompt import Prompt
 from day6_tui.windows.console_table import time_of_day, whole_time
 
 if TYPE_CHECKING:
-    from day6_tui.look import Look
-    from day6_tui.modal import Modal
+    from day6_tui.appearance.look import Look
+    from day6_tui.overlays.modal import Modal
 
 _TIME = re.compile(r"(?:(\d{4})-(\d\d?)-(\d\d?)\s+)?(\d\d?):(\d\d)(?::(\d\d)(?:\.(\d{1,9}))?)?")
 

@@ -9,10 +9,10 @@ from textual.containers import Horizontal
 from textual.message import Message
 from textual.widgets import Static
 
-from day6_tui.line import Line
-from day6_tui.look import Look
-from day6_tui.modal import plain
-from day6_tui.survival import PersonMessage, survive
+from day6_tui.overlays.input_line import Line
+from day6_tui.appearance.look import Look
+from day6_tui.overlays.modal import plain
+from day6_tui.screen.survival import PersonMessage, survive
 
 
 class ConsoleLine(Horizontal):

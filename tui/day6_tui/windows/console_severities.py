@@ -14,10 +14,10 @@ from textual.widgets import Checkbox, Static
 
 from day6_core.ros.programs.rqt_console.filters import SIDES, Choice
 from day6_core.ros.programs.rqt_console.model import SEVERITIES
-from day6_tui.cells import cell_len, clip
-from day6_tui.look import Look
-from day6_tui.modal import plain
-from day6_tui.survival import PersonMessage, survive
+from day6_tui.panes.cells import cell_len, clip
+from day6_tui.appearance.look import Look
+from day6_tui.overlays.modal import plain
+from day6_tui.screen.survival import PersonMessage, survive
 from day6_tui.windows.console_filters import brief
 
 IN_FULL = sum(len(severity) + 5 for severity in SEVERITIES.values())

@@ -24,11 +24,11 @@ from textual.widget import Widget
 
 from day6_core.ros.programs.rqt_console.filters import Choice
 from day6_core.ros.programs.rqt_console.model import Record
-from day6_tui.cells import cell_len, clip, fit, harmless
-from day6_tui.look import Look
-from day6_tui.pane import in_ascii
-from day6_tui.scrollbars import colour_scrollbar
-from day6_tui.survival import PersonMessage, survive
+from day6_tui.panes.cells import cell_len, clip, fit, harmless
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import in_ascii
+from day6_tui.panes.scrollbars import colour_scrollbar
+from day6_tui.screen.survival import PersonMessage, survive
 from day6_tui.windows.console_order import COLUMNS, Order, SortedRecords
 
 NUMBER_WIDTH, SEVERITY_WIDTH, STAMP_WIDTH = 6, 8, 12

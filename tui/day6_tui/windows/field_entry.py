@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from textual import events
 
-from day6_tui.line import Line
-from day6_tui.look import Look
-from day6_tui.survival import PersonMessage
+from day6_tui.overlays.input_line import Line
+from day6_tui.appearance.look import Look
+from day6_tui.screen.survival import PersonMessage
 from day6_tui.windows.field_list import FieldLine
 
 

@@ -13,8 +13,8 @@ from textual.widget import Widget
 
 from day6_core.ros.programs.rqt_py_common.message_form import SEQUENCE
 from day6_core.session.display import Window
-from day6_tui.look import Look
-from day6_tui.pane import Action, Piece
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Action, Piece
 from day6_tui.windows.buttons import Button, button_line
 from day6_tui.windows.field_entry import FieldEntry
 from day6_tui.windows.field_list import Columns, FieldLine, FieldList

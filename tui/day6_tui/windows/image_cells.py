@@ -6,7 +6,7 @@ from typing import Any
 
 from rich.segment import Segment
 
-from day6_tui.colours import pixel_style
+from day6_tui.appearance.colours import pixel_style
 
 RAMP = " .:-=+*#%@"
 """From dark to bright."""

@@ -6,8 +6,8 @@ from textual import on
 
 from day6_core.ros.programs.day6_inspector.model import Inspector
 from day6_core.session.display import Window
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.inspector_list import FindingList
 from day6_tui.windows.pane_list import ListPane
 

@@ -9,7 +9,7 @@ from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
 from day6_core.ros.programs.day6_inspector.rules import Finding
-from day6_tui.look import Look
+from day6_tui.appearance.look import Look
 from day6_tui.windows.pane_list import PaneList, Row
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from day6_tui.cells import cell_len, clip
+from day6_tui.panes.cells import cell_len, clip
 
 
 def shortened(names: Sequence[str], width: int, ellipsis: str) -> list[str]:

@@ -14,9 +14,9 @@ from textual import events
 
 from day6_core.ros.programs.joint_state_publisher_gui.model import RANGE
 from day6_core.session.display import Window
-from day6_tui.cells import cell_len, clip, fit, wrap
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.panes.cells import cell_len, clip, fit, wrap
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.joint_names import shortened
 from day6_tui.windows.lines_pane import Line, LinesPane
 from day6_tui.windows.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, list_steps

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from day6_core.ros.programs.day6_kitchen.belts import Belt, Content, Cook, Hand
 from day6_core.ros.programs.day6_kitchen.dishes import Dish, Dishes
 from day6_core.ros.programs.rqt_graph.model.drawing import Canvas
-from day6_tui.cells import cell_len, clip
+from day6_tui.panes.cells import cell_len, clip
 
 NARROWEST, WIDEST = 14, 30
 """Columns for one cook."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from day6_core.ros.programs.day6_kitchen.belts import Belt, Cook, Hand
 from day6_core.ros.programs.day6_kitchen.dishes import Dishes
-from day6_tui.look import Look
+from day6_tui.appearance.look import Look
 
 
 class Words:

@@ -10,7 +10,7 @@ from rich.segment import Segment
 from day6_core.lessons.catalogue import is_shipped
 from day6_core.lessons.document import HINTS, Lesson
 from day6_core.lessons.remarks import TOPICS
-from day6_tui.cells import cell_len, clip, fit, wrap
+from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.windows.lesson_text import Line, text_lines
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from day6_core.lessons.document import Answer, Page
     from day6_core.lessons.exam import Exam
     from day6_core.lessons.state import State
-    from day6_tui.look import Look
+    from day6_tui.appearance.look import Look
 
 Action = Callable[[], object]
 

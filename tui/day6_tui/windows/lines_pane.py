@@ -10,7 +10,7 @@ from rich.segment import Segment
 from textual import events
 
 from day6_core.session.display import Model, Window
-from day6_tui.look import Look
+from day6_tui.appearance.look import Look
 from day6_tui.windows import WindowPane
 
 Line = list[Segment]

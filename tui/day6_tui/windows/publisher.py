@@ -9,9 +9,9 @@ from rich.segment import Segment
 from textual import events
 
 from day6_core.session.display import Window
-from day6_tui.cells import clip
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.panes.cells import clip
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.buttons import Button
 from day6_tui.windows.field_list import FieldLine, Needs
 from day6_tui.windows.field_pane import BOOLEAN, FieldPane
@@ -201,7 +201,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
 
     def choose_topic(self) -> None:
         """Open the list of topics; its first entry is a topic of another name."""
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         entries = [Entry(self.look.texts("publisher.new_topic"), "", self._type_topic)]
         entries += [
@@ -228,7 +228,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
 
     def _choose_type(self, topic: str) -> None:
         from day6_core.interfaces import interface_names, packages
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         kinds = [f"{package}/{name}" for package in packages() for name in interface_names(package, "msg")]
         entries = [Entry(kind, "", lambda kind=kind: self._add(topic, kind)) for kind in sorted(kinds)]  # type: ignore[misc]

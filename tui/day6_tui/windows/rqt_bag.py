@@ -25,9 +25,9 @@ from day6_core.ros.programs.rqt_bag.model.view import (
     whole,
 )
 from day6_core.session.display import Window
-from day6_tui.cells import clip, wrap
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.panes.cells import clip, wrap
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.bag_cells import date
 from day6_tui.windows.bag_lanes import HEAD, TICK, BagLanes, Place

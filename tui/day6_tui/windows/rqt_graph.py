@@ -28,10 +28,10 @@ from day6_core.ros.programs.rqt_graph.model.fit import Forms
 from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_core.ros.programs.rqt_graph.model.shapes import Picture, Route
 from day6_core.session.display import Window
-from day6_tui.cells import cell_len, clip
-from day6_tui.look import Look
-from day6_tui.pane import Piece
-from day6_tui.prompt import before_replacing
+from day6_tui.panes.cells import cell_len, clip
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
+from day6_tui.overlays.prompt import before_replacing
 from day6_tui.windows import WindowPane
 from day6_tui.windows.buttons import Button, button_line, in_lines
 from day6_tui.windows.rqt_graph_options import GROUP, HIDE, NAMESPACES, SWITCHES, VIEW, Switch, switched, text_of

@@ -10,7 +10,7 @@ from rich.style import Style
 
 from day6_core.ros.programs.rqt_graph.model.drawing import Highlight, measure
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, Picture, Rect, Route
-from day6_tui.colours import background_of, foreground_of
+from day6_tui.appearance.colours import background_of, foreground_of
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import Surface
 from day6_tui.pixels.sheet import Sheet, Text

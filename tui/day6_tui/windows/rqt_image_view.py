@@ -10,9 +10,9 @@ from rich.segment import Segment
 from textual import events
 
 from day6_core.ros.programs.rqt_image_view.decoding import Picture, View
-from day6_tui.menu import Entry, Menu
-from day6_tui.pane import Piece
-from day6_tui.prompt import before_replacing
+from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.panes.pane import Piece
+from day6_tui.overlays.prompt import before_replacing
 from day6_tui.windows.buttons import Button, button_line, shortened
 from day6_tui.windows.picture_pane import PicturePane
 

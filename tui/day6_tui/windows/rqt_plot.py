@@ -17,11 +17,11 @@ from day6_core.ros.programs.rqt_plot.model.lines import polyline
 from day6_core.ros.programs.rqt_plot.model.plot import Curve, Plot
 from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
-from day6_tui.canvas import Canvas, Mark, new_canvas
-from day6_tui.cells import cell_len, clip, fit
-from day6_tui.colours import background_of, foreground_of, pixel_style
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.panes.canvas import Canvas, Mark, new_canvas
+from day6_tui.panes.cells import cell_len, clip, fit
+from day6_tui.appearance.colours import background_of, foreground_of, pixel_style
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
@@ -401,7 +401,7 @@ class RqtPlotPane(WindowPane[Plot]):
         self.look.wake()
 
     def _choose_field(self) -> None:
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         plotted = {curve.path for curve in self.plot.curves}
         entries = [

@@ -13,11 +13,11 @@ from rich.style import Style
 from day6_core.elide import elide
 from day6_core.ros.programs.rqt_reconfigure.values import shown
 from day6_core.session.harmless import one_line
-from day6_tui.cells import cell_len, clip, fit
+from day6_tui.panes.cells import cell_len, clip, fit
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_reconfigure.opened import OpenNode, Parameter
-    from day6_tui.look import Look
+    from day6_tui.appearance.look import Look
 
 VALUE_WIDTH = 9
 """Cells of the number beside a slider."""

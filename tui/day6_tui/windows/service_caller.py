@@ -9,8 +9,8 @@ from rich.segment import Segment
 from textual import events
 
 from day6_core.session.display import Window
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.buttons import Button, shortened
 from day6_tui.windows.field_list import FieldLine
 from day6_tui.windows.field_pane import FieldPane
@@ -117,7 +117,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
 
     def choose_service(self) -> None:
         """Open the list of services."""
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         services = self.model.services
         entries = [

@@ -13,9 +13,9 @@ from textual.app import ComposeResult
 from textual.widget import Widget
 
 from day6_core.session.display import Window
-from day6_tui.cells import cell_len, clip
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.panes.cells import cell_len, clip
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.buttons import Button, button_line
 from day6_tui.windows.topic_tree import Branch, Path, Row, TopicTree
@@ -290,7 +290,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
     def _view(self) -> None:
         """Show the whole value of the chosen line, as it is now; of a topic of which nothing has come, what its type is."""
         from day6_core.ros.programs.rqt_topic.fields import text_of, value_at
-        from day6_tui.message import LogModal
+        from day6_tui.overlays.message import LogModal
 
         topic, chosen = self._chosen_topic(), self.table.chosen
         if topic is None or chosen is None:

@@ -16,10 +16,10 @@ from textual.geometry import Region
 
 from day6_core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH
 from day6_core.session.display import Window
-from day6_tui.canvas import Canvas, Mark, new_canvas, square
-from day6_tui.cells import cell_len
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.panes.canvas import Canvas, Mark, new_canvas, square
+from day6_tui.panes.cells import cell_len
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.turtle_card import Line, Pupil, side_lines
 from day6_tui.windows.turtle_shapes import COATS, FLAGS, REAL_SIZE, Coat, characters, heading_step, pixels

@@ -9,8 +9,8 @@ from rich.segment import Segment
 from textual import events
 
 from day6_core.session.display import Window
-from day6_tui.look import Look
-from day6_tui.pane import Piece
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.buttons import Button
 from day6_tui.windows.field_list import FieldLine
 from day6_tui.windows.field_pane import FieldPane, Model
@@ -140,7 +140,7 @@ class BrowsingPane(FieldPane[Model]):
 
     def show_text(self, line: FieldLine) -> None:
         """Show the text of the type of a line; of a plain field that of the type which has it."""
-        from day6_tui.message import LogModal
+        from day6_tui.overlays.message import LogModal
 
         kind = line.cells[1]
         if "/" not in kind:
@@ -150,7 +150,7 @@ class BrowsingPane(FieldPane[Model]):
 
     def choose_package(self) -> None:
         """Open the list of packages, then that of the chosen one's types."""
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         def chosen(package: str) -> None:
             self.browser.choose_package(package)
@@ -163,7 +163,7 @@ class BrowsingPane(FieldPane[Model]):
 
     def choose_type(self) -> None:
         """Open the list of the package's types."""
-        from day6_tui.menu import Entry, Menu
+        from day6_tui.overlays.menu import Entry, Menu
 
         def chosen(name: str) -> None:
             before = {tree.number for tree in self.browser.trees}

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from rich.segment import Segment
 from rich.style import Style
 
-from day6_tui.colours import Colours, background_of, pixel_style
+from day6_tui.appearance.colours import Colours, background_of, pixel_style
 from day6_urdf.topplan import Body, Plan, Wheel, flat, hull, plan_top, spin_of, stand
 from day6_urdf.topview import tread_marks
 

@@ -11,7 +11,7 @@ from textual.content import Content
 from textual.geometry import Size
 from textual.widgets import Button
 
-from day6_tui.survival import survive
+from day6_tui.screen.survival import survive
 
 
 class Label(NamedTuple):

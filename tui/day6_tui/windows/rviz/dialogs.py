@@ -13,8 +13,8 @@ from day6_core.ros.programs.rviz2.model.displays import TYPES
 from day6_core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
 from day6_core.ros.programs.rviz2.model.views import SavedView
 from day6_core.whole_file import replace_file
-from day6_tui.menu import Entry, Menu
-from day6_tui.prompt import Prompt, before_replacing
+from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.overlays.prompt import Prompt, before_replacing
 from day6_tui.windows.rviz.tree import MOST_LINES
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from textual.app import ComposeResult
 from textual.containers import Vertical
 
 from day6_core.ros.programs.rviz2.model.properties import Property
-from day6_tui.look import Look
-from day6_tui.prompt import Taken
+from day6_tui.appearance.look import Look
+from day6_tui.overlays.prompt import Taken
 from day6_tui.windows.rviz import panel
 from day6_tui.windows.rviz.buttons import PanelButtons
 from day6_tui.windows.rviz.tree import PropertyTree

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from day6_core.ros.programs.rviz2.model.tools.tool import Tool
-from day6_tui.cells import cell_len
+from day6_tui.panes.cells import cell_len
 
 LOWEST_WINDOW = 12
 """Rows inside a window that has the line; a lower one needs them all for the view."""

@@ -8,9 +8,9 @@ from textual import events
 from textual.widgets import Input
 
 from day6_core.ros.programs.rviz2.model.properties import Property
-from day6_tui.line import Line
-from day6_tui.look import Look
-from day6_tui.prompt import Taken
+from day6_tui.overlays.input_line import Line
+from day6_tui.appearance.look import Look
+from day6_tui.overlays.prompt import Taken
 
 
 class ValueLine(Line):

@@ -1,0 +1,1 @@
+"""How it all looks: language, theme, characters; one object that all panes share."""

@@ -1,0 +1,1 @@
+"""What the desktop does beside showing panes, one module for each."""

@@ -1,0 +1,193 @@
+"""Plays a scene on the desktop: where it types, and what happens to keys the user presses meanwhile."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from day6_core.speeds import changed
+from day6_tui.actions import Handlers
+from day6_tui.panes.desktop import Desktop
+from day6_tui.appearance.look import Look
+from day6_tui.machine import Machine
+from day6_tui.features.scenes import SCENES, Player, Scene, below
+from day6_tui.terminals.pane import TerminalPane
+from day6_tui.terminals.view import TerminalView
+from day6_tui.terminals.shown import Terminals
+
+
+class ScenePlay:
+    """Plays one scene at a time in the terminals (it is the player's `scenes.Stage`)."""
+
+    def __init__(
+        self,
+        robot: str | None,
+        machine: Machine,
+        desktop: Desktop,
+        terminals: Terminals,
+        look: Look,
+        *,
+        visibly: bool = True,
+    ) -> None:
+        self._robot = robot
+        self._machine = machine
+        self._desktop = desktop
+        self._terminals = terminals
+        self._held = terminals.held
+        self._look = look
+        self._visibly = visibly
+        self.player: Player | None = None
+        """The player of the scene; None while no scene is played."""
+        self.speed = 1.0
+        """How fast scenes are typed; the next one too."""
+        self.said = ""
+        """The sentence that is shown."""
+        self._held.steer = self._steer
+        self.namespace: Callable[[], str] = lambda: ""
+        """Where scenes begin: below the pupil's name in a room, where all share one graph."""
+
+    def actions(self) -> Handlers:
+        return {
+            "scene.turtle": lambda: self.start("turtle"),
+            "scene.car": lambda: self.start("car"),
+            "scene.world": lambda: self.start("world"),
+            "scene.pause": self.toggle_pause,
+            "scene.step": self.step,
+            "scene.faster": lambda: self.change_speed(1),
+            "scene.slower": lambda: self.change_speed(-1),
+        }
+
+    def start(self, name: str) -> None:
+        """Type the commands of a scene."""
+        namespace = self.namespace()
+        self.play(below(SCENES[name], namespace) if namespace else SCENES[name])
+
+    def play(self, scene: Scene, *, by_steps: bool = False) -> None:
+        """Play a scene, any list of steps; `by_steps` waits before its first command."""
+        self._desktop.welcome.show_guide()
+        if (pane := self._terminals.current) is not None:
+            self._desktop.focus_pane(pane)
+        if scene.steps:
+            visibly = self._visibly and not self._look.reduced_motion
+            values = self._machine.robot_words(self._robot) if scene.needs_robot else {}
+            self.player = Player(scene, self, values=values, visibly=visibly)
+            self.player.speed = self.speed
+            self._held.begin()
+            if by_steps:
+                self.player.step()
+        self._look.wake()
+
+    # -- steering ------------------------------------------------------------------------------------------------------
+
+    @property
+    def paused(self) -> bool:
+        return self.player is not None and self.player.paused
+
+    def toggle_pause(self) -> None:
+        """Pause the scene, or go on."""
+        if self.player is not None:
+            self.player.paused = not self.player.paused
+            self._look.wake()
+
+    def step(self) -> None:
+        """Go on with one command, and pause before the next one."""
+        if self.player is not None:
+            self.player.step()
+            self._look.wake()
+
+    def change_speed(self, step: int) -> None:
+        """Type faster or slower."""
+        self.speed = changed(self.speed, step)
+        if self.player is not None:
+            self.player.speed = self.speed
+        self._look.wake()
+
+    def stop(self) -> None:
+        """End the scene where it is."""
+        self._held.end()
+        self._look.wake()
+
+    def _steer(self, key: str) -> bool:
+        """Do what a key means that was pressed in the scene's terminal; False if it is none of these.
+
+        While the scene is paused one may type, so there only keys that write nothing steer: those of a presenter's clicker.
+        """
+        if key == "pagedown":
+            self.step()
+        elif key == "pageup":
+            self.toggle_pause()
+        elif self.paused:
+            return False
+        elif key == "space":
+            self.toggle_pause()
+        elif key in ("plus", "equals_sign", "minus"):
+            self.change_speed(-1 if key == "minus" else 1)
+        else:
+            return False
+        return True
+
+    def advance(self, now: float) -> bool:
+        """Type what is due at the monotonic time `now`; True while the scene goes on."""
+        if self.player is None:
+            return False
+        if not self._held.holding:  # Esc
+            self.player, self.said = None, ""
+            return False
+        if self._machine.desk is None:
+            return True  # a quick key: the desk comes right after the first frame
+        if self._held.keys:
+            self.player.hurry()
+        self.player.advance(now)
+        self._held.paused = self.player.paused
+        if not self.player.done:
+            return not self.player.paused
+        view, keys = self._held.view, self._held.keys
+        self._end()
+        if (pane := self._pane_of(view)) is not None:
+            for event in keys:
+                pane.type_key(event)
+        return False
+
+    def _end(self) -> None:
+        self.player, self.said = None, ""
+        self._held.end()
+
+    # -- what a scene acts on (scenes.Stage) ---------------------------------------------------------------------------
+
+    def _pane_of(self, view: TerminalView | None) -> TerminalPane | None:
+        return next((pane for pane in self._terminals.panes if pane.has_terminal and pane.view is view), None)
+
+    @property
+    def _view(self) -> TerminalView | None:
+        """The terminal it types into, if that is still there."""
+        return self._held.view if self._pane_of(self._held.view) is not None else None
+
+    def use_terminal(self, which: str) -> None:
+        desktop, held = self._desktop, self._held
+        before = self._pane_of(held.view)
+        keyboard = desktop.focused_pane
+        pane = self._terminals.use_idle() if which == "idle" else self._terminals.open()
+        held.view = pane.view if pane is not None else None
+        if pane is not None and (held.view is None or keyboard is before or before is None):
+            desktop.focus_pane(pane)  # else the user went to another one: the scene goes on beside it
+
+    def send(self, text: str) -> None:
+        if self._view is not None:
+            self._view.terminal.send(text)
+
+    def ready(self) -> bool:
+        return self._view is not None and self._view.at_prompt
+
+    def has_window(self, kind: str) -> bool:
+        return any(window.kind == kind for window in self._machine.windows())
+
+    def has_topic(self, name: str) -> bool:
+        return self._machine.has_topic(name)
+
+    def is_heard(self, name: str) -> bool:
+        return self._machine.is_heard(name)
+
+    def reading_keys(self) -> bool:
+        return self._view is not None and self._view.reading_keys
+
+    def say(self, text: str) -> None:
+        self.said = text

@@ -1,0 +1,1 @@
+"""What opens over the panes, all in one frame (`modal`)."""

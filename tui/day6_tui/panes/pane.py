@@ -1,0 +1,440 @@
+"""A framed rectangle of the desktop that draws itself line by line.
+
+The pane draws its own frame, which carries the tabs and the title above and the status below. Lines are kept as strips
+until they are touched, and only the touched cells are refreshed: a frame in which nothing changed costs nothing, and a
+moving turtle costs its own cells.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+from textual.color import BLACK
+from textual.geometry import Region, Size
+from textual.message import Message
+from textual.strip import Strip
+from textual.widget import Widget
+
+from day6_tui.panes.cells import cell_len, clip, harmless
+from day6_tui.screen.frame_screen import FrameScreen
+from day6_tui.appearance.look import Look
+from day6_tui.screen.survival import survive
+
+Action = Callable[[], object]
+
+
+class Piece(NamedTuple):
+    """A run of text on a frame or bar; a click on it calls `action`."""
+
+    text: str
+    style: Style
+    action: Action | None = None
+
+
+class Host:
+    """What lays panes out: knows which of them share a place."""
+
+    @abstractmethod
+    def tabs(self, pane: Pane, room: int) -> list[Piece]:
+        """The names of the panes that share a place with `pane`, its own among them, in at most `room` cells."""
+
+    def more(self, pane: Pane) -> list[Piece]:
+        """How to reach the panes that are not named anywhere."""
+        return []
+
+
+class PaneMessage(Message):
+    """Base of what a pane tells."""
+
+    def __init__(self, pane: Pane) -> None:
+        super().__init__()
+        self.pane = pane
+
+    @property
+    def control(self) -> Pane:
+        return self.pane
+
+
+class Pane(Widget, can_focus=True):
+    """Base of everything framed. A subclass defines `content_line` and, as needed, title, status, keys and `pull`."""
+
+    DEFAULT_CSS = "Pane { width: 1fr; height: 1fr; }"
+
+    help_key = "desk"
+
+    @property
+    def unclear(self) -> str:
+        """The message in it that is chosen and that F1 may explain; '' for none. (Terminals are asked otherwise.)"""
+        return ""
+
+    """The help page (`help.<key>` of the catalogue) that F1 opens when this pane has the focus."""
+
+    framed = True
+
+    takes_text = False
+    """Whether letters are typed into it rather than being keys."""
+
+    keeps_focus = False
+    """Whether a terminal that opens by itself leaves it the keyboard."""
+
+    key_weight = 2
+    """The weight on the key line of its keys after the first one: F2, F4 and F8 are needed more, and buttons for the mouse."""
+
+    slot = 0
+    """Its number on the desktop, by which keys and lists name it; 0 where panes have none."""
+
+    class Enlarged(PaneMessage):
+        """The user wants this pane to fill the desktop, or to be put back."""
+
+    def __init__(self, look: Look, *, id: str | None = None) -> None:  # noqa: A002 - Textual's name
+        super().__init__(id=id)
+        self.look = look
+        self._strips: dict[int, Strip] = {}
+        self.extent = Size(0, 0)
+        """The size with the frame, as of the last `measure`: asking Textual costs ten times as much, many times a frame."""
+        self._hits: dict[int, list[tuple[int, int, Action]]] = {}
+        self._shown_title: list[tuple[str, Style]] = []
+
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self.app, event, super().on_event(event))
+
+    # -- for subclasses ------------------------------------------------------------------------------------------------
+
+    @property
+    def label(self) -> str:
+        """Its name on frames and in lists."""
+        return ""
+
+    @property
+    def has_news(self) -> bool:
+        """Whether it has something that was not on the screen yet."""
+        return False
+
+    def close(self) -> None:
+        """Close it at the user's request; one that would lose something asks first."""
+
+    def title(self) -> list[Piece]:
+        """The pieces on the upper edge, from the left: the tabs of its place."""
+        right = sum(cell_len(piece.text) for piece in self.title_right())
+        return self.host.tabs(self, self.inner_width - right) if self.host is not None else []
+
+    def title_right(self) -> list[Piece]:
+        """The pieces on the upper edge, from the right, which are always there."""
+        if self.host is None:
+            return []
+        return [*self.host.more(self), Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.close)]
+
+    @property
+    def host(self) -> Host | None:
+        """What lays the panes out."""
+        return self.parent if isinstance(self.parent, Host) else None
+
+    def status(self) -> list[Piece]:
+        """The pieces on the lower edge, from the left."""
+        return []
+
+    def status_right(self) -> list[Piece]:
+        return []
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        """The segments of line `y` of the inside; shorter than `width` is filled up."""
+        return ()
+
+    @property
+    def focus_target(self) -> Widget:
+        """The widget that takes the keys when the pane gets the keyboard."""
+        return self
+
+    def pull(self, now: float) -> bool:
+        """Read the model and touch what changed; `now` is the monotonic time. Return True to request another frame."""
+        return False
+
+    def pull_title(self) -> None:
+        """Draw the upper edge anew if its tabs have changed."""
+        title = [(piece.text, piece.style) for piece in (*self.title(), *self.title_right())]
+        if title != self._shown_title:
+            self._shown_title = title
+            self.touch_frame()
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        """Keys of this pane for the key bar while it is focused: (key, what it does)."""
+        return []
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        """Keys that only the help page names."""
+        return []
+
+    @property
+    def background(self) -> Style:
+        """The style of empty cells inside."""
+        return self.look.colours.text
+
+    # -- geometry ------------------------------------------------------------------------------------------------------
+
+    @property
+    def inner_width(self) -> int:
+        return max(0, self.extent.width - 2) if self.framed else self.extent.width
+
+    @property
+    def inner_height(self) -> int:
+        return max(0, self.extent.height - 2) if self.framed else self.extent.height
+
+    @property
+    def inner_offset(self) -> int:
+        return 1 if self.framed else 0
+
+    # -- touching ------------------------------------------------------------------------------------------------------
+
+    def is_inside(self, event: events.MouseEvent) -> bool:
+        """Whether the mouse is on the content, not on the frame."""
+        at = self.inner_offset
+        return at <= event.x < at + self.inner_width and at <= event.y < at + self.inner_height
+
+    def measure(self) -> bool:
+        """Read the current size; return True if it changed and everything has to be drawn again."""
+        size = self.size
+        if size == self.extent:
+            return False
+        self.extent = size
+        self._strips.clear()
+        self._hits.clear()
+        return True
+
+    def touch(self) -> None:
+        """Draw everything again.
+
+        What is clickable stays as shown until then: pressing a mouse button may focus the pane, and so touch it, before the
+        button is released.
+        """
+        self._strips.clear()
+        self.refresh()
+
+    def restyle(self) -> None:
+        """Colours, characters or language changed. A subclass drops here what it built with the old ones."""
+        self.touch()
+
+    def touch_lines(self, lines: Iterable[int]) -> None:
+        """Compare these inner lines with what is shown and refresh the cells that differ."""
+        offset, height = self.inner_offset, self.inner_height
+        self._compare(line + offset for line in lines if 0 <= line < height)
+
+    def touch_spans(self, spans: Iterable[tuple[int, int, int]]) -> None:
+        """These parts (line, first column, end column) of the inside have to be drawn again."""
+        offset, width, height = self.inner_offset, self.inner_width, self.inner_height
+        regions = []
+        for line, first, end in spans:
+            if 0 <= line < height and first < width and end > first:
+                self._strips.pop(line + offset, None)
+                regions.append(Region(first + offset, line + offset, min(end, width) - first, 1))
+        if regions:
+            self._mark(regions)
+
+    def touch_frame(self) -> None:
+        """Title and status may look different now."""
+        if self.framed and self.extent.height > 1:
+            self._compare((0, self.extent.height - 1))
+
+    def touch_status(self) -> None:
+        """The status may look different now: unlike the upper edge, with all its tabs, it often does."""
+        if self.framed and self.extent.height > 1:
+            self._compare((self.extent.height - 1,))
+
+    def _compare(self, rows: Iterable[int]) -> None:
+        """Draw rows of the pane anew and refresh what differs from the strips shown."""
+        width = self.extent.width
+        regions = []
+        for y in rows:
+            old = self._strips.get(y)
+            new = self._strips[y] = self._make_strip(y)
+            spans = [(0, width)] if old is None else differences(old, new)
+            regions += [Region(first, y, end - first, 1) for first, end in spans]
+        if regions:
+            self._mark(regions)
+
+    def _mark(self, regions: list[Region]) -> None:
+        """Have these parts drawn: at the end of the frame in which they changed, else when Textual comes to it."""
+        screen = self.screen if self._is_mounted else None
+        if not (isinstance(screen, FrameScreen) and screen.mark(self, regions)):
+            self.refresh(*regions)
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        # Not through Textual's styles cache: these lines are finished, with frame and colours, and cached here.
+        # The first picture after a resize comes before the Resize event is handled.
+        self.measure()
+        left, right = crop.x, crop.right
+        whole = left == 0 and right == self.extent.width
+        lines = [self._strip(y) for y in range(crop.y, crop.bottom)]
+        return lines if whole else [line.crop(left, right) for line in lines]
+
+    def _strip(self, y: int) -> Strip:
+        strip = self._strips.get(y)
+        if strip is None:
+            strip = self._strips[y] = self._make_strip(y)
+        return strip
+
+    def _make_strip(self, y: int) -> Strip:
+        width, height = self.extent
+        if not self.framed:
+            segments = list(harmless(self.content_line(y, width)))
+            strip = Strip(segments).adjust_cell_length(width, self.background)
+        elif y == 0:
+            strip = self._edge(0, self.title(), self.title_right())
+        elif y == height - 1:
+            strip = self._edge(y, self.status(), self.status_right())
+        else:
+            border, style = self._border()
+            self._hits.pop(y, None)
+            inside = Strip(harmless(self.content_line(y - 1, width - 2))).adjust_cell_length(width - 2, self.background)
+            side = Segment(border.vertical, style)
+            strip = Strip([side, *inside, side], width)
+        if not self.look.glyphs.unicode:
+            strip = Strip(in_ascii(strip), strip.cell_length)
+        for each in self.look.filters:
+            strip = strip.apply_filter(each, BLACK)
+        return strip
+
+    def _border(self) -> tuple:  # type: ignore[type-arg]
+        glyphs, colours = self.look.glyphs, self.look.colours
+        if self.has_focus_within:  # an editor's text has it, not the pane itself
+            return glyphs.strong_border, colours.frame_focus
+        return glyphs.border, colours.frame
+
+    def _edge(self, y: int, left: Sequence[Piece], right: Sequence[Piece]) -> Strip:
+        """The upper or lower edge of the frame with pieces set into it.
+
+        When room is short, the left ones are cut on the upper edge, which ends with the cross; below, the right ones go first.
+        """
+        border, style = self._border()
+        width = self.extent.width
+        start, end = (border.top_left, border.top_right) if y == 0 else (border.bottom_left, border.bottom_right)
+        room = width - 2
+        left_width = sum(cell_len(piece.text) for piece in left)
+        right_width = sum(cell_len(piece.text) for piece in right)
+        if left_width + right_width + 2 > room and (y or right_width + 4 > room):
+            right, right_width = (), 0
+        hits: list[tuple[int, int, Action]] = []
+        segments = [Segment(start, style)]
+        x = 1
+        for piece in left:
+            text = clip(piece.text, room - right_width - (x - 1), self.look.glyphs.ellipsis)
+            if not text:
+                break
+            size = cell_len(text)
+            if piece.action is not None:
+                hits.append((x, x + size, piece.action))
+            segments.append(Segment(text, piece.style))
+            x += size
+        segments.append(Segment(border.horizontal * (width - 1 - right_width - x), style))
+        x = width - 1 - right_width
+        for piece in right:
+            size = cell_len(piece.text)
+            if piece.action is not None:
+                hits.append((x, x + size, piece.action))
+            segments.append(Segment(piece.text, piece.style))
+            x += size
+        segments.append(Segment(end, style))
+        self._hits[y] = hits
+        return Strip(harmless(segments))
+
+    # -- events --------------------------------------------------------------------------------------------------------
+
+    def hit(self, x: int, y: int) -> Action | None:
+        """Return the action of the piece at this cell of the pane, if there is one."""
+        for first, end, action in self._hits.get(y, ()):
+            if first <= x < end:
+                return action
+        return None
+
+    def add_hit(self, y: int, first: int, end: int, action: Action) -> None:
+        """Make cells of the line being drawn (counted with the frame) clickable."""
+        self._hits.setdefault(y, []).append((first, end, action))
+
+    def on_click(self, event: events.Click) -> None:
+        if event.screen_offset - self.region.offset != event.offset:
+            return  # a widget inside let it pass, counted from its own corner
+        if event.chain % 2 == 0 and event.y == 0 and self.framed and event.x < self.extent.width - 5:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.Enlarged(self))
+            return
+        action = self.hit(event.x, event.y)
+        if action is not None:
+            event.stop()
+            event.prevent_default()  # Textual calls this once more for a subclass that has called it itself
+            action()
+
+    def on_resize(self, event: events.Resize) -> None:
+        self.measure()
+        self._strips.clear()
+        self._hits.clear()
+        self.look.wake()
+
+    def on_focus(self, event: events.Focus) -> None:
+        self.touch()
+
+    def on_blur(self, event: events.Blur) -> None:
+        self.touch()
+
+    def on_descendant_focus(self, event: events.DescendantFocus) -> None:
+        self.touch()  # the frame is a pane's that has the keyboard, although a widget inside has it
+
+    def on_descendant_blur(self, event: events.DescendantBlur) -> None:
+        self.touch()
+
+
+JOIN_GAP = 8
+"""Up to this many equal cells between two differences are sent as one span: moving the cursor and setting colours costs more."""
+
+
+def differences(old: Strip, new: Strip) -> list[tuple[int, int]]:
+    """The spans (first, end) of cells in which two strips differ."""
+    before, after = _cells(old), _cells(new)
+    if len(before) != len(after):
+        return [(0, len(after))]
+    spans: list[tuple[int, int]] = []
+    for x, (a, b) in enumerate(zip(before, after, strict=True)):
+        if a != b:
+            if spans and x - spans[-1][1] <= JOIN_GAP:
+                spans[-1] = (spans[-1][0], x + 1)
+            else:
+                spans.append((x, x + 1))
+    # Both halves of a wide character belong to a span.
+    wide = [(first - (after[first][0] == "" and first > 0), end) for first, end in spans]
+    return [(first, end + (end < len(after) and after[end][0] == "")) for first, end in wide]
+
+
+def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
+    """The cells of a strip; a wide character is followed by an empty one."""
+    cells: list[tuple[str, Style | None]] = []
+    for text, style, _ in strip:
+        if text.isascii() or cell_len(text) == len(text):
+            cells += [(char, style) for char in text]
+        else:
+            for char in text:
+                cells.append((char, style))
+                if cell_len(char) == 2:
+                    cells.append(("", style))
+    return cells
+
+
+def in_ascii(segments: Iterable[Segment]) -> Iterator[Segment]:
+    """Replace what a terminal without UTF-8 cannot show: by a similar ASCII character, else by `?` (`??` for a wide one)."""
+    for segment in segments:
+        text = segment.text
+        if not text.isascii():
+            segment = Segment("".join(c if c.isascii() else _plain(c) for c in text), segment.style, segment.control)
+        yield segment
+
+
+def _plain(char: str) -> str:
+    return _LIKENESSES.get(char) or "?" * cell_len(char)
+
+
+_LIKENESSES = dict(zip("↑↓←→…·×°–—“”‘’▸•−", "^v<>~.xo--\"\"''>*-", strict=True))

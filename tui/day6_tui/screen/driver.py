@@ -1,0 +1,156 @@
+"""Textual's driver for Linux and macOS, with keyboard input that survives every error, and an orderly end if it cannot.
+
+Textual starts two threads: one reads the terminal, the other writes to it (`tui.output`). If one of them fails, the
+desktop ends as if the user had quit: programs end, texts are kept, the terminal is restored; only the exit status differs.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import os
+import select
+from typing import TYPE_CHECKING
+
+from textual import events
+
+try:
+    from textual.drivers.linux_driver import LinuxDriver
+except ImportError:  # Windows: Textual has another driver there, and this one is not used
+    from textual.driver import Driver as LinuxDriver  # type: ignore[assignment]
+
+from day6_tui.screen.keyboard import InputDecoder, KeyboardParser, is_possible
+from day6_tui.pixels.app import PictureApp, leave_pictures
+from day6_tui.pixels.ask import Answered
+from day6_tui.screen.trouble import TerminalTrouble
+
+if TYPE_CHECKING:
+    from day6_tui.cast.recorder import Recorder
+    from day6_tui.pixels.pictures import Pictures
+
+READ_SIZE = 65536
+FAILED = 1
+HUNG_UP = 129
+"""Exit status when the terminal went away: 128 + SIGHUP, as a shell reports it."""
+
+MOST_FAILURES = 100
+"""Consecutive reads that may fail."""
+
+_log = logging.getLogger(__name__)
+
+
+class TerminalDriver(LinuxDriver):
+    """Reads the keyboard; no input makes it fail."""
+
+    recorder: Recorder | None = None
+    """Is given everything that is written, while the screen is recorded."""
+    _reported: frozenset[str] = frozenset()
+    _away = False
+    """Whether the terminal was left for another one."""
+
+    def write(self, data: str) -> None:
+        """Write to the terminal, if there is one."""
+        if not self._away:
+            if self.recorder is not None:
+                self.recorder.write(data)
+            super().write(data)
+
+    def suspend_application_mode(self) -> None:
+        if not self._away:
+            super().suspend_application_mode()
+
+    def resume_application_mode(self) -> None:
+        if not self._away:
+            super().resume_application_mode()
+
+    def leave_terminal(self) -> None:
+        """Restore the terminal and write nothing more, until `take_terminal`."""
+        self.suspend_application_mode()
+        self._away = True
+        self._in_band_window_resize = False
+
+    def take_terminal(self) -> None:
+        """Take the terminal, which may be another one now."""
+        self._away = False
+        self.resume_application_mode()
+
+    def _run_input_thread(self) -> None:
+        try:
+            self.run_input_thread()
+        except Exception as error:
+            _log.exception("the terminal's input failed")
+            self._end(FAILED, f"day6-tui: {type(error).__name__}: {error}")
+
+    def run_input_thread(self) -> None:
+        """Read until the application ends."""
+        decoder, parser = InputDecoder(), KeyboardParser(self._debug)
+        failures = 0
+        while not self.exit_event.is_set():
+            if self._output_is_gone():
+                self._end(HUNG_UP)
+                return
+            data = self._read()
+            if data == b"":
+                self._end(HUNG_UP)
+                return
+            try:
+                self._take(decoder, parser, data or b"")
+                failures = 0
+            except Exception:
+                _log.exception("reading a key failed")
+                failures += 1
+                if failures == MOST_FAILURES:
+                    raise
+                parser = KeyboardParser(self._debug)  # the old one may stand anywhere
+
+    def _read(self) -> bytes | None:
+        """Return what the terminal sent, None if there was nothing for a moment, b'' if it is gone."""
+        if not select.select([self.fileno], [], [], 0.1)[0]:
+            return None
+        try:
+            return os.read(self.fileno, READ_SIZE)
+        except (BlockingIOError, InterruptedError):
+            return None
+        except OSError:
+            return b""
+
+    def _take(self, decoder: InputDecoder, parser: KeyboardParser, data: bytes) -> None:
+        text = decoder.decode(data)
+        if decoder.fault:
+            self._report(decoder.fault)
+        for message in parser.feed(text) if text else ():
+            if isinstance(message, events.Resize) and not (self._in_band_window_resize and is_possible(message)):
+                parser.mouse_pixels = False
+                parser.terminal_size = None
+                continue
+            if isinstance(message, Answered) and (pictures := self._pictures) is not None:
+                pictures.hear(message.text)
+            self.process_message(message)
+        for message in parser.tick():
+            self.process_message(message)
+
+    @property
+    def _pictures(self) -> Pictures | None:
+        return self._app.look.pictures if isinstance(self._app, PictureApp) else None
+
+    def stop_application_mode(self) -> None:
+        """Leave the terminal as it was, without our pictures."""
+        if text := leave_pictures(self._pictures):
+            self.write(text)
+        if self._mouse_pixels:  # Textual leaves it on
+            self.write("\x1b[?1016l")
+            self._mouse_pixels = False
+        super().stop_application_mode()
+
+    def _report(self, fault: str) -> None:
+        if fault not in self._reported:
+            self._reported |= {fault}
+            self.send_message(TerminalTrouble("input.gbk" if fault == "gbk" else "input.not_utf8"))
+
+    def _output_is_gone(self) -> bool:
+        writer = self._writer_thread
+        return writer is not None and (not writer.is_alive() or bool(getattr(writer._file, "gone", False)))
+
+    def _end(self, status: int, message: str | None = None) -> None:
+        with contextlib.suppress(RuntimeError):  # the loop is closed: it ends already
+            self._loop.call_soon_threadsafe(lambda: self._app.exit(return_code=status, message=message))

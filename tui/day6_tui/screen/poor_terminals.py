@@ -1,0 +1,55 @@
+"""Textual's widgets on terminals that lack characters or colour: their texts and scroll bars are drawn with what there is."""
+
+from __future__ import annotations
+
+from rich.segment import Segment, Segments
+from rich.style import Style
+from textual.color import Color
+from textual.filter import LineFilter
+from textual.scrollbar import ScrollBarRender
+
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import in_ascii
+
+
+class WholeCells(ScrollBarRender):
+    """Made of whole coloured cells: for fonts without the eighths of a block."""
+
+    VERTICAL_BARS = [" "] * 8
+    HORIZONTAL_BARS = [" "] * 8
+
+
+class OfCharacters(WholeCells):
+    """The same with characters, which can be seen without colour too."""
+
+    @classmethod
+    def render_bar(cls, *args: object, **options: object) -> Segments:
+        bar = super().render_bar(*args, **options)  # type: ignore[arg-type]
+        drawn = []
+        for text, style, control in bar.segments:
+            thumb = style is not None and bool(style.reverse)
+            plain = (style + Style(reverse=False)) if style is not None and thumb else style
+            drawn.append(Segment(text.replace(" ", "#" if thumb else "|"), plain, control))
+        return Segments(drawn, new_lines=bar.new_lines)
+
+
+def renderer_for(look: Look) -> type[ScrollBarRender]:
+    """What `ScrollBar.renderer` must be for these glyphs."""
+    if not look.glyphs.unicode:
+        return OfCharacters
+    return ScrollBarRender if look.glyphs.chinese else WholeCells
+
+
+class AsciiOnly(LineFilter):
+    """Replaces what a terminal without UTF-8 cannot show, as in our own panes."""
+
+    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
+        return list(in_ascii(segments))
+
+
+def filters_for(look: Look) -> list[LineFilter]:
+    """What the lines of Textual's widgets have to go through."""
+    return [*([] if look.glyphs.unicode else [ASCII_ONLY]), *look.filters]
+
+
+ASCII_ONLY = AsciiOnly()

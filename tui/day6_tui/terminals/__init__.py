@@ -1,0 +1,1 @@
+"""The simulated machine's terminals as panes: what they show, search and send."""
