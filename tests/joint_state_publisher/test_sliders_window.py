@@ -14,8 +14,8 @@ from day6_core.session.display import Display
 from day6_tui.app import make_look
 from day6_tui.panes.cells import cell_len
 from day6_tui.options import Options
-from day6_tui.windows.joint_names import shortened
-from day6_tui.windows.joint_state_publisher import SlidersPane
+from day6_tui.windows.robot.joint_names import shortened
+from day6_tui.windows.robot.joint_state_publisher import SlidersPane
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import opened, screen_lines, step
 

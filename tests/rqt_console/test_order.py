@@ -7,7 +7,7 @@ import random
 import pytest
 
 from day6_core.ros.programs.rqt_console.model import Choice, Record
-from day6_tui.windows.console_order import COLUMNS, FEW, Order, SortedRecords
+from day6_tui.windows.console.order import COLUMNS, FEW, Order, SortedRecords
 
 RULES = {
     "number": lambda record: record.number,

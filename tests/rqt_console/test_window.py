@@ -11,7 +11,7 @@ from textual import events
 
 from day6_core.ros.programs.rqt_console import model
 from day6_core.ros.programs.rqt_console.model import Console
-from day6_tui.windows import console_table
+from day6_tui.windows.console import table as console_table
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import look_at, opened, screen_lines, screen_text, step, step_until
 

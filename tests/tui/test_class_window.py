@@ -13,7 +13,7 @@ from rich.cells import cell_len
 from day6_core.classroom.note import LessonPlace, Trouble
 from day6_core.link.state import DoorState
 from day6_tui.locale import Texts
-from day6_tui.windows.classroom_table import places_for
+from day6_tui.windows.classroom.table import places_for
 from tests.tui.class_of_pupils import OPEN, ClassWindow, in_class, screen_of
 
 Class = Callable[..., AbstractAsyncContextManager[ClassWindow]]
@@ -242,7 +242,7 @@ async def test_who_is_not_on_the_screen_is_not_watched_by_a_hidden_window(
         window.app.desktop.focus_pane(window.app.terminals.panes[0])
         window.app.desktop.toggle_enlarged()
         await window.step()
-        monkeypatch.setattr("day6_tui.windows.classroom.HIDDEN_SECONDS", -1.0)
+        monkeypatch.setattr("day6_tui.windows.classroom.classroom.HIDDEN_SECONDS", -1.0)
         window.pane._tick()
         assert not is_watched(window, "anna")
 

@@ -108,7 +108,7 @@ async def test_every_size_of_terminal_shows_something_and_every_line_fits(desk, 
 async def test_the_first_picture_after_a_resize_is_drawn_before_anybody_was_told(monkeypatch) -> None:
     """Textual renders a pane at its new size before the pane hears of it."""
     from day6_tui.panes.pane import Pane
-    from day6_tui.windows.turtlesim import TurtleSimPane
+    from day6_tui.windows.turtlesim.turtlesim import TurtleSimPane
 
     desk = FakeDesk()
     window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())

@@ -16,8 +16,8 @@ from day6_tui.panes.canvas import Canvas, square
 from day6_tui.panes.cells import cell_len
 from day6_tui.appearance.colours import colours
 from day6_tui.options import Options
-from day6_tui.windows.turtle_shapes import COATS, HEADINGS, characters, heading_step, pixels
-from day6_tui.windows.turtlesim import TurtleSimPane, _shrink
+from day6_tui.windows.turtlesim.shapes import COATS, HEADINGS, characters, heading_step, pixels
+from day6_tui.windows.turtlesim.turtlesim import TurtleSimPane, _shrink
 from tests.support.folded import folded
 from tests.tui.fakes import FakeSimulation, turtle
 from tests.tui.screens import UTF8, make_look, opened, screen_text, step

@@ -20,7 +20,7 @@ from day6_tui.terminals.shown import Terminals
 
 if TYPE_CHECKING:
     from day6_core.lessons.document import Lesson
-    from day6_tui.windows.lesson import LessonPane
+    from day6_tui.windows.lesson.lesson import LessonPane
 
 OPENING_SECONDS = 3.0
 """How long a window may take to open: F5 pressed again meanwhile does not open a second one."""
@@ -74,7 +74,7 @@ class Lessons:
     @property
     def pane(self) -> LessonPane | None:
         """The open window."""
-        from day6_tui.windows.lesson import LessonPane
+        from day6_tui.windows.lesson.lesson import LessonPane
 
         return next((pane for pane in self._desktop.panes.values() if isinstance(pane, LessonPane)), None)
 

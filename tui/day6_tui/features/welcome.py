@@ -15,7 +15,7 @@ from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
 from day6_tui.panes.pane import Pane, PaneMessage
 from day6_tui.screen.survival import PersonMessage
-from day6_tui.windows.turtle_shapes import COATS, pixels
+from day6_tui.windows.turtlesim.shapes import COATS, pixels
 
 LOGO_SIZE = 20
 """Columns of the turtle of the welcome pane."""

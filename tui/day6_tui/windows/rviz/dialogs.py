@@ -18,7 +18,7 @@ from day6_tui.overlays.prompt import Prompt, before_replacing
 from day6_tui.windows.rviz.tree import MOST_LINES
 
 if TYPE_CHECKING:
-    from day6_tui.windows.rviz2 import RVizPane
+    from day6_tui.windows.rviz.rviz2 import RVizPane
 
 WANTED_FIRST = ("RobotModel", "TF")
 """What is added to RViz most often is seen without scrolling."""

@@ -1,0 +1,1 @@
+"""rqt_bag's window."""

@@ -1,0 +1,1 @@
+"""rqt_console's window."""

@@ -1,0 +1,1 @@
+"""Messages as trees of fields, shown and filled in."""

@@ -1,0 +1,1 @@
+"""rqt_graph's window."""

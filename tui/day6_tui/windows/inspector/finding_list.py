@@ -1,0 +1,69 @@
+"""The inspector's findings as a list, each with the command that helps below it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from textual.message import Message
+from textual.widgets import OptionList
+from textual.widgets.option_list import Option
+
+from day6_core.ros.programs.day6_inspector.rules import Finding
+from day6_tui.appearance.look import Look
+from day6_tui.windows.parts.pane_list import PaneList, Row
+
+
+class FindingList(PaneList):
+    """What is wrong; the finding with the cursor keeps it while others come and go."""
+
+    class Chosen(Message):
+        """Enter or a click on a finding."""
+
+        def __init__(self, finding: Finding) -> None:
+            super().__init__()
+            self.finding = finding
+
+    def __init__(self, look: Look) -> None:
+        super().__init__(look)
+        self._findings: list[Finding] = []
+
+    def show(self, findings: Sequence[Finding], unseen: Sequence[str] = (), quiet: str = "") -> None:
+        """Show these findings, the first one at the top; if there are none, that all is well; then what was not looked at.
+
+        `quiet` ('drill', 'exam'): why nothing is said.
+        """
+        at, offset = self.highlighted, self.scroll_offset.y
+        chosen = self._findings[at] if at is not None and at < len(self._findings) else None
+        self._findings = list(findings)
+        colours, texts = self.look.colours, self.look.texts
+        rows = [self._row(index, finding) for index, finding in enumerate(findings)]
+        if quiet:
+            rows = [Row(self, -1, texts(f"inspector.quiet.{quiet}"), "", colours.text)]
+        elif not findings:
+            well = texts("inspector.well_so_far" if unseen else "inspector.well")
+            rows.append(Row(self, -1, well, "", colours.publisher))
+        rows += [Row(self, -1, texts(f"inspector.unseen.{part}"), "", colours.muted) for part in unseen]
+        self.set_options([Option(row, disabled=index >= len(findings)) for index, row in enumerate(rows)])
+        if findings:
+            self.scroll_to(y=offset, animate=False)
+            last = len(findings) - 1
+            self.highlighted = self._findings.index(chosen) if chosen in self._findings else min(at or 0, last)
+
+    def _row(self, index: int, finding: Finding) -> Row:
+        colours, glyphs = self.look.colours, self.look.glyphs
+        mark, style = {
+            "error": (glyphs.warning, colours.warning),
+            "warning": (glyphs.warning, colours.text),
+            "info": (glyphs.dot, colours.muted),
+        }[finding.level]
+        text = self.look.texts(finding.id, **dict(finding.parameters))
+        below = f"$ {finding.next}" if finding.next else ""
+        return Row(self, index, text, mark, style, below, colours.accent)
+
+    def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
+        event.stop()
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        if event.option_index < len(self._findings):
+            self.post_message(self.Chosen(self._findings[event.option_index]))

@@ -1,0 +1,218 @@
+"""The car from above: `urdf.topview` draws it from the transforms of a `CarSnapshot`; problems are listed below it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+from textual.geometry import Region
+
+from day6_core.session.display import Window
+from day6_tui.panes.cells import clip
+from day6_tui.appearance.look import Look
+from day6_tui.panes.pane import Piece
+from day6_tui.windows import WindowPane
+from day6_tui.windows.parts.remarks import remark_lines
+from day6_urdf.topview import render_top
+
+if TYPE_CHECKING:
+    from day6_core.ros.programs.day6_bot.model import CarModel, CarSnapshot
+    from day6_core.ros.programs.remark import Remark
+    from day6_tui.pixels.pictures import Pictures
+    from day6_tui.windows.robot.car_pixels import CarPicture
+
+
+MOST_STATUS_LINES = 4
+
+FRAME_SECONDS = 0.05
+"""Twenty pictures a second: a wheel turns smoothly, and drawing it costs a millisecond each time."""
+
+ZOOM = 1.25
+_ZOOMS = {"+": ZOOM, "=": ZOOM, "-": 1 / ZOOM, "_": 1 / ZOOM}
+_PANS = {"left": (1, 0), "right": (-1, 0), "up": (0, 1), "down": (0, -1)}
+"""Keys that move the view to a side: the picture moves the other way."""
+
+_ROLES = {
+    "": "text",
+    "chassis": "node",
+    "body": "node",
+    "wheel": "strong",
+    "mark": "topic",
+    "caster": "muted",
+    "arrow": "publisher",
+    "axle": "muted",
+    "label": "text",
+    "missing": "warning",
+    "scale": "muted",
+}
+"""Style in `topview.STYLES` -> role in `Colours`."""
+
+_LEVELS = {"error": "warning", "warning": "topic", "info": "muted"}
+
+Row = Sequence[tuple[str, str]]
+
+
+class CarPane(WindowPane["CarModel"]):
+    """Draws the newest snapshot; a new one costs the cells in which its picture differs."""
+
+    def __init__(self, window: Window[CarModel], look: Look) -> None:
+        super().__init__(window, look)
+        self._snapshot: CarSnapshot | None = None
+        self._rows: list[Row] = []
+        self._remarks: list[tuple[str, str]] = []
+        self._drawn_at = 0.0
+        self._zoom = 1.0
+        self._shift = (0, 0)
+        self._boxes = False
+        """Box lines instead of ASCII."""
+        self._picture: CarPicture | None = None
+        """The car in real pixels, where the terminal shows them."""
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        snapshot = self.model.snapshot()
+        if snapshot is self._snapshot and self._rows:
+            return False
+        if self._rows and now - self._drawn_at < FRAME_SECONDS:
+            return True
+        self._drawn_at = now
+        before, remarks_before = self._rows, self._remarks
+        rate_before = self._rate()
+        self._take_over(snapshot)
+        if (pictures := self.look.pixels) is not None:
+            self._show_picture(pictures, snapshot)
+        if remarks_before != self._remarks or len(before) != len(self._rows):
+            self.touch()
+            return False
+        self.touch_lines(line for line, (old, new) in enumerate(zip(before, self._rows, strict=True)) if old != new)
+        if rate_before != self._rate():
+            self.touch_frame()
+        return False
+
+    def _take_over(self, snapshot: CarSnapshot) -> None:
+        self._snapshot = snapshot
+        self._remarks = self._remark_lines(snapshot.status)
+        rows = max(0, self.inner_height - len(self._remarks))
+        if snapshot.robot is None:
+            self._rows = [()] * rows
+            return
+        glyphs = "half" if self._boxes and self.look.glyphs.unicode else "ascii"
+        if self.look.pixels is not None:
+            self._rows = [()] * rows  # the picture has them
+            return
+        labels = snapshot.labels(self._degree)
+        self._rows = list(
+            render_top(
+                snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels, self._zoom, self._shift
+            )
+        )
+
+    @property
+    def _degree(self) -> str:
+        return "°" if self.look.glyphs.canvas in ("half", "braille") else " deg"
+
+    def _show_picture(self, pictures: Pictures, snapshot: CarSnapshot) -> None:
+        """Draw in real pixels."""
+        from day6_tui.windows.robot.car_pixels import CarPicture
+
+        if snapshot.robot is None or not self.inner_width or not self._rows:
+            pictures.drop(self)
+            self._picture = None
+            return
+        size = self.inner_width, len(self._rows)
+        cell, picture = pictures.cell(*size), self._picture
+        if picture is None or (picture.columns, picture.rows, picture.cell) != (*size, cell):
+            picture = self._picture = CarPicture(*size, cell, self.look.colours)
+            self.touch()
+        pixels = picture.pixels(snapshot.robot, snapshot.transforms, self._zoom, self._shift)
+        spans = picture.sheet.put(picture.texts(snapshot.transforms, snapshot.labels(self._degree)))
+        pictures.show(self, Region(self.inner_offset, self.inner_offset, *size), cell, pixels, picture.sheet.holes)
+        self.touch_spans(spans)
+
+    def _remark_lines(self, status: Iterable[Remark]) -> list[tuple[str, str]]:
+        """Levels and lines of the remarks.
+
+        In a low window the picture comes first: remarks of level "info" are left out.
+        """
+        most = max(1, self.inner_height // 5, min(MOST_STATUS_LINES, self.inner_height // 3))
+        return remark_lines(status, self.look, self.inner_width, most, info_needs_room=True)[:most]
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._rows = []
+
+    def restyle(self) -> None:
+        self._rows, self._picture = [], None
+        super().restyle()
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def title(self) -> list[Piece]:
+        robot = self._snapshot.robot if self._snapshot is not None else None
+        name = [Piece(f" {robot.name} ", self.look.colours.node)] if robot is not None else []
+        return [*super().title(), *name]
+
+    def _rate(self) -> str:
+        rate = self._snapshot.rate if self._snapshot is not None else None
+        return f"/joint_states {rate:.0f} Hz" if rate is not None else ""
+
+    def status(self) -> list[Piece]:
+        rate = self._rate()
+        return [Piece(f" {rate} ", self.look.colours.topic)] if rate else []
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if not self._rows:
+            self._take_over(self.model.snapshot())
+        colours = self.look.colours
+        if y < len(self._rows) and self._picture is not None and self.look.pixels is not None:
+            return self._picture.sheet.line(y) if y < self._picture.rows else []
+        if y < len(self._rows):
+            return [Segment(text, self._style(style)) for text, style in self._rows[y]]
+        index = y - len(self._rows)
+        if index < len(self._remarks):
+            level, text = self._remarks[index]
+            return [Segment(clip(text, width, self.look.glyphs.ellipsis), getattr(colours, _LEVELS[level]))]
+        return []
+
+    def _style(self, name: str) -> Style:
+        style: Style = getattr(self.look.colours, _ROLES.get(name, "text"))
+        return style
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        lines = [("b", self.look.texts("car.lines"))] if self.look.glyphs.unicode else []
+        return [("+ - 0", self.look.texts("car.zoom")), *lines]
+
+    def on_key(self, event: events.Key) -> None:
+        if event.key == "b":
+            self._boxes = not self._boxes
+        elif event.character in _ZOOMS:
+            self._zoom = min(max(self._zoom * _ZOOMS[event.character], 0.2), 20.0)
+        elif event.key in _PANS:
+            right, down = _PANS[event.key]
+            self._shift = (self._shift[0] + 4 * right, self._shift[1] + 2 * down)
+        elif event.character == "0":
+            self._zoom, self._shift = 1.0, (0, 0)
+        else:
+            return
+        event.stop()
+        self._redraw()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._zoom = min(self._zoom * ZOOM, 20.0)
+        self._redraw()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._zoom = max(self._zoom / ZOOM, 0.2)
+        self._redraw()
+
+    def _redraw(self) -> None:
+        self.restyle()
+        self.look.wake()

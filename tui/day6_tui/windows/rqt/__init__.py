@@ -1,0 +1,1 @@
+"""rqt and the windows of its plugins that need one module or two."""

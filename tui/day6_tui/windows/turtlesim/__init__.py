@@ -1,0 +1,1 @@
+"""TurtleSim's window."""
