@@ -12,8 +12,8 @@ from textual.geometry import Size
 from day6_core.ros.programs.joint_state_publisher_gui.model import Slider
 from day6_core.session.display import Display
 from day6_tui.app import make_look
-from day6_tui.panes.cells import cell_len
 from day6_tui.options import Options
+from day6_tui.panes.cells import cell_len
 from day6_tui.windows.robot.joint_names import shortened
 from day6_tui.windows.robot.joint_state_publisher import SlidersPane
 from tests.tui.fakes import FakeDesk

@@ -17,10 +17,10 @@ from day6_tui.appearance.colours import colours
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import Surface
 from day6_tui.pixels.sheet import Sheet
-from day6_tui.windows.robot.car_pixels import CarPicture
-from day6_tui.windows.images.image_cells import on_ground
-from day6_tui.windows.rqt.plot_pixels import paint_plot
 from day6_tui.windows.graph.pixels import GraphPicture
+from day6_tui.windows.images.image_cells import on_ground
+from day6_tui.windows.robot.car_pixels import CarPicture
+from day6_tui.windows.rqt.plot_pixels import paint_plot
 from day6_tui.windows.world.picture import FIRM, FIRST_TREAD, LINE, TRAIL, WALL, WHEEL, fitting, look_of
 from day6_tui.windows.world.pixels import WorldPixels
 from day6_urdf import parse_robot, shipped_model

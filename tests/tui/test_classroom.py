@@ -11,8 +11,8 @@ from textual import events
 from day6_core.classroom.order import Order
 from day6_core.classroom.order import encode as order
 from day6_tui.app import Day6App
-from day6_tui.classes.pupil import strips_of
 from day6_tui.classes.modals import GRACE_SECONDS, Consent
+from day6_tui.classes.pupil import strips_of
 from day6_tui.pixels.ask import SIXEL, Ability
 from day6_tui.pixels.halves import halved
 from day6_tui.pixels.pictures import Pictures

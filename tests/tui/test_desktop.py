@@ -8,8 +8,8 @@ import pytest
 from rich.cells import cell_len
 from textual import events
 
-from day6_tui.options import Options
 from day6_tui.features.scenes import SCENES, Player, Scene
+from day6_tui.options import Options
 from tests.support.waiting import Deadline
 from tests.tui.fakes import FakeSimulation, turtle
 from tests.tui.screens import opened, screen_lines, screen_text, step

@@ -12,8 +12,8 @@ from textual.geometry import Size
 from day6_core.session.harmless import one_line
 from day6_tui.app import make_look
 from day6_tui.bars.bars import Bar
-from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.options import Options
+from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.panes.pane import Pane, Piece
 from tests.support.folded import folded
 from tests.tui.screens import UTF8

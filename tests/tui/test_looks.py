@@ -14,12 +14,12 @@ from rich.cells import cell_len
 from rich.style import Style
 
 from day6_tui import actions, locale
-from day6_tui.appearance import glyphs
 from day6_tui.app import Day6App, make_look
-from day6_tui.panes.cells import clip, fit, wrap
+from day6_tui.appearance import glyphs
 from day6_tui.appearance.colours import colours
-from day6_tui.options import Options
 from day6_tui.appearance.themes import NAMES, make_theme, palette
+from day6_tui.options import Options
+from day6_tui.panes.cells import clip, fit, wrap
 from day6_tui.windows import KINDS
 
 ROOT = Path(__file__).resolve().parents[2]

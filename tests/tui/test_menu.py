@@ -6,8 +6,8 @@ import pytest
 from textual import events
 
 from day6_tui.app import Day6App
-from day6_tui.overlays.menu import Entry, Menu, ranked
 from day6_tui.options import Options
+from day6_tui.overlays.menu import Entry, Menu, ranked
 from tests.tui.screens import UTF8, make_look, running, step
 
 ENTRIES = (

@@ -6,9 +6,9 @@ import time
 
 from textual import events
 
-from day6_tui.terminals.held_keys import HeldKeys
 from day6_tui.bars.notices import Notices
 from day6_tui.options import Options
+from day6_tui.terminals.held_keys import HeldKeys
 from day6_tui.terminals.view import TerminalView
 from tests.tui.fakes import FakeTerminal
 from tests.tui.screens import UTF8, make_look

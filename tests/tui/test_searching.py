@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from day6_tui.app import Day6App
-from day6_tui.overlays.card import CardModal
 from day6_tui.locale import Texts
+from day6_tui.overlays.card import CardModal
 from tests.tui.screens import screen_lines, screen_text
 from tests.tui.test_real_desk import _shows, _type, opened, until
 

@@ -10,8 +10,8 @@ import pytest
 
 from day6_tui.app import Day6App
 from day6_tui.panes.layouts import build, describe
-from day6_tui.settings import Settings
 from day6_tui.panes.splits import Tree
+from day6_tui.settings import Settings
 from tests.tui.screens import screen_text
 from tests.tui.test_real_desk import opened, until
 

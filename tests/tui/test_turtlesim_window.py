@@ -12,10 +12,10 @@ from textual.geometry import Size
 
 from day6_core.ros.programs.turtlesim.model import TurtleTopics
 from day6_core.session.display import Display
-from day6_tui.panes.canvas import Canvas, square
-from day6_tui.panes.cells import cell_len
 from day6_tui.appearance.colours import colours
 from day6_tui.options import Options
+from day6_tui.panes.canvas import Canvas, square
+from day6_tui.panes.cells import cell_len
 from day6_tui.windows.turtlesim.shapes import COATS, HEADINGS, characters, heading_step, pixels
 from day6_tui.windows.turtlesim.turtlesim import TurtleSimPane, _shrink
 from tests.support.folded import folded

@@ -16,11 +16,10 @@ from day6_core.ros.programs.day6_world.scenery import read_scenery, shipped_worl
 from day6_core.ros.remark_texts import TEXTS
 from day6_core.session.display import Display
 from day6_tui.app import make_look
-from day6_tui.panes.cells import cell_len
 from day6_tui.locale import catalogue
 from day6_tui.options import Options
-from day6_tui.windows.world.world import picture
-from day6_tui.windows.world.world import WorldPane
+from day6_tui.panes.cells import cell_len
+from day6_tui.windows.world.world import WorldPane, picture
 from day6_urdf import parse_robot, shipped_model
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}

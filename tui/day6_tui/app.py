@@ -35,47 +35,46 @@ from day6_core.ros import distribution
 from day6_core.session.harmless import one_line
 from day6_core.shell.heap import keep_heap_small
 from day6_tui import actions
-from day6_tui.screen import dirty_spans as chops
-from day6_tui.screen import departure
-from day6_tui.screen import output
-from day6_tui.panes.arranging import Arranging
-from day6_tui.bars.bars import Bar
-from day6_tui.classes.pupil import Classroom
+from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.colours import colours
-from day6_tui.panes.desktop import Desktop
-from day6_tui.features.detachment import Detachment
-from day6_tui.distribution_choice import SETTING
-from day6_tui.features.explaining import Explaining
-from day6_tui.screen.frames import Frames
 from day6_tui.appearance.glyphs import choose, terminal_environ
-from day6_tui.features.guidance import Guidance
+from day6_tui.appearance.look import Look
+from day6_tui.appearance.themes import NAMES
+from day6_tui.bars.bars import Bar
 from day6_tui.bars.key_line import KeyLine
-from day6_tui.screen.keyboard import leave
+from day6_tui.bars.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
+from day6_tui.bars.top_line import TopLine
+from day6_tui.classes.pupil import Classroom
+from day6_tui.distribution_choice import SETTING
+from day6_tui.features.detachment import Detachment
+from day6_tui.features.explaining import Explaining
+from day6_tui.features.guidance import Guidance
 from day6_tui.features.leaving import Leaving
 from day6_tui.features.lessons import LessonAsked, Lessons
-from day6_tui.locale import Texts, detect
-from day6_tui.screen.log_file import keep_log_off_the_screen
-from day6_tui.appearance.look import Look
-from day6_tui.appearance.changing import Looks
-from day6_tui.machine import Machine
-from day6_tui.bars.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
-from day6_tui.options import Options
-from day6_tui.panes.pane import Piece
 from day6_tui.features.recording import Recording
-from day6_tui.features.scene_play import ScenePlay
 from day6_tui.features.saved_desktop import Session
-from day6_tui.settings import Settings
-from day6_tui.screen.survival import TYPED, PersonMessage, survive
+from day6_tui.features.scene_play import ScenePlay
+from day6_tui.features.welcome import WelcomePane
+from day6_tui.features.world_time import WorldTime
+from day6_tui.locale import Texts, detect
+from day6_tui.machine import Machine
+from day6_tui.options import Options
+from day6_tui.panes.arranging import Arranging
+from day6_tui.panes.desktop import Desktop
+from day6_tui.panes.pane import Piece
 from day6_tui.panes.switching import Switching
+from day6_tui.screen import departure, output
+from day6_tui.screen import dirty_spans as chops
+from day6_tui.screen.frames import Frames
+from day6_tui.screen.keyboard import leave
+from day6_tui.screen.log_file import keep_log_off_the_screen
+from day6_tui.screen.survival import TYPED, PersonMessage, survive
+from day6_tui.screen.trouble import TerminalTrouble
+from day6_tui.settings import Settings
 from day6_tui.terminal_app import TerminalApp
 from day6_tui.terminals.pane import ARROWS, TerminalPane
-from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.terminals.shown import Terminals
-from day6_tui.appearance.themes import NAMES
-from day6_tui.bars.top_line import TopLine
-from day6_tui.features.welcome import WelcomePane
 from day6_tui.windows import WindowPane
-from day6_tui.features.world_time import WorldTime
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

@@ -11,9 +11,9 @@ from textual.app import App
 from day6_tui.appearance.colours import colours
 from day6_tui.appearance.glyphs import CANVASES, GLYPH_SETS, PIXELS
 from day6_tui.appearance.look import Look
+from day6_tui.appearance.themes import NAMES, make_theme
 from day6_tui.overlays.modal import Modal
 from day6_tui.panes.pane import Pane
-from day6_tui.appearance.themes import NAMES, make_theme
 
 
 class Looks:

@@ -8,8 +8,8 @@ from typing import NamedTuple
 from rich.segment import Segment
 from rich.style import Style
 
-from day6_tui.panes.cells import cell_len, clip
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip
 from day6_tui.panes.pane import Pane, Piece
 
 Source = Callable[[int], tuple[Sequence[Piece], Sequence[Piece]]]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from day6_core.speeds import in_words
 from day6_tui.actions import Actions, bar_actions
+from day6_tui.appearance.look import Look
 from day6_tui.bars.bars import KeyHint, key_pieces
+from day6_tui.bars.notices import Notices
+from day6_tui.features.scene_play import ScenePlay
+from day6_tui.machine import Machine
 from day6_tui.panes.cells import cell_len, clip
 from day6_tui.panes.desktop import Desktop
-from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
-from day6_tui.bars.notices import Notices
 from day6_tui.panes.pane import Piece
-from day6_tui.features.scene_play import ScenePlay
 
 SCENE_KEYS = 46
 """Cells for the keys that steer a scene."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from day6_tui.panes.cells import cell_len
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len
 
 NOTICE_SECONDS = 10.0
 """For what went wrong: long enough to be read, and not pushed aside by the next of its kind."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from day6_tui.actions import Actions
+from day6_tui.appearance.look import Look
+from day6_tui.bars.connections import door_words
+from day6_tui.machine import Machine
 from day6_tui.panes.cells import cell_len
 from day6_tui.panes.desktop import Desktop
-from day6_tui.bars.connections import door_words
-from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
 from day6_tui.panes.pane import Piece
 
 BAR_NAMES = {"turtlesim": "turtle", "world": "world", "car": "car"}

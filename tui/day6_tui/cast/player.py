@@ -19,8 +19,8 @@ from day6_core.shell.rows import Run, Style
 from day6_core.speeds import changed, in_words
 from day6_core.width import char_width
 from day6_tui.cast.film import Film
-from day6_tui.panes.cells import clip, fit
 from day6_tui.locale import Texts
+from day6_tui.panes.cells import clip, fit
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # `command` says so
 

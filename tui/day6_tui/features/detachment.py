@@ -14,8 +14,8 @@ from day6_tui.detached import wire
 from day6_tui.detached.loop_line import LoopLine
 
 if TYPE_CHECKING:
-    from day6_tui.screen.adaptation import Adaptation
     from day6_tui.app import Day6App
+    from day6_tui.screen.adaptation import Adaptation
 
 
 class Detachment:

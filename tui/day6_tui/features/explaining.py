@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_tui.panes.desktop import Desktop
 from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
 from day6_tui.bars.notices import NOTICE_SECONDS, Notices
+from day6_tui.machine import Machine
+from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Pane
 from day6_tui.terminals.pane import TerminalPane
 from day6_tui.terminals.shown import Terminals

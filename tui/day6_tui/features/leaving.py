@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 
 from textual.app import App
 
-from day6_tui.panes.cells import clip
-from day6_tui.panes.desktop import Desktop
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal
+from day6_tui.panes.cells import clip
+from day6_tui.panes.desktop import Desktop
 from day6_tui.terminals.view import tab_name
 from day6_tui.windows import WindowPane
 

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from day6_core.shell.user import login_name
 from day6_tui.actions import Handlers
-from day6_tui.panes.desktop import Desktop
 from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
 from day6_tui.bars.notices import NOTICE_SECONDS, Notices
+from day6_tui.machine import Machine
+from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Pane, PaneMessage
-from day6_tui.settings import Settings
 from day6_tui.screen.survival import PersonMessage
+from day6_tui.settings import Settings
 from day6_tui.terminals.shown import Terminals
 
 if TYPE_CHECKING:

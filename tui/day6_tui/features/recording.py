@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 from day6_core.session.harmless import one_line
 from day6_tui.actions import Handlers
+from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.glyphs import GLYPH_SETS
 from day6_tui.appearance.look import Look
-from day6_tui.appearance.changing import Looks
-from day6_tui.machine import Machine
 from day6_tui.bars.notices import NOTICE_SECONDS, Notices
+from day6_tui.machine import Machine
 from day6_tui.terminal_app import TerminalApp
 
 if TYPE_CHECKING:

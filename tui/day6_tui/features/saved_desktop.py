@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.whole_file import write_private
+from day6_tui.appearance.look import Look
+from day6_tui.bars.notices import NOTICE_SECONDS, Notices
+from day6_tui.json_file import read_object
+from day6_tui.machine import Machine
 from day6_tui.panes.arranging import Arranging
 from day6_tui.panes.desktop import Desktop
-from day6_tui.json_file import read_object
 from day6_tui.panes.layouts import VERSION, roles_in
-from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
-from day6_tui.bars.notices import NOTICE_SECONDS, Notices
 from day6_tui.terminals.pane import TerminalPane
 from day6_tui.terminals.shown import Terminals
 

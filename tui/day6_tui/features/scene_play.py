@@ -6,13 +6,13 @@ from collections.abc import Callable
 
 from day6_core.speeds import changed
 from day6_tui.actions import Handlers
-from day6_tui.panes.desktop import Desktop
 from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
 from day6_tui.features.scenes import SCENES, Player, Scene, below
+from day6_tui.machine import Machine
+from day6_tui.panes.desktop import Desktop
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.terminals.view import TerminalView
 from day6_tui.terminals.shown import Terminals
+from day6_tui.terminals.view import TerminalView
 
 
 class ScenePlay:

@@ -9,10 +9,10 @@ from rich.segment import Segment
 from rich.style import Style
 from textual import events
 
-from day6_tui.panes.canvas import Canvas
-from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
+from day6_tui.panes.canvas import Canvas
+from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.panes.pane import Pane, PaneMessage
 from day6_tui.screen.survival import PersonMessage
 from day6_tui.windows.turtlesim.shapes import COATS, pixels

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from day6_tui.actions import Handlers
 from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
 from day6_tui.bars.notices import Notices
+from day6_tui.machine import Machine
 
 
 class WorldTime:

@@ -7,9 +7,9 @@ from typing import Any
 from textual import events
 from textual.widgets import Input
 
-from day6_tui.screen.key_order import is_letter
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal
+from day6_tui.screen.key_order import is_letter
 from day6_tui.screen.survival import survive
 
 

@@ -15,9 +15,9 @@ from textual.style import Style
 from textual.visual import RenderOptions, Visual
 from textual.widget import Widget
 
-from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal, plain
+from day6_tui.panes.cells import cell_len, clip, fit
 
 if TYPE_CHECKING:
     from textual.fuzzy import FuzzySearch

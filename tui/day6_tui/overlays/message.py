@@ -8,9 +8,9 @@ from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.widget import Widget
 
-from day6_tui.panes.cells import wrap
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal, lines_of, plain
+from day6_tui.panes.cells import wrap
 
 FRAME = 3
 """Columns of a frame and a scroll bar."""

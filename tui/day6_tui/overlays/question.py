@@ -11,9 +11,9 @@ from textual.binding import Binding
 from textual.content import Content
 from textual.widget import Widget
 
-from day6_tui.panes.cells import cell_len
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal, lines_of, plain
+from day6_tui.panes.cells import cell_len
 
 if TYPE_CHECKING:
     from textual.widgets import Button

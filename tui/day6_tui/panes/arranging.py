@@ -8,12 +8,12 @@ from functools import partial
 
 from day6_core.whole_file import write_private
 from day6_tui.actions import Handlers
-from day6_tui.panes.desktop import Desktop
-from day6_tui.json_file import read_object
-from day6_tui.panes.layouts import VERSION, Description, build, describe, grid, presenter, roles_in, speaker
 from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
 from day6_tui.bars.notices import NOTICE_SECONDS, Notices
+from day6_tui.json_file import read_object
+from day6_tui.machine import Machine
+from day6_tui.panes.desktop import Desktop
+from day6_tui.panes.layouts import VERSION, Description, build, describe, grid, presenter, roles_in, speaker
 from day6_tui.panes.placement import WIDE, arranged
 from day6_tui.panes.splits import Extent, Key
 from day6_tui.terminals.pane import TerminalPane

@@ -12,16 +12,16 @@ from textual.message import Message
 from textual.widget import Widget
 
 from day6_core.session.display import Window
+from day6_tui.appearance.look import Look
+from day6_tui.features.welcome import WelcomePane
 from day6_tui.panes import splits
 from day6_tui.panes.border_mouse import FrameMouse
-from day6_tui.appearance.look import Look
-from day6_tui.panes.pane import Pane, Piece
 from day6_tui.panes.host import PaneHost
+from day6_tui.panes.pane import Pane, Piece
 from day6_tui.panes.placement import GUIDE, LESSON, OTHER, TERMINAL, WIDE, WINDOWS, Needs, put
 from day6_tui.panes.splits import Extent, Place, Tree
 from day6_tui.panes.tabs import Tab, tab_pieces
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.features.welcome import WelcomePane
 from day6_tui.windows import BrokenPane, WindowPane, make_window
 
 

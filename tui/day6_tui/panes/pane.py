@@ -20,9 +20,9 @@ from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
 
+from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, harmless
 from day6_tui.screen.frame_screen import FrameScreen
-from day6_tui.appearance.look import Look
 from day6_tui.screen.survival import survive
 
 Action = Callable[[], object]

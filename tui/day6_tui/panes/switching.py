@@ -7,15 +7,15 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from day6_tui import actions
-from day6_tui.panes.desktop import Desktop
 from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
 from day6_tui.bars.notices import Notices
+from day6_tui.machine import Machine
+from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Pane
 from day6_tui.panes.splits import SIDES, Extent
-from day6_tui.terminals.teleop_keys import keys_of
 from day6_tui.terminals.pane import TerminalPane
 from day6_tui.terminals.shown import Terminals
+from day6_tui.terminals.teleop_keys import keys_of
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:

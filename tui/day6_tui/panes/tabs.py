@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from day6_tui.panes.cells import cell_len, clip
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip
 from day6_tui.panes.pane import Piece
 
 TAB_WIDTH = 24

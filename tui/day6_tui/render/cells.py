@@ -10,8 +10,8 @@ from rich.cells import cell_len
 from rich.segment import Segment
 from rich.style import Style
 
-from day6_tui.panes.canvas import JOIN_GAP, PIXELS_PER_CELL, Span
 from day6_tui.appearance.colours import pixel_style
+from day6_tui.panes.canvas import JOIN_GAP, PIXELS_PER_CELL, Span
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.picture import EMPTY, LINE, SURFACE, Array, Picture
 

@@ -20,8 +20,8 @@ from textual.filter import LineFilter, Monochrome, NoColor
 from day6_tui.appearance import glyphs
 from day6_tui.appearance.colours import colours
 from day6_tui.appearance.glyphs import CANVASES, GLYPH_SETS, PIXELS
-from day6_tui.locale import detect
 from day6_tui.appearance.themes import NAMES, make_theme
+from day6_tui.locale import detect
 
 if TYPE_CHECKING:
     from day6_tui.app import Day6App

@@ -14,8 +14,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from day6_core.session.ending import Ending, Step
-from day6_tui.screen import output
 from day6_tui.pixels.app import PictureApp
+from day6_tui.screen import output
 from day6_tui.screen.modes import GIVE_BACK
 
 if TYPE_CHECKING:

@@ -19,9 +19,9 @@ try:
 except ImportError:  # Windows: Textual has another driver there, and this one is not used
     from textual.driver import Driver as LinuxDriver  # type: ignore[assignment]
 
-from day6_tui.screen.keyboard import InputDecoder, KeyboardParser, is_possible
 from day6_tui.pixels.app import PictureApp, leave_pictures
 from day6_tui.pixels.ask import Answered
+from day6_tui.screen.keyboard import InputDecoder, KeyboardParser, is_possible
 from day6_tui.screen.trouble import TerminalTrouble
 
 if TYPE_CHECKING:

@@ -11,13 +11,13 @@ from rich.style import Style
 from textual import events
 from textual.geometry import Offset
 
-from day6_tui.panes.cells import cell_len, fit
-from day6_tui.terminals.held_keys import HeldKeys
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, fit
 from day6_tui.panes.pane import Pane, PaneMessage, Piece
 from day6_tui.panes.splits import Place
-from day6_tui.terminals.teleop_keys import is_driven_otherwise, keys_of
+from day6_tui.terminals.held_keys import HeldKeys
 from day6_tui.terminals.keys import encode
+from day6_tui.terminals.teleop_keys import is_driven_otherwise, keys_of
 from day6_tui.terminals.view import TerminalView, tab_name
 
 if TYPE_CHECKING:

@@ -11,11 +11,11 @@ from textual.geometry import Region
 from textual.strip import Strip
 
 from day6_core.session.display import Model, Window
-from day6_tui.panes.cells import wrap
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal
-from day6_tui.panes.pane import Pane, PaneMessage
+from day6_tui.panes.cells import wrap
 from day6_tui.panes.host import PaneHost
+from day6_tui.panes.pane import Pane, PaneMessage
 from day6_tui.screen.survival import PersonMessage
 
 KINDS: dict[str, tuple[str, str]] = {

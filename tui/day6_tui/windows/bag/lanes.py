@@ -15,9 +15,9 @@ from day6_core.elide import elide
 from day6_core.ros.programs.rqt_bag.model.pictures import IMAGE
 from day6_core.ros.programs.rqt_bag.model.view import View, divisions
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import cell_len, fit
 from day6_tui.appearance.colours import background_of, pixel_style
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, fit
 from day6_tui.windows.bag.cells import COLOURS, OTHERS, Cell, bars_of, runs, short
 from day6_tui.windows.bag.picture import Paintings
 

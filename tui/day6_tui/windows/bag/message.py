@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rich.segment import Segment
 
-from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip, fit
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_bag.model.bags import Shown

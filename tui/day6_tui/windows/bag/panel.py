@@ -8,8 +8,8 @@ from rich.segment import Segment
 
 from day6_core.ros.programs.rqt_bag.model.pictures import IMAGE
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import clip
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import clip
 from day6_tui.windows.bag.cells import runs
 from day6_tui.windows.bag.message import MessageTree
 from day6_tui.windows.bag.picture import Paintings

@@ -25,8 +25,8 @@ from day6_core.ros.programs.rqt_bag.model.view import (
     whole,
 )
 from day6_core.session.display import Window
-from day6_tui.panes.cells import clip, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import clip, wrap
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.bag.cells import date

@@ -8,8 +8,8 @@ from rich.segment import Segment
 
 from day6_core.elide import elide
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import clip, fit
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import clip, fit
 
 Taken = Callable[[Sequence[str] | None], object]
 """Gets the chosen topics; None for all of them."""

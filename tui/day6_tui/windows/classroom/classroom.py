@@ -20,10 +20,10 @@ from day6_core.classroom.order import MOST_SECONDS, Order
 from day6_core.classroom.roster import Row
 from day6_core.link.state import DoorState
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len, clip, wrap
-from day6_tui.classes.link import TeacherLink
-from day6_tui.bars.connections import door_words
 from day6_tui.appearance.look import Look
+from day6_tui.bars.connections import door_words
+from day6_tui.classes.link import TeacherLink
+from day6_tui.panes.cells import cell_len, clip, wrap
 from day6_tui.panes.pane import Piece
 from day6_tui.terminals.keys import encode
 from day6_tui.windows import WindowPane

@@ -85,8 +85,8 @@ class Orders:
 
     def _entries(self, name: str) -> list[Entry]:
         from day6_core.lessons import catalogue
-        from day6_tui.overlays.menu import Entry
         from day6_tui.features.scenes import SCENES
+        from day6_tui.overlays.menu import Entry
 
         texts, open_there = self._look.texts, partial(self._send_and_tell, name)
         lessons = [

@@ -16,8 +16,8 @@ from textual.strip import Strip
 
 from day6_core.classroom.note import ROWS, Picture
 from day6_core.classroom.roster import Row
-from day6_tui.panes.cells import clip, fit
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import clip, fit
 from day6_tui.windows.classroom.words import Words
 
 

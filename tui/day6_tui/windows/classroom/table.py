@@ -8,8 +8,8 @@ from typing import NamedTuple
 from rich.segment import Segment
 
 from day6_core.classroom.roster import Row
-from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.windows.classroom.words import Words, words_of
 
 NAME_LEAST, LESSON_LEAST, STATE_LEAST = 12, 9, 20

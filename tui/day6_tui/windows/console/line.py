@@ -9,8 +9,8 @@ from textual.containers import Horizontal
 from textual.message import Message
 from textual.widgets import Static
 
-from day6_tui.overlays.input_line import Line
 from day6_tui.appearance.look import Look
+from day6_tui.overlays.input_line import Line
 from day6_tui.overlays.modal import plain
 from day6_tui.screen.survival import PersonMessage, survive
 

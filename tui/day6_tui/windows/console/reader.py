@@ -12,8 +12,8 @@ from textual.widget import Widget
 from textual.widgets import Static
 
 from day6_core.ros.programs.rqt_console.model import Record
-from day6_tui.overlays import modal
 from day6_tui.appearance.look import Look
+from day6_tui.overlays import modal
 from day6_tui.overlays.modal import Modal, lines_of, plain
 from day6_tui.windows.console.table import whole_time
 

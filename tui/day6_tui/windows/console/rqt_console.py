@@ -15,10 +15,10 @@ from textual.widget import Widget
 from day6_core.ros.programs.rqt_console.filters import SIDES, Filter
 from day6_core.ros.programs.rqt_console.model import Console, Record
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len, clip, wrap
 from day6_tui.appearance.look import Look
-from day6_tui.panes.pane import Piece
 from day6_tui.overlays.prompt import before_replacing
+from day6_tui.panes.cells import cell_len, clip, wrap
+from day6_tui.panes.pane import Piece
 from day6_tui.screen.survival import survive
 from day6_tui.windows import WindowPane
 from day6_tui.windows.console.filters import FilterMenus

@@ -14,9 +14,9 @@ from textual.widgets import Checkbox, Static
 
 from day6_core.ros.programs.rqt_console.filters import SIDES, Choice
 from day6_core.ros.programs.rqt_console.model import SEVERITIES
-from day6_tui.panes.cells import cell_len, clip
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import plain
+from day6_tui.panes.cells import cell_len, clip
 from day6_tui.screen.survival import PersonMessage, survive
 from day6_tui.windows.console.filters import brief
 

@@ -24,8 +24,8 @@ from textual.widget import Widget
 
 from day6_core.ros.programs.rqt_console.filters import Choice
 from day6_core.ros.programs.rqt_console.model import Record
-from day6_tui.panes.cells import cell_len, clip, fit, harmless
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip, fit, harmless
 from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.screen.survival import PersonMessage, survive

@@ -13,9 +13,9 @@ from textual.document._wrapped_document import WrappedDocument
 from textual.widgets import TextArea
 
 from day6_core.session.harmless import same_length
-from day6_tui.screen.key_order import is_letter
 from day6_tui.appearance.look import Look
 from day6_tui.panes.scrollbars import colour_scrollbar
+from day6_tui.screen.key_order import is_letter
 from day6_tui.screen.survival import survive
 from day6_tui.windows.editor.document import document_of
 from day6_tui.windows.editor.indent import STEP, after, has_own_depth, shifted

@@ -18,11 +18,11 @@ from day6_core.session.display import Window
 from day6_core.session.keys import split_keys
 from day6_core.shell.editing.checks import Problem, language_of
 from day6_core.shell.editing.model import CannotEdit, Editor
-from day6_tui.panes.cells import wrap
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.menu import Entry, Menu
-from day6_tui.panes.pane import Piece
 from day6_tui.overlays.question import Answer, Question
+from day6_tui.panes.cells import wrap
+from day6_tui.panes.pane import Piece
 from day6_tui.terminals.keys import decode
 from day6_tui.windows import WindowPane
 from day6_tui.windows.editor.area import EditorArea, has_grammar

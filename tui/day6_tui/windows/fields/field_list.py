@@ -19,8 +19,8 @@ from textual.widgets.option_list import Option
 
 from day6_core.elide import elide
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import cell_len, fit, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, fit, wrap
 from day6_tui.panes.pane import in_ascii
 from day6_tui.screen.survival import PersonMessage
 from day6_tui.windows.parts.pane_list import PaneList

@@ -15,9 +15,9 @@ from day6_core.ros.programs.rqt_py_common.message_form import SEQUENCE
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.pane import Action, Piece
-from day6_tui.windows.parts.buttons import Button, button_line
 from day6_tui.windows.fields.entry import FieldEntry
 from day6_tui.windows.fields.field_list import Columns, FieldLine, FieldList
+from day6_tui.windows.parts.buttons import Button, button_line
 from day6_tui.windows.parts.pane_list import ListPane
 
 Model = TypeVar("Model")

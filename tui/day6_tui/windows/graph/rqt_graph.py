@@ -28,14 +28,14 @@ from day6_core.ros.programs.rqt_graph.model.fit import Forms
 from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_core.ros.programs.rqt_graph.model.shapes import Picture, Route
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len, clip
 from day6_tui.appearance.look import Look
-from day6_tui.panes.pane import Piece
 from day6_tui.overlays.prompt import before_replacing
+from day6_tui.panes.cells import cell_len, clip
+from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
-from day6_tui.windows.parts.buttons import Button, button_line, in_lines
 from day6_tui.windows.graph.options import GROUP, HIDE, NAMESPACES, SWITCHES, VIEW, Switch, switched, text_of
 from day6_tui.windows.graph.view import View
+from day6_tui.windows.parts.buttons import Button, button_line, in_lines
 
 if TYPE_CHECKING:
     from day6_tui.pixels.pictures import Pictures

@@ -16,9 +16,9 @@ from textual.geometry import Region
 
 from day6_core.ros.programs.rqt_image_view.decoding import Picture, Undecodable, View
 from day6_core.session.display import Window
-from day6_tui.panes.cells import wrap
 from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import wrap
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.images.image_cells import in_cells, on_ground, pixels_in_cells

@@ -11,10 +11,10 @@ from textual import events
 
 from day6_core.ros.programs.rqt_image_view.decoding import Picture, View
 from day6_tui.overlays.menu import Entry, Menu
-from day6_tui.panes.pane import Piece
 from day6_tui.overlays.prompt import before_replacing
-from day6_tui.windows.parts.buttons import Button, button_line, shortened
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.images.picture_pane import PicturePane
+from day6_tui.windows.parts.buttons import Button, button_line, shortened
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_image_view.model import ImageView

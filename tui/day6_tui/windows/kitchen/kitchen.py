@@ -16,8 +16,8 @@ from day6_core.ros.programs.day6_kitchen.belts import Belt, Content, Cook
 from day6_core.ros.programs.day6_kitchen.model import Kitchen
 from day6_core.ros.programs.rqt_graph.model.drawing import Canvas
 from day6_core.session.display import Window
-from day6_tui.panes.cells import fit, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import fit, wrap
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.kitchen.picture import (

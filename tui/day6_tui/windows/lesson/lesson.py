@@ -11,10 +11,10 @@ from textual import events
 
 from day6_core.lessons.document import HINTS
 from day6_core.session.display import Window
-from day6_tui.features.lessons import LessonAsked
 from day6_tui.appearance.look import Look
-from day6_tui.panes.pane import Piece
+from day6_tui.features.lessons import LessonAsked
 from day6_tui.panes.host import PaneHost
+from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.lesson.page import Action, Entry, Row, list_rows, step_rows
 

@@ -10,8 +10,8 @@ from rich.segment import Segment
 from rich.style import Style
 
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import cell_len, wrap
 from day6_tui.appearance.colours import Colours
+from day6_tui.panes.cells import cell_len, wrap
 
 Line = list[Segment]
 

@@ -17,8 +17,8 @@ from textual.widget import Widget
 from textual.widgets import OptionList
 
 from day6_core.session.display import Window
-from day6_tui.panes.cells import fit, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import fit, wrap
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.screen.survival import survive
 from day6_tui.windows import WindowPane

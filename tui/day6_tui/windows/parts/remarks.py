@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from day6_tui.panes.cells import wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import wrap
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.remark import Remark

@@ -11,8 +11,8 @@ from textual import events
 from textual.geometry import Region
 
 from day6_core.session.display import Window
-from day6_tui.panes.cells import clip
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import clip
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.remarks import remark_lines

@@ -8,8 +8,8 @@ from itertools import combinations
 
 from rich.style import Style
 
-from day6_tui.panes.cells import cell_len
 from day6_tui.appearance.colours import Colours, background_of
+from day6_tui.panes.cells import cell_len
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import Surface
 from day6_tui.pixels.sheet import Sheet, Text

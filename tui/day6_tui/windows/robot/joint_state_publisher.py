@@ -14,12 +14,12 @@ from textual import events
 
 from day6_core.ros.programs.joint_state_publisher_gui.model import RANGE
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.panes.pane import Piece
-from day6_tui.windows.robot.joint_names import shortened
 from day6_tui.windows.parts.lines_pane import Line, LinesPane
 from day6_tui.windows.parts.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, list_steps
+from day6_tui.windows.robot.joint_names import shortened
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.joint_state_publisher_gui.model import Slider, SliderModel

@@ -9,9 +9,9 @@ from textual import events
 
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
-from day6_tui.windows.parts.buttons import Button
 from day6_tui.windows.fields.field_list import FieldLine
 from day6_tui.windows.fields.rows import lines_of
+from day6_tui.windows.parts.buttons import Button
 from day6_tui.windows.rqt.type_browser import BrowsingPane
 
 if TYPE_CHECKING:

@@ -9,13 +9,13 @@ from rich.segment import Segment
 from textual import events
 
 from day6_core.session.display import Window
-from day6_tui.panes.cells import clip
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import clip
 from day6_tui.panes.pane import Piece
-from day6_tui.windows.parts.buttons import Button
 from day6_tui.windows.fields.field_list import FieldLine, Needs
 from day6_tui.windows.fields.pane import BOOLEAN, FieldPane
 from day6_tui.windows.fields.rows import NARROW, is_long, narrow_columns, problem_of
+from day6_tui.windows.parts.buttons import Button
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_publisher.model import MessagePublisher, Shown

@@ -14,12 +14,12 @@ from day6_core.ros.programs.rqt_gui.catalogue import Entry
 from day6_core.ros.programs.rqt_gui.model import Open, Rqt
 from day6_core.ros.programs.rqt_gui.perspectives import wrong_name
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.menu import Entry as MenuEntry
 from day6_tui.overlays.menu import Menu
-from day6_tui.panes.pane import Piece
 from day6_tui.overlays.prompt import before_replacing
+from day6_tui.panes.cells import cell_len
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.parts.pane_list import ListPane, PaneList, Row
 
 

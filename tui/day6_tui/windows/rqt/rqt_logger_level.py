@@ -12,8 +12,8 @@ from day6_core.elide import elide
 from day6_core.ros.programs.rqt_logger_level.model import LEVELS
 from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import fit, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import fit, wrap
 from day6_tui.panes.pane import Piece
 from day6_tui.windows.parts.lines_pane import Line, LinesPane
 from day6_tui.windows.parts.list_keys import first_seen, list_steps

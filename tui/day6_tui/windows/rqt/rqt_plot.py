@@ -17,10 +17,10 @@ from day6_core.ros.programs.rqt_plot.model.lines import polyline
 from day6_core.ros.programs.rqt_plot.model.plot import Curve, Plot
 from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
-from day6_tui.panes.canvas import Canvas, Mark, new_canvas
-from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.appearance.colours import background_of, foreground_of, pixel_style
 from day6_tui.appearance.look import Look
+from day6_tui.panes.canvas import Canvas, Mark, new_canvas
+from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 

@@ -13,10 +13,10 @@ from textual import events
 from day6_core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, shown, text_of, value_from
 from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import cell_len, fit, wrap
 from day6_tui.appearance.look import Look
-from day6_tui.panes.pane import Piece
 from day6_tui.overlays.prompt import before_replacing
+from day6_tui.panes.cells import cell_len, fit, wrap
+from day6_tui.panes.pane import Piece
 from day6_tui.windows.parts.lines_pane import Line, LinesPane
 from day6_tui.windows.parts.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, first_seen, list_steps
 from day6_tui.windows.parts.node_tree import NodeLine, node_lines

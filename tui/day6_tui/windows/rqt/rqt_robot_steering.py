@@ -24,8 +24,8 @@ from day6_core.ros.programs.rqt_robot_steering.model import (
     Axis,
 )
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, wrap
 from day6_tui.panes.pane import Action, Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.buttons import Button, button_line, shortened

@@ -14,10 +14,10 @@ from day6_core.ros.programs.rqt_tf_tree.model import Line, TfTree
 from day6_core.ros.programs.tf2_tools.frame_tree import Frame
 from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.appearance.look import Look
-from day6_tui.panes.pane import Piece
 from day6_tui.overlays.prompt import before_replacing
+from day6_tui.panes.cells import cell_len, clip, fit
+from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.buttons import Button, button_line
 

@@ -11,10 +11,10 @@ from textual import events
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.pane import Piece
-from day6_tui.windows.parts.buttons import Button, shortened
 from day6_tui.windows.fields.field_list import FieldLine
 from day6_tui.windows.fields.pane import FieldPane
 from day6_tui.windows.fields.rows import columns_in, head_line, lines_of
+from day6_tui.windows.parts.buttons import Button, shortened
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_service_caller.model import ServiceCaller

@@ -16,8 +16,8 @@ from textual.widgets.tree import TreeNode
 
 from day6_core.elide import elide
 from day6_core.session.harmless import one_line
-from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.screen.survival import survive

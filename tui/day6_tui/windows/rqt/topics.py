@@ -13,8 +13,8 @@ from textual.app import ComposeResult
 from textual.widget import Widget
 
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len, clip
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.buttons import Button, button_line

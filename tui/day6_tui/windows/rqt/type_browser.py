@@ -11,10 +11,10 @@ from textual import events
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.pane import Piece
-from day6_tui.windows.parts.buttons import Button
 from day6_tui.windows.fields.field_list import FieldLine
 from day6_tui.windows.fields.pane import FieldPane, Model
 from day6_tui.windows.fields.rows import columns_in
+from day6_tui.windows.parts.buttons import Button
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_msg.model import TypeBrowser

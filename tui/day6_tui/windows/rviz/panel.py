@@ -10,9 +10,9 @@ from rich.style import Style
 from day6_core.ros.programs.rviz2.model.display import Display
 from day6_core.ros.programs.rviz2.model.properties import BOOL, COLOUR, GROUP, Property
 from day6_core.ros.programs.rviz2.model.status import COLOURS, OK, Status
-from day6_tui.panes.cells import cell_len, fit
 from day6_tui.appearance.colours import Colours, background_of, pixel_style
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, fit
 
 NARROWEST_VALUE = 7
 """Cells that a value has beside the longest name."""

@@ -8,9 +8,9 @@ import numpy as np
 
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.scene import Shape
-from day6_tui.panes.canvas import Span
 from day6_tui.appearance.colours import pixel_style
 from day6_tui.appearance.look import Look
+from day6_tui.panes.canvas import Span
 from day6_tui.pixels.pictures import Pictures
 from day6_tui.pixels.sheet import Sheet, Text
 from day6_tui.render.label_places import LabelPlaces

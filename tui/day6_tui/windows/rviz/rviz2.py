@@ -26,8 +26,8 @@ from day6_core.ros.programs.rviz2.model.status import OK, Status, StatusList
 from day6_core.ros.programs.rviz2.model.tools.tool import Tool
 from day6_core.ros.programs.rviz2.model.views import VIEWS, SavedView
 from day6_core.session.display import Window
-from day6_tui.panes.cells import cell_len, fit
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, fit
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.rviz import dialogs

@@ -7,8 +7,8 @@ import time
 from day6_core.ros.programs.rviz2.model.display import Display
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.properties import STATUS
-from day6_tui.panes.cells import clip, wrap
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import clip, wrap
 from day6_tui.windows.rviz import panel
 from day6_tui.windows.rviz.describing import described
 from day6_tui.windows.rviz.tree import PropertyTree

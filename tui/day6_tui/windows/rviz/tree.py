@@ -16,8 +16,8 @@ from textual.widgets.tree import TreeNode
 from day6_core.ros.programs.rviz2.model.display import Display
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.properties import Property
-from day6_tui.panes.cells import harmless
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import harmless
 from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.screen.survival import PersonMessage, survive

@@ -8,8 +8,8 @@ from textual import events
 from textual.widgets import Input
 
 from day6_core.ros.programs.rviz2.model.properties import Property
-from day6_tui.overlays.input_line import Line
 from day6_tui.appearance.look import Look
+from day6_tui.overlays.input_line import Line
 from day6_tui.overlays.prompt import Taken
 
 

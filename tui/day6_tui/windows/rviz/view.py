@@ -12,8 +12,8 @@ from textual.widget import Widget
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.scene import Shape
 from day6_core.ros.programs.rviz2.model.tools.tool import Pointer
-from day6_tui.panes.canvas import PIXELS_PER_CELL, Span
 from day6_tui.appearance.look import Look
+from day6_tui.panes.canvas import PIXELS_PER_CELL, Span
 from day6_tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.painter import QUALITIES, paint

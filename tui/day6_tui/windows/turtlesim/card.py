@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from rich.segment import Segment
 from rich.style import Style
 
-from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.appearance.colours import pixel_style
 from day6_tui.appearance.look import Look
+from day6_tui.panes.cells import cell_len, clip, fit
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.turtlesim.model import TurtleTopics, TurtleView

@@ -11,8 +11,8 @@ from PIL import Image, ImageDraw
 from rich.style import Style
 
 from day6_core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH, Scene, Trail
-from day6_tui.panes.cells import cell_len
 from day6_tui.appearance.colours import background_of, contrasting, pixel_style
+from day6_tui.panes.cells import cell_len
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import rgb
 from day6_tui.pixels.sheet import Sheet

@@ -16,9 +16,9 @@ from textual.geometry import Region
 
 from day6_core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH
 from day6_core.session.display import Window
+from day6_tui.appearance.look import Look
 from day6_tui.panes.canvas import Canvas, Mark, new_canvas, square
 from day6_tui.panes.cells import cell_len
-from day6_tui.appearance.look import Look
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.turtlesim.card import Line, Pupil, side_lines
