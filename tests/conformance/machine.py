@@ -132,7 +132,7 @@ class World:
         self.scheduler.advance()
 
     def _start_thread(self, name: str, code: types.CodeType) -> None:
-        from rclpy._time_base import MACHINE_TIME
+        from rclpy._day6.time_base import MACHINE_TIME
         from rclpy.context import Context
         from rclpy.executors import SingleThreadedExecutor
 

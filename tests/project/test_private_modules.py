@@ -18,7 +18,7 @@ COMMAND = "day6_core.ros.ros2"
 FRIENDS = {
     ("day6_core.ros.ros2", "rosbag2_py"): "the public names are imported on first use, and so have no types",
     ("day6_core.ros.programs.rqt_bag", "rosbag2_py"): "the same; its index has no public name in ROS",
-    ("day6_core.session", "rclpy._log_file"): "rclpy's public names are those of the real one, which has no such",
+    ("day6_core.session", "rclpy._day6.log_file"): "rclpy's public names are those of the real one, which has no such",
     ("launch_ros", "rclpy._rclpy_pybind11"): "its name in the real one, and what launch files catch",
     ("day6_core.ros.ros2", "launch._host"): "launch's public names are those of the real one",
     ("launch_ros", "launch._loop"): "launch's public names are those of the real one",
@@ -98,7 +98,7 @@ def test_no_package_imports_a_private_module_of_another_one() -> None:
         ("day6_tui.windows", "def later():\n    import day6_core.shell._inside"),
         ("day6_core.shell", "from day6_core.session import _inside"),
         ("day6_core.shell", "from day6_core.session.clock import _inside"),
-        ("day6_core.ros.ros2.topic", "from rclpy._entity import Entity"),
+        ("day6_core.ros.ros2.topic", "from rclpy._day6.entity import Entity"),
         ("day6_core.ros.programs.rqt_plot", "from day6_core.ros.programs.rqt_topic._measure import Measure"),
     ],
 )

@@ -59,7 +59,9 @@ def test_pyright_and_editors_with_it_find_every_import_of_ours(checkout: Path) -
     command = [str(PYRIGHT), "--outputjson", "--pythonpath", bare(checkout), "asking.py"]
     done = subprocess.run(command, cwd=checkout, capture_output=True, text=True, encoding="utf-8")
     found = [
-        each["message"] for each in json.loads(done.stdout)["generalDiagnostics"] if "import" in each.get("rule", "").lower()
+        each["message"]
+        for each in json.loads(done.stdout)["generalDiagnostics"]
+        if "import" in each.get("rule", "").lower()
     ]
     assert [message for message in found if "could not be resolved" in message] == []
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from std_msgs.msg import String
 
-from rclpy._callables import accepts, is_coroutine_function, lacks_self
+from rclpy._day6.callables import accepts, is_coroutine_function, lacks_self
 
 
 class Listener:

@@ -119,7 +119,7 @@ def test_a_spin_ends_when_its_future_is_done(kind: Any, outcome: str) -> None:
 
 
 def test_who_is_woken_between_its_look_and_its_wait_looks_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rclpy._rounds._LONGEST_WAIT_NS", 3600 * 10**9)  # then it would look again in any case
+    monkeypatch.setattr("rclpy._day6.rounds._LONGEST_WAIT_NS", 3600 * 10**9)  # then it would look again in any case
     context = Context()
     context.init([])
     executor = SingleThreadedExecutor(context=context)

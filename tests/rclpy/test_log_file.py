@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from day6_core.ros.environment import program_environment
-from rclpy._log_file import LogFile, logging_directory, of_process
+from rclpy._day6.log_file import LogFile, logging_directory, of_process
 
 PROGRAM = """
 import sys, rclpy

@@ -11,7 +11,7 @@ from rcl_interfaces.msg import Log, LoggerLevel
 from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 
 from rclpy import logging
-from rclpy._logging_settings import LoggingSettings
+from rclpy._day6.logging_settings import LoggingSettings
 from rclpy.clock import Clock
 from rclpy.clock_type import ClockType
 from rclpy.context import Context

@@ -112,7 +112,7 @@ def test_an_attribute_that_real_rclpy_has_too_is_spoilt_as_there(world: Any, nam
 
 
 def test_node_is_one_class_and_a_publisher_is_nothing_an_executor_runs() -> None:
-    from rclpy._entity import Entity
+    from rclpy._day6.entity import Entity
     from rclpy.publisher import Publisher
 
     assert Node.__bases__ == (object,)

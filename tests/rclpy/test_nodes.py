@@ -10,7 +10,7 @@ from std_msgs.msg import Int32, String
 from test_msgs.action import Fibonacci
 
 from day6_core.interfaces import get_interface, type_hash
-from rclpy._own_services import GET_TYPE_DESCRIPTION, HASHES
+from rclpy._day6.own_services import GET_TYPE_DESCRIPTION, HASHES
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.action import ActionClient, ActionServer
 

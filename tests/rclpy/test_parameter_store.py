@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 
-from rclpy._parameter_store import ParameterStore
+from rclpy._day6.parameter_store import ParameterStore
 from rclpy.exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,

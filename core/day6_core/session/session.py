@@ -142,7 +142,7 @@ class Session:
         """
         if self._context is None:
             from day6_core.session.log_output import LogOutput
-            from rclpy._log_file import LogFile
+            from rclpy._day6.log_file import LogFile
             from rclpy.context import Context
 
             graph = self.graph

@@ -10,8 +10,8 @@ from day6_core.ros.programs.rclcpp.exceptions import CppException, RclcppExcepti
 from day6_core.ros.programs.rclcpp.logger import CppLogger
 from day6_core.ros.programs.rclcpp.parameters import TYPE_NAMES, CppParameterService, CppParameterStore
 from day6_core.ros.programs.rclcpp.qos import ALL_FOUR, declared_qos, event_qos
-from rclpy._node_entities import profile_of
-from rclpy._parameter_events import parameter_event_publisher
+from rclpy._day6.node_entities import profile_of
+from rclpy._day6.parameter_events import parameter_event_publisher
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.programs.rclcpp.exceptions import ParameterNotDeclared, RclcppException
-from rclpy._parameter_rules import accepted, refused
-from rclpy._parameter_store import ParameterStore
+from rclpy._day6.parameter_rules import accepted, refused
+from rclpy._day6.parameter_store import ParameterStore
 from rclpy.exceptions import ParameterNotDeclaredException
 from rclpy.parameter import Parameter
 from rclpy.parameter_service import ParameterService

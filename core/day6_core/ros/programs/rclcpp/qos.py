@@ -21,7 +21,7 @@ from rclpy.qos_overriding_options import (
 )
 
 if TYPE_CHECKING:
-    from rclpy._parameter_store import ParameterStore
+    from rclpy._day6.parameter_store import ParameterStore
 
 _Kind = QoSPolicyKind
 

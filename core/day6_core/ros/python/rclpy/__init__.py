@@ -20,8 +20,8 @@ import rclpy.callback_groups
 import rclpy.exceptions
 import rclpy.impl  # noqa: F401
 from day6_core.ros.differences import value
-from rclpy._incidental import also
-from rclpy._withdrawn import withdraw
+from rclpy._day6.incidental import also
+from rclpy._day6.withdrawn import withdraw
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
 from rclpy.qos import QoSProfile as QoSProfile

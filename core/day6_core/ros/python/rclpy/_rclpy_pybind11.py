@@ -20,15 +20,15 @@ RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE = BEST_AVAILABLE_NS
 
 # Names that need more of rclpy than its exceptions are imported from their modules on first use.
 _ELSEWHERE = {
-    "rclpy._endpoint_handles": {
+    "rclpy._day6.endpoint_handles": {
         "Client": "ClientHandle",
         "Publisher": "PublisherHandle",
         "Service": "ServiceHandle",
         "Subscription": "SubscriptionHandle",
         "rmw_service_info_t": "ServiceInfo",
     },
-    "rclpy._handles": {"Node": "NodeHandle"},
-    "rclpy._wait_set": {"WaitSet": "WaitSet"},
+    "rclpy._day6.handles": {"Node": "NodeHandle"},
+    "rclpy._day6.wait_set": {"WaitSet": "WaitSet"},
     "rclpy.clock": {"Clock": "_ClockHandle"},
     "rclpy.context": {"Context": "_ContextHandle"},
     "rclpy.event_handler": {

@@ -7,10 +7,10 @@ from collections import deque
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 
 if TYPE_CHECKING:
-    from rclpy._entity import Entity
+    from rclpy._day6.entity import Entity
 
 
 __getattr__ = also(__name__)

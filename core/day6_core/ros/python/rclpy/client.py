@@ -5,21 +5,21 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from rclpy._entity import CLIENT, NOTHING
-from rclpy._handles import INVALID_NODE
-from rclpy._incidental import also
-from rclpy._node_endpoint import ServiceEndpoint
+from rclpy._day6.entity import CLIENT, NOTHING
+from rclpy._day6.handles import INVALID_NODE
+from rclpy._day6.incidental import also
+from rclpy._day6.node_endpoint import ServiceEndpoint
+from rclpy._day6.time_base import wait_interruptibly
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy._time_base import wait_interruptibly
-from rclpy._withdrawn import withdraw
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from rclpy.task import Future
 from rclpy.type_support import SrvRequestT, SrvResponseT
 
 if TYPE_CHECKING:
-    from rclpy._handles import EndpointHandle
-    from rclpy._typing_names import ServiceType
+    from rclpy._day6.handles import EndpointHandle
+    from rclpy._day6.typing_names import ServiceType
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
 

@@ -7,10 +7,10 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
+from rclpy._day6.time_base import MACHINE_TIME, AutoResetEvent, TimeBase
 from rclpy._rclpy_pybind11 import ClockChange as ClockChange
 from rclpy._rclpy_pybind11 import Destroyable
-from rclpy._time_base import MACHINE_TIME, AutoResetEvent, TimeBase
 from rclpy.clock_type import ClockType as ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
@@ -18,7 +18,7 @@ from rclpy.exceptions import NotInitializedException
 from rclpy.time import Time
 
 if TYPE_CHECKING:
-    from rclpy._typing_names import TimeJumpDictionary
+    from rclpy._day6.typing_names import TimeJumpDictionary
     from rclpy.context import Context
     from rclpy.timer import Timer
 

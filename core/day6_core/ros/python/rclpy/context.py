@@ -16,15 +16,15 @@ from typing import TYPE_CHECKING, Any
 from day6_core.graph import Graph, graph_for_domain
 from day6_core.graph.discovery import discovery_warning
 from day6_core.graph.domain import DomainError, domain_from_text
-from rclpy._incidental import also
-from rclpy._logging_settings import PROCESS, LoggingSettings
+from rclpy._day6.incidental import also
+from rclpy._day6.logging_settings import PROCESS, LoggingSettings
+from rclpy._day6.time_base import MACHINE_TIME, AutoResetEvent, TimeBase
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import RCL_DEFAULT_DOMAIN_ID, Destroyable, RCLError
-from rclpy._time_base import MACHINE_TIME, AutoResetEvent, TimeBase
-from rclpy._withdrawn import withdraw
 
 if TYPE_CHECKING:
-    from rclpy._arguments import RosArguments
-    from rclpy._log_file import LogFile
+    from rclpy._day6.arguments import RosArguments
+    from rclpy._day6.log_file import LogFile
     from rclpy.executors import Executor
     from rclpy.node import Node
 
@@ -143,7 +143,7 @@ class Context:
             RuntimeError: for a second call or a negative domain.
             RCLError, UnknownROSArgsError: for bad arguments.
         """
-        from rclpy._arguments import parse_global_arguments
+        from rclpy._day6.arguments import parse_global_arguments
 
         with self._lock:
             if domain_id is not None and domain_id < 0:
@@ -331,7 +331,7 @@ _living = weakref.WeakSet()
 
 
 def _tell_insides() -> bytes:
-    from rclpy._insides import tell
+    from rclpy._day6.insides import tell
 
     return tell()
 
@@ -353,7 +353,7 @@ def _open_log_file(arguments: RosArguments) -> None:
 
     RCLError for a configuration file, and if the folder that the user has chosen cannot be made; any other failure means no file.
     """
-    from rclpy._log_file import of_process
+    from rclpy._day6.log_file import of_process
 
     if PROCESS.file is not None or not arguments.switches.get("external-lib", True):
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy._rclpy_pybind11 import RMW_DURATION_INFINITE
 from rclpy.constants import S_TO_NS
 

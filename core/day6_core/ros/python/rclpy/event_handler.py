@@ -7,10 +7,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from day6_core.graph.endpoints import Endpoint, EventKind, EventStatus
-from rclpy._callables import is_coroutine_function
-from rclpy._entity import NOTHING
-from rclpy._incidental import also
-from rclpy._logging_settings import PROCESS
+from rclpy._day6.callables import is_coroutine_function
+from rclpy._day6.entity import NOTHING
+from rclpy._day6.incidental import also
+from rclpy._day6.logging_settings import PROCESS
 from rclpy._rclpy_pybind11 import (
     Destroyable,
     rcl_publisher_event_type_t,
@@ -23,9 +23,9 @@ from rclpy.qos import qos_policy_name_from_kind
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
-    from rclpy._entity import Scope
-    from rclpy._handles import EndpointHandle
-    from rclpy._timer_heap import TimerHeap
+    from rclpy._day6.entity import Scope
+    from rclpy._day6.handles import EndpointHandle
+    from rclpy._day6.timer_heap import TimerHeap
     from rclpy.callback_groups import CallbackGroup
 
 __getattr__ = also(__name__, "CallbackGroup")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy._rclpy_pybind11 import InvalidHandle as InvalidHandle
 from rclpy._rclpy_pybind11 import TimerCancelledError as TimerCancelledError
 

@@ -8,17 +8,17 @@ from collections import deque
 from collections.abc import Awaitable, Callable
 from typing import Any, TypeVar, overload
 
-from rclpy._callables import is_coroutine_function
-from rclpy._entity import Entity
-from rclpy._executor import Executor as Executor
-from rclpy._executor_timeouts import FOREVER, NEVER_TRUE, nanoseconds
-from rclpy._executor_timeouts import ConditionReachedException as ConditionReachedException
-from rclpy._executor_timeouts import ExternalShutdownException as ExternalShutdownException
-from rclpy._executor_timeouts import ShutdownException as ShutdownException
-from rclpy._executor_timeouts import TimeoutException as TimeoutException
-from rclpy._executor_timeouts import TimeoutObject as TimeoutObject
-from rclpy._incidental import also
-from rclpy._withdrawn import withdraw
+from rclpy._day6.callables import is_coroutine_function
+from rclpy._day6.entity import Entity
+from rclpy._day6.executor import Executor as Executor
+from rclpy._day6.executor_timeouts import FOREVER, NEVER_TRUE, nanoseconds
+from rclpy._day6.executor_timeouts import ConditionReachedException as ConditionReachedException
+from rclpy._day6.executor_timeouts import ExternalShutdownException as ExternalShutdownException
+from rclpy._day6.executor_timeouts import ShutdownException as ShutdownException
+from rclpy._day6.executor_timeouts import TimeoutException as TimeoutException
+from rclpy._day6.executor_timeouts import TimeoutObject as TimeoutObject
+from rclpy._day6.incidental import also
+from rclpy._day6.withdrawn import withdraw
 from rclpy.client import Client
 from rclpy.context import Context
 from rclpy.task import Future, Task
@@ -120,7 +120,7 @@ class MultiThreadedExecutor(Executor):
             self._failed.append(failed)
         except BaseException as error:
             # Others, such as SystemExit, are lost in the pool, as in real rclpy.
-            from rclpy._lost_errors import remember
+            from rclpy._day6.lost_errors import remember
 
             remember(error)
             raise

@@ -1,7 +1,7 @@
 """Expansion of topic and service names."""
 
 from day6_core.graph import names
-from rclpy._resolve import expand
+from rclpy._day6.resolve import expand
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:

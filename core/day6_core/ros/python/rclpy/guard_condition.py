@@ -6,9 +6,9 @@ import weakref
 from collections.abc import Callable, Coroutine
 from typing import TYPE_CHECKING, Any
 
-from rclpy._callables import is_coroutine_function
-from rclpy._entity import GUARD, NOTHING, Entity
-from rclpy._incidental import also
+from rclpy._day6.callables import is_coroutine_function
+from rclpy._day6.entity import GUARD, NOTHING, Entity
+from rclpy._day6.incidental import also
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
 from rclpy.utilities import get_default_context
 

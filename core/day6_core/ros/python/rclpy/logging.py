@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from rclpy._incidental import also
-from rclpy._log_file import logging_directory
-from rclpy._logging_settings import PROCESS
-from rclpy._withdrawn import withdraw
+from rclpy._day6.incidental import also
+from rclpy._day6.log_file import logging_directory
+from rclpy._day6.logging_settings import PROCESS
+from rclpy._day6.withdrawn import withdraw
 from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
 from rclpy.impl.rcutils_logger import RcutilsLogger
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy.impl.logging_severity import LoggingSeverity
 from rclpy.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
-    from rclpy._logging_settings import LoggingSettings
+    from rclpy._day6.logging_settings import LoggingSettings
     from rclpy.node import Node
 
 __getattr__ = also(__name__, "TOPIC_SEPARATOR_STRING GetLoggerLevels LoggerLevel SetLoggerLevels SetLoggerLevelsResult")

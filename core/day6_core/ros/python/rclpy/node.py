@@ -9,20 +9,20 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar, Union, overload
 
 from day6_core.graph import names
-from rclpy._arguments import parse_node_arguments
-from rclpy._entity import Scope
-from rclpy._handles import NodeHandle
-from rclpy._incidental import also
-from rclpy._logging_settings import LoggingSettings
-from rclpy._node_entities import NodeEntities, profile_of
-from rclpy._node_graph import NamesAndTypes, NodeGraph
-from rclpy._node_names import checked_namespace, require_remapped, resolved_name
-from rclpy._node_parts import Owned, Part
-from rclpy._own_services import HASHES, LOG
-from rclpy._parameter_events import ParameterEvents, parameter_event_publisher
-from rclpy._parameter_store import ParameterStore
+from rclpy._day6.arguments import parse_node_arguments
+from rclpy._day6.entity import Scope
+from rclpy._day6.handles import NodeHandle
+from rclpy._day6.incidental import also
+from rclpy._day6.logging_settings import LoggingSettings
+from rclpy._day6.node_entities import NodeEntities, profile_of
+from rclpy._day6.node_graph import NamesAndTypes, NodeGraph
+from rclpy._day6.node_names import checked_namespace, require_remapped, resolved_name
+from rclpy._day6.node_parts import Owned, Part
+from rclpy._day6.own_services import HASHES, LOG
+from rclpy._day6.parameter_events import ParameterEvents, parameter_event_publisher
+from rclpy._day6.parameter_store import ParameterStore
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError as NodeNameNonExistentError
-from rclpy._withdrawn import withdraw
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.client import Client
 from rclpy.clock import Clock, ROSClock
@@ -53,9 +53,9 @@ if TYPE_CHECKING:
 
     from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
 
-    from rclpy._parameter_declarations import ParameterTuple
-    from rclpy._parameter_store import OnSetCallback, PostSetCallback, PreSetCallback
-    from rclpy._typing_names import ServiceType
+    from rclpy._day6.parameter_declarations import ParameterTuple
+    from rclpy._day6.parameter_store import OnSetCallback, PostSetCallback, PreSetCallback
+    from rclpy._day6.typing_names import ServiceType
     from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
     from rclpy.executors import Executor
     from rclpy.guard_condition import GuardConditionCallbackType
@@ -223,7 +223,7 @@ class Node:
         return {name: Parameter(name, value=value) for name, value in values.items()}
 
     def _create_rosout(self, qos: QoSProfile) -> None:
-        from rclpy._rosout import RosoutPublisher
+        from rclpy._day6.rosout import RosoutPublisher
 
         graph_node = self.__node.node
         settings: LoggingSettings = self._context._logging

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Final, Generic, Literal, TypeVar, overload
 
-from rclpy._incidental import also
-from rclpy._withdrawn import withdraw
+from rclpy._day6.incidental import also
+from rclpy._day6.withdrawn import withdraw
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg
@@ -254,7 +254,7 @@ def parameter_dict_from_yaml_file(
     Raises:
         RuntimeError: if the file has nothing for these nodes or isn't a parameter file.
     """
-    from rclpy._parameter_files import parameters_of_nodes
+    from rclpy._day6.parameter_files import parameters_of_nodes
 
     return parameters_of_nodes(parameter_file, use_wildcard, target_nodes, namespace)
 

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from rclpy.task import Future
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg
     from rcl_interfaces.msg import ParameterEvent
 
-    from rclpy._typing_names import ServiceType
+    from rclpy._day6.typing_names import ServiceType
     from rclpy.callback_groups import CallbackGroup
     from rclpy.client import Client
     from rclpy.event_handler import SubscriptionEventCallbacks

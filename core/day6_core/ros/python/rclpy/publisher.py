@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from rclpy._endpoint_events import EndpointEvents
-from rclpy._incidental import also
-from rclpy._node_endpoint import TopicEndpoint
+from rclpy._day6.endpoint_events import EndpointEvents
+from rclpy._day6.incidental import also
+from rclpy._day6.node_endpoint import TopicEndpoint
 from rclpy.duration import Duration
 from rclpy.qos import QoSProfile
 from rclpy.type_support import MsgT
 
 if TYPE_CHECKING:
-    from rclpy._handles import EndpointHandle
+    from rclpy._day6.handles import EndpointHandle
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import PublisherEventCallbacks
 

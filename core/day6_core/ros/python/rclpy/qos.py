@@ -8,10 +8,10 @@ from typing import Any, TypeVar
 
 from day6_core.graph import QoS
 from day6_core.graph import qos as graph_qos
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import RMW_QOS_DEADLINE_BEST_AVAILABLE, RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE
 from rclpy._rclpy_pybind11 import QoSCompatibility as QoSCompatibility
-from rclpy._withdrawn import withdraw
 from rclpy.duration import Duration
 
 __getattr__ = also(__name__)
@@ -453,7 +453,7 @@ def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile
 
     The result is OK, WARNING (a policy is not decided yet, for instance SYSTEM_DEFAULT) or ERROR.
     """
-    from rclpy._qos_compatibility import check
+    from rclpy._day6.qos_compatibility import check
 
     return check(publisher_qos, subscription_qos)
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from rclpy import qos as qos_module
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy.duration import Duration
 from rclpy.exceptions import ParameterAlreadyDeclaredException
 from rclpy.publisher import Publisher
@@ -14,7 +14,7 @@ from rclpy.qos import QoSPolicyEnum, QoSPolicyKind, QoSProfile
 from rclpy.subscription import Subscription
 
 if TYPE_CHECKING:
-    from rclpy._parameter_store import ParameterStore
+    from rclpy._day6.parameter_store import ParameterStore
     from rclpy.node import Node
 
 _CHOICES = (QoSPolicyKind.LIVELINESS, QoSPolicyKind.RELIABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.DURABILITY)

@@ -6,18 +6,18 @@ from collections.abc import Awaitable, Callable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from day6_core.graph import RequestId
-from rclpy._callables import is_coroutine_function
-from rclpy._entity import NOTHING, SERVICE
-from rclpy._incidental import also
-from rclpy._node_endpoint import ServiceEndpoint
-from rclpy._withdrawn import withdraw
+from rclpy._day6.callables import is_coroutine_function
+from rclpy._day6.entity import NOTHING, SERVICE
+from rclpy._day6.incidental import also
+from rclpy._day6.node_endpoint import ServiceEndpoint
+from rclpy._day6.withdrawn import withdraw
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from rclpy.type_support import SrvRequestT, SrvResponseT
 
 if TYPE_CHECKING:
-    from rclpy._handles import EndpointHandle
-    from rclpy._typing_names import ServiceType
+    from rclpy._day6.handles import EndpointHandle
+    from rclpy._day6.typing_names import ServiceType
     from rclpy.callback_groups import CallbackGroup
 
     ServiceCallback = Callable[[SrvRequestT, SrvResponseT], SrvResponseT | Awaitable[SrvResponseT]]

@@ -15,7 +15,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from day6_core.interrupts import defer
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy._rclpy_pybind11 import SignalHandlerOptions as SignalHandlerOptions
 from rclpy.guard_condition import GuardCondition
 

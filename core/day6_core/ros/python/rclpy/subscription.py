@@ -6,19 +6,19 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 
-from rclpy._callables import accepts, is_coroutine_function
-from rclpy._endpoint_events import EndpointEvents
-from rclpy._entity import NOTHING, SUBSCRIPTION, Entity
-from rclpy._incidental import also
-from rclpy._node_endpoint import TopicEndpoint
+from rclpy._day6.callables import accepts, is_coroutine_function
+from rclpy._day6.endpoint_events import EndpointEvents
+from rclpy._day6.entity import NOTHING, SUBSCRIPTION, Entity
+from rclpy._day6.incidental import also
+from rclpy._day6.node_endpoint import TopicEndpoint
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import RCLError as RCLError
-from rclpy._withdrawn import withdraw
 from rclpy.qos import QoSProfile
 from rclpy.type_support import MsgT
 
 if TYPE_CHECKING:
-    from rclpy._endpoint_handles import SubscriptionHandle
-    from rclpy._entity import Scope
+    from rclpy._day6.endpoint_handles import SubscriptionHandle
+    from rclpy._day6.entity import Scope
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.subscription_content_filter_options import ContentFilterOptions

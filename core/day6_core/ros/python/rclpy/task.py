@@ -10,8 +10,8 @@ from collections.abc import Callable, Coroutine, Generator
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from rclpy._callables import is_coroutine_function
-from rclpy._incidental import also
+from rclpy._day6.callables import is_coroutine_function
+from rclpy._day6.incidental import also
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor

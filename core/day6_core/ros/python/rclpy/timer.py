@@ -8,11 +8,11 @@ from collections.abc import Callable, Coroutine
 from types import FunctionType, MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
-from rclpy._callables import is_coroutine_function, lacks_self
-from rclpy._entity import NOTHING, TIMER, Entity
-from rclpy._incidental import also
+from rclpy._day6.callables import is_coroutine_function, lacks_self
+from rclpy._day6.entity import NOTHING, TIMER, Entity
+from rclpy._day6.incidental import also
+from rclpy._day6.time_base import wait_interruptibly
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError, TimerCancelledError
-from rclpy._time_base import wait_interruptibly
 from rclpy.clock import Clock, ROSClock
 from rclpy.clock_type import ClockType
 from rclpy.exceptions import ROSInterruptException
@@ -20,7 +20,7 @@ from rclpy.time import Time
 from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
-    from rclpy._timer_heap import TimerHeap
+    from rclpy._day6.timer_heap import TimerHeap
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
 

@@ -6,7 +6,7 @@ from enum import IntEnum
 from typing import Any
 
 from day6_core.ros.differences import value
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy.qos import HistoryPolicy, QoSPresetProfiles, QoSProfile
 from rclpy.type_hash import TypeHash
 

@@ -6,8 +6,8 @@ import weakref
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.differences import value
-from rclpy._incidental import also
-from rclpy._own_services import GET_TYPE_DESCRIPTION
+from rclpy._day6.incidental import also
+from rclpy._day6.own_services import GET_TYPE_DESCRIPTION
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_services_default
 
@@ -60,7 +60,7 @@ class TypeDescriptionService:
         self.enabled = False
 
     def _service_callback(self, request: Any, response: Any) -> Any:
-        from rclpy._type_descriptions import fill_response
+        from rclpy._day6.type_descriptions import fill_response
 
         node = self._node_weak_ref()
         if node is None:

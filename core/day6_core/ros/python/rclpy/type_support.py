@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, TypeVar
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy.exceptions import NoTypeSupportImportedException
 
 __getattr__ = also(
@@ -14,20 +14,20 @@ __getattr__ = also(
 )
 
 if TYPE_CHECKING:
-    from rclpy._typing_names import Action as Action
-    from rclpy._typing_names import CommonMsgSrvMetaClass as CommonMsgSrvMetaClass
-    from rclpy._typing_names import EventMessage as EventMessage
-    from rclpy._typing_names import FeedbackMessage as FeedbackMessage
-    from rclpy._typing_names import GetResultService as GetResultService
-    from rclpy._typing_names import GetResultServiceRequest as GetResultServiceRequest
-    from rclpy._typing_names import GetResultServiceResponse as GetResultServiceResponse
-    from rclpy._typing_names import Msg as Msg
-    from rclpy._typing_names import MsgMetaClass as MsgMetaClass
-    from rclpy._typing_names import PyCapsule as PyCapsule
-    from rclpy._typing_names import SendGoalService as SendGoalService
-    from rclpy._typing_names import SendGoalServiceRequest as SendGoalServiceRequest
-    from rclpy._typing_names import SendGoalServiceResponse as SendGoalServiceResponse
-    from rclpy._typing_names import Srv as Srv
+    from rclpy._day6.typing_names import Action as Action
+    from rclpy._day6.typing_names import CommonMsgSrvMetaClass as CommonMsgSrvMetaClass
+    from rclpy._day6.typing_names import EventMessage as EventMessage
+    from rclpy._day6.typing_names import FeedbackMessage as FeedbackMessage
+    from rclpy._day6.typing_names import GetResultService as GetResultService
+    from rclpy._day6.typing_names import GetResultServiceRequest as GetResultServiceRequest
+    from rclpy._day6.typing_names import GetResultServiceResponse as GetResultServiceResponse
+    from rclpy._day6.typing_names import Msg as Msg
+    from rclpy._day6.typing_names import MsgMetaClass as MsgMetaClass
+    from rclpy._day6.typing_names import PyCapsule as PyCapsule
+    from rclpy._day6.typing_names import SendGoalService as SendGoalService
+    from rclpy._day6.typing_names import SendGoalServiceRequest as SendGoalServiceRequest
+    from rclpy._day6.typing_names import SendGoalServiceResponse as SendGoalServiceResponse
+    from rclpy._day6.typing_names import Srv as Srv
 
 MsgT = TypeVar("MsgT", bound="Msg")
 SrvT = TypeVar("SrvT", bound="Srv")

@@ -7,7 +7,7 @@ import sys
 import threading
 from collections.abc import Sequence
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 
@@ -37,7 +37,7 @@ def get_default_context(*, shutting_down: bool = False) -> Context:
 
 def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:
     """Return command line arguments (by default `sys.argv`) without those for ROS."""
-    from rclpy._arguments import remove_ros_arguments
+    from rclpy._day6.arguments import remove_ros_arguments
 
     return remove_ros_arguments(sys.argv if args is None else args)
 

@@ -1,7 +1,7 @@
 """Validation of namespaces."""
 
-from rclpy._incidental import also
-from rclpy._resolve import raise_for_namespace
+from rclpy._day6.incidental import also
+from rclpy._day6.resolve import raise_for_namespace
 
 __getattr__ = also(__name__, "InvalidNamespaceException")
 

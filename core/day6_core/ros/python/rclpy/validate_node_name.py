@@ -1,7 +1,7 @@
 """Validation of node names."""
 
-from rclpy._incidental import also
-from rclpy._resolve import raise_for_node
+from rclpy._day6.incidental import also
+from rclpy._day6.resolve import raise_for_node
 
 __getattr__ = also(__name__, "InvalidNodeNameException")
 

@@ -1,8 +1,8 @@
 """Validation of topic and service names as programs write them."""
 
 from day6_core.graph import names
-from rclpy._incidental import also
-from rclpy._resolve import raise_for_topic
+from rclpy._day6.incidental import also
+from rclpy._day6.resolve import raise_for_topic
 
 __getattr__ = also(__name__, "InvalidServiceNameException InvalidTopicNameException")
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rclpy._incidental import also
-from rclpy._time_base import AutoResetEvent
+from rclpy._day6.incidental import also
+from rclpy._day6.time_base import AutoResetEvent
 
 if TYPE_CHECKING:
     from rclpy.node import Node

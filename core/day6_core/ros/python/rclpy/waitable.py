@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from rclpy._entity import NOTHING, WAITABLE, Entity
-from rclpy._incidental import also
+from rclpy._day6.entity import NOTHING, WAITABLE, Entity
+from rclpy._day6.incidental import also
 
 if TYPE_CHECKING:
-    from rclpy._entity import Scope
-    from rclpy._wait_set import WaitSet
+    from rclpy._day6.entity import Scope
+    from rclpy._day6.wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.task import Future
 
@@ -64,7 +64,7 @@ class Waitable(Entity, Generic[T]):
     """Base of entities other than subscriptions, services, clients, timers and guard conditions.
 
     A program's derived class implements `get_num_entities`, `add_to_wait_set`, `is_ready`, `take_data` and `execute` with the
-    handles of entities, as in real rclpy; `rclpy._wait_set` replaces rcl's wait set.
+    handles of entities, as in real rclpy; `rclpy._day6.wait_set` replaces rcl's wait set.
     """
 
     _kind = WAITABLE
@@ -79,7 +79,7 @@ class Waitable(Entity, Generic[T]):
     def _enter(self, scope: Scope) -> None:
         super()._enter(scope)
         if type(self)._process is Waitable._process and self._wait_set is None:
-            from rclpy._wait_set import WaitSet
+            from rclpy._day6.wait_set import WaitSet
 
             self._wait_set = WaitSet._of_waitable(self._notify, scope)
             self.add_to_wait_set(self._wait_set)

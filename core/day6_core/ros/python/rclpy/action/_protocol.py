@@ -12,8 +12,8 @@ from rclpy._rclpy_pybind11 import DESTROYED, GoalEvent, InvalidHandle, RCLError
 from rclpy.qos import QoSProfile
 
 if TYPE_CHECKING:
-    from rclpy._handles import NodeHandle
-    from rclpy._introspection import Introspection
+    from rclpy._day6.handles import NodeHandle
+    from rclpy._day6.introspection import Introspection
     from rclpy.clock import Clock
     from rclpy.service_introspection import ServiceIntrospectionState
 
@@ -154,7 +154,7 @@ class ActionEndpoints:
 
     def configure_introspection(self, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState) -> None:
         """Publish requests and responses of the action's three services on `…/_service_event`, or stop doing so."""
-        from rclpy._introspection import Introspection
+        from rclpy._day6.introspection import Introspection
 
         self.check()
         for endpoint, interface in self._services.items():

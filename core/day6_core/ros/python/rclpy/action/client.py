@@ -7,11 +7,11 @@ import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-from rclpy._entity import NOTHING
-from rclpy._handles import INVALID_NODE
-from rclpy._incidental import also
+from rclpy._day6.entity import NOTHING
+from rclpy._day6.handles import INVALID_NODE
+from rclpy._day6.incidental import also
+from rclpy._day6.time_base import wait_interruptibly
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy._time_base import wait_interruptibly
 from rclpy.action._protocol import ABORTED, CANCELED, SUCCEEDED, UNKNOWN, ActionEndpoints
 from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
     from unique_identifier_msgs.msg import UUID
 
-    from rclpy._typing_names import ActionType, ClientTaken, FeedbackCallback, SendGoalKWargs
-    from rclpy._wait_set import WaitSet
+    from rclpy._day6.typing_names import ActionType, ClientTaken, FeedbackCallback, SendGoalKWargs
+    from rclpy._day6.wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.node import Node

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_core.graph import EndpointKind
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy._rclpy_pybind11 import RCLError
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ import traceback
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, cast
 
-from rclpy._entity import NOTHING
-from rclpy._incidental import also
+from rclpy._day6.entity import NOTHING
+from rclpy._day6.incidental import also
 from rclpy._rclpy_pybind11 import GoalEvent as GoalEvent
 from rclpy._rclpy_pybind11 import RCLError as RCLError
 from rclpy.action._protocol import (
@@ -33,9 +33,9 @@ if TYPE_CHECKING:
     from unique_identifier_msgs.msg import UUID
 
     from day6_core.graph import RequestId
-    from rclpy._entity import Scope
-    from rclpy._typing_names import ActionType, ServerTaken
-    from rclpy._wait_set import WaitSet
+    from rclpy._day6.entity import Scope
+    from rclpy._day6.typing_names import ActionType, ServerTaken
+    from rclpy._day6.wait_set import WaitSet
     from rclpy.action._server_goal import AcceptedCallback, CancelCallback, ExecuteCallback, GoalCallback
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from rclpy._entity import Entity
-from rclpy._executor_timeouts import TimeoutObject
+from rclpy._day6.entity import Entity
+from rclpy._day6.executor_timeouts import TimeoutObject
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.executors import Executor, SingleThreadedExecutor

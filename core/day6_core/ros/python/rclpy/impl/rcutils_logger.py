@@ -9,15 +9,15 @@ from collections.abc import Mapping
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from rclpy._incidental import also
-from rclpy._logging_settings import PROCESS, LoggingSettings
+from rclpy._day6.incidental import also
+from rclpy._day6.logging_settings import PROCESS, LoggingSettings
 from rclpy.clock import Clock
 from rclpy.impl.logging_severity import LoggingSeverity
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from rclpy._typing_names import LoggingArgs, LoggingFilterArgs, ThrottleContext
+    from rclpy._day6.typing_names import LoggingArgs, LoggingFilterArgs, ThrottleContext
 
 __getattr__ = also(
     __name__,

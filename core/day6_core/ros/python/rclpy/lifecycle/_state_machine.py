@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from rclpy._logging_settings import LoggingSettings
+from rclpy._day6.logging_settings import LoggingSettings
 from rclpy._rclpy_pybind11 import RCLError
 
 STATES = {

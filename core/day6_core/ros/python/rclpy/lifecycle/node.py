@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from rclpy._incidental import also
-from rclpy._lost_errors import remember
+from rclpy._day6.incidental import also
+from rclpy._day6.lost_errors import remember
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle._state_machine import STATES, StateMachine
 from rclpy.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
@@ -17,7 +17,7 @@ from rclpy.qos import QoSProfile
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from rclpy._typing_names import CreateLifecyclePublisherArgs, LifecycleNodeArgs
+    from rclpy._day6.typing_names import CreateLifecyclePublisherArgs, LifecycleNodeArgs
     from rclpy.callback_groups import CallbackGroup
     from rclpy.type_support import MsgT
 

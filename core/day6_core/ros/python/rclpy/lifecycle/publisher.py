@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Generic
 
-from rclpy._incidental import also
+from rclpy._day6.incidental import also
 from rclpy.lifecycle.managed_entity import SimpleManagedEntity
 from rclpy.publisher import Publisher
 from rclpy.type_support import MsgT

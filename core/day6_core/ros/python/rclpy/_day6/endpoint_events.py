@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from day6_core.graph.endpoints import Endpoint, EventKind
 
 if TYPE_CHECKING:
-    from rclpy._entity import Scope
-    from rclpy._handles import EndpointHandle
+    from rclpy._day6.entity import Scope
+    from rclpy._day6.handles import EndpointHandle
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
 

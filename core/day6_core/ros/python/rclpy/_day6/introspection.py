@@ -9,7 +9,7 @@ from day6_core.interfaces import copy_message, type_hash, type_name
 from rclpy._rclpy_pybind11 import ServiceIntrospectionState
 
 if TYPE_CHECKING:
-    from rclpy._handles import NodeHandle
+    from rclpy._day6.handles import NodeHandle
     from rclpy.clock import Clock
     from rclpy.qos import QoSProfile
 

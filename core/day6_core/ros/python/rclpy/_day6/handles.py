@@ -10,7 +10,7 @@ from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLErro
 
 if TYPE_CHECKING:
     from day6_core.graph.names import RemapRule
-    from rclpy._entity import Scope
+    from rclpy._day6.entity import Scope
     from rclpy.context import Context
     from rclpy.impl.rcutils_logger import RcutilsLogger
 

@@ -18,9 +18,9 @@ from pathlib import Path
 from types import FrameType, TracebackType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from rclpy._executor import Executor
-from rclpy._lost_errors import LOST
-from rclpy._rounds import ExecutorRounds
+from rclpy._day6.executor import Executor
+from rclpy._day6.lost_errors import LOST
+from rclpy._day6.rounds import ExecutorRounds
 from rclpy.client import Client
 from rclpy.context import _valid_contexts
 from rclpy.subscription import Subscription
@@ -40,7 +40,7 @@ LONGER = 1.5
 
 _OURS = tuple(
     str(Path(each).resolve()) + os.sep
-    for each in (Path(__file__).parents[1], Path(__file__).parents[3], sysconfig.get_paths()["stdlib"])
+    for each in (Path(__file__).parents[2], Path(__file__).parents[4], sysconfig.get_paths()["stdlib"])
 )
 _INSTALLED = f"{os.sep}install{os.sep}"
 _EXECUTE, _RUN_TASK = Executor._execute.__code__, Executor._run_task.__code__

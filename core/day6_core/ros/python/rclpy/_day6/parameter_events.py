@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rclpy._endpoint_handles import PublisherHandle
-from rclpy._own_services import HASHES, PARAMETER_EVENT, copy_any
+from rclpy._day6.endpoint_handles import PublisherHandle
+from rclpy._day6.own_services import HASHES, PARAMETER_EVENT, copy_any
 from rclpy.publisher import Publisher
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterEvent
 
-    from rclpy._handles import NodeHandle
+    from rclpy._day6.handles import NodeHandle
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.parameter import Parameter

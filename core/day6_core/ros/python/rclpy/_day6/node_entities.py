@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from rclpy._endpoint_handles import ClientHandle, PublisherHandle, ServiceHandle, SubscriptionHandle
-from rclpy._node_names import full_service_name, full_topic_name
-from rclpy._own_services import HASHES, copy_any
+from rclpy._day6.endpoint_handles import ClientHandle, PublisherHandle, ServiceHandle, SubscriptionHandle
+from rclpy._day6.node_names import full_service_name, full_topic_name
+from rclpy._day6.own_services import HASHES, copy_any
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.client import Client
 from rclpy.constants import S_TO_NS
@@ -20,9 +20,9 @@ from rclpy.type_support import MsgT, check_is_valid_msg_type, check_is_valid_srv
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
-    from rclpy._entity import Entity
-    from rclpy._handles import NodeHandle
-    from rclpy._parameter_store import ParameterStore
+    from rclpy._day6.entity import Entity
+    from rclpy._day6.handles import NodeHandle
+    from rclpy._day6.parameter_store import ParameterStore
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.context import Context

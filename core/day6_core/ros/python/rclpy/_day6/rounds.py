@@ -1,7 +1,7 @@
 """The rounds of an executor: which entities became ready, and which of them is run next.
 
-Ready entities announce themselves (`rclpy._entity`) in the executor's inbox; nothing is polled. As in real rclpy work comes in
-rounds: entities that are ready together run in a fixed order, each once, before the executor checks again.
+Ready entities announce themselves (`rclpy._day6.entity`) in the executor's inbox; nothing is polled. As in real rclpy work
+comes in rounds: entities that are ready together run in a fixed order, each once, before the executor checks again.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rclpy._entity import Entity, Scope
-from rclpy._executor_timeouts import ExternalShutdownException
+from rclpy._day6.entity import Entity, Scope
+from rclpy._day6.executor_timeouts import ExternalShutdownException
+from rclpy._day6.time_base import LONGEST_WAIT_S
+from rclpy._day6.timer_heap import TimerHeap
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy._time_base import LONGEST_WAIT_S
-from rclpy._timer_heap import TimerHeap
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.task import Task

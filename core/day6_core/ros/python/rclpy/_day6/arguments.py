@@ -11,7 +11,7 @@ from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSAr
 
 if TYPE_CHECKING:
     from day6_core.graph.names import RemapRule
-    from rclpy._logging_settings import LoggingSettings
+    from rclpy._day6.logging_settings import LoggingSettings
 
 START = "--ros-args"
 END = "--"
@@ -42,7 +42,7 @@ class RosArguments:
         """Return the parameters for the node with that full name."""
         if not self.parameters:
             return {}
-        from rclpy._parameter_files import matches
+        from rclpy._day6.parameter_files import matches
 
         found: dict[str, Any] = {}
         for pattern, parameters in self.parameters.items():
@@ -61,7 +61,7 @@ class RosArguments:
             settings.file.program = self.log_file_name or settings.file.program
 
     def _add_rule(self, flag: str, text: str) -> None:
-        from rclpy._rule_lexer import RuleError, read_remap_rule
+        from rclpy._day6.rule_lexer import RuleError, read_remap_rule
 
         try:
             self.rules.append(read_remap_rule(text))
@@ -71,8 +71,8 @@ class RosArguments:
             raise _refused("remap rule", flag, text, error, 380) from None
 
     def _add_parameter(self, flag: str, text: str) -> None:
-        from rclpy._parameter_files import ParameterTextError, add_override, assigned_value
-        from rclpy._rule_lexer import RuleError, read_parameter_rule
+        from rclpy._day6.parameter_files import ParameterTextError, add_override, assigned_value
+        from rclpy._day6.rule_lexer import RuleError, read_parameter_rule
 
         try:
             node, name, value = read_parameter_rule(text)
@@ -81,7 +81,7 @@ class RosArguments:
             raise _refused("parameter override rule", flag, text, error, 352) from None
 
     def _add_file(self, flag: str, path: str) -> None:
-        from rclpy._parameter_files import ParameterTextError, add_override, read_parameter_file
+        from rclpy._day6.parameter_files import ParameterTextError, add_override, read_parameter_file
 
         try:
             found = read_parameter_file(os.path.join(self._folder, path))
@@ -93,7 +93,7 @@ class RosArguments:
                 add_override(known, name, value)
 
     def _add_level(self, flag: str, text: str) -> None:
-        from rclpy._rule_lexer import RuleError, read_level_rule
+        from rclpy._day6.rule_lexer import RuleError, read_level_rule
         from rclpy.impl.logging_severity import LoggingSeverity
 
         name, separator, word = text.partition(":=")
@@ -164,7 +164,7 @@ _log_target: ContextVar[LoggingSettings | None] = ContextVar("_log_target", defa
 
 
 def _log(severity: int, message: str) -> None:
-    from rclpy._logging_settings import PROCESS
+    from rclpy._day6.logging_settings import PROCESS
 
     (_log_target.get() or PROCESS).emit(severity, "rcl", message, "", "", 0)
 
@@ -217,7 +217,7 @@ def _complain(flag: str, complaint: str) -> None:
 
 def _take_old_rule(found: RosArguments, word: str) -> None:
     """Read `from:=to` outside `--ros-args`, the syntax before ROS 2 Eloquent, which still works."""
-    from rclpy._rule_lexer import RuleError, read_remap_rule
+    from rclpy._day6.rule_lexer import RuleError, read_remap_rule
 
     try:
         found.rules.append(read_remap_rule(word))

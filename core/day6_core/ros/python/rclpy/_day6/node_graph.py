@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 from day6_core.graph import Endpoint, EndpointKind, Graph
 from day6_core.graph import Node as GraphNode
 from day6_core.graph import names as graph_names
+from rclpy._day6.resolve import raise_for_topic
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
-from rclpy._resolve import raise_for_topic
 from rclpy.expand_topic_name import expand_topic_name
 
 if TYPE_CHECKING:
-    from rclpy._handles import NodeHandle
+    from rclpy._day6.handles import NodeHandle
     from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 NamesAndTypes = list[tuple[str, list[str]]]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import time
 
-from rclpy._logging_settings import NAMES
+from rclpy._day6.logging_settings import NAMES
 
 _TOKEN = re.compile(r"\{(\w+)\}")
 _ESCAPES = {r"\a": "\a", r"\b": "\b", r"\n": "\n", r"\r": "\r", r"\t": "\t"}

@@ -10,7 +10,7 @@ import sys
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.graph import RequestId
-from rclpy._handles import EndpointHandle, NodeHandle
+from rclpy._day6.handles import EndpointHandle, NodeHandle
 from rclpy._rclpy_pybind11 import RCLError
 
 if TYPE_CHECKING:
@@ -193,7 +193,7 @@ class SubscriptionHandle(EndpointHandle):
 
     def _use_filter(self, options: tuple[str, list[str]]) -> None:
         """Filter from now on, or stop filtering if the expression is empty; ValueError for one that does not fit."""
-        from rclpy._content_filter import FilterError, compile_filter
+        from rclpy._day6.content_filter import FilterError, compile_filter
         from rclpy.subscription_content_filter_options import ContentFilterOptions
 
         expression, parameters = options

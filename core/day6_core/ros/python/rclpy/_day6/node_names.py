@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from day6_core.graph import names
-from rclpy._handles import rules_for
+from rclpy._day6.handles import rules_for
+from rclpy._day6.resolve import expand, raise_for_namespace, raise_for_node, raise_for_topic, require_text
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy._resolve import expand, raise_for_namespace, raise_for_node, raise_for_topic, require_text
 from rclpy.exceptions import InvalidTopicNameException
 
 if TYPE_CHECKING:
-    from rclpy._handles import NodeHandle
+    from rclpy._day6.handles import NodeHandle
 
 _WRONG_NAME_TYPE = (
     "rclpy_resolve_name(): incompatible function arguments. The following argument types are supported:\n"

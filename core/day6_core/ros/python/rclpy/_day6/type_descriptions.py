@@ -10,7 +10,7 @@ from day6_core.interfaces.hashing import description_text
 from day6_core.interfaces.registry import base_name
 
 if TYPE_CHECKING:
-    from rclpy._handles import NodeHandle
+    from rclpy._day6.handles import NodeHandle
 
 _HASH_LENGTH = len("RIHS01_") + 64
 

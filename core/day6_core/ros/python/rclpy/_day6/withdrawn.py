@@ -11,7 +11,10 @@ from typing import Any
 
 from day6_core.ros.differences import lacking
 
-_OURS = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+_PYTHON = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+"""Where the packages are that programs import."""
+
+_OURS = os.path.dirname(os.path.realpath(_PYTHON))
 
 
 def withdraw(module: str) -> None:
@@ -42,5 +45,5 @@ class _Absent:
 def _is_a_users() -> bool:
     """Whether a user's program runs here: it has the `day6_core` beside rclpy, and is none of our own files."""
     started = os.path.realpath(getattr(sys.modules["__main__"], "__file__", None) or "")
-    beside = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "day6_core", "__init__.py")
+    beside = os.path.join(_PYTHON, "day6_core", "__init__.py")
     return getattr(sys.modules.get("day6_core"), "__file__", None) == beside and not started.startswith(_OURS + os.sep)

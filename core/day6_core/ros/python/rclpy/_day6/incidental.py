@@ -16,7 +16,7 @@ _SOURCES = {
     "SetLoggerLevelsResult SetParametersResult",
     "rcl_interfaces.srv": "DescribeParameters GetLoggerLevels GetParameterTypes GetParameters ListParameters SetLoggerLevels "
     "SetParameters SetParametersAtomically",
-    "rclpy._typing_names": "Action CommonMsgSrvMetaClass CreateLifecyclePublisherArgs EventMessage FeedbackMessage "
+    "rclpy._day6.typing_names": "Action CommonMsgSrvMetaClass CreateLifecyclePublisherArgs EventMessage FeedbackMessage "
     "GetResultService GetResultServiceRequest GetResultServiceResponse LifecycleNodeArgs LoggingArgs LoggingFilterArgs "
     "LoggingFilterParams Msg MsgMetaClass OnceContext PyCapsule RcutilsLoggerContext SendGoalKWargs SendGoalService "
     "SendGoalServiceRequest SendGoalServiceResponse SkipFirstContext Srv SupportedFilters ThrottleContext "
@@ -78,7 +78,7 @@ def also(module: str, names: str = "") -> Callable[[str], Any]:
             return getattr(import_module(_SOURCE[name]), name)
         if name.startswith("__"):
             raise AttributeError(f"module {module!r} has no attribute {name!r}")
-        from rclpy._standard_names import standard_name
+        from rclpy._day6.standard_names import standard_name
 
         return standard_name(module, name)
 

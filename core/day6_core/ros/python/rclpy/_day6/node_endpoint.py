@@ -5,12 +5,12 @@ from __future__ import annotations
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from rclpy._entity import Entity
+from rclpy._day6.entity import Entity
 
 if TYPE_CHECKING:
-    from rclpy._endpoint_events import EndpointEvents
-    from rclpy._handles import EndpointHandle
-    from rclpy._introspection import Introspection
+    from rclpy._day6.endpoint_events import EndpointEvents
+    from rclpy._day6.handles import EndpointHandle
+    from rclpy._day6.introspection import Introspection
     from rclpy.clock import Clock
     from rclpy.event_handler import EventHandler
     from rclpy.qos import QoSProfile
@@ -93,7 +93,7 @@ class ServiceEndpoint(NodeEndpoint, Entity):
         self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
         """Publish requests and responses on `<service>/_service_event`: not at all, only metadata, or with contents."""
-        from rclpy._introspection import Introspection
+        from rclpy._day6.introspection import Introspection
 
         self._handle.check()
         self._introspection = Introspection.configured(

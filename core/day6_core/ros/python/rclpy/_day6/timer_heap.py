@@ -9,7 +9,7 @@ from itertools import count
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from rclpy._rounds import ExecutorRounds
+    from rclpy._day6.rounds import ExecutorRounds
     from rclpy.event_handler import EventHandler
     from rclpy.timer import Timer
 

@@ -6,8 +6,8 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
-from rclpy._parameter_declarations import declared_parameter
-from rclpy._parameter_rules import accepted, refusal_of_range, refusal_of_type, refused
+from rclpy._day6.parameter_declarations import declared_parameter
+from rclpy._day6.parameter_rules import accepted, refusal_of_range, refusal_of_type, refused
 from rclpy.exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -21,7 +21,7 @@ from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
 
-    from rclpy._parameter_declarations import ParameterTuple
+    from rclpy._day6.parameter_declarations import ParameterTuple
 
     PreSetCallback = Callable[[list[Parameter[Any]]], list[Parameter[Any]]]
     OnSetCallback = Callable[[list[Parameter[Any]]], SetParametersResult]

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from day6_core.graph import Node, Publisher, QoS, Subscription
 from day6_core.graph.qos import Durability
-from rclpy._handles import INVALID_PUBLISHER
+from rclpy._day6.handles import INVALID_PUBLISHER
 
 TYPE_NAME = "rcl_interfaces/msg/Log"
 

@@ -1,4 +1,4 @@
-"""The base of all executors: their nodes, running ready entities (`rclpy._rounds`), spinning."""
+"""The base of all executors: their nodes, running ready entities (`rclpy._day6.rounds`), spinning."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Callable, Coroutine, Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeVar, overload
 
-from rclpy._entity import NOTHING, Entity
-from rclpy._executor_timeouts import (
+from rclpy._day6.entity import NOTHING, Entity
+from rclpy._day6.executor_timeouts import (
     NEVER_TRUE,
     ConditionReachedException,
     ShutdownException,
@@ -15,7 +15,7 @@ from rclpy._executor_timeouts import (
     TimeoutObject,
     nanoseconds,
 )
-from rclpy._rounds import ExecutorRounds
+from rclpy._day6.rounds import ExecutorRounds
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.task import Future, Task

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rclpy._entity import NOTHING
+from rclpy._day6.entity import NOTHING
+from rclpy._day6.time_base import AutoResetEvent
 from rclpy._rclpy_pybind11 import Destroyable, RCLError
-from rclpy._time_base import AutoResetEvent
 from rclpy.constants import S_TO_NS
 from rclpy.timer import Timer
 
 if TYPE_CHECKING:
-    from rclpy._entity import Scope
+    from rclpy._day6.entity import Scope
 
 _KINDS = ("subscription", "guard_condition", "timer", "client", "service", "event")
 _ENDPOINTS = ("subscription", "client", "service")

@@ -10,11 +10,11 @@ import sys
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from rclpy._time_base import MACHINE_TIME, TimeBase
+from rclpy._day6.time_base import MACHINE_TIME, TimeBase
 
 if TYPE_CHECKING:
-    from rclpy._log_file import LogFile
-    from rclpy._rosout import RosoutPublisher
+    from rclpy._day6.log_file import LogFile
+    from rclpy._day6.rosout import RosoutPublisher
 
 NAMES = {0: "UNSET", 10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
 INFO = 20
@@ -105,7 +105,7 @@ class LoggingSettings:
         if form is DEFAULT_FORMAT:
             seconds, rest = divmod(stamp, 1_000_000_000)
             return f"[{NAMES[severity]}] [{seconds}.{rest:09}] [{name}]: {message}"
-        from rclpy._console_format import expand
+        from rclpy._day6.console_format import expand
 
         return expand(form, severity, name, message, function, file, line, stamp)
 
