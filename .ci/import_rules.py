@@ -27,7 +27,7 @@ CONTAINERS = {"day6_core", "day6_core.ros"}
 BY_NAME = {
     "day6_core.interfaces.stubs": "what an editor's type checker imports",
     "day6_core.ros.executables": "day6-tui's own command line",
-    "day6_core.shell.subshell": "day6-tui's own command line",
+    "day6_core.shell.outward.subshell": "day6-tui's own command line",
     "launch._entry_points": "what are entry points in ROS",
 }
 """Modules that may name a module of a higher layer in a string, and the reason."""

@@ -9,7 +9,7 @@ import pytest
 
 pytest.importorskip("termios", reason="casts are played in terminals of Linux and macOS")
 
-from day6_core.shell.screen import Screen
+from day6_core.shell.screen.screen import Screen
 from day6_tui.cast.file import Cast, Event
 from day6_tui.cast.film import Film
 from day6_tui.cast.player import Clock, Painter

@@ -167,7 +167,7 @@ class World:
             stderr=Captured(),
         )
         if self.with_processes:
-            from day6_core.shell.process import run_python
+            from day6_core.shell.process.process import run_python
 
             session.python = run_python
             session.env.update({name: os.environ[name] for name in ("PATH", "DAY6_RUNTIME_DIR") if name in os.environ})

@@ -23,7 +23,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from day6_core.ros.environment import program_environment
-from day6_core.shell.screen import Screen as Picture
+from day6_core.shell.screen.screen import Screen as Picture
 from day6_urdf.shipped import shipped_model
 from tests.perf.screen import Screen
 

@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 from day6_core.ros.environment import program_environment
-from day6_core.shell.screen import Screen as Picture
+from day6_core.shell.screen.screen import Screen as Picture
 from tests.perf.screen import Screen
 
 PUBLISHERS = """

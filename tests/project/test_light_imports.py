@@ -72,5 +72,5 @@ def test_a_talker_runs_beside_files_with_our_folders_names(tmp_path: Path) -> No
 
 
 def test_a_terminal_does_without_the_tables_of_wcwidth() -> None:
-    code = "from day6_core.shell.screen import Screen; s = Screen(9, 2); s.feed('a海'); assert s.cursor.x == 3"
+    code = "from day6_core.shell.screen.screen import Screen; s = Screen(9, 2); s.feed('a海'); assert s.cursor.x == 3"
     assert "wcwidth" not in loaded(code)

@@ -103,7 +103,7 @@ os.waitpid = waitpid  # the system below is still this one, and `subprocess` wai
 subprocess.CREATE_NEW_PROCESS_GROUP = subprocess.BELOW_NORMAL_PRIORITY_CLASS = 0
 signal.CTRL_BREAK_EVENT = signal.SIGINT
 here, sys.platform = sys.platform, "win32"
-from day6_core.shell.execute import main
+from day6_core.shell.outward.execute import main
 status = main(["--home", {str(tmp_path)!r}, "-c", {script!r}])
 sys.platform = here
 sys.exit(status)

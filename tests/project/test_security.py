@@ -24,7 +24,7 @@ REASONS = {
         "exec",
     ): "class source; of a text only checked identifiers and repr() of values get into it",
     (
-        "day6_core/shell/ide.py",
+        "day6_core/shell/outward/ide.py",
         "xml",
     ): "the project's own .idea files, at its owner's wish; expat expands no entities of files",
     ("day6_core/interfaces/generate.py", "eval"): "the default of a field, made by repr() of a value that was parsed",

@@ -153,7 +153,7 @@ def test_kill_9_in_the_middle_of_saving_leaves_one_whole_text(tmp_path: Path) ->
 
 ALLOWED = {
     "day6_core/whole_file.py": "the one way",
-    "day6_core/shell/subshell.py": "scripts in a temporary folder of its own",
+    "day6_core/shell/outward/subshell.py": "scripts in a temporary folder of its own",
     "day6_core/workspace/create.py": "a new package, which is a hidden folder until it is whole",
     "day6_core/ros/python/rosbag2_py/_reader.py": "unpacks into a temporary folder",
     "day6_core/workspace/files.py": "colcon's output: the one way, and only where colcon may write",
@@ -208,7 +208,7 @@ def metadata(path: Path) -> None:
 
 
 def vscode(path: Path) -> None:
-    from day6_core.shell.ide import write_vscode
+    from day6_core.shell.outward.ide import write_vscode
 
     write_vscode(path, path / "stubs")
 
@@ -295,7 +295,7 @@ def test_the_log_of_the_desktop_is_private_and_a_full_disk_does_not_show(
 
 @posix
 def test_the_history_of_the_terminals_is_private(tmp_path: Path) -> None:
-    from day6_core.shell.history import History
+    from day6_core.shell.line.history import History
 
     file = tmp_path / ".bash_history"
     file.write_text("ls\n")

@@ -20,7 +20,7 @@ from typing import Any
 import pytest
 
 from day6_core.ros.environment import PYTHON_PATH
-from day6_core.shell import ide, jsonc
+from day6_core.shell.outward import ide, jsonc
 from tests.e2e.lesson_files import TALKER, WHEEL_SPINNER
 
 HERE = Path(__file__).parent

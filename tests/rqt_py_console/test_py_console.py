@@ -14,7 +14,7 @@ from day6_core.ros.programs.rqt_py_common.command_lines import MOST_LINES, Kind
 from day6_core.ros.programs.rqt_py_console.interpreter import AWAITS, ERROR, PLAIN
 from day6_core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
 from day6_core.session.program import Program
-from day6_core.shell.process import running_processes
+from day6_core.shell.process.process import running_processes
 from tests.support.desk_window import DeskWindow
 from tests.support.rqt_machine import RqtMachine
 from tests.support.short_folder import make_short_folder

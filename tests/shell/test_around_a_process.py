@@ -13,10 +13,9 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell import heap, launch_process
-from day6_core.shell import process as process_module
-from day6_core.shell.feeder import FULL, Feeder
-from day6_core.shell.process import Process, running_processes
+from day6_core.shell.process.feeder import FULL, Feeder
+from day6_core.shell.process.process import Process, heap, launch_process, running_processes
+from day6_core.shell.process.process import process as process_module
 from tests.support.waiting import until
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs ptys and signals")
@@ -105,7 +104,7 @@ def test_a_process_that_cannot_be_started_ends_its_command(
     def failing(*_: object, **__: object) -> None:
         raise BlockingIOError(11, "Resource temporarily unavailable")
 
-    monkeypatch.setattr("day6_core.shell.process.subprocess.Popen", failing)
+    monkeypatch.setattr("day6_core.shell.process.process.subprocess.Popen", failing)
     seat.line("python3 -c 1 | cat" if piped else "python3 -c 1")
     seat.wait_prompt()
     assert "Resource temporarily unavailable" in seat.look()

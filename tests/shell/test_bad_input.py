@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from day6_core.shell.language.parser import parse
 from day6_core.shell.language.words import SyntaxProblem
-from day6_core.shell.rows import row_text
-from day6_core.shell.screen import Screen
+from day6_core.shell.screen.rows import row_text
+from day6_core.shell.screen.screen import Screen
 from day6_core.width import text_width
 
 SHELL_PIECES = st.sampled_from(

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.recall import NoSuchLine, recalled
+from day6_core.shell.line.recall import NoSuchLine, recalled
 
 UBUNTU = r"""
 case $- in

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.completion import Completer, current_words, quoted
-from day6_core.shell.real_completion import answers, functions
+from day6_core.shell.line.completion import Completer, current_words, quoted
+from day6_core.shell.outward.real_completion import answers, functions
 
 FILES = "mkdir -p one/in 'two dirs' .hidden; touch one/a.py one/b.txt only.py 'sp ace' '$x' .rc; alias tt=true"
 
@@ -185,7 +185,7 @@ def test_what_the_real_shells_read_names_every_command_and_quotes_ours() -> None
 def test_day6_tui_complete_prints_a_word_on_each_line(
     shell: str, line: str, printed: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_core.shell import real_completion
+    from day6_core.shell.outward import real_completion
 
     monkeypatch.setenv("DAY6_LINK", "off")
     assert real_completion.main([shell, line], lambda words: []) == 0

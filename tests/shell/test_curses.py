@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.screen import Screen
+from day6_core.shell.screen.screen import Screen
 
 BOX = """\
 import curses

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from day6_core.shell.edit_line import KEYS, EditLine
+from day6_core.shell.line.edit_line import KEYS, EditLine
 
 
 def edited(keys: list[str], text: str) -> str:

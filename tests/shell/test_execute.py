@@ -254,7 +254,7 @@ def test_ros2_answers_in_a_real_terminal(tmp_path: Path) -> None:
 
 def test_a_script_without_ros_loads_nothing_heavy(tmp_path: Path) -> None:
     script = (
-        "import sys\nfrom day6_core.shell.execute import main\n"
+        "import sys\nfrom day6_core.shell.outward.execute import main\n"
         "main(['-c', 'echo hi | grep h; python3 -c pass'])\n"
         "heavy = {'numpy', 'asyncio', 'yaml', 'textual', 'rich', 'zenoh', 'pyte', 'rclpy'}\n"
         "print(sorted(heavy & {name.split('.')[0] for name in sys.modules}))\n"

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.shell.history import History, in_one_line
+from day6_core.shell.line.history import History, in_one_line
 
 COMMANDS = [
     "for i in 1 2 3\ndo\n echo $i\ndone",

@@ -16,8 +16,8 @@ import pytest
 from day6_core.interfaces import get_message, interface_names
 from day6_core.interfaces.stubs import package_stubs
 from day6_core.ros.environment import PYTHON_PATH, python_folders
-from day6_core.shell import ide, jsonc
-from day6_core.shell.subshell import print_environment
+from day6_core.shell.outward import ide, jsonc
+from day6_core.shell.outward.subshell import print_environment
 
 MINE = """\
 // my settings

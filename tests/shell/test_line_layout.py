@@ -6,8 +6,8 @@ import random
 
 import pytest
 
-from day6_core.shell.line_layout import lay_out, near, shown
-from day6_core.shell.screen import Screen
+from day6_core.shell.line.layout import lay_out, near, shown
+from day6_core.shell.screen.screen import Screen
 
 ALPHABET = "aab 中é\n\x01\t"
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from day6_core.session.task import sleep_until
-from day6_core.shell.discipline import MOST_TYPED_AHEAD
+from day6_core.shell.line.discipline import MOST_TYPED_AHEAD
 
 LINE = "echo this is line {}\n"
 MEGABYTE = 1_000_000

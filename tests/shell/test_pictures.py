@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from day6_core.shell.rows import PLAIN_STYLE, Row
-from day6_core.shell.screen import Screen
+from day6_core.shell.screen.rows import PLAIN_STYLE, Row
+from day6_core.shell.screen.screen import Screen
 
 PICTURES = Path(__file__).parent / "pictures.jsonl"
 

@@ -13,9 +13,8 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell import process
-from day6_core.shell.process import running_processes
-from day6_core.shell.rows import row_text
+from day6_core.shell.process.process import process, running_processes
+from day6_core.shell.screen.rows import row_text
 from tests.support.waiting import PATIENCE, until
 
 PROMPT = "student@day6:~$"
@@ -451,7 +450,7 @@ def test_a_program_that_eats_memory_gets_a_memory_error(machine: Any, monkeypatc
 
 
 def test_the_memory_of_a_program_is_limited_by_the_machine_and_by_wish(monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_core.shell.memory import LEAST, memory_limit
+    from day6_core.shell.process.memory import LEAST, memory_limit
 
     monkeypatch.delenv("DAY6_MEMORY_LIMIT", raising=False)
     assert memory_limit() == 0 or memory_limit() >= LEAST

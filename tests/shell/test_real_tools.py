@@ -11,9 +11,9 @@ import pytest
 
 from day6_core.session.session import Session
 from day6_core.session.streams import Captured, InputStream
-from day6_core.shell.completion import Completer
 from day6_core.shell.language.redirection import Streams
-from day6_core.shell.real_tools import find_tool, tools_beginning_with
+from day6_core.shell.line.completion import Completer
+from day6_core.shell.process.real_tools import find_tool, tools_beginning_with
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs of these tests are shell scripts")
 

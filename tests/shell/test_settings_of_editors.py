@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from day6_core.ros.environment import PYTHON_PATH
-from day6_core.shell import ide, jsonc
+from day6_core.shell.outward import ide, jsonc
 
 OURS = {"PYTHONPATH": "/ros", "ROS_DOMAIN_ID": "3"}
 STUBS = Path("/stubs")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.shell import subshell
+from day6_core.shell.outward import subshell
 
 posix = pytest.mark.skipif(os.name != "posix", reason="shell scripts")
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell import discipline as discipline_module
 from day6_core.shell import terminal as terminal_module
+from day6_core.shell.line import discipline as discipline_module
 from day6_core.shell.terminal import LONGEST_END
 from tests.shell.conftest import show_all
 

@@ -11,7 +11,7 @@ from day6_core.ros.programs.turtlesim.model.trail import Trail
 from day6_core.session.clock import WorldClock
 from day6_core.session.display import Display
 from day6_core.shell.runs import Runs
-from day6_core.shell.screen import Screen
+from day6_core.shell.screen.screen import Screen
 
 
 class FakeTerminal:

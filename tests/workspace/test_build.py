@@ -383,7 +383,7 @@ def test_a_new_terminal_reads_bashrc_and_an_old_one_does_not(workshop: Workshop)
 
 def test_tab_knows_verbs_options_and_packages(workshop: Workshop) -> None:
     from day6_core.session.session import Session
-    from day6_core.shell.completion import Completer
+    from day6_core.shell.line.completion import Completer
 
     workshop.create("day6_one")
     workshop.create("day6_two")

@@ -33,7 +33,7 @@ from textual.widget import Widget
 
 from day6_core.ros import distribution
 from day6_core.session.harmless import one_line
-from day6_core.shell.heap import keep_heap_small
+from day6_core.shell.process.heap import keep_heap_small
 from day6_tui import actions
 from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.colours import colours

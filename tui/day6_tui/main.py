@@ -134,7 +134,7 @@ def _end_silently_on_ctrl_c() -> None:
 
 
 def _exec(words: list[str]) -> int:
-    from day6_core.shell.execute import main as execute
+    from day6_core.shell.outward.execute import main as execute
 
     return execute(words)
 
@@ -151,7 +151,7 @@ def _python(words: list[str]) -> int:
     environment = program_environment()
     if sys.platform != "win32":
         os.execve(sys.executable, argv, environment)
-    from day6_core.shell.subshell import call
+    from day6_core.shell.outward.subshell import call
 
     return call(argv, environment)
 
@@ -205,7 +205,7 @@ def _export(words: list[str]) -> int:
 
 
 def _shell(words: list[str]) -> int:
-    from day6_core.shell.subshell import main as subshell
+    from day6_core.shell.outward.subshell import main as subshell
 
     return subshell(words)
 
@@ -275,7 +275,7 @@ def _cast(words: list[str]) -> int:
 
 
 def _complete(words: list[str]) -> int:
-    from day6_core.shell.real_completion import main as complete
+    from day6_core.shell.outward.real_completion import main as complete
 
     return complete(words, _own_words)
 
@@ -300,7 +300,7 @@ def _own_words(words: list[str]) -> list[str]:
 
 
 def _env(words: list[str]) -> int:
-    from day6_core.shell.subshell import print_environment
+    from day6_core.shell.outward.subshell import print_environment
 
     return print_environment(words)
 

@@ -12,7 +12,7 @@ from day6_core.ros.executables import are_on
 from day6_core.ros.program_index import named_by, place_of_command
 from day6_core.ros.programs import load
 from day6_core.session.session import Main, Session
-from day6_core.shell.real_tools import find_tool, running
+from day6_core.shell.process.real_tools import find_tool, running
 
 if TYPE_CHECKING:
     from day6_core.shell.language.interpreter import Shell

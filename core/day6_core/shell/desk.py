@@ -193,7 +193,7 @@ class Desk:
         """
         if len(self.programs) >= MOST_PROGRAMS:
             raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
-        from day6_core.shell.process import run_python
+        from day6_core.shell.process.process import run_python
 
         if self.searching():
             env = {**env, "DAY6_HINTS": "off"}
@@ -251,7 +251,7 @@ class Desk:
         self.clock.set_speed(factor)
 
     def _stop_processes(self, stopped: bool) -> None:
-        from day6_core.shell.process import running_processes
+        from day6_core.shell.process.process import running_processes
 
         for process in running_processes(self.scheduler):
             process.pause(stopped, "world")

@@ -6,16 +6,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.session.session import Session
-from day6_core.shell.completion import Completer
-from day6_core.shell.history import History
 from day6_core.shell.language import parser
 from day6_core.shell.language.control_flow import ExitShell
 from day6_core.shell.language.hints import hint_at_open_quote
 from day6_core.shell.language.interpreter import Shell
 from day6_core.shell.language.words import Incomplete, SyntaxProblem
-from day6_core.shell.line_editor import EndOfLines, LineEditor
-from day6_core.shell.prompt import UBUNTU, prompt
-from day6_core.shell.recall import NoSuchLine, recalled
+from day6_core.shell.line.completion import Completer
+from day6_core.shell.line.editor import EndOfLines, LineEditor
+from day6_core.shell.line.history import History
+from day6_core.shell.line.prompt import UBUNTU, prompt
+from day6_core.shell.line.recall import NoSuchLine, recalled
 
 if TYPE_CHECKING:
     from day6_core.shell.terminal import Terminal

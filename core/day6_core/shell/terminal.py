@@ -18,15 +18,15 @@ from day6_core.session.clock import nanoseconds
 from day6_core.session.program import Program
 from day6_core.session.streams import OutputStream
 from day6_core.session.task import Signal, let_others_run, sleep_until, wait_for
-from day6_core.shell.discipline import Discipline
 from day6_core.shell.language.redirection import Streams
+from day6_core.shell.line.discipline import Discipline
 from day6_core.shell.runs import Runs
 
 if TYPE_CHECKING:
     from day6_core.session.streams import InputStream
     from day6_core.shell.desk import Desk
-    from day6_core.shell.rows import Scrollback
-    from day6_core.shell.screen import Screen
+    from day6_core.shell.screen.rows import Scrollback
+    from day6_core.shell.screen.screen import Screen
 
 RING = 256 * 1024
 """Characters that may wait to be shown; beyond that the oldest lines are dropped."""
@@ -103,7 +103,7 @@ class Terminal:
         """The same for programs on the scheduler's thread."""
         self._drained.set()
         if text:
-            from day6_core.shell.transcript import shown_again
+            from day6_core.shell.screen.transcript import shown_again
 
             self.write(shown_again(text))
         self.shell = desk.shell(interactive=True, cwd=cwd, env=env)
@@ -128,7 +128,7 @@ class Terminal:
         """The picture as of the last `update`, in the size that the window has now: nobody waits for one that is hidden."""
         if self._screen is None:
             # pyte costs tens of milliseconds to import; a terminal exists before its first frame is drawn.
-            from day6_core.shell.screen import Screen
+            from day6_core.shell.screen.screen import Screen
 
             self._screen = Screen(self.columns, self.rows)
         elif (self._screen.columns, self._screen.lines) != (self.columns, self.rows):
@@ -167,7 +167,7 @@ class Terminal:
     @property
     def history(self) -> Scrollback:
         """The lines above the screen, oldest first, as rows of cells."""
-        from day6_core.shell.rows import Scrollback
+        from day6_core.shell.screen.rows import Scrollback
 
         return Scrollback(self.screen.scrollback)
 

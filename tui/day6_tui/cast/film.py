@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from day6_core.shell.rows import Run, runs_of
-from day6_core.shell.screen import Screen
+from day6_core.shell.screen.rows import Run, runs_of
+from day6_core.shell.screen.screen import Screen
 from day6_tui.cast.file import Cast
 
 Rows = list[tuple[Run, ...]]

@@ -15,7 +15,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
 
 from day6_core.session.harmless import one_line
-from day6_core.shell.rows import Run, Style
+from day6_core.shell.screen.rows import Run, Style
 from day6_core.speeds import changed, in_words
 from day6_core.width import char_width
 from day6_tui.cast.film import Film

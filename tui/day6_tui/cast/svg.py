@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from html import escape
 
 from day6_core.session.harmless import one_line
-from day6_core.shell.rows import Style
+from day6_core.shell.screen.rows import Style
 from day6_core.width import char_width
 from day6_tui.cast.film import Rows
 

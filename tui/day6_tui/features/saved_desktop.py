@@ -102,7 +102,7 @@ class Session:
         panes = [pane for pane in self._terminals.panes if pane.has_terminal]
         if not panes or self._foreign:
             return None
-        from day6_core.shell.transcript import transcript
+        from day6_core.shell.screen.transcript import transcript
 
         terminals = []
         for pane in panes:

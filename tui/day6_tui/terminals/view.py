@@ -14,9 +14,9 @@ from rich.style import Style
 from day6_tui.appearance.colours import Colours, pixel_style
 
 if TYPE_CHECKING:
-    from day6_core.shell.light_pyte import Char
-    from day6_core.shell.reflow import Marker
-    from day6_core.shell.rows import Row
+    from day6_core.shell.screen.light_pyte import Char
+    from day6_core.shell.screen.reflow import Marker
+    from day6_core.shell.screen.rows import Row
     from day6_core.shell.terminal import Terminal
 
 # Ubuntu's terminal palette (the Tango colours), by pyte's names; 'brown' is the VT's word for yellow.
@@ -184,7 +184,7 @@ class TerminalView:
         self._selected = None if places is None else (self._marker(*places[0]), self._marker(*places[1]))
 
     def _marker(self, line: int, column: int) -> Marker:
-        from day6_core.shell.reflow import Marker  # not at the top: it brings pyte along
+        from day6_core.shell.screen.reflow import Marker  # not at the top: it brings pyte along
 
         marker = Marker(self._oldest + line, column)
         self.terminal.screen.markers.add(marker)
@@ -370,7 +370,7 @@ class TerminalView:
 
     def selected_text(self) -> str:
         """The selected text, lines without the blanks at their ends; one that was wrapped at the right edge is one line."""
-        from day6_core.shell.rows import Folded, cells_of
+        from day6_core.shell.screen.rows import Folded, cells_of
 
         if self.selection is None:
             return ""
@@ -386,7 +386,7 @@ class TerminalView:
 
     def whole_line(self, line: int) -> str:
         """The text of a line, counted from the beginning of the scrollback, with what was wrapped at the right edge."""
-        from day6_core.shell.rows import Folded, cells_of
+        from day6_core.shell.screen.rows import Folded, cells_of
 
         first = last = line
         while first > 0 and line - first < LONGEST_LINE and isinstance(self.line_row(first - 1), Folded):
@@ -406,7 +406,7 @@ class TerminalView:
 def _unfold(row: Row, columns: int, blank: Char) -> list[Char]:
     """A line of the scrollback (text, or runs of text and style) as characters, a wide one followed by an empty one."""
     # Not at the top: pyte takes tens of milliseconds, and the first frame has no screen yet.
-    from day6_core.shell.rows import cells_of
+    from day6_core.shell.screen.rows import cells_of
 
     cells = cells_of(row)
     return cells[:columns] + [blank] * (columns - len(cells))

@@ -167,7 +167,7 @@ def _kill_one(session: Session, word: str, number: int) -> bool:
 
 def find_program(shell: Shell, pid: int) -> Program | None:
     """The running program with this process id: ours, or that of the process behind a `python3`."""
-    from day6_core.shell.process import running_processes
+    from day6_core.shell.process.process import running_processes
 
     for process in running_processes(shell.desk.scheduler):
         if 0 != process.pid == pid:

@@ -10,7 +10,7 @@ from textual import events
 
 from day6_core.ros.programs.rqt_py_common.command_lines import CommandLines, Kind
 from day6_core.session.display import Window
-from day6_core.shell.edit_line import KEYS, EditLine
+from day6_core.shell.line.edit_line import KEYS, EditLine
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, wrap
 from day6_tui.terminals.keys import encode

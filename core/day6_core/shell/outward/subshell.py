@@ -55,7 +55,7 @@ def _start_file(shell: str, folder: Path, env: dict[str, str]) -> list[str]:
     if shell not in ("bash", "zsh"):
         return []
     own = "~" if shell == "bash" else shlex.quote(env.get("ZDOTDIR", env.get("HOME", "")))
-    from day6_core.shell.real_completion import functions
+    from day6_core.shell.outward.real_completion import functions
 
     lines = [
         f"[ -f {own}/.{shell}rc ] && . {own}/.{shell}rc",
@@ -128,7 +128,7 @@ def print_environment(arguments: list[str]) -> int:
 
 def _write_settings(options: argparse.Namespace) -> int:
     from day6_core.ros.environment import activate
-    from day6_core.shell import ide
+    from day6_core.shell.outward import ide
 
     activate()
     project, stubs = working_folder() / options.project, ide.stub_folder()

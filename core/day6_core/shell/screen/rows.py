@@ -11,11 +11,11 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple, overload
 from unicodedata import normalize
 
-from day6_core.shell.light_pyte import Char
+from day6_core.shell.screen.light_pyte import Char
 from day6_core.width import char_width, fitting, is_mark, widths
 
 if TYPE_CHECKING:
-    from day6_core.shell.light_pyte import Line
+    from day6_core.shell.screen.light_pyte import Line
 
 
 class Style(NamedTuple):

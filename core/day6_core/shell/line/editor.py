@@ -10,14 +10,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from day6_core.session.session import Session
-from day6_core.shell.discipline import TtyInput
-from day6_core.shell.edit_line import KEYS, EditLine
-from day6_core.shell.line_layout import Shown, lay_out, near, shown
+from day6_core.shell.line.discipline import TtyInput
+from day6_core.shell.line.edit_line import KEYS, EditLine
+from day6_core.shell.line.layout import Shown, lay_out, near, shown
 from day6_core.width import text_width
 
 if TYPE_CHECKING:
-    from day6_core.shell.completion import Completer
-    from day6_core.shell.history import History
+    from day6_core.shell.line.completion import Completer
+    from day6_core.shell.line.history import History
     from day6_core.shell.terminal import Terminal
 
 _COLOUR = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|\x07")

@@ -40,7 +40,7 @@ def running(words: list[str]) -> Main:
     """Return a program that runs a real one: `words`, then the arguments it is given."""
 
     async def main(session: Session) -> int:
-        from day6_core.shell.process import run_process
+        from day6_core.shell.process.process import run_process
 
         return await run_process(session, [*words, *session.argv[1:]])
 

@@ -6,12 +6,12 @@ import re
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from day6_core.shell.light_pyte import modes
-from day6_core.shell.rows import PLAIN_STYLE, Row, Run, Style, folded, folded_runs, in_style
+from day6_core.shell.screen.light_pyte import modes
+from day6_core.shell.screen.rows import PLAIN_STYLE, Row, Run, Style, folded, folded_runs, in_style
 from day6_core.width import text_width, widths
 
 if TYPE_CHECKING:
-    from day6_core.shell.screen import Screen
+    from day6_core.shell.screen.screen import Screen
 
 _ODD = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]")
 """Characters because of which a line cannot be taken as a whole."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from day6_core.shell.rows import PLAIN_STYLE, Folded, Row, Style
+from day6_core.shell.screen.rows import PLAIN_STYLE, Folded, Row, Style
 
 if TYPE_CHECKING:
-    from day6_core.shell.screen import Screen
+    from day6_core.shell.screen.screen import Screen
 
 LINES = 500
 """Lines that are kept of a terminal."""

@@ -11,7 +11,7 @@ from day6_core.session.session import Session
 from day6_core.shell.commands import command_names
 from day6_core.shell.language.lexer import Token, tokenize
 from day6_core.shell.language.words import Incomplete, SyntaxProblem, Text
-from day6_core.shell.real_tools import tools_beginning_with
+from day6_core.shell.process.real_tools import tools_beginning_with
 
 if TYPE_CHECKING:
     from day6_core.shell.language.interpreter import Shell

@@ -18,7 +18,7 @@ from typing import Any
 from day6_core.places import data_folder
 from day6_core.ros.distribution import DEFAULT, current
 from day6_core.ros.environment import program_environment, python_folders
-from day6_core.shell.jsonc import parse, set_keys, spans
+from day6_core.shell.outward.jsonc import parse, set_keys, spans
 from day6_core.whole_file import replace_file
 
 LAUNCH_NAME = "day6: this Python file"

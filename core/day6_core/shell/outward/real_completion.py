@@ -11,7 +11,7 @@ import shlex
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from day6_core.shell.completion import COMPLETED, current_words, own_words, quoted
+from day6_core.shell.line.completion import COMPLETED, current_words, own_words, quoted
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session

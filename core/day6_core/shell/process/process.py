@@ -32,9 +32,9 @@ from day6_core.session.signals import NUMBERS, from_system, to_system
 from day6_core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_core.session.task import Signal, TaskCancelled, wait_for
 from day6_core.session.threads import in_thread
-from day6_core.shell.feeder import Feeder
-from day6_core.shell.memory import memory_limit
-from day6_core.shell.pty_keys import PtyKeys
+from day6_core.shell.process.feeder import Feeder
+from day6_core.shell.process.memory import memory_limit
+from day6_core.shell.process.pty_keys import PtyKeys
 
 LAUNCHER = Path(__file__).with_name("launch_process.py")
 NICE = 10

@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from day6_core.shell.rows import (
+from day6_core.shell.screen.rows import (
     PLAIN_STYLE,
     Folded,
     Row,
@@ -23,7 +23,7 @@ from day6_core.shell.rows import (
     runs_of,
     without_end,
 )
-from day6_core.shell.whole_lines import NOT_COMMON
+from day6_core.shell.screen.whole_lines import NOT_COMMON
 from day6_core.width import text_width, widths
 
 Place = tuple[int, int]

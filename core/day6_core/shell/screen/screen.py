@@ -19,11 +19,11 @@ from typing import NamedTuple
 from weakref import WeakSet
 
 from day6_core.session.harmless import for_emulation
-from day6_core.shell.light_pyte import Char, Cursor, Line, charsets, modes
-from day6_core.shell.light_pyte import Screen as PyteScreen
-from day6_core.shell.light_pyte import Stream as PyteStream
-from day6_core.shell.reflow import Marker, rewrap
-from day6_core.shell.rows import (
+from day6_core.shell.screen.light_pyte import Char, Cursor, Line, charsets, modes
+from day6_core.shell.screen.light_pyte import Screen as PyteScreen
+from day6_core.shell.screen.light_pyte import Stream as PyteStream
+from day6_core.shell.screen.reflow import Marker, rewrap
+from day6_core.shell.screen.rows import (
     PLAIN_STYLE,
     Folded,
     FoldedText,
@@ -41,8 +41,8 @@ from day6_core.shell.rows import (
     with_mark,
     without_end,
 )
-from day6_core.shell.sequences import NEVER, Parser, colour_numbers
-from day6_core.shell.whole_lines import NOT_NARROW, WholeLines
+from day6_core.shell.screen.sequences import NEVER, Parser, colour_numbers
+from day6_core.shell.screen.whole_lines import NOT_NARROW, WholeLines
 from day6_core.width import char_width, fitting, widths
 
 SCROLLBACK = 5000

@@ -1,0 +1,1 @@
+"""Students' programs and those of the real machine: processes on the streams of a session."""

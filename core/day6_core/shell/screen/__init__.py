@@ -1,0 +1,1 @@
+"""The picture of a terminal, made of what programs write: VT emulation, scrollback, wrapping anew."""
