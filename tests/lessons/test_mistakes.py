@@ -11,7 +11,7 @@ from day6_core.lessons import catalogue, remarks
 from day6_core.lessons.actions import WINDOWS
 from day6_core.lessons.reading import read_lesson
 from day6_core.lessons.source import LessonMistakes
-from day6_tui.windows import KINDS
+from tests.support.window_kinds import window_kinds
 
 EXAMPLE = (catalogue.HERE / "example.md").read_text(encoding="utf-8")
 DRILL = (catalogue.HERE / "example_drill.md").read_text(encoding="utf-8")
@@ -173,7 +173,7 @@ def test_names_that_ship_are_known_without_reading_the_files() -> None:
 
 
 def test_the_windows_a_lesson_may_name_are_those_there_are() -> None:
-    assert set(WINDOWS) == set(KINDS) - {"classroom"}  # the teacher's
+    assert set(WINDOWS) == set(window_kinds()) - {"classroom"}  # the teacher's
 
 
 def test_the_documentation_names_every_window_and_topic() -> None:

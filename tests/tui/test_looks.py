@@ -20,7 +20,7 @@ from day6_tui.appearance.colours import colours
 from day6_tui.appearance.themes import NAMES, make_theme, palette
 from day6_tui.options import Options
 from day6_tui.panes.cells import clip, fit, wrap
-from day6_tui.windows import KINDS
+from tests.support.window_kinds import window_kinds
 
 ROOT = Path(__file__).resolve().parents[2]
 EN, ZH = locale.catalogue("en"), locale.catalogue("zh")
@@ -153,11 +153,10 @@ def test_no_two_actions_share_a_key_and_every_key_of_the_bar_is_bound() -> None:
 
 
 def test_every_kind_of_window_has_a_help_page() -> None:
-    assert [kind for kind in (*KINDS, "terminal", "welcome", "desk") if f"help.{kind}" not in EN] == []
-    from day6_tui.overlays.manual import PAGES
+    from day6_tui.overlays.manual import pages
 
-    assert {*KINDS, "terminal", "welcome", "guide", "desk", "classroom_pupil"} == {*PAGES}
-    assert [page for page in PAGES if f"manual.{page}" not in EN] == []
+    assert {*window_kinds(), "terminal", "welcome", "guide", "desk", "classroom_pupil"} == {*pages()}
+    assert [page for page in pages() if f"help.{page}" not in EN] == []
 
 
 def test_the_windows_say_remarks_in_the_words_of_the_programs() -> None:

@@ -215,17 +215,17 @@ async def test_an_error_is_shown_as_it_is_and_its_button_closes_it(desk: FakeDes
 @pytest.mark.long
 @pytest.mark.parametrize("width", [80, 120])
 async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk: FakeDesk, width: int) -> None:
-    from day6_tui.overlays.manual import PAGES
+    from day6_tui.overlays.manual import pages
 
     async with opened(desk, width, 30, lang="en") as (app, pilot):
         await pilot.press("f1")
         await step(app, pilot)
         seen = set()
-        for _ in PAGES:
+        for _ in pages():
             app.screen.action_turn(1)
             await pilot.pause()
             seen.add(screen_lines(app)[1].partition("Help: ")[2].partition(" ━")[0])
-        assert seen == {app.look.texts(f"manual.{page}") for page in PAGES}
+        assert seen == {app.look.texts(f"manual.{page}") for page in pages()}
         burst(app, "tab", *"tread", "ctrl+u", *"Randomize")
         await step(app, pilot)
         assert "A slider for every joint" in screen_text(app) and "Help: Joint sliders" in screen_lines(app)[1]

@@ -6,10 +6,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from day6_tui.panes.placement import OTHER, TERMINAL, WINDOWS, Needs, arranged, best_spot
+from day6_tui.panes.placement import OTHER, TERMINAL, PaneNeeds, arranged, best_spot
 from day6_tui.panes.splits import SIDES, Extent, Layout, Split, Stack, Tree
+from day6_tui.windows import pane_class
 
 SIZES = [(1, 1), (20, 5), (40, 10), (80, 22), (99, 40), (100, 14), (120, 38), (400, 118)]
+
+
+def needs_of(kind: str) -> PaneNeeds:
+    return OTHER if kind == "other" else pane_class(kind).needs
 
 
 def wish(key: int) -> Extent:
@@ -107,7 +112,7 @@ def test_the_neighbour_is_the_pane_beside_and_of_several_the_one_used_last() -> 
 def place(size: tuple[int, int], *kinds: str) -> tuple[Layout, list[int]]:
     """Open panes one after the other: terminals (T) take the keyboard, windows do not."""
     tree, recent = Tree(), []
-    needs = {number: TERMINAL if kind == "T" else WINDOWS.get(kind, OTHER) for number, kind in enumerate(kinds, 1)}
+    needs = {number: TERMINAL if kind == "T" else needs_of(kind) for number, kind in enumerate(kinds, 1)}
     for number, kind in enumerate(kinds, 1):
         keyboard = recent[0] if recent else None
         recent.insert(0 if kind == "T" else 1, number)
@@ -149,6 +154,6 @@ def test_thirty_panes_all_have_a_place_and_the_new_one_is_seen(size) -> None:
 
 
 def test_a_new_arrangement_has_every_pane_once() -> None:
-    needs: dict[int, Needs] = {1: TERMINAL, 2: WINDOWS["rviz2"], 3: TERMINAL, 4: OTHER}
+    needs: dict[int, PaneNeeds] = {1: TERMINAL, 2: needs_of("rviz2"), 3: TERMINAL, 4: OTHER}
     tree = arranged([1, 2, 3, 4], Extent(120, 38), needs.__getitem__, [3, 1, 2, 4])
     assert sorted(tree.keys) == [1, 2, 3, 4]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import typing
-from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -15,9 +14,9 @@ from day6_core.session.streams import InputStream, OutputStream
 from day6_core.shell.desk import Desk
 from day6_core.shell.language.interpreter import subshell_main
 from day6_core.shell.language.redirection import Streams
-from day6_tui import windows
 from day6_tui.classes.link import TeacherLink
-from day6_tui.windows import KINDS, WindowPane
+from day6_tui.windows import WindowPane, pane_class
+from tests.support.window_kinds import window_kinds
 
 COMMANDS = {
     "turtlesim": "ros2 run turtlesim turtlesim_node",
@@ -59,9 +58,7 @@ LONGEST = 60.0
 
 def model_of(kind: str) -> str:
     """The name of the model for which the pane of a kind is written."""
-    module, name = KINDS[kind]
-    pane = getattr(import_module(f"{windows.__name__}.{module}"), name)
-    bases = [base for cls in pane.__mro__ for base in getattr(cls, "__orig_bases__", ())]
+    bases = [base for cls in pane_class(kind).__mro__ for base in getattr(cls, "__orig_bases__", ())]
     origins = ((typing.get_origin(base), typing.get_args(base)) for base in bases)
     model, *_ = next(given for origin, given in origins if isinstance(origin, type) and issubclass(origin, WindowPane))
     return model.__forward_arg__ if isinstance(model, typing.ForwardRef) else model.__name__
@@ -80,7 +77,7 @@ def open_windows(home: Path) -> list[Window[object]]:
         desk.start_program(["classroom"], TeacherLink(Teacher()).main, streams, env=shell.environment, cwd=home)
         display = desk.display
         assert display is not None
-        desk.scheduler.run(lambda: len(display.windows) == len(KINDS), LONGEST)
+        desk.scheduler.run(lambda: len(display.windows) == len(window_kinds()), LONGEST)
         return display.windows
     finally:
         desk.hurry()
@@ -89,6 +86,6 @@ def open_windows(home: Path) -> list[Window[object]]:
 
 @pytest.mark.process
 def test_a_pane_is_typed_with_the_model_that_its_program_hands_over(tmp_path) -> None:
-    assert {*COMMANDS, *STARTED} == KINDS.keys()
+    assert {*COMMANDS, *STARTED} == {*window_kinds()}
     handed_over = {window.kind: type(window.model).__name__ for window in open_windows(tmp_path)}
-    assert handed_over == {kind: model_of(kind) for kind in KINDS}
+    assert handed_over == {kind: model_of(kind) for kind in window_kinds()}

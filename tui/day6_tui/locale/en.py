@@ -1139,7 +1139,7 @@ TEXTS = {
     "distro.title": "Distribution of ROS 2",
     "distro.next_start": "{name} from the next start of day6-tui on (day6-tui --distro {name})",
     # the manual
-    "manual.search": "type to search all pages",
+    "help.search": "type to search all pages",
     "manual.desk": "The desk",
     "manual.welcome": "The choices at the start",
     "manual.guide": "Commands to try",

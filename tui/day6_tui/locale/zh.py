@@ -1291,7 +1291,7 @@ TEXTS = {
     "distro.title": "ROS 2 发行版",
     "distro.next_start": "下次打开 day6-tui 时就是 {name}（day6-tui --distro {name}）",
     # 手册
-    "manual.search": "输入文字，在所有页里查找",
+    "help.search": "输入文字，在所有页里查找",
     "manual.desk": "桌面",
     "manual.welcome": "开始时的选项",
     "manual.guide": "可以试试的命令",

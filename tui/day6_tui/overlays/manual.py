@@ -28,15 +28,12 @@ WIDE = 100
 LARGEST, LIST_WIDTH = 100, 24
 """Columns of the manual, where there is room, and of the list in it: as in `modal.tcss`."""
 
-PAGES = (
-    "desk", "welcome", "guide", "terminal", "editor", "turtlesim", "car", "world", "joint_state_publisher", "rviz2",
-    "rqt", "rqt_graph", "rqt_console", "rqt_plot", "rqt_bag", "topics", "rqt_tf_tree", "service_caller", "publisher",
-    "action_browser", "type_browser", "rqt_reconfigure", "rqt_logger_level", "rqt_image_view", "showimage", "rqt_shell",
-    "rqt_py_console", "rqt_robot_steering", "inspector", "kitchen", "lesson", "classroom", "classroom_pupil",
-)  # fmt: skip
-"""The texts `help.<page>` in the order of the manual; their titles are the texts `manual.<page>`."""
-
 _PUNCTUATION = re.compile(r"([!-/:-@\[-`{-~])")
+
+
+def pages() -> list[str]:
+    """The pages in their order: the texts `manual.<page>` are their titles, `help.<page>` what they say."""
+    return [page for prefix, _, page in (key.partition(".") for key in catalogue("en")) if prefix == "manual"]
 
 
 def escaped(text: str) -> str:
@@ -82,15 +79,16 @@ class Manual(SearchedList):
 
     def __init__(self, look: Look, pane: Pane | None, everywhere: Sequence[tuple[str, str]]) -> None:
         texts = look.texts
+        self._pages = pages()
         entries = [
             Entry(texts(key), "", lambda: None, also=[catalogue(language)[key] for language in LANGUAGES], words=words)
-            for key, words in ((f"manual.{page}", texts(f"help.{page}")) for page in PAGES)
+            for key, words in ((f"manual.{page}", texts(f"help.{page}")) for page in self._pages)
         ]
         super().__init__(look, texts("help.title"), texts("help.keys"), entries)
-        self._own = pane.help_key if pane is not None else PAGES[0]
+        self._own = pane.help_key if pane is not None else self._pages[0]
         self._hints = [*pane.key_hints(), *pane.more_key_hints()] if pane is not None else []
         self._everywhere = everywhere
-        self._open = PAGES.index(self._own) if self._own in PAGES else 0
+        self._open = self._pages.index(self._own) if self._own in self._pages else 0
 
     def inside(self) -> ComposeResult:
         from textual.containers import Container, VerticalScroll
@@ -98,7 +96,7 @@ class Manual(SearchedList):
 
         self.set_class(self.app.size.width >= WIDE, "-wide")
         self._drawn_width = self._width()
-        self._make_widgets(self.look.texts("manual.search"), id="pages")
+        self._make_widgets(self.look.texts("help.search"), id="pages")
         yield self._line
         self._markdown = Markdown(self.markdown(), open_links=False)
         self._page = VerticalScroll(self._markdown, id="page")
@@ -118,7 +116,7 @@ class Manual(SearchedList):
 
     def markdown(self) -> str:
         """The open page: the keys of the focused pane if it is its page, the text, and the keys that work everywhere."""
-        texts, page, width = self.look.texts, PAGES[self._open], self._width()
+        texts, page, width = self.look.texts, self._pages[self._open], self._width()
         parts = [key_list(self._hints, width)] if page == self._own and self._hints else []
         parts.append(page_of(texts(f"help.{page}"), width))
         parts += [f"**{escaped(texts('help.everywhere'))}**", key_list(self._everywhere, width)]

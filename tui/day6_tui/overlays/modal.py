@@ -6,6 +6,7 @@ The desktop behind a modal screen goes on: programs run, and what they draw is s
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 from textual import events
 from textual.app import ComposeResult
@@ -26,7 +27,7 @@ from day6_tui.screen.survival import TYPED, survive
 class Modal(ModalScreen[None]):
     """A framed box with a title, and the keys below. Esc and a click outside close it."""
 
-    CSS_PATH = "modal.tcss"
+    CSS_PATH = str(Path(__file__).with_suffix(".tcss"))  # absolute: Textual looks beside the module of each subclass
     AUTO_FOCUS = ""
     ALLOW_SELECT = True
     waits = False

@@ -18,7 +18,7 @@ from day6_tui.panes import splits
 from day6_tui.panes.border_mouse import FrameMouse
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Pane, Piece
-from day6_tui.panes.placement import GUIDE, LESSON, OTHER, TERMINAL, WIDE, WINDOWS, Needs, put
+from day6_tui.panes.placement import GUIDE, LESSON, TERMINAL, WIDE, PaneNeeds, put
 from day6_tui.panes.splits import Extent, Place, Tree
 from day6_tui.panes.tabs import Tab, tab_pieces
 from day6_tui.terminals.pane import TerminalPane
@@ -125,12 +125,12 @@ class Desktop(PaneHost):
     def is_shown(self, pane: Pane) -> bool:
         return self.holds(pane) and pane.slot in self.plan_now().places
 
-    def needs(self, slot: int) -> Needs:
+    def needs(self, slot: int) -> PaneNeeds:
         """What a pane needs to be useful."""
         pane = self.slots.get(slot)
         if isinstance(pane, TerminalPane):
             return TERMINAL
-        found = WINDOWS.get(pane.window.kind, OTHER) if isinstance(pane, WindowPane) else GUIDE
+        found = pane.needs if isinstance(pane, WindowPane) else GUIDE
         if found.weight > LESSON.weight and self.size.width < WIDE and self._has_lesson:
             found = found.within(self.size.width - LESSON.good.columns)
         return found

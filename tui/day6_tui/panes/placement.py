@@ -8,7 +8,7 @@ from typing import NamedTuple
 from day6_tui.panes.splits import Extent, Key, Layout, Place, Tree
 
 
-class Needs(NamedTuple):
+class PaneNeeds(NamedTuple):
     """What a pane needs, with its frame: below `least` it is useless, `good` is comfortable, more than `full` gains nothing."""
 
     least: Extent
@@ -17,39 +17,16 @@ class Needs(NamedTuple):
     weight: float = 1.0
     """How much it matters that it is seen."""
 
-    def within(self, columns: int) -> Needs:
+    def within(self, columns: int) -> PaneNeeds:
         """The same for a pane that makes do with so many columns."""
         least, good = (Extent(min(each.columns, columns), each.rows) for each in (self.least, self.good))
         return self._replace(least=least, good=good)
 
 
-TERMINAL = Needs(Extent(30, 8), Extent(40, 12), Extent(80, 30))
-GUIDE = Needs(Extent(30, 10), Extent(40, 18), Extent(60, 20))
-OTHER = Needs(Extent(36, 8), Extent(56, 14), Extent(90, 24))
-LESSON = Needs(Extent(34, 16), Extent(38, 21), Extent(60, 40), 2.0)
-WINDOWS = {
-    "turtlesim": Needs(Extent(24, 10), Extent(42, 22), Extent(62, 32), 2.0),
-    "car": Needs(Extent(30, 10), Extent(46, 20), Extent(70, 30), 2.0),
-    "world": Needs(Extent(30, 10), Extent(46, 20), Extent(80, 36), 2.0),
-    "rviz2": Needs(Extent(56, 14), Extent(72, 28), Extent(110, 40), 3.0),
-    "rqt_graph": Needs(Extent(38, 8), Extent(60, 14), Extent(100, 24)),
-    "rqt_bag": Needs(Extent(40, 9), Extent(64, 14), Extent(110, 28)),
-    "service_caller": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
-    "publisher": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
-    "type_browser": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
-    "action_browser": Needs(Extent(36, 9), Extent(60, 18), Extent(100, 30)),
-    "rqt_image_view": Needs(Extent(24, 8), Extent(50, 16), Extent(120, 40), 2.0),
-    "showimage": Needs(Extent(24, 8), Extent(50, 16), Extent(120, 40), 2.0),
-    "rqt_reconfigure": Needs(Extent(40, 8), Extent(64, 16), Extent(100, 30), 2.0),
-    "joint_state_publisher": Needs(Extent(30, 6), Extent(44, 8), Extent(60, 12)),
-    "inspector": Needs(Extent(36, 6), Extent(50, 8), Extent(70, 14)),
-    "lesson": LESSON,
-    "classroom": Needs(Extent(50, 10), Extent(78, 20), Extent(118, 36), 2.0),
-    "kitchen": Needs(Extent(36, 9), Extent(60, 14), Extent(110, 30)),
-    "editor": Needs(Extent(45, 10), Extent(50, 24), Extent(90, 40), 1.5),
-}
-"""By the kind of window; the others need what `OTHER` says."""
-
+TERMINAL = PaneNeeds(Extent(30, 8), Extent(40, 12), Extent(80, 30))
+GUIDE = PaneNeeds(Extent(30, 10), Extent(40, 18), Extent(60, 20))
+OTHER = PaneNeeds(Extent(36, 8), Extent(56, 14), Extent(90, 24))
+LESSON = PaneNeeds(Extent(34, 16), Extent(38, 21), Extent(60, 40), 2.0)
 WIDE = 100
 """From this many columns on, two panes go side by side rather than one below the other, if both would do."""
 
@@ -64,7 +41,7 @@ class Spot(NamedTuple):
     side: str
 
 
-def seen(layout: Layout, needs: Callable[[Key], Needs], recent: Sequence[Key]) -> float:
+def seen(layout: Layout, needs: Callable[[Key], PaneNeeds], recent: Sequence[Key]) -> float:
     """How much of the panes a layout shows: of terminals and of windows those used last count most."""
     total = 0.0
     ranks = {True: -1, False: -1}
@@ -82,7 +59,7 @@ def best_spot(
     tree: Tree,
     key: Key,
     size: Extent,
-    needs: Callable[[Key], Needs],
+    needs: Callable[[Key], PaneNeeds],
     recent: Sequence[Key],
     *,
     keyboard: Key | None = None,
@@ -118,11 +95,11 @@ def best_spot(
     return Spot((others or fronts)[-1], "tab") if fronts else None
 
 
-def _is_terminal(key: Key, needs: Callable[[Key], Needs]) -> bool:
+def _is_terminal(key: Key, needs: Callable[[Key], PaneNeeds]) -> bool:
     return needs(key) is TERMINAL
 
 
-def _can_be_used(place: Place, needed: Needs) -> bool:
+def _can_be_used(place: Place, needed: PaneNeeds) -> bool:
     return place.width >= needed.least.columns and place.height >= needed.least.rows
 
 
@@ -130,7 +107,7 @@ def put(
     tree: Tree,
     key: Key,
     size: Extent,
-    needs: Callable[[Key], Needs],
+    needs: Callable[[Key], PaneNeeds],
     recent: Sequence[Key],
     *,
     keyboard: Key | None = None,
@@ -139,7 +116,7 @@ def put(
     tree.add(key, *(best_spot(tree, key, size, needs, recent, keyboard=keyboard) or (None, "right")))
 
 
-def arranged(keys: Sequence[Key], size: Extent, needs: Callable[[Key], Needs], recent: Sequence[Key]) -> Tree:
+def arranged(keys: Sequence[Key], size: Extent, needs: Callable[[Key], PaneNeeds], recent: Sequence[Key]) -> Tree:
     """A new tree with these panes, each put where it is seen best after those before it."""
     tree = Tree()
     for count, key in enumerate(keys, 1):

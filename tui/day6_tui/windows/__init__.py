@@ -1,10 +1,14 @@
-"""One module per kind of window. A pane is made by the name of its kind, and its module is imported only then."""
+"""The windows of programs, in rooms: the pane of a kind of window is in the module of that name, imported when one opens.
+
+A new kind is a module here, and its texts (`help.<kind>` and `manual.<kind>` for its page of the help).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import Generic
+from pathlib import Path
+from typing import Generic, cast
 
 from rich.segment import Segment
 from textual.geometry import Region
@@ -16,39 +20,8 @@ from day6_tui.overlays.modal import Modal
 from day6_tui.panes.cells import wrap
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Pane, PaneMessage
+from day6_tui.panes.placement import OTHER
 from day6_tui.screen.survival import PersonMessage
-
-KINDS: dict[str, tuple[str, str]] = {
-    "turtlesim": ("turtlesim", "TurtleSimPane"),
-    "car": ("car", "CarPane"),
-    "rqt_graph": ("rqt_graph", "RqtGraphPane"),
-    "topics": ("topics", "TopicsPane"),
-    "rqt": ("rqt", "RqtPane"),
-    "rqt_console": ("rqt_console", "RqtConsolePane"),
-    "rqt_plot": ("rqt_plot", "RqtPlotPane"),
-    "rqt_bag": ("rqt_bag", "RqtBagPane"),
-    "rqt_tf_tree": ("rqt_tf_tree", "RqtTfTreePane"),
-    "service_caller": ("service_caller", "ServiceCallerPane"),
-    "publisher": ("publisher", "PublisherPane"),
-    "type_browser": ("type_browser", "TypeBrowserPane"),
-    "action_browser": ("action_browser", "ActionBrowserPane"),
-    "rqt_image_view": ("rqt_image_view", "ImageViewPane"),
-    "showimage": ("showimage", "ShowImagePane"),
-    "rqt_logger_level": ("rqt_logger_level", "LoggerLevelPane"),
-    "rqt_reconfigure": ("rqt_reconfigure", "ReconfigurePane"),
-    "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
-    "rqt_shell": ("rqt_shell", "ShellPane"),
-    "rqt_py_console": ("rqt_py_console", "PyConsolePane"),
-    "rqt_robot_steering": ("rqt_robot_steering", "RobotSteeringPane"),
-    "world": ("world", "WorldPane"),
-    "editor": ("editor", "EditorPane"),
-    "inspector": ("inspector", "InspectorPane"),
-    "lesson": ("lesson", "LessonPane"),
-    "rviz2": ("rviz2", "RVizPane"),
-    "kitchen": ("kitchen", "KitchenPane"),
-    "classroom": ("classroom", "ClassroomPane"),
-}
-"""Kind of window -> module in this package and class in it."""
 
 
 class WindowPane(Pane, Generic[Model]):
@@ -72,6 +45,9 @@ class WindowPane(Pane, Generic[Model]):
         def __init__(self, pane: Pane, command: str) -> None:
             super().__init__(pane)
             self.command = command
+
+    needs = OTHER
+    """What it needs to be useful, with its frame."""
 
     takes_focus = False
     """Whether it takes the focus when it opens, as an editor does; otherwise the focus stays in the terminal."""
@@ -146,11 +122,24 @@ class BrokenPane(WindowPane[object]):
         return [Segment(lines[y], self.look.colours.warning)] if y < len(lines) else []
 
 
+def pane_class(kind: str) -> type[WindowPane[object]]:
+    """Return the class of a kind of window: the one of the module of that name that is written for a certain model.
+
+    Raises:
+        LookupError: there is no such window.
+    """
+    for file in Path(__file__).parent.glob(f"*/{kind}.py"):
+        module = import_module(f"{__name__}.{file.parent.name}.{kind}")
+        for each in vars(module).values():
+            own = isinstance(each, type) and issubclass(each, WindowPane) and each.__module__ == module.__name__
+            if own and not getattr(each, "__parameters__", ()):
+                return cast("type[WindowPane[object]]", each)
+    raise LookupError(f"no window of the kind {kind!r}")
+
+
 def make_window(window: Window[object], look: Look) -> WindowPane[object]:
     """Return the pane for a window; if it cannot be made, one that shows the reason, and the program runs on."""
     try:
-        module, name = KINDS[window.kind]
-        pane: WindowPane[object] = getattr(import_module(f"{__name__}.{module}"), name)(window, look)
+        return pane_class(window.kind)(window, look)
     except Exception as error:
         return BrokenPane(window, look, error)
-    return pane

@@ -28,6 +28,8 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import clip, wrap
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.bag.cells import date
 from day6_tui.windows.bag.lanes import HEAD, TICK, BagLanes, Place
@@ -49,6 +51,8 @@ MOST_TOLD = 3
 
 class RqtBagPane(WindowPane["Bags"]):
     """Draws `Bags`. What part of the timeline is seen is the model's, so that a perspective can keep it."""
+
+    needs = PaneNeeds(Extent(40, 9), Extent(64, 14), Extent(110, 28))
 
     def __init__(self, window: Window[Bags], look: Look) -> None:
         super().__init__(window, look)

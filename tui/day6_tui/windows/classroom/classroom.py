@@ -25,6 +25,8 @@ from day6_tui.bars.connections import door_words
 from day6_tui.classes.link import TeacherLink
 from day6_tui.panes.cells import cell_len, clip, wrap
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.terminals.keys import encode
 from day6_tui.windows import WindowPane
 from day6_tui.windows.classroom.keys import KEYS, hints
@@ -60,6 +62,8 @@ assert WATCH_SECONDS <= MOST_SECONDS
 
 class ClassroomPane(WindowPane[TeacherLink]):
     """Keeps what is chosen and what is seen; everything else is the roster's."""
+
+    needs = PaneNeeds(Extent(50, 10), Extent(78, 20), Extent(118, 36), 2.0)
 
     takes_focus = True
     key_weight = 5

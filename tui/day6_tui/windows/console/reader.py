@@ -13,7 +13,6 @@ from textual.widgets import Static
 
 from day6_core.ros.programs.rqt_console.model import Record
 from day6_tui.appearance.look import Look
-from day6_tui.overlays import modal
 from day6_tui.overlays.modal import Modal, lines_of, plain
 from day6_tui.windows.console.table import whole_time
 
@@ -24,7 +23,6 @@ LONGEST = 50_000
 class ConsoleReader(Modal):
     """All that is known of a message; it can be scrolled, selected and copied."""
 
-    CSS_PATH = str(Path(modal.__file__).with_name("modal.tcss"))  # Textual looks beside this module
     CSS = Path(__file__).with_suffix(".tcss").read_text(encoding="utf-8")
     BINDINGS = [Binding("enter,q", "close", show=False)]
 

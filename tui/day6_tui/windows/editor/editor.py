@@ -23,6 +23,8 @@ from day6_tui.overlays.menu import Entry, Menu
 from day6_tui.overlays.question import Answer, Question
 from day6_tui.panes.cells import wrap
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.terminals.keys import decode
 from day6_tui.windows import WindowPane
 from day6_tui.windows.editor.area import EditorArea, has_grammar
@@ -36,6 +38,8 @@ LOOK_SECONDS = 1.0
 
 class EditorPane(WindowPane[Editor]):
     """Draws the frame and the status lines; the text, its cursor and its history belong to the TextArea."""
+
+    needs = PaneNeeds(Extent(45, 10), Extent(50, 24), Extent(90, 40), 1.5)
 
     takes_focus = True
     covers_keyboard = True

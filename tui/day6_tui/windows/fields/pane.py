@@ -15,6 +15,8 @@ from day6_core.ros.programs.rqt_py_common.message_form import SEQUENCE
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.pane import Action, Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows.fields.entry import FieldEntry
 from day6_tui.windows.fields.field_list import Columns, FieldLine, FieldList
 from day6_tui.windows.parts.buttons import Button, button_line
@@ -31,6 +33,8 @@ BOOLEAN = "boolean"
 
 class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     """Draws its first line and the frame. A subclass says what the lines are, and what becomes of what is typed there."""
+
+    needs = PaneNeeds(Extent(36, 9), Extent(60, 14), Extent(100, 24))
 
     DEFAULT_CSS = """
     FieldPane { layers: list entry; layout: vertical; }

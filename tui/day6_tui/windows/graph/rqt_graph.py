@@ -32,6 +32,8 @@ from day6_tui.appearance.look import Look
 from day6_tui.overlays.prompt import before_replacing
 from day6_tui.panes.cells import cell_len, clip
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.graph.options import GROUP, HIDE, NAMESPACES, SWITCHES, VIEW, Switch, switched, text_of
 from day6_tui.windows.graph.view import View
@@ -69,6 +71,8 @@ _ZOOMS: dict[str, int] = {"plus": -1, "equals_sign": -1, "minus": 1}
 
 class RqtGraphPane(WindowPane[RqtGraph]):
     """Draws `RqtGraph.content`; keeps only view state: how large, which part of it, and running pulses."""
+
+    needs = PaneNeeds(Extent(38, 8), Extent(60, 14), Extent(100, 24))
 
     def __init__(self, window: Window[RqtGraph], look: Look) -> None:
         super().__init__(window, look)

@@ -20,6 +20,8 @@ from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import wrap
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.images.image_cells import in_cells, on_ground, pixels_in_cells
 
@@ -57,6 +59,8 @@ Shown = TypeVar("Shown", bound=HasPicture)
 
 class PicturePane(WindowPane[Shown]):
     """Draws the newest image as the model's `view` says, below `head_lines` lines; keeps where the mouse is."""
+
+    needs = PaneNeeds(Extent(24, 8), Extent(50, 16), Extent(120, 40), 2.0)
 
     head_lines = 0
 

@@ -8,12 +8,16 @@ from day6_core.ros.programs.day6_inspector.model import Inspector
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows.inspector.finding_list import FindingList
 from day6_tui.windows.parts.pane_list import ListPane
 
 
 class InspectorPane(ListPane[Inspector, FindingList]):
     """Keeps the list up to date."""
+
+    needs = PaneNeeds(Extent(36, 6), Extent(50, 8), Extent(70, 14))
 
     def __init__(self, window: Window[Inspector], look: Look) -> None:
         super().__init__(window, look, FindingList(look))

@@ -19,6 +19,8 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import fit, wrap
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.kitchen.picture import (
     GLYPHS,
@@ -50,6 +52,8 @@ ALIKE = 0.04
 
 class KitchenPane(WindowPane[Kitchen]):
     """Draws `Kitchen.content`; keeps only view state: what is chosen, and which part is seen."""
+
+    needs = PaneNeeds(Extent(36, 9), Extent(60, 14), Extent(110, 30))
 
     def __init__(self, window: Window[Kitchen], look: Look) -> None:
         super().__init__(window, look)

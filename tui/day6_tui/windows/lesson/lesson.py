@@ -15,6 +15,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.features.lessons import LessonAsked
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import LESSON
 from day6_tui.windows import WindowPane
 from day6_tui.windows.lesson.page import Action, Entry, Row, list_rows, step_rows
 
@@ -29,6 +30,8 @@ SHORT = 15
 
 class LessonPane(WindowPane["Course"]):
     """Draws the course, scrolls, and hands on what the pupil chooses."""
+
+    needs = LESSON
 
     def __init__(self, window: Window[Course], look: Look) -> None:
         super().__init__(window, look)

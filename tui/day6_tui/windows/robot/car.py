@@ -14,6 +14,8 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import clip
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.remarks import remark_lines
 from day6_urdf.topview import render_top
@@ -57,6 +59,8 @@ Row = Sequence[tuple[str, str]]
 
 class CarPane(WindowPane["CarModel"]):
     """Draws the newest snapshot; a new one costs the cells in which its picture differs."""
+
+    needs = PaneNeeds(Extent(30, 10), Extent(46, 20), Extent(70, 30), 2.0)
 
     def __init__(self, window: Window[CarModel], look: Look) -> None:
         super().__init__(window, look)

@@ -17,6 +17,8 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows.parts.lines_pane import Line, LinesPane
 from day6_tui.windows.parts.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, list_steps
 from day6_tui.windows.robot.joint_names import shortened
@@ -40,6 +42,8 @@ STEP = RANGE // 100
 
 class SlidersPane(LinesPane["SliderModel"]):
     """Draws `SliderModel.sliders`; keeps the chosen one, the unit, and a number that is being typed."""
+
+    needs = PaneNeeds(Extent(30, 6), Extent(44, 8), Extent(60, 12))
 
     def __init__(self, window: Window[SliderModel], look: Look) -> None:
         super().__init__(window, look)

@@ -9,6 +9,8 @@ from textual import events
 
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows.fields.field_list import FieldLine
 from day6_tui.windows.fields.rows import lines_of
 from day6_tui.windows.parts.buttons import Button
@@ -29,6 +31,8 @@ SHORT = 8
 
 class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
     """An open action is watched."""
+
+    needs = PaneNeeds(Extent(36, 9), Extent(60, 18), Extent(100, 30))
 
     def __init__(self, window: Window[ActionBrowser], look: Look) -> None:
         super().__init__(window, look)

@@ -17,6 +17,8 @@ from day6_tui.appearance.look import Look
 from day6_tui.overlays.prompt import before_replacing
 from day6_tui.panes.cells import cell_len, fit, wrap
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows.parts.lines_pane import Line, LinesPane
 from day6_tui.windows.parts.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, first_seen, list_steps
 from day6_tui.windows.parts.node_tree import NodeLine, node_lines
@@ -35,6 +37,8 @@ DETAILS = 3
 
 class ReconfigurePane(LinesPane["Reconfigure"]):
     """Draws the model; keeps the chosen lines, what is folded, the filter of parameters and what the mouse drags."""
+
+    needs = PaneNeeds(Extent(40, 8), Extent(64, 16), Extent(100, 30), 2.0)
 
     key_weight = 3  # one more of its keys where there is no room for F8, too
 

@@ -29,6 +29,8 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, fit
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.rviz import dialogs
 from day6_tui.windows.rviz.buttons import LABELS, PanelButton
@@ -71,6 +73,8 @@ class _PanelAtTheLeft(Layout):
 
 class RVizPane(WindowPane[RViz]):
     """The window of an `RViz`; keeps only view state: which part has the focus, and what was last drawn."""
+
+    needs = PaneNeeds(Extent(56, 14), Extent(72, 28), Extent(110, 40), 3.0)
 
     def __init__(self, window: Window[RViz], look: Look) -> None:
         super().__init__(window, look)

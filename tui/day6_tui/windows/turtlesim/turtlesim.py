@@ -20,6 +20,8 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.canvas import Canvas, Mark, new_canvas, square
 from day6_tui.panes.cells import cell_len
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.turtlesim.card import Line, Pupil, side_lines
 from day6_tui.windows.turtlesim.shapes import COATS, FLAGS, REAL_SIZE, Coat, characters, heading_step, pixels
@@ -45,6 +47,8 @@ _RGB = 0xFFFFFF
 
 class TurtleSimPane(WindowPane["Simulation"]):
     """Draws a simulation. It keeps the pixels shown, and which part of the trail they already contain."""
+
+    needs = PaneNeeds(Extent(24, 10), Extent(42, 22), Extent(62, 32), 2.0)
 
     def __init__(self, window: Window[Simulation], look: Look) -> None:
         super().__init__(window, look)

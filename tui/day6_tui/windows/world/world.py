@@ -15,6 +15,8 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import clip
 from day6_tui.panes.pane import Piece
+from day6_tui.panes.placement import PaneNeeds
+from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.remarks import remark_lines
 from day6_tui.windows.world.picture import Rows, View, WorldPicture, fitting, look_of, segments
@@ -43,6 +45,8 @@ _PANS = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}
 
 class WorldPane(WindowPane["WorldModel"]):
     """Draws the newest snapshot in its view; keeps the view and what is switched on."""
+
+    needs = PaneNeeds(Extent(30, 10), Extent(46, 20), Extent(80, 36), 2.0)
 
     def __init__(self, window: Window[WorldModel], look: Look) -> None:
         super().__init__(window, look)
