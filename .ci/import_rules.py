@@ -13,6 +13,13 @@ import sys
 from collections.abc import Container, Iterator
 from pathlib import Path
 
+from importlinter.adapters.user_options import TomlFileUserOptionReader
+from importlinter.application.app_config import settings
+from importlinter.application.use_cases import read_user_options
+from importlinter.application.user_options import UserOptions
+from importlinter.cli import lint_imports
+from importlinter.configuration import configure
+
 TREE = Path(__file__).resolve().parents[1]
 PARTS = ("core", "tui", "urdf")
 ON_THE_PATH = Path("core", "day6_core", "ros", "python")
@@ -22,6 +29,8 @@ SHARE = ON_THE_PATH.with_name("share")
 """Data, launch files among them."""
 FOR_STUDENTS = ON_THE_PATH / "day6_core" / "__init__.py"
 """Only for their processes: where a plain Python finds the real one."""
+INTERFACES = "<interfaces>"
+"""What stands in the layers for all packages for programs that they do not name."""
 CONTAINERS = {"day6_core", "day6_core.ros"}
 """Folders whose contents are in several layers; their own `__init__` has only a docstring and imports nothing."""
 BY_NAME = {
@@ -45,15 +54,40 @@ def modules(tree: Path) -> Iterator[tuple[str, Path]]:
             yield ".".join(names[:-1] if names[-1] == "__init__" else names), path
 
 
-def layers_contract(tree: Path) -> dict[str, list[str]]:
-    """Return the options of the contract of type `layers`."""
-    from importlinter.application.use_cases import read_user_options
-    from importlinter.configuration import configure
+def packages_for_programs(tree: Path) -> set[str]:
+    """Return the packages that programs of a user have on their path."""
+    found = {each.parent.name for base in _bases(tree) for each in (tree / base).glob("*/__init__.py")}
+    return found - {FOR_STUDENTS.parent.name}
 
+
+class Options(TomlFileUserOptionReader):
+    """import-linter's options, with the packages for programs: those that no layer names are packages of interfaces."""
+
+    def __init__(self, tree: Path) -> None:
+        self._tree = tree
+
+    def read_options(self, config_filename: str | None = None) -> UserOptions | None:
+        given = super().read_options(config_filename)
+        assert given is not None
+        packages = packages_for_programs(self._tree)
+        given.session_options["root_packages"] += sorted(packages)
+        layers = layers_of(given)
+        interfaces = " | ".join(sorted(packages - named_in(layers)))
+        layers[:] = [layer.replace(INTERFACES, interfaces) for layer in layers]
+        return given
+
+
+def layers(tree: Path) -> list[str]:
+    """Return the layers of a tree, from the top; import-linter has its options from then on."""
     configure()
-    options = read_user_options(str(tree / "pyproject.toml")).contracts_options
-    contract: dict[str, list[str]] = next(each for each in options if each["type"] == "layers")
-    return contract
+    settings.configure(USER_OPTION_READERS={"toml": Options(tree)})
+    return layers_of(read_user_options(str(tree / "pyproject.toml")))
+
+
+def layers_of(given: UserOptions) -> list[str]:
+    """Return the layers of the contract of that type, from the top."""
+    layers: list[str] = next(each for each in given.contracts_options if each["type"] == "layers")["layers"]
+    return layers
 
 
 def named_in(layers: list[str]) -> set[str]:
@@ -120,17 +154,19 @@ def _parsed(file: Path) -> ast.Module:
 
 def make_importable(tree: Path) -> None:
     """Have the names of the contracts found in this tree and nowhere else."""
-    folders = (*PARTS, ON_THE_PATH, *sorted((tree / OF_DISTRIBUTIONS).iterdir()))
-    sys.path[:0] = [str(tree / folder) for folder in folders]
+    sys.path[:0] = [str(tree / folder) for folder in (*PARTS, *_bases(tree))]
+
+
+def _bases(tree: Path) -> list[Path]:
+    """Return the folders that programs have on their path, of all distributions."""
+    return [ON_THE_PATH, *sorted(path.relative_to(tree) for path in (tree / OF_DISTRIBUTIONS).iterdir())]
 
 
 def main(tree: Path = TREE) -> int:
     """Print every violation; returns the exit status."""
-    from importlinter.cli import lint_imports
-
     make_importable(tree)
-    layers = layers_contract(tree)["layers"]
-    lines = [*escaping(tree, named_in(layers)), *reaching_up(tree, layers)]
+    in_order = layers(tree)
+    lines = [*escaping(tree, named_in(in_order)), *reaching_up(tree, in_order)]
     for line in lines:
         print(line)
     return lint_imports(str(tree / "pyproject.toml"), no_cache=tree != TREE) or int(bool(lines))

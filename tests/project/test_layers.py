@@ -67,7 +67,7 @@ def fault(module: str, imported: str, name: str = "planted") -> Fault:
 
 def in_every_layer() -> list[Fault]:
     """In each module of a layer: the screen at the top, and the layer directly above inside a function."""
-    found = [sorted(rules.named_in([layer])) for layer in rules.layers_contract(ROOT)["layers"]]
+    found = [sorted(rules.named_in([layer])) for layer in rules.layers(ROOT)]
     return [
         Fault(module, f"import {SCREEN}\ndef later() -> None:\n    import {above[0]}", (SCREEN, above[0]))
         for above, these in itertools.pairwise(found)
