@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from day6_core.shell.outward import execute, subshell
-from day6_core.shell.process.process import launch_process
+from day6_core.shell.process import launch_process
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals, terminals, limits of POSIX")
 

@@ -18,8 +18,8 @@ from day6_core.session.ending import Ending, Step
 from day6_core.session.real_streams import RealInput
 from day6_core.session.scheduler import Scheduler
 from day6_core.session.streams import Captured
+from day6_core.shell.process import process
 from day6_core.shell.process.feeder import Feeder
-from day6_core.shell.process.process import process
 from day6_core.workspace import build
 from tests.support.waiting import until
 

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from day6_core.shell.screen import screen as screen_module
 from day6_core.shell.screen.reflow import Marker
 from day6_core.shell.screen.rows import Folded, Row, Run, joined_runs, row_text, runs_of, without_end
 from day6_core.shell.screen.screen import Screen
-from day6_core.shell.screen.screen import screen as screen_module
 
 PROMPT = "student@day6:~$"
 

@@ -13,7 +13,7 @@ from day6_core.shell import commands
 from day6_core.shell.line import history as history_module
 from day6_core.shell.line.history import History, in_one_line
 from day6_core.shell.line.recall import NoSuchLine, recalled
-from day6_core.shell.process.process import memory
+from day6_core.shell.process import memory
 
 PROMPT = "student@day6:~$"
 LINES = ["ros2 node list", "cd src/one", "ls -l a b", "cd src/two"]

@@ -421,7 +421,7 @@ async def test_an_unknown_kind_of_window_says_so(desk) -> None:
     desk.display.open("gazebo", "Gazebo", object())
     async with opened(desk, 120, 40, lang="zh") as (app, pilot):
         await step(app, pilot)
-        assert "画不出来：KeyError: 'gazebo'" in screen_text(app)
+        assert "画不出来：LookupError: no window of the kind 'gazebo'" in screen_text(app)
 
 
 async def test_a_home_that_cannot_be_used_is_told_in_plain_words(monkeypatch) -> None:
