@@ -13,9 +13,10 @@ from typing import Any
 
 import pytest
 
+from day6_core.shell.process import heap, launch_process
 from day6_core.shell.process import process as process_module
 from day6_core.shell.process.feeder import FULL, Feeder
-from day6_core.shell.process.process import Process, heap, launch_process, running_processes
+from day6_core.shell.process.process import Process, running_processes
 from tests.support.waiting import until
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs ptys and signals")

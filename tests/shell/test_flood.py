@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 
 from day6_core.session.harmless import for_emulation
 from day6_core.shell.screen import screen as screen_module
+from day6_core.shell.screen import whole_lines
 from day6_core.shell.screen.light_pyte import Stream as PyteStream
 from day6_core.shell.screen.rows import Folded
-from day6_core.shell.screen.screen import Screen, whole_lines
+from day6_core.shell.screen.screen import Screen
 from day6_core.width import char_width
 
 WORDS = ["a", " ", "  ", "hello", "x" * 7, "word " * 5, "y" * 33, "z" * 130, "é", "\xa0", "\ufffd", "\u3000"]

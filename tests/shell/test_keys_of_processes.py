@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.process import pty_keys, running_processes
+from day6_core.shell.process import pty_keys
+from day6_core.shell.process.process import running_processes
 from tests.support.waiting import Deadline, until
 
 pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")]

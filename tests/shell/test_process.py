@@ -13,7 +13,8 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.process import process, running_processes
+from day6_core.shell.process import process
+from day6_core.shell.process.process import running_processes
 from day6_core.shell.screen.rows import row_text
 from tests.support.waiting import PATIENCE, until
 

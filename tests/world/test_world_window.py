@@ -19,7 +19,8 @@ from day6_tui.app import make_look
 from day6_tui.locale import catalogue
 from day6_tui.options import Options
 from day6_tui.panes.cells import cell_len
-from day6_tui.windows.world.world import WorldPane, picture
+from day6_tui.windows.world import picture
+from day6_tui.windows.world.world import WorldPane
 from day6_urdf import parse_robot, shipped_model
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
