@@ -37,7 +37,7 @@ from day6_tui.terminals.shown import Terminals
 Terminals.use_idle = breaks
 """
 READER = f"""{BREAK}
-from day6_tui.screen.driver import TerminalDriver
+from day6_tui.textual_private.driver import TerminalDriver
 original = TerminalDriver._read
 def _read(self):
     data = original(self)

@@ -8,8 +8,8 @@ import pytest
 from textual import events
 
 from day6_tui.pixels.ask import FIRST, ITERM, KITTY, SIXEL, Ability, Answered, Inquiry, may_be_asked
-from day6_tui.screen import keyboard
-from day6_tui.screen.keyboard import KeyboardParser
+from day6_tui.textual_private import keyboard
+from day6_tui.textual_private.keyboard import KeyboardParser
 from tests.pixels.pixel_terminal import ANSWERS, PixelTerminal
 from tests.support.folded import folded
 

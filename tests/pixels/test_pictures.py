@@ -17,7 +17,7 @@ from day6_tui.panes.canvas import square
 from day6_tui.pixels.app import leave_pictures
 from day6_tui.pixels.ask import IS_READY, ITERM, KITTY, SIXEL, Ability, Answered
 from day6_tui.pixels.pictures import LOST_SECONDS, SLOW_SECONDS, Pictures
-from day6_tui.screen.keyboard import KeyboardParser
+from day6_tui.textual_private.keyboard import KeyboardParser
 from day6_tui.windows.turtlesim.turtlesim import TurtleSimPane
 from tests.pixels.pixel_terminal import CELL, PixelTerminal
 from tests.tui.fakes import FakeDesk, FakeSimulation, turtle

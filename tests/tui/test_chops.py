@@ -12,7 +12,7 @@ from rich.style import Style
 from textual._compositor import ChopsUpdate
 from textual.strip import Strip
 
-from day6_tui.screen import dirty_spans as chops
+from day6_tui.textual_private import dirty_spans as chops
 from tests.support.folded import folded
 
 WIDTH, HEIGHT = 40, 6

@@ -14,8 +14,8 @@ from textual.geometry import Region
 from textual.screen import Screen
 from textual.widgets import Static
 
-from day6_tui.screen import dirty_spans as chops
-from day6_tui.screen.frame_screen import FrameScreen, SpansCompositor
+from day6_tui.textual_private import dirty_spans as chops
+from day6_tui.textual_private.frame_screen import FrameScreen, SpansCompositor
 from tests.tui.settled import install
 
 install()

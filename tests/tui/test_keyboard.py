@@ -9,8 +9,8 @@ from collections.abc import Callable
 import pytest
 from textual import events
 
-from day6_tui.screen import keyboard
-from day6_tui.screen.keyboard import InputDecoder, KeyboardParser
+from day6_tui.textual_private import keyboard
+from day6_tui.textual_private.keyboard import InputDecoder, KeyboardParser
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ import tty
 import pytest
 from textual.drivers._writer_thread import MAX_QUEUED_WRITES, WriterThread
 
-from day6_tui.screen import output
+from day6_tui.textual_private import output
 
 
 class _HungUp(io.StringIO):

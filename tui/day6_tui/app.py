@@ -63,10 +63,8 @@ from day6_tui.panes.arranging import Arranging
 from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.switching import Switching
-from day6_tui.screen import departure, output
-from day6_tui.screen import dirty_spans as chops
+from day6_tui.screen import departure
 from day6_tui.screen.frames import Frames
-from day6_tui.screen.keyboard import leave
 from day6_tui.screen.log_file import keep_log_off_the_screen
 from day6_tui.screen.survival import TYPED, PersonMessage, survive
 from day6_tui.screen.trouble import TerminalTrouble
@@ -74,6 +72,9 @@ from day6_tui.settings import Settings
 from day6_tui.terminal_app import TerminalApp
 from day6_tui.terminals.pane import ARROWS, TerminalPane
 from day6_tui.terminals.shown import Terminals
+from day6_tui.textual_private import dirty_spans as chops
+from day6_tui.textual_private import output
+from day6_tui.textual_private.keyboard import leave
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:

@@ -13,11 +13,11 @@ from textual.screen import Screen
 from textual.widget import Widget
 
 from day6_tui.pixels.app import PictureApp
-from day6_tui.screen.frame_screen import FrameScreen
 from day6_tui.screen.key_order import KeyOrder
-from day6_tui.screen.keyboard import sturdy
 from day6_tui.screen.poor_terminals import filters_for
 from day6_tui.screen.survival import survive
+from day6_tui.textual_private.frame_screen import FrameScreen
+from day6_tui.textual_private.keyboard import sturdy
 
 WAITING_OUTPUT = 3
 """Number of writes still waiting for the terminal at which the next frame is postponed."""

@@ -42,15 +42,15 @@ from day6_tui.panes.cells import cell_len, clip
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Pane, Piece
 from day6_tui.panes.tabs import Tab, tab_pieces
-from day6_tui.screen import dirty_spans as chops
-from day6_tui.screen import output
 from day6_tui.screen.departure import give_back
 from day6_tui.screen.frames import Frames
-from day6_tui.screen.keyboard import leave
 from day6_tui.screen.log_file import keep_log_off_the_screen
 from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.settings import Settings
 from day6_tui.terminal_app import TerminalApp
+from day6_tui.textual_private import dirty_spans as chops
+from day6_tui.textual_private import output
+from day6_tui.textual_private.keyboard import leave
 from day6_tui.windows import BrokenPane, WindowPane, make_window
 
 chops.install()

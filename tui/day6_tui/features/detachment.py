@@ -53,7 +53,7 @@ class Detachment:
 
     def detach(self) -> None:
         """Leave the terminal. `day6-tui attach` comes back."""
-        from day6_tui.screen.driver import TerminalDriver
+        from day6_tui.textual_private.driver import TerminalDriver
 
         app, driver = self._app, self._app._driver
         if self._line is None or self.away or app._exit or not isinstance(driver, TerminalDriver):
@@ -64,7 +64,7 @@ class Detachment:
         self._line.send(wire.GONE)
 
     def _come(self, environ: Mapping[str, str]) -> None:
-        from day6_tui.screen.driver import TerminalDriver
+        from day6_tui.textual_private.driver import TerminalDriver
 
         app, driver = self._app, self._app._driver
         if self._adaptation is None or not self.away or app._exit or not isinstance(driver, TerminalDriver):

@@ -60,7 +60,7 @@ class LogModal(Modal):
         self.query_one("#frame").border_subtitle = plain(self.look.texts("log.copied"))
 
     def inside(self) -> ComposeResult:
-        from day6_tui.screen.log_view import LogView
+        from day6_tui.textual_private.log_view import LogView
 
         self._log_view = LogView()
         yield self._log_view

@@ -22,8 +22,8 @@ from textual.widget import Widget
 
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, harmless
-from day6_tui.screen.frame_screen import FrameScreen
 from day6_tui.screen.survival import survive
+from day6_tui.textual_private.frame_screen import FrameScreen
 
 Action = Callable[[], object]
 

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 
 from day6_core.session.ending import Ending, Step
 from day6_tui.pixels.app import PictureApp
-from day6_tui.screen import output
 from day6_tui.screen.modes import GIVE_BACK
+from day6_tui.textual_private import output
 
 if TYPE_CHECKING:
     from textual.app import App

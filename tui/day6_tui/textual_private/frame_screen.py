@@ -20,7 +20,7 @@ from textual.geometry import Region
 from textual.screen import Screen
 from textual.widget import Widget
 
-from day6_tui.screen import dirty_spans as chops
+from day6_tui.textual_private import dirty_spans as chops
 
 if TYPE_CHECKING:
     from rich.console import Console, ConsoleOptions, RenderResult

@@ -21,8 +21,8 @@ except ImportError:  # Windows: Textual has another driver there, and this one i
 
 from day6_tui.pixels.app import PictureApp, leave_pictures
 from day6_tui.pixels.ask import Answered
-from day6_tui.screen.keyboard import InputDecoder, KeyboardParser, is_possible
 from day6_tui.screen.trouble import TerminalTrouble
+from day6_tui.textual_private.keyboard import InputDecoder, KeyboardParser, is_possible
 
 if TYPE_CHECKING:
     from day6_tui.cast.recorder import Recorder

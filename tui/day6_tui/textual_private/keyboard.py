@@ -50,7 +50,7 @@ def sturdy(driver: type[Driver]) -> type[Driver]:
     """Return the driver that survives bad input, in place of Textual's own on Linux and macOS."""
     if driver.__name__ != "LinuxDriver":
         return driver
-    from day6_tui.screen.driver import TerminalDriver
+    from day6_tui.textual_private.driver import TerminalDriver
 
     return TerminalDriver
 
