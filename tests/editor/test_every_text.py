@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from day6_core.shell.editing.file import CannotEdit, put_together, taken_apart
 from day6_core.shell.editing.model import Editor
-from day6_tui.windows.editor.document import ColouredLines, Lines
+from day6_tui.textual_private.document import ColouredLines, Lines
 from tests.editor.editor_bench import Bench
 
 ENDS = [

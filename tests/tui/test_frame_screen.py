@@ -14,7 +14,7 @@ from textual.geometry import Region
 from textual.screen import Screen
 from textual.widgets import Static
 
-from day6_tui.textual_private import dirty_spans as chops
+from day6_tui.textual_private.dirty_spans import render_segments
 from day6_tui.textual_private.frame_screen import FrameScreen, SpansCompositor
 from tests.tui.settled import install
 
@@ -77,7 +77,7 @@ def test_what_is_drawn_is_what_textual_draws() -> None:
                 if theirs is None or not theirs.spans:
                     continue
                 assert ours is not None
-                expected = _shown(chops.render_segments(theirs, console))
+                expected = _shown(render_segments(theirs, console))
                 assert _shown(ours.render_segments(console)) == expected
 
     asyncio.run(compare())

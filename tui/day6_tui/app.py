@@ -16,6 +16,8 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.textual_private.access import is_leaving
+
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
 
@@ -72,9 +74,8 @@ from day6_tui.settings import Settings
 from day6_tui.terminal_app import TerminalApp
 from day6_tui.terminals.pane import ARROWS, TerminalPane
 from day6_tui.terminals.shown import Terminals
-from day6_tui.textual_private import dirty_spans as chops
 from day6_tui.textual_private import output
-from day6_tui.textual_private.keyboard import leave
+from day6_tui.textual_private.access import fail
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
@@ -85,8 +86,6 @@ if TYPE_CHECKING:
     from day6_core.shell.desk import Desk
     from day6_tui.classes.link import ClassLink
 
-chops.install()
-output.install()
 _log = logging.getLogger(__name__)
 
 DEFAULT_FPS = 30.0
@@ -320,7 +319,7 @@ class Day6App(TerminalApp):
                 loop.call_soon_threadsafe(function, context=context)
 
         def leave() -> None:
-            if not self._exit:  # else with the status and the message that are given already
+            if not is_leaving(self):  # else with the status and the message that are given already
                 self.leaving.end_by_signal()
 
         self.leave_soon = lambda: soon(leave)
@@ -334,7 +333,7 @@ class Day6App(TerminalApp):
         if self.ending is not None:
             output.let_go()
             self.ending.begin()
-        if not self._exit and self.machine.desk is not None:
+        if not is_leaving(self) and self.machine.desk is not None:
             self.session.save()
         self.recording.end()
         super().exit(result, return_code, message)
@@ -342,14 +341,14 @@ class Day6App(TerminalApp):
     def _handle_exception(self, error: Exception) -> None:
         if self.is_headless:
             super()._handle_exception(error)
-        elif self._exit:
+        elif is_leaving(self):
             _log.warning("something failed on the way out", exc_info=error)  # a key for a pane that is gone
         else:
-            leave(self, error)
+            fail(self, error)
 
     async def on_event(self, event: events.Event) -> None:
         if isinstance(event, TYPED):
-            if self._exit:
+            if is_leaving(self):
                 return  # while leaving, there is nothing left to receive keys
             self.desktop.keep_keyboard()
             self.classroom.typed_at = time.monotonic()
@@ -511,7 +510,7 @@ class Day6App(TerminalApp):
         if self.is_headless:
             self._handle_exception(error)
             return
-        if self._exit:
+        if is_leaving(self):
             return  # the panes are going away
         _log.error("a frame failed", exc_info=error)
         from day6_tui.overlays.message import ErrorModal

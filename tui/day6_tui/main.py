@@ -73,6 +73,12 @@ def main(arguments: list[str] | None = None) -> int:
     if not (sys.stdin.isatty() and sys.stderr.isatty()):  # Textual draws on stderr
         print(f"day6-tui: {texts('cli.no_terminal')}", file=sys.stderr)
         return 2
+    from day6_tui import textual_private
+
+    if not textual_private.supported():
+        there, tested = textual_private.version(), textual_private.TESTED
+        print(f"day6-tui: {texts('cli.textual', version=there, tested=tested)}", file=sys.stderr)
+        return 2
     if options.record is not None:
         options.record = options.record.absolute()
         if (reason := _cannot_be_made(options.record, texts)) is not None:

@@ -48,13 +48,9 @@ from day6_tui.screen.log_file import keep_log_off_the_screen
 from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.settings import Settings
 from day6_tui.terminal_app import TerminalApp
-from day6_tui.textual_private import dirty_spans as chops
-from day6_tui.textual_private import output
-from day6_tui.textual_private.keyboard import leave
+from day6_tui.textual_private.access import fail
 from day6_tui.windows import BrokenPane, WindowPane, make_window
 
-chops.install()
-output.install()
 _log = logging.getLogger(__name__)
 
 _STAMP = re.compile(r"(?<=^\[[A-Z]{4}\] )\[[0-9.]+\] |(?<=^\[[A-Z]{5}\] )\[[0-9.]+\] ")
@@ -231,7 +227,7 @@ class WindowApp(TerminalApp):
             self.frames.wake()
 
     def _handle_exception(self, error: Exception) -> None:
-        leave(self, error)
+        fail(self, error)
 
     def on_terminal_trouble(self, event: TerminalTrouble) -> None:
         self._hint, self._hint_until = self.look.texts(event.key), time.monotonic() + HINT_SECONDS

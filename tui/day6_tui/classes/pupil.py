@@ -21,6 +21,7 @@ from day6_tui.actions import Handlers
 from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.panes.pane import Piece
 from day6_tui.terminals.pane import TerminalPane
+from day6_tui.textual_private.access import lines_of
 
 if TYPE_CHECKING:
     from textual.strip import Strip
@@ -374,11 +375,7 @@ class Classroom:
 
 def strips_of(app: Day6App) -> list[Strip]:
     """The lines of the screen; pictures of real pixels as half blocks."""
-    from textual._context import visible_screen_stack
-
-    # Textual's box over the desktop asks here for what is behind it. Without an answer it would remember that nothing is.
-    visible_screen_stack.set(app._background_screens)
-    strips = app.screen._compositor.render_strips()
+    strips = lines_of(app)
     pictures = app.look.pixels
     return strips if pictures is None else pictures.drawn_over(strips)
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.detached import wire
 from day6_tui.detached.loop_line import LoopLine
+from day6_tui.textual_private.access import driver_of, forget_terminal, is_leaving, within
 
 if TYPE_CHECKING:
     from day6_tui.app import Day6App
@@ -55,8 +56,8 @@ class Detachment:
         """Leave the terminal. `day6-tui attach` comes back."""
         from day6_tui.textual_private.driver import TerminalDriver
 
-        app, driver = self._app, self._app._driver
-        if self._line is None or self.away or app._exit or not isinstance(driver, TerminalDriver):
+        app, driver = self._app, driver_of(self._app)
+        if self._line is None or self.away or is_leaving(app) or not isinstance(driver, TerminalDriver):
             return
         driver.leave_terminal()
         self.away = True
@@ -66,11 +67,11 @@ class Detachment:
     def _come(self, environ: Mapping[str, str]) -> None:
         from day6_tui.textual_private.driver import TerminalDriver
 
-        app, driver = self._app, self._app._driver
-        if self._adaptation is None or not self.away or app._exit or not isinstance(driver, TerminalDriver):
+        app, driver = self._app, driver_of(self._app)
+        if self._adaptation is None or not self.away or is_leaving(app) or not isinstance(driver, TerminalDriver):
             return
         self.away = False
-        app._sync_available = False  # it is asked anew, as everything else the terminal may know
+        forget_terminal(app)
         try:
             self._adaptation.fit(environ)
         except Exception as error:
@@ -82,7 +83,7 @@ class Detachment:
     def _hear(self) -> None:
         assert self._line is not None
         for kind, data in self._line.receive():
-            with self._app._context():
+            with within(self._app):
                 if kind == wire.AWAY:
                     self.detach()  # once away, it has told that already
                 elif kind == wire.COME:

@@ -14,6 +14,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.bars.notices import NOTICE_SECONDS, Notices
 from day6_tui.machine import Machine
 from day6_tui.terminal_app import TerminalApp
+from day6_tui.textual_private.access import driver_of
 
 if TYPE_CHECKING:
     from textual.timer import Timer
@@ -91,7 +92,7 @@ class Recording:
         from day6_tui.cast.recorder import Recorder
 
         app, texts = self._app, self._look.texts
-        driver = app._driver
+        driver = driver_of(app)
         if driver is None or not hasattr(driver, "recorder"):
             return texts("record.not_here")
         try:
@@ -134,7 +135,7 @@ class Recording:
         return f"~/{path.relative_to(home)}" if home is not None and path.is_relative_to(home) else str(path)
 
     def _leave(self) -> None:
-        driver = self._app._driver
+        driver = driver_of(self._app)
         if driver is not None and hasattr(driver, "recorder"):
             driver.recorder = None
         self._recorder = None

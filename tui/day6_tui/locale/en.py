@@ -1244,6 +1244,7 @@ commands:
     "cli.more": "day6-tui COMMAND --help says more.",
     "cli.no_command": "there is no command '{name}'; day6-tui --help lists them",
     "cli.no_terminal": "the desktop needs a terminal; day6-tui exec runs commands without one",
+    "cli.textual": "Textual {version} is installed; this day6-tui needs {tested}: pip install 'textual=={tested}.*'",
     # Lessons
     "lesson.title": "Lessons",
     "lesson.days": "Six days",

@@ -1394,6 +1394,7 @@ TEXTS = {
     "cli.more": "想知道更多：day6-tui 命令 --help",
     "cli.no_command": "没有叫 {name} 的命令；day6-tui --help 列出所有命令",
     "cli.no_terminal": "桌面需要一个终端；day6-tui exec 不用终端也能运行命令",
+    "cli.textual": "装的是 Textual {version}，而这个 day6-tui 需要 {tested}：pip install 'textual=={tested}.*'",
     # Lessons
     "lesson.title": "课程",
     "lesson.days": "六天的课程",

@@ -11,6 +11,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal
 from day6_tui.screen.key_order import is_letter
 from day6_tui.screen.survival import survive
+from day6_tui.textual_private.access import run_binding
 
 
 class Line(Input):
@@ -35,7 +36,7 @@ class Line(Input):
         if not event.is_printable:
             event.stop()
             event.prevent_default()
-            await self.app._check_bindings(event.key)
+            await run_binding(self.app, event.key)
 
     def on_paste(self, event: events.Paste) -> None:
         """All words of what is pasted, which may be several lines, in one."""

@@ -258,7 +258,7 @@ class Pane(Widget, can_focus=True):
 
     def _mark(self, regions: list[Region]) -> None:
         """Have these parts drawn: at the end of the frame in which they changed, else when Textual comes to it."""
-        screen = self.screen if self._is_mounted else None
+        screen = self.screen if self.is_mounted else None
         if not (isinstance(screen, FrameScreen) and screen.mark(self, regions)):
             self.refresh(*regions)
 

@@ -15,6 +15,7 @@ from day6_tui.appearance.glyphs import CANVASES, GLYPH_SETS, PIXELS, terminal_en
 from day6_tui.pixels.ask import SIXEL, WINDOWS_TERMINAL_CELL, Ability, Answered, may_be_asked
 from day6_tui.pixels.pictures import Pictures
 from day6_tui.screen.trouble import TerminalTrouble
+from day6_tui.textual_private.access import driver_of, is_leaving
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -95,8 +96,8 @@ class PictureApp(App[None]):
             self._pictures_changed()
 
     def _write_picture(self, text: str) -> None:
-        driver = self._driver
-        if driver is None or self._exit:
+        driver = driver_of(self)
+        if driver is None or is_leaving(self):
             return
         size = WINDOWS_CHUNK if sys.platform == "win32" else len(text)
         for start in range(0, len(text), size):

@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from textual._ansi_sequences import SYNC_END, SYNC_START
 from textual.errors import NoWidget
 from textual.geometry import Region
 from textual.screen import Screen
@@ -22,6 +21,7 @@ from textual.widget import Widget
 from day6_tui.appearance.glyphs import GLYPH_SETS, PIXELS
 from day6_tui.appearance.look import Look
 from day6_tui.pixels.ask import FIRST, IS_READY, ITERM, KITTY, READY, Ability, Inquiry, closes
+from day6_tui.textual_private.access import SYNC_END, SYNC_START
 
 if TYPE_CHECKING:
     from textual.strip import Strip

@@ -17,6 +17,7 @@ from day6_core.session.ending import Ending, Step
 from day6_tui.pixels.app import PictureApp
 from day6_tui.screen.modes import GIVE_BACK
 from day6_tui.textual_private import output
+from day6_tui.textual_private.access import driver_of, is_leaving
 
 if TYPE_CHECKING:
     from textual.app import App
@@ -47,7 +48,7 @@ def give_back(app: App[None]) -> None:
 
     The application may have done so already, fully or in part (a slow terminal); doing it twice is harmless.
     """
-    driver = app._driver
+    driver = driver_of(app)
     if sys.platform != "win32":
         import termios
 
@@ -74,17 +75,17 @@ def attend_stops(app: App[None], soon: Callable[[Callable[[], object]], object])
         return
     from textual.drivers.linux_driver import LinuxDriver
 
-    driver = app._driver
+    driver = driver_of(app)
     if not isinstance(driver, LinuxDriver):
         return  # headless
     here = os.getpid()
 
     def suspend() -> None:
-        if not app._exit:
+        if not is_leaving(app):
             driver._sigtstp_application()
 
     def resume() -> None:
-        if app._exit:
+        if is_leaving(app):
             return
         if not driver._must_signal_resume:
             driver.suspend_application_mode()
@@ -92,7 +93,7 @@ def attend_stops(app: App[None], soon: Callable[[Callable[[], object]], object])
         driver._sigcont_application()
 
     def stop(number: int, frame: object) -> None:
-        if not app._exit:
+        if not is_leaving(app):
             soon(suspend)
         elif _has_job_control():
             os.kill(here, signal.SIGSTOP)

@@ -13,6 +13,8 @@ from textual import events
 from textual.app import App
 from textual.message import Message
 
+from day6_tui.textual_private.access import is_leaving
+
 _log = logging.getLogger(__name__)
 
 TYPED = (events.InputEvent, events.Paste)
@@ -32,7 +34,7 @@ async def survive(app: App[Any], event: Message, handling: Awaitable[None], *, t
     try:
         await handling
     except Exception as error:
-        if app._exit:
+        if is_leaving(app):
             _log.debug("a key or a click came too late", exc_info=error)  # for a pane that is gone
             return
         failed = getattr(app, "frame_failed", None)

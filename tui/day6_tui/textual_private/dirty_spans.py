@@ -1,22 +1,18 @@
 """Makes Textual send only the dirty part of a line.
 
 `ChopsUpdate.render_segments` of Textual 8.2 sends a line from the left edge of its widget to the right end of the dirty
-span, which is about six times the bytes for everything that moves (tui-tech.md §2.3). The corrected method crops both ends. It
-belongs to a private class, so it is put in place only for the versions it was checked with, and `tests/tui/test_chops.py`
-compares it cell by cell with the original.
+span, which is about six times the bytes for everything that moves. The corrected method crops both ends;
+`tests/tui/test_dirty_spans.py` compares it cell by cell with the original.
 """
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.panes.cells import cell_len
 
 if TYPE_CHECKING:
     from textual.strip import Strip
-
-CHECKED_VERSION = "8.2."
 
 
 def render_segments(self: Any, console: Any) -> str:
@@ -58,25 +54,8 @@ def whole_characters(strip: Strip, first: int, last: int) -> tuple[int, int]:
     return first, last
 
 
-def textual_version() -> str:
-    """The version of the imported Textual, '' if its installation does not state one."""
-    import textual
-
-    # The name of the metadata folder: importlib.metadata would cost the first frame 20 ms for the same answer.
-    folders = Path(textual.__file__).parent.parent.glob("textual-*.dist-info")
-    return next((folder.name.split("-")[1].removesuffix(".dist") for folder in folders if folder.is_dir()), "")
-
-
-def is_checked() -> bool:
-    """Whether this version of Textual is one whose private parts are known."""
-    return textual_version().startswith(CHECKED_VERSION)
-
-
-def install() -> bool:
-    """Replace the method if this version of Textual was checked; return whether it did."""
-    if not is_checked():
-        return False
+def install() -> None:
+    """Replace the method."""
     from textual._compositor import ChopsUpdate
 
     ChopsUpdate.render_segments = render_segments  # type: ignore[method-assign]
-    return True

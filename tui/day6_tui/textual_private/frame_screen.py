@@ -5,22 +5,20 @@ tasks and one more wake-up for each frame. It then asks every widget in the area
 wherever any widget begins. Here, what panes mark during a frame is drawn when the frame ends: for each changed span, the
 widgets that are seen there are asked for that line.
 
-This relies on private parts of Textual's compositor, so it is used only with the versions it was checked with (`chops`).
 `tests/tui/test_frame_screen.py` compares it cell by cell with Textual's own way.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from textual._compositor import ChopsUpdate, Compositor, CompositorUpdate
-from textual.geometry import Region
+from textual.geometry import Region, Size
 from textual.screen import Screen
 from textual.widget import Widget
 
-from day6_tui.textual_private import dirty_spans as chops
+from day6_tui.textual_private.dirty_spans import whole_characters
 
 if TYPE_CHECKING:
     from rich.console import Console, ConsoleOptions, RenderResult
@@ -31,9 +29,6 @@ Span = tuple[int, int, int]
 
 Seen = tuple[int, int, Widget, int, int]
 """A part of a line of the screen: first and end column, the widget seen there, and the widget's own corner."""
-
-
-_is_checked = cache(chops.is_checked)
 
 
 class SpansUpdate(CompositorUpdate):
@@ -80,7 +75,7 @@ class SpansCompositor(Compositor):
             (strip,) = widget.render_lines(Region(left - x, y - top, right - left, 1))
             from_x, to_x = max(left, first), min(right, end)
             if from_x != left or to_x != right:
-                whole_first, whole_end = chops.whole_characters(strip, from_x - left, to_x - left)
+                whole_first, whole_end = whole_characters(strip, from_x - left, to_x - left)
                 strip, from_x = strip.crop(whole_first, whole_end), left + whole_first
             yield from_x, y, strip
 
@@ -121,13 +116,11 @@ class FrameScreen(Screen[Any]):
     def __init__(self, *args: Any, **keywords: Any) -> None:
         super().__init__(*args, **keywords)
         self._in_frame = False
-        self._draws_itself = _is_checked()
-        if self._draws_itself:
-            self._compositor = SpansCompositor()
+        self._compositor = SpansCompositor()
 
     def begin_frame(self) -> None:
         """From here to `end_frame` nothing of Textual runs."""
-        self._in_frame = self._draws_itself and self.is_current and self.app.screen is self
+        self._in_frame = self.is_current and self.app.screen is self
 
     def mark(self, widget: Widget, regions: Iterable[Region]) -> bool:
         """Have these regions of a widget without borders drawn at the end of the frame; False outside frames."""
@@ -149,3 +142,28 @@ class FrameScreen(Screen[Any]):
             return
         self._compositor.update_widgets(self._dirty_widgets)
         self._compositor_refresh()
+
+
+class DeskScreen(FrameScreen):
+    """Textual's screen, whose own background is never seen."""
+
+    BLANK = True
+    ALLOW_SELECT = False  # terminals have their own selection; Textual's fails on a widget that is just being removed
+
+    def _refresh_layout(self, size: Size | None = None, scroll: bool = False) -> None:
+        """Lay the panes out. Textual 8.2 then stops its timer, also when something else still waits for it."""
+        super()._refresh_layout(size, scroll)
+        self.check_idle()
+
+    def _compositor_refresh(self) -> None:
+        """Draw, or hand on what has changed to the modal screen through which it is seen.
+
+        Textual 8.2 marks this screen as changed too in that case, and so would send the same picture again and again.
+        """
+        changed = self._compositor._dirty_regions
+        if self.app.screen is self or not changed:
+            super()._compositor_refresh()
+            return
+        self.app.screen.refresh(*changed)
+        changed.clear()
+        self._dirty_widgets.clear()

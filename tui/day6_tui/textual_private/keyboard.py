@@ -10,15 +10,13 @@ import codecs
 import logging
 import re
 from collections.abc import Iterable
-from typing import Any, cast
+from typing import cast
 
-from rich.text import Text
 from textual import constants, events
 from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
 from textual._parser import ParseTimeout
 from textual._time import get_time
 from textual._xterm_parser import BRACKETED_PASTE_END, BRACKETED_PASTE_START, XTermParser
-from textual.app import App
 from textual.driver import Driver
 from textual.message import Message
 
@@ -53,14 +51,6 @@ def sturdy(driver: type[Driver]) -> type[Driver]:
     from day6_tui.textual_private.driver import TerminalDriver
 
     return TerminalDriver
-
-
-def leave(app: App[Any], error: Exception) -> None:
-    """End the application as Textual does after an error, with one line instead of a traceback."""
-    _log.error("the application failed", exc_info=error)
-    app._return_code = 1
-    app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))
-    app._close_messages_no_wait()
 
 
 class InputDecoder:

@@ -7,9 +7,6 @@ from typing import TYPE_CHECKING
 
 from rich.text import Text
 from textual import events
-from textual._tree_sitter import get_language
-from textual.document._document_navigator import DocumentNavigator
-from textual.document._wrapped_document import WrappedDocument
 from textual.widgets import TextArea
 
 from day6_core.session.harmless import same_length
@@ -17,7 +14,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.screen.key_order import is_letter
 from day6_tui.screen.survival import survive
-from day6_tui.windows.editor.document import document_of
+from day6_tui.textual_private.text_area import CodeArea
 from day6_tui.windows.editor.indent import STEP, after, has_own_depth, shifted
 
 if TYPE_CHECKING:
@@ -30,7 +27,7 @@ FASTEST_FINGERS = 0.01
 """Keys closer together than this (seconds) are a paste: a terminal without bracketed paste sends pasted text as keys."""
 
 
-class EditorArea(TextArea):
+class EditorArea(CodeArea):
     """Keys go to the pane first; Enter keeps the indentation, Tab indents selected lines, the wrong line is underlined."""
 
     DEFAULT_CSS = """
@@ -68,19 +65,6 @@ class EditorArea(TextArea):
         self.theme = theme_for(look)
         colour_scrollbar(self, look)
 
-    def _set_document(self, text: str, language: str | None) -> None:
-        """Like TextArea's, with documents that change no character."""
-        document = document_of(text, get_language(language) if language else None)
-        self._highlight_query = None
-        if language:
-            self._highlight_query = document.prepare_query(self._get_builtin_highlight_query(language))
-        self.document = document
-        self.wrapped_document = WrappedDocument(document, tab_width=self.indent_width)
-        self.navigator = DocumentNavigator(self.wrapped_document)
-        self._build_highlight_map()
-        self.move_cursor((0, 0))
-        self._rewrap_and_refresh_virtual_size()
-
     def on_text_area_changed(self, event: TextArea.Changed) -> None:
         event.stop()
         self._pane.edited()
@@ -92,13 +76,11 @@ class EditorArea(TextArea):
     def keeps_keyboard(self, event: events.Event) -> bool:
         return is_letter(event)
 
-    async def _on_key(self, event: events.Key) -> None:
+    async def take_key(self, event: events.Key) -> bool:
         if keys := self._pane.typed_ahead():
             await self.take_keys(keys)
         pasted, self._last_key = event.time - self._last_key < FASTEST_FINGERS, event.time
-        if await self._handle_key(event, pasted=pasted):
-            event.stop()
-            event.prevent_default()
+        return await self._handle_key(event, pasted=pasted)
 
     async def take_keys(self, keys: list[events.Key]) -> None:
         """Handle keys that were typed elsewhere, bindings included."""
@@ -106,17 +88,9 @@ class EditorArea(TextArea):
             await self._handle_key(event, pasted=True)
 
     async def _handle_key(self, event: events.Key, *, pasted: bool) -> bool:
-        """Handle a key at once, bindings included: Textual looks for those later, when the next key may have been handled."""
-        if self._pane.used(event.key) or self._typed(event.key, pasted):
-            return True
-        if bound := self._bindings.key_to_bindings.get(event.key):
-            await self.run_action(bound[0].action)
-            return True
-        await super()._on_key(event)
-        return False
+        return self._pane.used(event.key) or self._typed(event.key, pasted) or await self.type_key(event)
 
-    async def _on_paste(self, event: events.Paste) -> None:
-        event.stop()  # the text area, which gets the event next, inserts it; nothing else may
+    def take_paste(self, event: events.Paste) -> None:
         event.text = event.text.replace("\r\n", "\n").replace("\r", "\n")  # terminals send what Enter sends
         if self._after_automatic_blanks() and has_own_depth(event.text, self.cursor_location[1]):
             self._drop_blanks()
@@ -240,11 +214,6 @@ class EditorArea(TextArea):
         if problem is not None and problem.line == line_index + 1:
             line.stylize("underline red")
         return line
-
-    def forget_lines(self) -> None:
-        """Draw all lines anew."""
-        self._line_cache.clear()
-        self.refresh()
 
 
 def theme_for(look: Look) -> str:

@@ -21,6 +21,7 @@ from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.screen.survival import survive
+from day6_tui.textual_private.access import forget_lines
 from day6_tui.windows.fields.field_list import without_package
 
 if TYPE_CHECKING:
@@ -149,7 +150,7 @@ class TopicTree(Tree[Row]):
         """Show these branches, and draw only the lines that differ."""
         line, before = self.cursor_line, self.chosen
         if self._measure([row.path[-1] for row, _ in branches]) or bool(branches) != bool(self.root.children):
-            self._invalidate()
+            forget_lines(self)
             self.refresh()
         self._fill(self.root, branches)
         if self.last_line >= 0:

@@ -12,7 +12,7 @@ from rich.style import Style
 from textual._compositor import ChopsUpdate
 from textual.strip import Strip
 
-from day6_tui.textual_private import dirty_spans as chops
+from day6_tui.textual_private.dirty_spans import render_segments
 from tests.support.folded import folded
 
 WIDTH, HEIGHT = 40, 6
@@ -58,7 +58,7 @@ def test_exactly_the_dirty_cells_are_sent(seed: int) -> None:
         first = picker.randint(0, WIDTH - 1)
         spans.append((y, first, picker.randint(first + 1, WIDTH)))
     console = _console()
-    sent = _screen(chops.render_segments(ChopsUpdate(lines, spans, ends), console))
+    sent = _screen(render_segments(ChopsUpdate(lines, spans, ends), console))
     full = _screen("".join(f"\x1b[{y + 1};1H{line.render(console)}" for y, line in enumerate(whole)))
     blank = _screen("")
     for y in range(HEIGHT):
@@ -74,26 +74,19 @@ def test_exactly_the_dirty_cells_are_sent(seed: int) -> None:
 def test_a_small_change_far_from_the_left_edge_costs_few_bytes() -> None:
     strip = Strip([Segment("x", Style(color=f"color({n})")) for n in range(WIDTH)], WIDTH)
     update = ChopsUpdate([{0: strip}], [(0, 30, 32)], [[WIDTH]])
-    assert len(chops.render_segments(update, _console())) < 60
-    assert chops.CHECKED_VERSION == "8.2."
+    assert len(render_segments(update, _console())) < 60
 
 
-def test_it_is_in_place_for_the_textual_that_is_installed() -> None:
-    import day6_tui.app
+def test_it_is_in_place() -> None:
+    import day6_tui.terminal_app
 
-    assert day6_tui.app is not None
-    assert ChopsUpdate.render_segments is chops.render_segments
-    assert chops.textual_version().startswith("8.2.")
-
-
-def test_another_version_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(chops, "textual_version", lambda: "8.3.0")
-    assert chops.install() is False
+    assert day6_tui.terminal_app is not None
+    assert ChopsUpdate.render_segments is render_segments
 
 
 @pytest.mark.parametrize("span", [(1, 2), (2, 5), (3, 6), (0, 3)])
 def test_a_chinese_character_at_the_edge_of_a_dirty_span_is_not_lost(span: tuple[int, int]) -> None:
     line = Strip([Segment("a海龟走b "), Segment("来" * 10)], 28)
     whole = "".join(cell.data for cell in _screen(f"\x1b[1;1H{line.text}")[0])
-    sent = chops.render_segments(ChopsUpdate([{0: line}], [(0, *span)], [[28]]), _console())
+    sent = render_segments(ChopsUpdate([{0: line}], [(0, *span)], [[28]]), _console())
     assert "".join(cell.data for cell in _screen(f"\x1b[1;1H{line.text}{sent}")[0]) == whole

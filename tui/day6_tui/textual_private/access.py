@@ -1,0 +1,73 @@
+"""What Textual's applications and widgets keep to themselves, as functions."""
+
+from __future__ import annotations
+
+import logging
+from typing import TYPE_CHECKING, Any
+
+from textual._ansi_sequences import SYNC_END as SYNC_END
+from textual._ansi_sequences import SYNC_START as SYNC_START
+from textual._context import visible_screen_stack
+
+if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
+    from textual.app import App
+    from textual.driver import Driver
+    from textual.strip import Strip
+    from textual.widgets import Tree
+
+_log = logging.getLogger(__name__)
+
+
+def driver_of(app: App[Any]) -> Driver | None:
+    """Return what reads and writes the terminal; None before the application runs."""
+    return app._driver
+
+
+def is_leaving(app: App[Any]) -> bool:
+    """Whether the application ends: nothing more is drawn, and no key matters."""
+    return app._exit
+
+
+def waiting_writes(app: App[Any]) -> int:
+    """Return how many writes the terminal has not taken yet."""
+    writer = getattr(app._driver, "_writer_thread", None)
+    return writer._queue.qsize() if writer is not None else 0
+
+
+def lines_of(app: App[Any]) -> list[Strip]:
+    """Return the lines of the screen, with what is seen behind an overlay."""
+    # Textual's box over the desktop asks here for what is behind it. Without an answer it would remember that nothing is.
+    visible_screen_stack.set(app._background_screens)
+    return app.screen._compositor.render_strips()
+
+
+def within(app: App[Any]) -> AbstractContextManager[None]:
+    """Have what runs inside belong to an application, outside of its own tasks."""
+    return app._context()
+
+
+def forget_terminal(app: App[Any]) -> None:
+    """Forget that the terminal draws a frame in one piece: it is another one, and asked anew."""
+    app._sync_available = False
+
+
+async def run_binding(app: App[Any], key: str) -> None:
+    """Do what a key is bound to."""
+    await app._check_bindings(key)
+
+
+def fail(app: App[Any], error: Exception) -> None:
+    """End the application as Textual does after an error, with one line instead of a traceback."""
+    from rich.text import Text
+
+    _log.error("the application failed", exc_info=error)
+    app._return_code = 1
+    app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))
+    app._close_messages_no_wait()
+
+
+def forget_lines(tree: Tree[Any]) -> None:
+    """Have every line of a tree made anew when it is drawn."""
+    tree._invalidate()
