@@ -98,7 +98,9 @@ def test_no_class_elsewhere_overrides_a_private_name_of_textual_knowingly_or_by_
         if each.__module__.startswith("day6_tui.textual_private"):
             continue
         for name, value in vars(each).items():
-            written = inspect.isfunction(value) or isinstance(value, property)  # Textual itself sets others on every class
+            written = inspect.isfunction(value) or isinstance(
+                value, property
+            )  # Textual itself sets others on every class
             if is_private(name) and written and any(name in vars(base) for base in theirs):
                 overridden.append(f"{each.__module__}.{each.__name__}.{name}")
     assert overridden == []

@@ -14,7 +14,7 @@ import sys
 import time
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from day6_tui.textual_private.access import is_leaving
 
@@ -30,7 +30,6 @@ import asyncio
 from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding
-from textual.message import Message
 from textual.widget import Widget
 
 from day6_core.ros import distribution
@@ -68,7 +67,6 @@ from day6_tui.panes.switching import Switching
 from day6_tui.screen import departure
 from day6_tui.screen.frames import Frames
 from day6_tui.screen.log_file import keep_log_off_the_screen
-from day6_tui.screen.survival import TYPED, PersonMessage, survive
 from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.settings import Settings
 from day6_tui.terminal_app import TerminalApp
@@ -76,11 +74,11 @@ from day6_tui.terminals.pane import ARROWS, TerminalPane
 from day6_tui.terminals.shown import Terminals
 from day6_tui.textual_private import output
 from day6_tui.textual_private.access import fail
+from day6_tui.textual_private.survival import TYPED
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
-    from textual.screen import Screen
 
     from day6_core.session.ending import Ending
     from day6_core.shell.desk import Desk
@@ -338,9 +336,9 @@ class Day6App(TerminalApp):
         self.recording.end()
         super().exit(result, return_code, message)
 
-    def _handle_exception(self, error: Exception) -> None:
+    def failed(self, error: Exception) -> None:
         if self.is_headless:
-            super()._handle_exception(error)
+            super().failed(error)
         elif is_leaving(self):
             _log.warning("something failed on the way out", exc_info=error)  # a key for a pane that is gone
         else:
@@ -357,10 +355,6 @@ class Day6App(TerminalApp):
     def keyboard(self) -> Widget:
         self.desktop.keep_keyboard()
         return super().keyboard()
-
-    async def _on_message(self, message: Message) -> None:
-        handling = super()._on_message(message)
-        await (survive(self, message, handling) if isinstance(message, PersonMessage) else handling)
 
     async def action_do(self, id: str) -> None:  # noqa: A002
         """Textual's entry: a key of the table was pressed."""
@@ -431,10 +425,9 @@ class Day6App(TerminalApp):
     async def on_unmount(self) -> None:
         self.frames.detach()
 
-    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+    def displays(self) -> bool:
         self.classroom.has_drawn = True
-        if not self.detachment.away:
-            super()._display(screen, renderable)
+        return not self.detachment.away
 
     def _write_picture(self, text: str) -> None:
         self.classroom.has_drawn = True
@@ -508,7 +501,7 @@ class Day6App(TerminalApp):
     def frame_failed(self, error: Exception) -> None:
         """Report an error of the desktop itself, and keep programs and terminals running."""
         if self.is_headless:
-            self._handle_exception(error)
+            super().failed(error)
             return
         if is_leaving(self):
             return  # the panes are going away

@@ -15,10 +15,10 @@ from day6_tui import textual_private
 from day6_tui.pixels.app import PictureApp
 from day6_tui.screen.key_order import KeyOrder
 from day6_tui.screen.poor_terminals import filters_for
-from day6_tui.screen.survival import survive
 from day6_tui.textual_private.access import is_leaving, waiting_writes
 from day6_tui.textual_private.frame_screen import DeskScreen, FrameScreen
 from day6_tui.textual_private.keyboard import sturdy
+from day6_tui.textual_private.survival import Surviving
 
 textual_private.install()
 
@@ -26,7 +26,7 @@ WAITING_OUTPUT = 3
 """Number of writes still waiting for the terminal at which the next frame is postponed."""
 
 
-class TerminalApp(PictureApp):
+class TerminalApp(Surviving, PictureApp):
     """An application with a `look`."""
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
@@ -37,7 +37,7 @@ class TerminalApp(PictureApp):
         if isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded:
             await self._key_order.take(event)
         else:
-            await survive(self, event, super().on_event(event))
+            await super().on_event(event)
 
     def keyboard(self) -> Widget:
         """Return what gets the next key."""
@@ -45,7 +45,7 @@ class TerminalApp(PictureApp):
 
     async def _hand_over(self, event: events.Event) -> None:
         if not is_leaving(self):  # while leaving, there is nothing left to receive keys
-            await survive(self, event, super().on_event(event))
+            await super().on_event(event)
 
     def get_driver_class(self) -> type[Driver]:
         return sturdy(super().get_driver_class())

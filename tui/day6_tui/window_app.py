@@ -226,7 +226,7 @@ class WindowApp(TerminalApp):
         else:
             self.frames.wake()
 
-    def _handle_exception(self, error: Exception) -> None:
+    def failed(self, error: Exception) -> None:
         fail(self, error)
 
     def on_terminal_trouble(self, event: TerminalTrouble) -> None:

@@ -14,9 +14,9 @@ from day6_tui.bars.notices import NOTICE_SECONDS, Notices
 from day6_tui.machine import Machine
 from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Pane, PaneMessage
-from day6_tui.screen.survival import PersonMessage
 from day6_tui.settings import Settings
 from day6_tui.terminals.shown import Terminals
+from day6_tui.textual_private.survival import PersonMessage
 
 if TYPE_CHECKING:
     from day6_core.lessons.document import Lesson

@@ -14,7 +14,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.canvas import Canvas
 from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.panes.pane import Pane, PaneMessage
-from day6_tui.screen.survival import PersonMessage
+from day6_tui.textual_private.survival import PersonMessage
 from day6_tui.windows.turtlesim.shapes import COATS, pixels
 
 LOGO_SIZE = 20

@@ -10,11 +10,11 @@ from textual.widgets import Input
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal
 from day6_tui.screen.key_order import is_letter
-from day6_tui.screen.survival import survive
 from day6_tui.textual_private.access import run_binding
+from day6_tui.textual_private.survival import Surviving
 
 
-class Line(Input):
+class Line(Surviving, Input):
     """An Input whose keys take effect in the order in which they were typed, however many wait.
 
     Textual lets the bindings of a key run after it has travelled from the Input up to the application, while letters are taken
@@ -28,9 +28,6 @@ class Line(Input):
 
     def keeps_keyboard(self, event: events.Event) -> bool:
         return is_letter(event)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
 
     async def on_key(self, event: events.Key) -> None:
         if not event.is_printable:

@@ -13,20 +13,20 @@ from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Vertical
 from textual.content import Content
-from textual.message import Message
-from textual.screen import ModalScreen
 from textual.scrollbar import ScrollBar
 from textual.widget import Widget
 
 from day6_core.session.harmless import one_line
 from day6_tui.appearance.look import Look
 from day6_tui.screen.poor_terminals import renderer_for
-from day6_tui.screen.survival import TYPED, survive
+from day6_tui.textual_private.hooks import TypedAheadScreen
+from day6_tui.textual_private.survival import Surviving
 
 
-class Modal(ModalScreen[None]):
+class Modal(Surviving, TypedAheadScreen):
     """A framed box with a title, and the keys below. Esc and a click outside close it."""
 
+    messages_are_typed = True
     CSS_PATH = str(Path(__file__).with_suffix(".tcss"))  # absolute: Textual looks beside the module of each subclass
     AUTO_FOCUS = ""
     ALLOW_SELECT = True
@@ -44,8 +44,6 @@ class Modal(ModalScreen[None]):
         self._keys = keys
         self.about: Widget | None = None
         """The pane that it asks or searches something about."""
-        self._early: list[events.Event] | None = []
-        """What was typed before there was anything to type it into; None once there is."""
 
     def inside(self) -> ComposeResult:
         """The widgets in the frame."""
@@ -65,27 +63,7 @@ class Modal(ModalScreen[None]):
     def on_mount(self) -> None:
         ScrollBar.renderer = renderer_for(self.look)
         self.set_focus(self.keyboard, scroll_visible=False)
-        early, self._early = self._early or [], None
-        for event in early:
-            self._forward_event(event)
-
-    def _forward_event(self, event: events.Event) -> None:
-        """Textual's way to what has the focus; what comes before the first widget is mounted waits for it."""
-        if not isinstance(event, TYPED) or isinstance(event, events.MouseEvent):
-            super()._forward_event(event)
-        elif self._early is not None:
-            self._early.append(event)
-        elif self.focused is not None:
-            self.focused._forward_event(event)
-        else:
-            super()._forward_event(event)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
-
-    async def _on_message(self, message: Message) -> None:
-        """News of the widgets inside: all of it is somebody's doing."""
-        await survive(self.app, message, super()._on_message(message), typed=True)
+        self.take_early_keys()
 
     def on_click(self, event: events.Click) -> None:
         """Close at a click beside the frame."""

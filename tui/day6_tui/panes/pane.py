@@ -22,8 +22,8 @@ from textual.widget import Widget
 
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, harmless
-from day6_tui.screen.survival import survive
 from day6_tui.textual_private.frame_screen import FrameScreen
+from day6_tui.textual_private.survival import Surviving
 
 Action = Callable[[], object]
 
@@ -60,7 +60,7 @@ class PaneMessage(Message):
         return self.pane
 
 
-class Pane(Widget, can_focus=True):
+class Pane(Surviving, Widget, can_focus=True):
     """Base of everything framed. A subclass defines `content_line` and, as needed, title, status, keys and `pull`."""
 
     DEFAULT_CSS = "Pane { width: 1fr; height: 1fr; }"
@@ -99,9 +99,6 @@ class Pane(Widget, can_focus=True):
         """The size with the frame, as of the last `measure`: asking Textual costs ten times as much, many times a frame."""
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
         self._shown_title: list[tuple[str, Style]] = []
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
 

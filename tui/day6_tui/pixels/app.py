@@ -6,20 +6,19 @@ import logging
 import sys
 import time
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from textual import events
-from textual.app import App
 
 from day6_tui.appearance.glyphs import CANVASES, GLYPH_SETS, PIXELS, terminal_environ
 from day6_tui.pixels.ask import SIXEL, WINDOWS_TERMINAL_CELL, Ability, Answered, may_be_asked
 from day6_tui.pixels.pictures import Pictures
 from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.textual_private.access import driver_of, is_leaving
+from day6_tui.textual_private.hooks import HookedApp
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
-    from textual.screen import Screen
 
     from day6_tui.appearance.look import Look
 
@@ -31,7 +30,7 @@ WINDOWS_CHUNK = 8192
 """The console of Windows loses parts of longer writes (textual/app.py has the same)."""
 
 
-class PictureApp(App[None]):
+class PictureApp(HookedApp):
     """An application with `look.pictures`."""
 
     look: Look
@@ -72,8 +71,7 @@ class PictureApp(App[None]):
         if (pictures := self.look.pictures) is not None:
             self._surviving(lambda: pictures.take(event.text))
 
-    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
-        super()._display(screen, renderable)
+    def displayed(self, renderable: RenderableType | None) -> None:
         if (pictures := self.look.pixels) is not None and renderable is not None:
             self._surviving(lambda: pictures.displayed(renderable))
 

@@ -73,24 +73,20 @@ def attend_stops(app: App[None], soon: Callable[[Callable[[], object]], object])
     """
     if sys.platform == "win32":
         return
-    from textual.drivers.linux_driver import LinuxDriver
+    from day6_tui.textual_private.driver import TerminalDriver
 
     driver = driver_of(app)
-    if not isinstance(driver, LinuxDriver):
+    if not isinstance(driver, TerminalDriver):
         return  # headless
     here = os.getpid()
 
     def suspend() -> None:
         if not is_leaving(app):
-            driver._sigtstp_application()
+            driver.suspend_job()
 
     def resume() -> None:
-        if is_leaving(app):
-            return
-        if not driver._must_signal_resume:
-            driver.suspend_application_mode()
-            driver._must_signal_resume = True
-        driver._sigcont_application()
+        if not is_leaving(app):
+            driver.resume_job()
 
     def stop(number: int, frame: object) -> None:
         if not is_leaving(app):

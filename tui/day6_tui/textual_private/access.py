@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from textual.app import App
     from textual.driver import Driver
     from textual.strip import Strip
-    from textual.widgets import Tree
 
 _log = logging.getLogger(__name__)
 
@@ -66,8 +65,3 @@ def fail(app: App[Any], error: Exception) -> None:
     app._return_code = 1
     app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))
     app._close_messages_no_wait()
-
-
-def forget_lines(tree: Tree[Any]) -> None:
-    """Have every line of a tree made anew when it is drawn."""
-    tree._invalidate()

@@ -74,6 +74,17 @@ class TerminalDriver(LinuxDriver):
         self._away = False
         self.resume_application_mode()
 
+    def suspend_job(self) -> None:
+        """Leave the terminal and stop this process, as Ctrl-Z does."""
+        self._sigtstp_application()
+
+    def resume_job(self) -> None:
+        """Take over the terminal again after any stop, even one that did not begin with `suspend_job`."""
+        if not self._must_signal_resume:
+            self.suspend_application_mode()
+            self._must_signal_resume = True
+        self._sigcont_application()
+
     def _run_input_thread(self) -> None:
         try:
             self.run_input_thread()

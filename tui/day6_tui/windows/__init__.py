@@ -21,7 +21,7 @@ from day6_tui.panes.cells import wrap
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Pane, PaneMessage
 from day6_tui.panes.placement import OTHER
-from day6_tui.screen.survival import PersonMessage
+from day6_tui.textual_private.survival import PersonMessage
 
 
 class WindowPane(Pane, Generic[Model]):

@@ -6,17 +6,18 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Horizontal
-from textual.message import Message
 from textual.widgets import Static
 
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.input_line import Line
 from day6_tui.overlays.modal import plain
-from day6_tui.screen.survival import PersonMessage, survive
+from day6_tui.textual_private.survival import PersonMessage, Surviving
 
 
-class ConsoleLine(Horizontal):
+class ConsoleLine(Surviving, Horizontal):
     """The name of what is typed, and the line; nothing of it is seen until `open`."""
+
+    messages_are_typed = True
 
     class Typed(PersonMessage):
         """The text changed, or what it is; `done` if the user is ready with it."""
@@ -67,9 +68,6 @@ class ConsoleLine(Horizontal):
         self._purpose_name = Static()
         self.field = self.Field(look)
         self.display = False
-
-    async def _on_message(self, message: Message) -> None:
-        await survive(self.app, message, super()._on_message(message), typed=True)
 
     def compose(self) -> ComposeResult:
         yield self._purpose_name

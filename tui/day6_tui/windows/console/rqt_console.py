@@ -9,7 +9,6 @@ from pathlib import Path
 from rich.segment import Segment
 from textual import events, on
 from textual.app import ComposeResult
-from textual.message import Message
 from textual.widget import Widget
 
 from day6_core.ros.programs.rqt_console.filters import SIDES, Filter
@@ -19,7 +18,6 @@ from day6_tui.appearance.look import Look
 from day6_tui.overlays.prompt import before_replacing
 from day6_tui.panes.cells import cell_len, clip, wrap
 from day6_tui.panes.pane import Piece
-from day6_tui.screen.survival import survive
 from day6_tui.windows import WindowPane
 from day6_tui.windows.console.filters import FilterMenus
 from day6_tui.windows.console.line import ConsoleLine
@@ -71,9 +69,6 @@ class RqtConsolePane(WindowPane[Console]):
         super().on_focus(event)
         if self.focus_target is not self:
             self.screen.set_focus(self.focus_target, scroll_visible=False)
-
-    async def _on_message(self, message: Message) -> None:
-        await survive(self.app, message, super()._on_message(message))
 
     # -- frames --------------------------------------------------------------------------------------------------------
 

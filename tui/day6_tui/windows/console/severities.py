@@ -9,7 +9,6 @@ from textual.app import ComposeResult
 from textual.containers import Horizontal
 from textual.content import Content
 from textual.geometry import Size
-from textual.message import Message
 from textual.widgets import Checkbox, Static
 
 from day6_core.ros.programs.rqt_console.filters import SIDES, Choice
@@ -17,7 +16,7 @@ from day6_core.ros.programs.rqt_console.model import SEVERITIES
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import plain
 from day6_tui.panes.cells import cell_len, clip
-from day6_tui.screen.survival import PersonMessage, survive
+from day6_tui.textual_private.survival import PersonMessage, Surviving
 from day6_tui.windows.console.filters import brief
 
 IN_FULL = sum(len(severity) + 5 for severity in SEVERITIES.values())
@@ -32,13 +31,13 @@ class SeverityBox(Checkbox, can_focus=False):
         self.level = level
 
     @property
-    def _button(self) -> Content:
+    def _tick(self) -> Content:
         """The box: with Textual's, a tick would be told by its colour alone."""
         return Content("[x]" if self.value else "[ ]")
 
     def render(self) -> Content:
         word = self.label.stylize_before(self.get_visual_style("toggle--label"))
-        return Content.assemble(self._button, " " if len(word) > 1 else "", word, " ")
+        return Content.assemble(self._tick, " " if len(word) > 1 else "", word, " ")
 
     def get_content_width(self, container: Size, viewport: Size) -> int:
         return len(self.render())
@@ -51,8 +50,10 @@ class SeverityBox(Checkbox, can_focus=False):
             self.label = label
 
 
-class Severities(Horizontal):
+class Severities(Surviving, Horizontal):
     """The boxes, and beside them what else is left out or stands out."""
+
+    messages_are_typed = True
 
     class Toggled(PersonMessage):
         """The user wants a severity left out, or shown again."""
@@ -67,9 +68,6 @@ class Severities(Horizontal):
         self._title = Static()
         self._boxes = [SeverityBox(level) for level in SEVERITIES]
         self._others = Static(id="others")
-
-    async def _on_message(self, message: Message) -> None:
-        await survive(self.app, message, super()._on_message(message), typed=True)
 
     def compose(self) -> ComposeResult:
         yield self._title

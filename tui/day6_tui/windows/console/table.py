@@ -16,7 +16,6 @@ from rich.style import Style
 from textual import events
 from textual.cache import LRUCache
 from textual.geometry import Region, Size
-from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.scrollbar import ScrollBar
 from textual.strip import Strip
@@ -28,7 +27,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit, harmless
 from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
-from day6_tui.screen.survival import PersonMessage, survive
+from day6_tui.textual_private.survival import PersonMessage, Surviving
 from day6_tui.windows.console.order import COLUMNS, Order, SortedRecords
 
 NUMBER_WIDTH, SEVERITY_WIDTH, STAMP_WIDTH = 6, 8, 12
@@ -42,7 +41,7 @@ _STEPS = {"down": 1, "up": -1, "home": -(10**9), "end": 10**9}
 _PAGES = {"pagedown": 1, "pageup": -1}
 
 
-class ConsoleTable(ScrollView, can_focus=True):
+class ConsoleTable(Surviving, ScrollView, can_focus=True):
     """Shows what it is given; keeps the order, and which message is chosen, or that the newest is followed."""
 
     class Chosen(PersonMessage):
@@ -76,12 +75,6 @@ class ConsoleTable(ScrollView, can_focus=True):
         """The cells of the scroll bar: their characters, and which are the thumb's."""
         self._strips: LRUCache[tuple[int, bool], Strip] = LRUCache(512)
         self.take_look(look)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
-
-    async def _on_message(self, message: Message) -> None:
-        await survive(self.app, message, super()._on_message(message))
 
     def take_look(self, look: Look) -> None:
         """Take the colours and characters of the desktop."""

@@ -13,7 +13,7 @@ from day6_core.session.harmless import same_length
 from day6_tui.appearance.look import Look
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.screen.key_order import is_letter
-from day6_tui.screen.survival import survive
+from day6_tui.textual_private.survival import Surviving
 from day6_tui.textual_private.text_area import CodeArea
 from day6_tui.windows.editor.indent import STEP, after, has_own_depth, shifted
 
@@ -27,7 +27,7 @@ FASTEST_FINGERS = 0.01
 """Keys closer together than this (seconds) are a paste: a terminal without bracketed paste sends pasted text as keys."""
 
 
-class EditorArea(CodeArea):
+class EditorArea(Surviving, CodeArea):
     """Keys go to the pane first; Enter keeps the indentation, Tab indents selected lines, the wrong line is underlined."""
 
     DEFAULT_CSS = """
@@ -56,9 +56,6 @@ class EditorArea(CodeArea):
         """Where the cursor was after blanks that Enter put there."""
         self._own_row = -1
         """The line whose blanks the user typed; the next one is left to the user too."""
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
 
     def take_look(self, look: Look) -> None:
         """Take the colours of the desktop."""

@@ -6,7 +6,7 @@ from textual import events
 
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.input_line import Line
-from day6_tui.screen.survival import PersonMessage
+from day6_tui.textual_private.survival import PersonMessage
 from day6_tui.windows.fields.field_list import FieldLine
 
 

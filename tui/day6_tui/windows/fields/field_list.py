@@ -22,7 +22,7 @@ from day6_core.session.harmless import one_line
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, fit, wrap
 from day6_tui.panes.pane import in_ascii
-from day6_tui.screen.survival import PersonMessage
+from day6_tui.textual_private.survival import PersonMessage
 from day6_tui.windows.parts.pane_list import PaneList
 
 INDENT = 2

@@ -9,7 +9,6 @@ from rich.segment import Segment
 from rich.style import Style as RichStyle
 from textual import events
 from textual.app import ComposeResult
-from textual.message import Message
 from textual.strip import Strip
 from textual.style import Style
 from textual.visual import RenderOptions, Visual
@@ -20,11 +19,11 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import fit, wrap
 from day6_tui.panes.scrollbars import colour_scrollbar
-from day6_tui.screen.survival import survive
+from day6_tui.textual_private.survival import Surviving
 from day6_tui.windows import WindowPane
 
 
-class PaneList(OptionList):
+class PaneList(Surviving, OptionList):
     """Textual's list in the colours and characters of the desktop."""
 
     DEFAULT_CSS = Path(__file__).with_suffix(".tcss").read_text(encoding="utf-8")
@@ -33,12 +32,6 @@ class PaneList(OptionList):
         super().__init__(compact=True, markup=False)
         self.look = look
         self.take_look(look)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
-
-    async def _on_message(self, message: Message) -> None:
-        await survive(self.app, message, super()._on_message(message))
 
     def take_look(self, look: Look) -> None:
         """Take the colours and characters of the desktop."""

@@ -20,8 +20,8 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
-from day6_tui.screen.survival import survive
-from day6_tui.textual_private.access import forget_lines
+from day6_tui.textual_private.hooks import FilledTree
+from day6_tui.textual_private.survival import Surviving
 from day6_tui.windows.fields.field_list import without_package
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ def columns_in(width: int, longest: int = 0) -> Columns:
     return Columns(topic, kind, bandwidth, hz, max(0, rest - topic - 1))
 
 
-class TopicTree(Tree[Row]):
+class TopicTree(Surviving, FilledTree[Row]):
     """Shows the branches that its pane gives it; which are open and where the cursor is outlasts their coming and going."""
 
     DEFAULT_CSS = """
@@ -116,9 +116,6 @@ class TopicTree(Tree[Row]):
         self.guide_depth = INDENT
         self.root.expand()
         self.take_look(look)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
 
     def take_look(self, look: Look) -> None:
         """Take the colours and characters of the desktop."""
@@ -150,7 +147,7 @@ class TopicTree(Tree[Row]):
         """Show these branches, and draw only the lines that differ."""
         line, before = self.cursor_line, self.chosen
         if self._measure([row.path[-1] for row, _ in branches]) or bool(branches) != bool(self.root.children):
-            forget_lines(self)
+            self.forget_lines()
             self.refresh()
         self._fill(self.root, branches)
         if self.last_line >= 0:

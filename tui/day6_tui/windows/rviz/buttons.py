@@ -11,7 +11,7 @@ from textual.content import Content
 from textual.geometry import Size
 from textual.widgets import Button
 
-from day6_tui.screen.survival import survive
+from day6_tui.textual_private.survival import Surviving
 
 
 class Label(NamedTuple):
@@ -38,7 +38,7 @@ def texts_in(width: int) -> list[str]:
     return texts
 
 
-class PanelButton(Button):
+class PanelButton(Surviving, Button):
     """A click on it leaves the keyboard where it is: the tree is what one goes on with."""
 
     FOCUS_ON_CLICK = False
@@ -57,9 +57,6 @@ class PanelButton(Button):
 
     def render(self) -> Content:
         return Content(self._text)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
 
     def on_hide(self, event: events.Hide) -> None:
         if self.has_focus:

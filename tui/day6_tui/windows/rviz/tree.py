@@ -20,7 +20,8 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import harmless
 from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
-from day6_tui.screen.survival import PersonMessage, survive
+from day6_tui.textual_private.hooks import FilledTree
+from day6_tui.textual_private.survival import PersonMessage, Surviving
 from day6_tui.windows.rviz import panel
 
 MOST_LINES = 5000
@@ -29,7 +30,7 @@ MOST_LINES = 5000
 _NO_LABEL = Text("")
 
 
-class PropertyTree(Tree[panel.Line]):
+class PropertyTree(Surviving, FilledTree[panel.Line]):
     """Shows the properties of an `RViz`. Which branches are open is the program's, the cursor and what is in sight are Textual's.
 
     A branch that was never opened has no nodes.
@@ -65,14 +66,9 @@ class PropertyTree(Tree[panel.Line]):
         """The nodes that are lines."""
         self._shown: list[tuple[object, ...]] = []
         """What the rows in sight look like."""
-        self._filling = self._stale = False
-        """Whether the nodes are being filled in, and whether there are others than before."""
         self.show_root = self.show_guides = self.auto_expand = False
         self.root.expand()
         self.take_look(look)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self.app, event, super().on_event(event))
 
     def take_look(self, look: Look) -> None:
         """Take the colours and characters of the desktop."""
@@ -148,14 +144,10 @@ class PropertyTree(Tree[panel.Line]):
     def refill(self) -> None:
         """Walk the properties again; the chosen one stays chosen where it still is, else the line where it was."""
         line, before, in_sight = self.cursor_line, self.prop, self._is_in_sight(self.cursor_line)
-        self._filling, self._stale, self._room = True, False, MOST_LINES
+        self._room = MOST_LINES
         self._node_by_property.clear()
-        try:
+        with self.filling():
             self._fill(self.root, self._rviz.panels, 0)
-        finally:
-            self._filling = False
-        if self._stale:
-            self._invalidate()
         if self.last_line >= 0:
             kept = self.node_of(before) if before is not None else None
             if kept is None:
@@ -186,13 +178,6 @@ class PropertyTree(Tree[panel.Line]):
 
     def process_label(self, label: object) -> Text:
         return _NO_LABEL  # lines draw themselves
-
-    def _invalidate(self) -> None:
-        """Textual's, which would be done anew for each of thousands of new lines."""
-        if self._filling:
-            self._stale = True
-        else:
-            super()._invalidate()
 
     def choose(self, prop: Property) -> None:
         """Open the tree down to a property and choose it."""

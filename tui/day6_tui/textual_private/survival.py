@@ -12,6 +12,7 @@ from typing import Any
 from textual import events
 from textual.app import App
 from textual.message import Message
+from textual.message_pump import MessagePump
 
 from day6_tui.textual_private.access import is_leaving
 
@@ -41,3 +42,16 @@ async def survive(app: App[Any], event: Message, handling: Awaitable[None], *, t
         if failed is None or app.is_headless or not (typed or isinstance(event, (*TYPED, PersonMessage))):
             raise
         failed(error)
+
+
+class Surviving(MessagePump):
+    """Base of what handles keys, the mouse and messages about them: a handler that fails costs that one event."""
+
+    messages_are_typed = False
+    """Whether all messages that come here are somebody's doing, whatever their types say."""
+
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self.app, event, super().on_event(event))
+
+    async def _on_message(self, message: Message) -> None:
+        await survive(self.app, message, super()._on_message(message), typed=self.messages_are_typed)

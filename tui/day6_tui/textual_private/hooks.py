@@ -1,0 +1,93 @@
+"""Methods of Textual's that are called where it has no message: the base classes of our application, overlays and trees."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from textual import events
+from textual.app import App
+from textual.screen import ModalScreen
+from textual.widgets import Tree
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+    from textual.screen import Screen
+
+Data = TypeVar("Data")
+
+
+class HookedApp(App[None]):
+    """An application that is told of what it displays, and of what fails in it."""
+
+    def displays(self) -> bool:
+        """Whether anything is written to the terminal now."""
+        return True
+
+    def displayed(self, renderable: RenderableType | None) -> None:
+        """Called after each frame, or part of one, with what was written."""
+
+    def failed(self, error: Exception) -> None:
+        """Called where Textual would end with a traceback."""
+        super()._handle_exception(error)
+
+    def _handle_exception(self, error: Exception) -> None:
+        self.failed(error)
+
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        if self.displays():
+            super()._display(screen, renderable)
+            self.displayed(renderable)
+
+
+class TypedAheadScreen(ModalScreen[None]):
+    """An overlay whose first widget gets what was typed before it was there."""
+
+    def __init__(self, *args: Any, **keywords: Any) -> None:
+        super().__init__(*args, **keywords)
+        self._early: list[events.Event] | None = []
+        """What was typed before there was anything to type it into; None once there is."""
+
+    def take_early_keys(self) -> None:
+        """Hand over what came early; from now on it goes to what has the focus, as everywhere."""
+        early, self._early = self._early or [], None
+        for event in early:
+            self._forward_event(event)
+
+    def _forward_event(self, event: events.Event) -> None:
+        typed = isinstance(event, (events.InputEvent, events.Paste)) and not isinstance(event, events.MouseEvent)
+        if typed and self._early is not None:
+            self._early.append(event)
+        elif typed and self.focused is not None:
+            self.focused._forward_event(event)
+        else:
+            super()._forward_event(event)
+
+
+class FilledTree(Tree[Data]):
+    """A tree that may be filled with thousands of nodes: Textual forgets all lines it has drawn for each of them."""
+
+    _filling = _stale = False
+
+    @contextmanager
+    def filling(self) -> Iterator[None]:
+        """Have the lines forgotten once, at the end, if any node was changed inside."""
+        self._filling, self._stale = True, False
+        try:
+            yield
+        finally:
+            self._filling = False
+        if self._stale:
+            self._invalidate()
+
+    def forget_lines(self) -> None:
+        """Have every line made anew when it is drawn."""
+        self._invalidate()
+
+    def _invalidate(self) -> None:
+        if self._filling:
+            self._stale = True
+        else:
+            super()._invalidate()
