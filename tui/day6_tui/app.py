@@ -236,7 +236,7 @@ class Day6App(TerminalApp):
     # -- life ----------------------------------------------------------------------------------------------------------
 
     def on_mount(self) -> None:
-        # Threads of programs share the interpreter with the screen; with shorter turns keys stay quick (tui-tech.md §3.2).
+        # Threads of programs share the interpreter with the screen; with shorter turns keys stay quick.
         sys.setswitchinterval(0.001)
         self.frames.attach()
         self._attend_the_end()

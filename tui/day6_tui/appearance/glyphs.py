@@ -1,6 +1,6 @@
 """Which characters this terminal can show: glyph sets, and the choice between them.
 
-The facts behind the sets (tui-tech.md §2.4): emulators show half blocks and braille; the fonts of the Linux console mostly
+The facts behind the sets: emulators show half blocks and braille; the fonts of the Linux console mostly
 have neither, but they have the line drawing and the shapes of the old IBM code page; without UTF-8 only ASCII is safe.
 """
 
