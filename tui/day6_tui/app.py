@@ -562,7 +562,7 @@ class Day6App(TerminalApp):
 
     @on(WelcomePane.Pasted)
     def paste_in_terminal(self, event: WelcomePane.Pasted) -> None:
-        """The same for text from the clipboard."""
+        """Something is pasted where there is no terminal: paste it into one that is waiting for a command."""
         if (pane := self._leave_welcome()) is not None:
             pane.paste(event.text)
 

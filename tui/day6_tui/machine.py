@@ -91,7 +91,7 @@ class Machine:
         return self.desk.display.windows if self.desk is not None and self.desk.display is not None else []
 
     def changed_windows(self) -> list[Window[object]] | None:
-        """The same if there are others than at the last call."""
+        """The open windows if there are others than at the last call, else None."""
         display = self.desk.display if self.desk is not None else None
         if display is None or display.version == self._version:
             return None
@@ -148,7 +148,7 @@ class Machine:
         self.start(executable, load(package, executable))
 
     def start(self, name: str, main: Main) -> None:
-        """The same for any main function of a program."""
+        """Start a program, by its main function, that belongs to the desktop."""
         if self.desk is not None:
             self.desk.start_unseen(name, main)
 

@@ -68,7 +68,7 @@ def service(scene: Scene) -> Found | None:
 
 @looker
 def action(scene: Scene) -> Found | None:
-    """The same for an action."""
+    """Whether an action has another type or name than was typed."""
     if scene.graph is None:
         return None
     name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")

@@ -13,7 +13,7 @@ import struct
 import sys
 
 _CREATE_RULESET, _ADD_RULE, _RESTRICT_SELF = 444, 445, 446
-"""The same on every architecture, as with all system calls since Linux 5.1."""
+"""Numbers of the system calls, which since Linux 5.1 are the same on every architecture."""
 _GET_VERSION = 1
 _PATH_BENEATH = 1
 

@@ -349,7 +349,7 @@ class Course:
             self._go_to(self.state.index - 1)
 
     def again(self) -> Awaitable[None] | None:
-        """The same step once more: what was done counts no longer. Not in an exam, whose time runs on.
+        """Begin the step once more: what was done counts no longer. Not in an exam, whose time runs on.
 
         A drill whose fault could not be made is begun once more.
         """

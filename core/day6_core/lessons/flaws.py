@@ -42,7 +42,7 @@ class Flaw(str):
         return made
 
     def of(self, what: str, line: int = 0) -> Flaw:
-        """The same, told as one of `what`; `line` is used where no closer one is known."""
+        """This flaw as one of `what`; `line` is used where no closer one is known."""
         return Flaw(f"{what}: {self}", self.line or line)
 
 

@@ -64,7 +64,7 @@ class Heard:
         return [(each.when, each.message) for each in self.arrivals(count)]
 
     def arrivals(self, count: int) -> list[Arrival]:
-        """The same with who sent them."""
+        """The arrivals after the first `count`, as far as they are kept, with who sent them."""
         new = self.count - count
         return list(self._last)[-new:] if new > 0 else []
 
@@ -143,7 +143,7 @@ class Live:
         return self._nodes_of(EndpointKind.PUBLISHER, topic)
 
     def subscribers(self, topic: str) -> list[str]:
-        """The same of its subscriptions."""
+        """Full names of the nodes that subscribe to a topic, one for each subscription."""
         return self._nodes_of(EndpointKind.SUBSCRIPTION, topic)
 
     def servers(self, service: str) -> list[str]:

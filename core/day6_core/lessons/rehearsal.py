@@ -188,7 +188,7 @@ class _Rehearsal:
         return "; ".join(verdict.text("en") for verdict in self._verdicts(step) if not verdict.ok)
 
     def _missing(self, step: Step) -> str:
-        """The same for an author: what does not hold, and what was seen instead."""
+        """What an author reads: what does not hold, and what was seen instead."""
         verdicts = [verdict for verdict in self._verdicts(step) if not verdict.ok]
         return "; ".join(f"not yet '{each.wanted.text('en')}'{_seen(each)}" for each in verdicts)
 

@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 _CHECK_SECONDS = 1.0
 """Seconds between attempts to become the meeting point's holder; the end of its token triggers one at once."""
 _SEARCH_SECONDS = 0.05
-"""The same while no meeting point is known: a killed holder's token may end before its lock does."""
+"""Seconds between them while no meeting point is known: a killed holder's token may end before its lock does."""
 _MOST_PROBLEMS = 50
 _LONGEST_PROBLEM = 500
 _PRESENCE_PARTS = 4

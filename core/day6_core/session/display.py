@@ -14,7 +14,7 @@ Model = TypeVar("Model", covariant=True)
 """The data behind a window. A window only passes it on, so a window of any model is a `Window[object]`."""
 
 Opened = TypeVar("Opened")
-"""The same for `Display.open`."""
+"""The model of the window that `Display.open` returns."""
 
 
 class Window(Generic[Model]):

@@ -81,7 +81,7 @@ class Ending:
         self._attend(terminal)
 
     def watch_signals(self) -> None:
-        """The same, with signal handlers that are already installed; on Windows they have to call `signal_received`."""
+        """Attend to signals whose handlers are already installed; on Windows they have to call `signal_received`."""
         self._attend(None)
 
     def signal_received(self, number: int) -> None:

@@ -14,5 +14,5 @@ def without_sequences(text: str) -> str:
 
 
 def plain(text: str) -> str:
-    """The same without any control character but tab and newline."""
+    """`text` without sequences and without any control character but tab and newline."""
     return _CONTROL.sub("", without_sequences(text)).replace("\r", "")

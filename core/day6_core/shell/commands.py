@@ -81,7 +81,7 @@ def place_of(name: str) -> str:
 
 
 def where(name: str, shell: Shell) -> str:
-    """The same for every program: ours, else one of the real machine; '' for what is not one."""
+    """The path of any program: ours, else one of the real machine; '' for what is not one."""
     if name in _MODULE_OF:
         return "" if _is_unsourced(name, shell.variables) else place_of(name)
     return find_tool(name, shell.variables, shell.cwd)

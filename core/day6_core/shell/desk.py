@@ -132,7 +132,7 @@ class Desk:
         return graph
 
     def _linked_graph_of(self, domain_id: int) -> Graph:
-        """The same, joined before it is used where `link_on_demand` was chosen."""
+        """The graph of a domain, joined before it is used where `link_on_demand` was chosen."""
         graph = self.graph_of(domain_id)
         if self._on_demand and graph not in self._joined:
             self._join(graph)
@@ -224,7 +224,7 @@ class Desk:
         return program
 
     def start_unseen(self, name: str, main: Main) -> None:
-        """The same on any thread, in the home folder, for a program without a terminal: nothing to read, silent output."""
+        """Start a program without a terminal, on any thread, in the home folder: nothing to read, silent output."""
 
         def start() -> None:
             streams = Streams(InputStream(), OutputStream(), OutputStream())

@@ -10,7 +10,7 @@ LONGEST_OUTPUT = 32 * 1024
 """Characters that are kept of what one line printed: its end."""
 
 LONGEST_OLD_OUTPUT = 4 * 1024
-"""The same once the next line was run."""
+"""Characters that are kept of it once the next line was run."""
 
 
 class Run:

@@ -100,7 +100,7 @@ class Terminal:
         self._room = threading.Event()
         self._room.set()
         self._drained = Signal()
-        """The same for programs on the scheduler's thread."""
+        """Set while there is room, for programs on the scheduler's thread."""
         self._drained.set()
         if text:
             from day6_core.shell.screen.transcript import shown_again
@@ -335,7 +335,7 @@ class Terminal:
             self._room.wait(PAUSE)
 
     async def drain(self) -> None:
-        """The same for a program on the scheduler's thread: wait for the view, at most a moment; let others run now and then."""
+        """Have a program on the scheduler's thread wait for the view, at most a moment, and let others run now and then."""
         if self._size > CROWDED:
             await wait_for(self._drained, self.desk.scheduler.clock.steady_ns() + nanoseconds(PAUSE))
         if self._unshared > SHARE:
@@ -424,7 +424,7 @@ class TtyOutput(OutputStream):
 
 
 class RawTtyOutput(TtyOutput):
-    """The same for text that comes from a pty, whose kernel has done the newlines."""
+    """The output of a program on a pty, whose kernel has done the newlines."""
 
     def write(self, text: str) -> int:
         self.terminal.write(text)

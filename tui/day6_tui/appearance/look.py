@@ -33,7 +33,7 @@ class Look:
 
     @property
     def pixels(self) -> Pictures | None:
-        """The same while panes should draw with pixels, else None."""
+        """What writes pictures while panes should draw with pixels, else None."""
         return self.pictures if self.pictures is not None and self.pictures.on else None
 
     @property

@@ -88,7 +88,7 @@ class Session:
             _write(path, data)
 
     def save_meanwhile(self) -> None:
-        """The same while the desktop goes on, if something has changed: after a crash that is what comes back."""
+        """Write down what is there while the desktop goes on, if something has changed: after a crash that is what comes back."""
         state = [(pane.slot, pane.view.terminal.version) for pane in self._terminals.panes if pane.has_terminal]
         path = self._machine.own_file(FILE)
         if path is None or state == self._state:

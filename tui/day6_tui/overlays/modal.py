@@ -101,5 +101,5 @@ def plain(text: str) -> Content:
 
 
 def lines_of(text: str) -> Iterator[Content]:
-    """The same for each line of a longer text."""
+    """The lines of a longer text, each without markup, control characters written out."""
     return map(plain, text.replace("\t", "    ").split("\n"))

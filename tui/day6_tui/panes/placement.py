@@ -18,7 +18,7 @@ class PaneNeeds(NamedTuple):
     """How much it matters that it is seen."""
 
     def within(self, columns: int) -> PaneNeeds:
-        """The same for a pane that makes do with so many columns."""
+        """What it needs if it makes do with so many columns."""
         least, good = (Extent(min(each.columns, columns), each.rows) for each in (self.least, self.good))
         return self._replace(least=least, good=good)
 

@@ -77,7 +77,7 @@ class Ability:
     protocol: str
     cell: tuple[int, int]
     exact: tuple[float, float] | None = None
-    """The same where cells are no whole pixels, as in a browser."""
+    """Width and height of a cell where they are no whole pixels, as in a browser."""
 
 
 def may_be_asked(environ: Mapping[str, str]) -> bool:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 LEAVE_SECONDS = 6.0
 """Seconds for the screen, the programs (`Desk.close`) and the link to end, on a machine that is busy with other work too."""
 HURRY_SECONDS = 1.5
-"""The same once the user has asked a second time."""
+"""Seconds that are left once the user has asked a second time."""
 
 
 def ending_of(app: Day6App) -> Ending:

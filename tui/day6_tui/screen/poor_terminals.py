@@ -20,7 +20,7 @@ class WholeCells(ScrollBarRender):
 
 
 class OfCharacters(WholeCells):
-    """The same with characters, which can be seen without colour too."""
+    """A scroll bar of characters, which can be seen without colour too."""
 
     @classmethod
     def render_bar(cls, *args: object, **options: object) -> Segments:

@@ -167,7 +167,7 @@ class Shortcut:
 
 
 def _second_descriptor(number: int) -> int | None:
-    """The same terminal opened once more, not blocking: the first one's mode is shared with other programs."""
+    """Open the terminal once more, not blocking: the first descriptor's mode is shared with other programs."""
     if sys.platform == "win32":
         return None
     try:

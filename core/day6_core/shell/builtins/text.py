@@ -231,7 +231,7 @@ async def _last_lines(session: Session, name: str, count: int, text: str, proble
 
 
 async def _some_bytes(session: Session, name: str, count: int, text: str, problems: list[str], *, first: bool) -> None:
-    """The same by bytes: what is left of a character that was cut is passed on as it is."""
+    """Print the first or last bytes: what is left of a character that was cut is passed on as it is."""
 
     def write(data: bytes) -> None:
         session.stdout.write(data.decode("utf-8", "surrogateescape"))

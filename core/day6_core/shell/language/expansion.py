@@ -137,7 +137,7 @@ def _tilde(parts: tuple[Part, ...], shell: Shell, *, argument: bool = False) -> 
 
 
 def _tildes_of_value(parts: tuple[Part, ...], shell: Shell) -> tuple[Part, ...]:
-    """The same in a value that is assigned: at its beginning and after each colon (`PATH=$PATH:~/bin`)."""
+    """Expand tildes in a value that is assigned: at its beginning and after each colon (`PATH=$PATH:~/bin`)."""
     found: list[Part] = []
     begins = True
     for number, part in enumerate(parts):

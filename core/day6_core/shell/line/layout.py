@@ -32,7 +32,7 @@ class Shown(NamedTuple):
         return above.row + lay_out(self.text, self.at, columns, indent=above.column).row
 
     def longer(self, text: str) -> Shown:
-        """The same with a text typed at its end."""
+        """What is shown after a text was typed at its end."""
         return Shown(self.prompt, self.text + text, self.at + len(text))
 
 

@@ -116,7 +116,7 @@ def _fold(line: Row, columns: int) -> list[Row]:
 
 
 def _fold_cells(line: Row, columns: int) -> list[Row]:
-    """The same for a line with characters that take no cell."""
+    """Fold a line with characters that take no cell."""
     cells = cells_of(line)
     rows: list[Row] = []
     start = 0

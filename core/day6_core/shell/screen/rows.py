@@ -134,7 +134,7 @@ def in_style(rows: Sequence[str], style: Style) -> Sequence[Row]:
 
 
 def folded_runs(runs: Sequence[Run], columns: int) -> list[Row]:
-    """The same for styled text."""
+    """Split styled text into the rows it takes on a screen of that width."""
     rows: list[Row] = []
     row: list[Run] = []
     used = 0
@@ -176,12 +176,12 @@ def joined_runs(row: Iterable[Run]) -> list[Run]:
 
 
 def going_on(row: Row) -> Row:
-    """The same row, whose text goes on in the next one."""
+    """The row marked as one whose text goes on in the next one."""
     return _row_of(joined_runs(runs_of(row)), folded=True)
 
 
 def ended(row: Row) -> Row:
-    """The same row, whose text does not go on."""
+    """The row without that mark."""
     return without_end(row[:]) if isinstance(row, Folded) else row
 
 
@@ -192,7 +192,7 @@ def combined(cell: Char, char: str) -> Char:
 
 
 def with_mark(data: str, char: str) -> str:
-    """The same for the text of a cell."""
+    """Combine the text of a cell with a mark; return it alone if `char` isn't one, or is one too many."""
     if not is_mark(char) or len(data) > MOST_MARKS:
         return data
     return normalize("NFC", data + char)

@@ -242,7 +242,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
         return [[], *lines, [], *self._draw_turned_away(width)]
 
     def _draw_joining(self, width: int) -> list[list[Segment]]:
-        """The same below the table, in few words."""
+        """How to join, below the table, in few words."""
         texts, colours = self.look.texts, self.look.colours
         if shut := self._shut():
             return [[Segment(line, colours.warning)] for line in wrap(shut, width)]

@@ -46,7 +46,7 @@ class Orders:
         return name if row is not None and row.is_here else self._look.texts("teacher.away", name=name)
 
     def _send_and_tell(self, name: str, order: Order) -> None:
-        """The same for what leaves no trace in the table."""
+        """Send an order that leaves no trace in the table, and tell whom it reached."""
         texts, rows = self._look.texts, self._roster.rows()
         names = [row.name for row in rows] if name == ALL else [name]
         missed = self._roster.order(names, order)

@@ -446,7 +446,7 @@ def time_of_day(stamp_ns: int) -> str:
 
 
 def whole_time(stamp_ns: int) -> str:
-    """The same with the date."""
+    """A stamp as the local date and time of day."""
     local = _local(stamp_ns)
     date = "" if local is None else f"{local.tm_year}-{local.tm_mon:02d}-{local.tm_mday:02d} "
     return date + time_of_day(stamp_ns)

@@ -355,7 +355,7 @@ class KitchenPane(WindowPane[Kitchen]):
         self._x = min(first, max(self._x, last + 1 - self.inner_width))
 
     def _show_cook(self, cook: Cook) -> None:
-        """The same for a cook."""
+        """Choose a cook and scroll to it."""
         self._cook, self._belt = cook.name, ""
         left = self._plan.lane(cook.name) - self._plan.pitch // 2
         self._x = min(left, max(self._x, left + self._plan.pitch - self.inner_width))

@@ -58,7 +58,7 @@ class LessonPane(WindowPane["Course"]):
         self._shown: object = self
         """The lesson and step whose page was built last: at first none."""
         self._told: object = self
-        """The same that the desktop was told of."""
+        """The lesson and step that the desktop was told of."""
 
     # -- what is shown -------------------------------------------------------------------------------------------------
 

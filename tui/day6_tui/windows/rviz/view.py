@@ -51,7 +51,7 @@ class View3D:
         self.columns = self.rows = 0
         self.cells: Cells | None = None
         self._fine: PixelView | None = None
-        """The same in real pixels, where the terminal shows them."""
+        """The cells as real pixels, where the terminal shows them."""
         self._places = LabelPlaces(unicode=look.glyphs.unicode)
         self._painted: tuple[object, ...] = ()
         self._painted_at = -10.0

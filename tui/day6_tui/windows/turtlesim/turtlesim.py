@@ -121,7 +121,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
         return self._side_late
 
     def _pull_picture(self, pictures: Pictures, now: float) -> bool:
-        """The same in real pixels."""
+        """Take over what is new as a picture of real pixels."""
         scene, trail, fresh = self.model.scene, self.model.trail, self._picture is None
         picture = self._fitting_picture(pictures)
         if fresh or picture is not self._picture:

@@ -80,7 +80,7 @@ class Facts:
     speed: float = 1.0
     """World seconds per real second that the user chose."""
     pace: float = 1.0
-    """The same as it was lately, less what this computer was too slow for."""
+    """World seconds per real second as they were lately: less than `speed` where this computer was too slow."""
     rviz: tuple[RVizView, ...] = ()
     world: tuple[tuple[str, tuple[tuple[str, object], ...]], ...] = ()
     """What the worlds' windows complain about: key and parameters of their remarks."""

@@ -22,7 +22,7 @@ LONG = 0.7
 """Seconds after which a callback counts as one that does not come back."""
 
 LONG_FOR_NOBODY = 10.0
-"""The same where nothing else waits to be run: a callback may take its time."""
+"""Seconds where nothing else waits to be run: then a callback may take its time."""
 
 LATE = 0.7
 """Seconds by which a timer has to be overdue."""

@@ -55,7 +55,7 @@ class Simulation:
         self.velocity = (0.0, 0.0)
         """Of the body: metres and radians per second, as it really moved in the last step."""
         self.wheel_velocity = (0.0, 0.0)
-        """The same as the wheels say."""
+        """The body's velocity as the wheels' encoders say: metres and radians per second."""
         self.angles: dict[str, float] = {}
         """Of all joints that move, radians or metres."""
         self.speeds: dict[str, float] = {}

@@ -52,7 +52,7 @@ async def hear_ten(session: Session, name: str) -> int:
 
 
 async def hear_all(session: Session, name: str) -> int:
-    """The same with pauses: the first change comes 0.2 s after the start, the end 0.1 s after the last."""
+    """Hear all changes, with pauses: the first comes 0.2 s after the start, the end 0.1 s after the last."""
     node = _hearing_node(session, name, lambda: None)
     client = AsyncParameterClient(node, node.get_fully_qualified_name())
     if not await wait_for_service(session, node, client.services_are_ready):

@@ -116,7 +116,7 @@ class Choice:
         return next((at for at, each in enumerate(filters) if each.kind == kind), len(filters))
 
     def with_filter(self, side: str, at: int, each: Filter | None) -> Choice:
-        """The same with another filter at this place, or (None) without it; behind the last one it is added."""
+        """The choice with another filter at this place, or (None) without it; behind the last one it is added."""
         filters: list[Filter] = list(getattr(self, side))
         filters[at : at + 1] = [] if each is None else [each]
         changes: dict[str, Any] = {side: tuple(filters)}

@@ -44,7 +44,7 @@ class IoHandler:
 
 
 class ActiveIoHandler:
-    """The same while the processes run: it may be used by several threads, and can wait for output."""
+    """What processes have written while they run: it may be used by several threads, and can wait for output."""
 
     def __init__(self) -> None:
         self._sync_lock = threading.Condition()

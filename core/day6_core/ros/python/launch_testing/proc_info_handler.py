@@ -41,7 +41,7 @@ class ProcInfoHandler:
 
 
 class ActiveProcInfoHandler:
-    """The same while the processes run: it may be used by several threads, and can wait for a start or an end."""
+    """What is known of processes while they run: it may be used by several threads, and can wait for a start or an end."""
 
     def __init__(self) -> None:
         self._sync_lock = threading.Condition()

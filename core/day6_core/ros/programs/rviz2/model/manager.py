@@ -164,7 +164,7 @@ class RViz:
         return self.frames.names()
 
     def frame_choices(self) -> list[str]:
-        """The same with `<Fixed Frame>`, for displays."""
+        """Choices for the frame of a display: `<Fixed Frame>`, and the frames in /tf."""
         return [FIXED_FRAME, *self.frames.names()]
 
     def topics(self) -> list[tuple[str, list[str]]]:

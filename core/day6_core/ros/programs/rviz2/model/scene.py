@@ -158,7 +158,7 @@ class Scene:
         self.marks.append(Mark(owner, key, tuple(map(len, self._solid))))
 
     def beside(self, shape: Shape | None) -> Scene:
-        """The same scene with one more shape, that cannot be picked."""
+        """The scene with one more shape, that cannot be picked."""
         return self if shape is None else replace(self, shapes=[*self.shapes, shape])
 
     def lighten(self, amount: float) -> None:

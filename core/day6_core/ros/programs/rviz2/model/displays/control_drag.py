@@ -73,7 +73,7 @@ class Grab(NamedTuple):
     pose: Transform
 
     def again(self, ray: Ray, pose: Transform) -> Grab:
-        """The same taken anew where the mouse is, as a key that changes the meaning of dragging went down or up."""
+        """The control taken anew where the mouse is, as a key that changes the meaning of dragging went down or up."""
         point = ray.on_plane(plus(self.point, minus(pose.xyz, self.pose.xyz), 1.0), self.eye.forward)
         return self._replace(point=point or self.point, pose=pose)
 

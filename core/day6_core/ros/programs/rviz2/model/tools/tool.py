@@ -63,7 +63,7 @@ class Tool(Property):
     title = ""
     """What the toolbar calls it."""
     short = ""
-    """The same in a narrow toolbar."""
+    """What a narrow toolbar calls it."""
     key = ""
     """The letter that chooses it."""
     arrows = CAMERA
