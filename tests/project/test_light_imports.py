@@ -71,6 +71,6 @@ def test_a_talker_runs_beside_files_with_our_folders_names(tmp_path: Path) -> No
     assert done.stdout == "[std_msgs.msg.String(data='Hello from Day 6')]\n", done.stderr
 
 
-def test_a_terminal_does_without_the_tables_of_wcwidth() -> None:
+def test_a_terminal_does_without_other_tables_of_widths() -> None:
     code = "from day6_core.shell.screen.screen import Screen; s = Screen(9, 2); s.feed('a海'); assert s.cursor.x == 3"
     assert "wcwidth" not in loaded(code)

@@ -28,7 +28,7 @@ OF_JAZZY = OF_DISTRIBUTIONS / "jazzy"
 
 WITHOUT_UNIX = """
 import asyncio, concurrent.futures, ctypes, importlib, json, logging.handlers, os, shutil, signal, subprocess, sys, tempfile
-import textual.app, textual.screen, textual.widgets, pyte, yaml, numpy, zenoh
+import textual.app, textual.screen, textual.widgets, yaml, numpy, zenoh
 
 for name in "termios tty pty fcntl resource pwd grp syslog readline curses posix".split():
     sys.modules[name] = None

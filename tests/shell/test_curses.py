@@ -103,7 +103,7 @@ def test_what_is_erased_has_the_colour_of_the_background_and_no_other_attribute(
 ) -> None:
     screen = Screen(10, 4)
     screen.feed("ab\r\n中文c\x1b[1;4;7;31;44m" + sequence)
-    cells = [[screen.buffer[y].get(x, screen.default_char) for x in range(10)] for y in range(4)]
+    cells = [[screen.buffer[y].get(x, screen.blank) for x in range(10)] for y in range(4)]
     assert [[x for x in range(10) if row[x].bg == "blue"] for row in cells] == [list(each) for each in painted]
     erased = {cell for row in cells for cell in row if cell.bg == "blue"}
-    assert erased == {screen.default_char._replace(bg="blue")}
+    assert erased == {screen.blank._replace(bg="blue")}

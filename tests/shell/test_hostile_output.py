@@ -8,7 +8,8 @@ import pytest
 
 from day6_core.session.harmless import one_line
 from day6_core.shell.screen.rows import cells_of
-from day6_core.shell.screen.screen import MOST_ANSWERS, Screen
+from day6_core.shell.screen.screen import Screen
+from day6_core.shell.screen.vt import MOST_ANSWERS
 
 STRANGE = "".join(
     map(chr, [*range(0x20), *range(0x7F, 0xA0), 0xAD, 0x61C, *range(0x2000, 0x2100), 0xDC80, 0xDFFF, 0xFEFF])

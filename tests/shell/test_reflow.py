@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from day6_core.shell.screen import screen as screen_module
+from day6_core.shell.screen import text as text_module
 from day6_core.shell.screen.reflow import Marker
 from day6_core.shell.screen.rows import Folded, Row, Run, joined_runs, row_text, runs_of, without_end
 from day6_core.shell.screen.screen import Screen
@@ -136,7 +136,7 @@ def test_the_main_screen_is_wrapped_anew_when_a_full_screen_program_leaves_it() 
 
 
 def test_a_full_scrollback_survives_a_narrow_window(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(screen_module, "SCROLLBACK", 50)
+    monkeypatch.setattr(text_module, "SCROLLBACK", 50)
     screen = Screen(80, 5)
     screen.feed("".join(f"{number:079}\r\n" for number in range(200)))
     before = rows(screen)

@@ -127,7 +127,7 @@ class Terminal:
     def screen(self) -> Screen:
         """The picture as of the last `update`, in the size that the window has now: nobody waits for one that is hidden."""
         if self._screen is None:
-            # pyte costs tens of milliseconds to import; a terminal exists before its first frame is drawn.
+            # Not at the top: a terminal exists before its first frame is drawn.
             from day6_core.shell.screen.screen import Screen
 
             self._screen = Screen(self.columns, self.rows)

@@ -127,7 +127,7 @@ class Painter:
     def _colour(self, name: str, base: int) -> str:
         if name in _NAMES:
             return str(base + _NAMES.index(name))
-        plain = name.removeprefix("bright").removeprefix("bfight").replace("yellow", "brown")
+        plain = name.removeprefix("bright").replace("yellow", "brown")
         if plain in _NAMES:
             return str(base + 60 + _NAMES.index(plain))
         try:

@@ -61,7 +61,7 @@ class TerminalSearch:
 
     def _lines(self) -> Iterator[tuple[int, list[str]]]:
         """The lines of text: the first row of each, and the texts of all its rows."""
-        from day6_core.shell.screen.rows import Folded, row_text  # not at the top: they bring pyte along
+        from day6_core.shell.screen.rows import Folded, row_text
 
         screen = self.view.terminal.screen
         first, parts = 0, []

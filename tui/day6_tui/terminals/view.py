@@ -14,12 +14,12 @@ from rich.style import Style
 from day6_tui.appearance.colours import Colours, pixel_style
 
 if TYPE_CHECKING:
-    from day6_core.shell.screen.light_pyte import Char
+    from day6_core.shell.screen.cells import Char
     from day6_core.shell.screen.reflow import Marker
     from day6_core.shell.screen.rows import Row
     from day6_core.shell.terminal import Terminal
 
-# Ubuntu's terminal palette (the Tango colours), by pyte's names; 'brown' is the VT's word for yellow.
+# Ubuntu's terminal palette (the Tango colours), by the names of `rows.Style`; 'brown' is the VT's word for yellow.
 _PALETTE = {
     "black": 0x2E3436,
     "red": 0xE0523F,
@@ -89,7 +89,7 @@ class Span(NamedTuple):
 
 @lru_cache(maxsize=2048)
 def _style(attributes: Attributes, colours: Colours) -> Style:
-    """The shared style for a character's attributes (all of pyte's but the character itself)."""
+    """The shared style for a character's attributes (all of a cell's but the character itself)."""
     fg, bg, bold, italics, underscore, strike, reverse, _blink = attributes
     base = colours.terminal
     marks = Style(bold=bold or None, italic=italics or None, underline=underscore or None, strike=strike or None)
@@ -184,7 +184,7 @@ class TerminalView:
         self._selected = None if places is None else (self._marker(*places[0]), self._marker(*places[1]))
 
     def _marker(self, line: int, column: int) -> Marker:
-        from day6_core.shell.screen.reflow import Marker  # not at the top: it brings pyte along
+        from day6_core.shell.screen.reflow import Marker
 
         marker = Marker(self._oldest + line, column)
         self.terminal.screen.markers.add(marker)
@@ -295,10 +295,10 @@ class TerminalView:
         """The characters of a line counted from the beginning of the scrollback."""
         screen = self.terminal.screen
         if index < self.history:
-            return _unfold(screen.history_row(index), columns, screen.default_char)
+            return _unfold(screen.history_row(index), columns, screen.blank)
         y = index - self.history
         if y not in screen.buffer:  # asking would make the line
-            return [screen.default_char] * columns
+            return [screen.blank] * columns
         row = screen.buffer[y]
         return [row[x] for x in range(columns)]
 
@@ -405,7 +405,6 @@ class TerminalView:
 
 def _unfold(row: Row, columns: int, blank: Char) -> list[Char]:
     """A line of the scrollback (text, or runs of text and style) as characters, a wide one followed by an empty one."""
-    # Not at the top: pyte takes tens of milliseconds, and the first frame has no screen yet.
     from day6_core.shell.screen.rows import cells_of
 
     cells = cells_of(row)

@@ -1,6 +1,6 @@
 """Lines of a terminal as rows of styled text or of cells, with care for wide characters.
 
-A wide character takes two cells; the second holds an empty string, as in pyte.
+A wide character takes two cells; the second holds an empty string, as xterm has it.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple, overload
 from unicodedata import normalize
 
-from day6_core.shell.screen.light_pyte import Char
+from day6_core.shell.screen.cells import BLANK, Char
 from day6_core.width import char_width, fitting, is_mark, widths
 
 if TYPE_CHECKING:
-    from day6_core.shell.screen.light_pyte import Line
+    from day6_core.shell.screen.cells import Line
 
 
 class Style(NamedTuple):
-    """The style of a run of text. Colours are 'default', pyte's names ('red', 'brightblue', 'brown' for yellow) or 'rrggbb'."""
+    """The style of a run of text. Colours are 'default', names ('red', 'brightblue', 'brown' for yellow) or 'rrggbb'."""
 
     fg: str = "default"
     bg: str = "default"
@@ -52,8 +52,6 @@ class FoldedRuns(Folded, tuple[Run, ...]):
 
 PLAIN_STYLE = Style()
 
-BLANK = Char(" ")
-
 MOST_MARKS = 8
 """Marks kept on one character."""
 
@@ -78,7 +76,7 @@ class Scrollback(Sequence["CellRow"]):
 
 
 class CellRow:
-    """A line of the scrollback, cell by cell like a line of pyte's buffer: beyond its end there are blanks."""
+    """A line of the scrollback, cell by cell like a line of the screen: beyond its end there are blanks."""
 
     def __init__(self, row: Row) -> None:
         self._cells = cells_of(row)

@@ -6,8 +6,8 @@ import re
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from day6_core.shell.screen.light_pyte import modes
 from day6_core.shell.screen.rows import PLAIN_STYLE, Row, Run, Style, folded, folded_runs, in_style
+from day6_core.shell.screen.vt import DECSCNM
 from day6_core.width import text_width, widths
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ class WholeLines:
         screen = self._screen
         if screen.cursor.x or start < self._odd_before or not screen.is_at_the_empty_end():
             return start
-        if not screen.is_simple() or modes.DECSCNM in screen.mode or screen.columns < 2 or screen.goes_on():
+        if not screen.is_simple() or DECSCNM in screen.mode or screen.columns < 2 or screen.goes_on():
             return start
         if start > self._odd_at:
             odd = _ODD.search(text, start)
