@@ -152,7 +152,7 @@ def test_a_job_of_colcon_that_fails_ends_the_build(
 
 PLANTED = """\
 import sys, threading
-from day6_core.shell import process
+from day6_core.shell.process import process
 from day6_tui.main import main
 def breaks(*a): raise RuntimeError('planted')
 process._pump = breaks

@@ -16,8 +16,6 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from day6_tui.textual_private.access import is_leaving
-
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
 
@@ -73,7 +71,7 @@ from day6_tui.terminal_app import TerminalApp
 from day6_tui.terminals.pane import ARROWS, TerminalPane
 from day6_tui.terminals.shown import Terminals
 from day6_tui.textual_private import output
-from day6_tui.textual_private.access import fail
+from day6_tui.textual_private.access import fail, is_leaving
 from day6_tui.textual_private.survival import TYPED
 from day6_tui.windows import WindowPane
 

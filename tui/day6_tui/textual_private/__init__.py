@@ -6,6 +6,7 @@ desktop refuses to start with another one rather than fail in the middle of some
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 
 TESTED = "8.2"
@@ -13,10 +14,9 @@ TESTED = "8.2"
 
 def version() -> str:
     """Return the version of the installed Textual, '' if its installation does not state one."""
-    import textual
-
     # The name of the metadata folder: importlib.metadata would cost the first frame 20 ms for the same answer.
-    folders = Path(textual.__file__).parent.parent.glob("textual-*.dist-info")
+    found = find_spec("textual")
+    folders = Path(found.origin).parent.parent.glob("textual-*.dist-info") if found and found.origin else ()
     return next((folder.name.split("-")[1].removesuffix(".dist") for folder in folders if folder.is_dir()), "")
 
 
