@@ -30,7 +30,7 @@ SHARE = ON_THE_PATH.with_name("share")
 FOR_STUDENTS = ON_THE_PATH / "day6_core" / "__init__.py"
 """Only for their processes: where a plain Python finds the real one."""
 INTERFACES = "<interfaces>"
-"""What stands in the layers for all packages for programs that they do not name."""
+"""What stands in the layers for all packages of interfaces that they do not name."""
 CONTAINERS = {"day6_core", "day6_core.ros"}
 """Folders whose contents are in several layers; their own `__init__` has only a docstring and imports nothing."""
 BY_NAME = {
@@ -61,7 +61,7 @@ def packages_for_programs(tree: Path) -> set[str]:
 
 
 class Options(TomlFileUserOptionReader):
-    """import-linter's options, with the packages for programs: those that no layer names are packages of interfaces."""
+    """import-linter's options, with the packages for programs; those of interfaces need no line in the layers."""
 
     def __init__(self, tree: Path) -> None:
         self._tree = tree
@@ -72,9 +72,13 @@ class Options(TomlFileUserOptionReader):
         packages = packages_for_programs(self._tree)
         given.session_options["root_packages"] += sorted(packages)
         layers = layers_of(given)
-        interfaces = " | ".join(sorted(packages - named_in(layers)))
+        interfaces = " | ".join(sorted(set(filter(self._has_interfaces, packages)) - named_in(layers)))
         layers[:] = [layer.replace(INTERFACES, interfaces) for layer in layers]
         return given
+
+    def _has_interfaces(self, package: str) -> bool:
+        kinds = (self._tree / base / package / kind for base in _bases(self._tree) for kind in ("msg", "srv", "action"))
+        return any(map(Path.is_dir, kinds))
 
 
 def layers(tree: Path) -> list[str]:
