@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Protocol
 
@@ -37,7 +38,7 @@ class Keyboard(Protocol):
 
 
 class Steering:
-    """How fast is typed (`seen`; otherwise all at once), and whether it stands: whoever looks on may hold it, or go by commands."""
+    """How fast is typed (all at once where it is not `seen`), and whether it stands: whoever looks on may hold it."""
 
     def __init__(self, *, seen: bool = False, speed: float = 1.0) -> None:
         self.seen = seen
@@ -74,7 +75,7 @@ class Steering:
             self.held, self._by_command = True, False
 
 
-class Player:
+class Player(ABC):
     """Performs actions; the methods `_do_<name>` of subclasses say where."""
 
     def __init__(self, clock: Clock) -> None:
@@ -87,8 +88,16 @@ class Player:
             (name, value), *_ = action.items()
             await getattr(self, f"_do_{name}")(value)
 
+    async def _do_type(self, lines: str) -> None:
+        for line in lines.strip("\n").split("\n"):
+            await self._do_line(line)
+
+    @abstractmethod
+    async def _do_line(self, line: str) -> None:
+        """Type a line and Return where a command is awaited."""
+
     async def _type(self, keyboard: Keyboard, line: str) -> None:
-        """Type a line and Return."""
+        """Type a line and Return, at the pace of the steering."""
         self.steering.meet_command()
         await self._while_held()
         if not self.steering.seen:

@@ -103,16 +103,14 @@ class Stage(Player):
                 return terminal
         raise StageError(f"no terminal runs  {pattern}")
 
-    async def _do_type(self, lines: str) -> None:
-        for line in lines.strip("\n").split("\n"):
-            terminal = self._here
-            await self._until_idle(terminal, line)
-            before = terminal.runs.count
-            await self._type(terminal, line)
-            await self._until(
-                lambda terminal=terminal, before=before: terminal.runs.count != before or not terminal.idle,
-                f"the terminal did not take  {line}",
-            )
+    async def _do_line(self, line: str) -> None:
+        terminal = self._here
+        await self._until_idle(terminal, line)
+        before = terminal.runs.count
+        await self._type(terminal, line)
+        await self._until(
+            lambda: terminal.runs.count != before or not terminal.idle, f"the terminal did not take  {line}"
+        )
 
     async def _until_idle(self, terminal: Terminal, line: str) -> None:
         if not await self._session.until(_is_idle(terminal), LONGEST_WAIT, LOOK):

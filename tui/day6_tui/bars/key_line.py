@@ -48,7 +48,7 @@ class KeyLine:
     def _scene(self, width: int) -> list[Piece]:
         """What is typed and how to steer it: pause, step, the speed between its two buttons, stop."""
         look, texts, scenes, glyphs = self._look, self._look.texts, self._scenes, self._look.glyphs
-        paused = scenes.paused
+        paused = scenes.steering.held
         head = texts("bar.scene.paused" if paused else "bar.playing")
         if scenes.said:
             head = clip(scenes.said, max(cell_len(head), width - SCENE_KEYS), glyphs.ellipsis)
@@ -61,7 +61,7 @@ class KeyLine:
         ]
         speed = [
             Piece(" - ", look.colours.key, lambda: scenes.change_speed(-1)),
-            Piece(f" {in_words(scenes.speed, unicode=glyphs.unicode)} ", look.colours.bar_strong),
+            Piece(f" {in_words(scenes.steering.speed, unicode=glyphs.unicode)} ", look.colours.bar_strong),
             Piece(" + ", look.colours.key, lambda: scenes.change_speed(1)),
             Piece("  ", look.colours.bar),
         ]
