@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Protocol
+from collections.abc import Awaitable, Callable, Iterable, Mapping
+from typing import Any
 
 from day6_core.speeds import changed
 
@@ -22,21 +22,6 @@ class StageError(Exception):
     """An action could not be performed."""
 
 
-class Clock(Protocol):
-    """Time that goes on while actions are performed."""
-
-    async def sleep(self, seconds: float, /) -> None: ...
-
-    async def until(self, holds: Callable[[], object], seconds: float, every: float, /) -> bool:
-        """Wait for something to hold; False if it does not within so many seconds."""
-
-
-class Keyboard(Protocol):
-    """What is typed into."""
-
-    def send(self, text: str, /) -> None: ...
-
-
 class Steering:
     """How fast is typed (all at once where it is not `seen`), and whether it stands: whoever looks on may hold it."""
 
@@ -47,11 +32,6 @@ class Steering:
         self.held = False
         self._by_command = False
         """Whether it holds before the next command."""
-
-    @property
-    def pace(self) -> float:
-        """Characters a second; 0: all at once."""
-        return KEYS_PER_SECOND * self.speed if self.seen else 0.0
 
     def hold(self) -> None:
         """Hold, or go on."""
@@ -76,11 +56,11 @@ class Steering:
 
 
 class Player(ABC):
-    """Performs actions; the methods `_do_<name>` of subclasses say where."""
+    """Performs actions; the methods `_do_<name>` of subclasses say where, `sleep` in which time."""
 
-    def __init__(self, clock: Clock) -> None:
+    def __init__(self, sleep: Callable[[float], Awaitable[None]]) -> None:
         self.steering = Steering()
-        self._clock = clock
+        self._sleep = sleep
 
     async def perform(self, actions: Iterable[Mapping[str, Any]]) -> None:
         """Perform them one after the other. Raises StageError."""
@@ -96,29 +76,29 @@ class Player(ABC):
     async def _do_line(self, line: str) -> None:
         """Type a line and Return where a command is awaited."""
 
-    async def _type(self, keyboard: Keyboard, line: str) -> None:
-        """Type a line and Return, at the pace of the steering."""
+    async def _type(self, send: Callable[[str], None], line: str) -> None:
+        """Type a line and Return, as it is steered."""
         self.steering.meet_command()
         await self._while_held()
         if not self.steering.seen:
-            keyboard.send(f"{line}\r")
+            send(f"{line}\r")
             return
         for char in line:
             await self._while_held()
-            keyboard.send(char)
+            send(char)
             await self._rest(1.0)
         await self._rest(RETURN_TAKES)
         await self._while_held()
-        keyboard.send("\r")
+        send("\r")
 
     async def _rest(self, characters: float) -> None:
         """Let the time go by in which so many characters are typed."""
-        if pace := self.steering.pace:
-            await self._clock.sleep(characters / pace)
+        if self.steering.seen:
+            await self._sleep(characters / KEYS_PER_SECOND / self.steering.speed)
 
     async def _while_held(self) -> None:
         while self.steering.held:
-            await self._clock.sleep(LOOK)
+            await self._sleep(LOOK)
 
     async def _do_pause(self, seconds: float) -> None:
-        await self._clock.sleep(float(seconds))
+        await self._sleep(float(seconds))

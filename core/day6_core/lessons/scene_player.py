@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any, Protocol
 
 from day6_core.lessons.checks import Condition, condition_of
-from day6_core.lessons.player import LOOK, Keyboard, Player, StageError, Steering
+from day6_core.lessons.player import LOOK, Player, StageError, Steering
 from day6_core.width import text_width
 
 WORDS_SECONDS = 1.5
@@ -24,11 +24,14 @@ FAILED_AFTER = 1.5
 """Seconds after a command from which a prompt means that it has ended: before, it may not have begun."""
 
 
-class Place(Keyboard, Protocol):
+class Place(Protocol):
     """What a scene acts on."""
 
     def use_terminal(self, which: str, /) -> None:
         """Type into an idle terminal ('idle') or a new one ('new') from now on."""
+
+    def send(self, text: str, /) -> None:
+        """Type into that terminal."""
 
     def ready(self) -> bool:
         """Whether that terminal shows its prompt and waits for a command."""
@@ -45,23 +48,6 @@ class Place(Keyboard, Protocol):
         """Show a sentence, '' for none."""
 
 
-class _FrameTime:
-    """Time that goes on from frame to frame."""
-
-    now = 0.0
-
-    async def sleep(self, seconds: float) -> None:
-        await _due_in(seconds)
-
-    async def until(self, holds: Callable[[], object], seconds: float, every: float) -> bool:
-        began = self.now
-        while not holds():
-            if self.now - began > seconds:
-                return False
-            await self.sleep(every)
-        return True
-
-
 @types.coroutine
 def _due_in(seconds: float) -> Generator[float, None, None]:
     yield seconds
@@ -71,29 +57,27 @@ class ScenePlayer(Player):
     """Performs the actions of a scene in small pieces: call `advance` with the time until `done`."""
 
     def __init__(self, actions: Iterable[Mapping[str, Any]], place: Place, steering: Steering) -> None:
-        self._time = _FrameTime()
-        super().__init__(self._time)
+        super().__init__(_due_in)
         self.steering = steering
         self.done = False
         self._place = place
         self._work = self._performing(actions)
-        self._due = 0.0
-        self._stood = 0.0
-        """Seconds for which it was held so far, and since when it is."""
-        self._stands_since: float | None = None
+        self._now = self._due = 0.0
+        self._behind = 0.0
+        """Seconds for which it was held."""
+        self._was_held = False
 
     def advance(self, now: float) -> None:
         """Do what is due at the monotonic time `now`. The time for which it was held counts for none of its waits."""
         if self.steering.held:
-            self._stands_since = now if self._stands_since is None else self._stands_since
+            self._was_held = True
             return
-        if self._stands_since is not None:
-            self._stood += now - self._stands_since
-            self._stands_since = None
-        self._time.now = now - self._stood
-        while not self.steering.held and not self.done and self._time.now >= self._due:
+        if self._was_held:
+            self._was_held, self._behind = False, now - self._now
+        self._now = now - self._behind
+        while not self.steering.held and not self.done and self._now >= self._due:
             try:
-                self._due = self._time.now + next(self._work)
+                self._due = self._now + next(self._work)
             except StopIteration:
                 self.done = True
 
@@ -106,10 +90,17 @@ class ScenePlayer(Player):
         with suppress(StageError):
             yield from self.perform(actions).__await__()
 
+    async def _until(self, holds: Callable[[], bool], seconds: float) -> bool:
+        """Wait for something, at most so long."""
+        began = self._now
+        while not holds() and self._now - began <= seconds:
+            await self._sleep(LOOK)
+        return holds()
+
     async def _while_it_runs(self, holds: Callable[[], bool]) -> bool:
-        """Wait for something, with a time limit, and only until the program it depends on has ended."""
-        if not await self._clock.until(holds, FAILED_AFTER, LOOK):
-            await self._clock.until(lambda: holds() or self._place.ready(), LONGEST_WAIT - FAILED_AFTER, LOOK)
+        """The same, and only until the program it depends on has ended."""
+        if not await self._until(holds, FAILED_AFTER):
+            await self._until(lambda: holds() or self._place.ready(), LONGEST_WAIT - FAILED_AFTER)
         return holds()
 
     # -- the actions ---------------------------------------------------------------------------------------------------
@@ -118,9 +109,9 @@ class ScenePlayer(Player):
         self._place.use_terminal(which)
 
     async def _do_line(self, line: str) -> None:
-        await self._clock.until(self._place.ready, LONGEST_WAIT, LOOK)
+        await self._until(self._place.ready, LONGEST_WAIT)
         if line:
-            await self._type(self._place, line)
+            await self._type(self._place.send, line)
 
     async def _do_wait(self, given: object) -> None:
         condition = condition_of(given)
@@ -136,7 +127,7 @@ class ScenePlayer(Player):
 
     async def _do_look(self, seconds: float) -> None:
         if self.steering.seen:
-            await self._clock.sleep(seconds / self.steering.speed)
+            await self._sleep(seconds / self.steering.speed)
 
     async def _do_say(self, text: str) -> None:
         self._place.say(text)

@@ -40,7 +40,7 @@ class Stage(Player):
     """
 
     def __init__(self, live: Live, session: Session) -> None:
-        super().__init__(session)
+        super().__init__(session.sleep)
         self.spares = False
         """Whether `write` leaves files alone that are there."""
         self._live = live
@@ -107,7 +107,7 @@ class Stage(Player):
         terminal = self._here
         await self._until_idle(terminal, line)
         before = terminal.runs.count
-        await self._type(terminal, line)
+        await self._type(terminal.send, line)
         await self._until(
             lambda: terminal.runs.count != before or not terminal.idle, f"the terminal did not take  {line}"
         )
