@@ -159,7 +159,7 @@ class ScenePlay:
         self.player, self.said = None, ""
         self._held.end()
 
-    # -- what a scene acts on (scene_player.Place) ---------------------------------------------------------------------------
+    # -- what a scene acts on (scene_player.Place) ---------------------------------------------------------------------
 
     def _pane_of(self, view: TerminalView | None) -> TerminalPane | None:
         return next((pane for pane in self._terminals.panes if pane.has_terminal and pane.view is view), None)
