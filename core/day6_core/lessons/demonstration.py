@@ -26,25 +26,15 @@ class Demonstration(Steering):
     """One demonstration; the window reads `speed` and `held` and calls `hold`, `go_on`, `change_speed`, `stop`."""
 
     def __init__(self, course: Course, language: str) -> None:
-        super().__init__(seen=True)
+        super().__init__(seen=True, changed=course.touch)
         self._course = course
         self._language = language
         self._skip = False
         self.stopped = False
 
-    def hold(self) -> None:
-        """Hold, or go on."""
-        super().hold()
-        self._course.touch()
-
     def go_on(self) -> None:
         """Do not wait any longer: the next thing now."""
         self._skip, self.held = True, False
-        self._course.touch()
-
-    def change_speed(self, step: int) -> None:
-        """Faster (1) or slower (-1)."""
-        super().change_speed(step)
         self._course.touch()
 
     def stop(self) -> None:

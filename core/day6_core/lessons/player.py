@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Awaitable, Callable, Iterable, Mapping
 from typing import Any
 
-from day6_core.speeds import changed
+from day6_core import speeds
 
 KEYS_PER_SECOND = 40.0
 """Characters that are typed in a second: slow enough to read along."""
@@ -25,10 +25,16 @@ class StageError(Exception):
 class Steering:
     """How fast is typed (all at once where it is not `seen`), and whether it stands: whoever looks on may hold it."""
 
-    def __init__(self, *, seen: bool = False, speed: float = 1.0) -> None:
-        self.seen = seen
-        self.speed = speed
+    def __init__(self, *, seen: bool = False, changed: Callable[[], object] = lambda: None) -> None:
+        self.speed = 1.0
         """One of `speeds.SPEEDS`."""
+        self._changed = changed
+        """Called when somebody has steered."""
+        self.begin(seen=seen)
+
+    def begin(self, *, seen: bool) -> None:
+        """Something else is performed, as fast as what was before."""
+        self.seen = seen
         self.held = False
         self._by_command = False
         """Whether it holds before the next command."""
@@ -36,14 +42,17 @@ class Steering:
     def hold(self) -> None:
         """Hold, or go on."""
         self.held = not self.held
+        self._changed()
 
     def change_speed(self, step: int) -> None:
         """Faster (1) or slower (-1)."""
-        self.speed = changed(self.speed, step)
+        self.speed = speeds.changed(self.speed, step)
+        self._changed()
 
     def step(self) -> None:
         """Go on up to the next command, and hold before it."""
         self.held, self._by_command = False, True
+        self._changed()
 
     def hurry(self) -> None:
         """Type the rest at once."""

@@ -47,8 +47,7 @@ class ScenePlay:
         """What a scene waits for is seen here."""
         self.player: ScenePlayer | None = None
         """The player of the scene; None while no scene is played."""
-        self.steering = Steering()
-        """That of the scene, or of the last one: the next one is as fast."""
+        self.steering = Steering(changed=lambda: look.wake())
         self.said = ""
         """The sentence that is shown."""
         self._held.steer = self._steer
@@ -60,10 +59,10 @@ class ScenePlay:
             **{
                 f"scene.{scene.name}": partial(self.start, scene.name) for scene in scenes().values() if scene.is_action
             },
-            "scene.pause": self.toggle_pause,
-            "scene.step": self.step,
-            "scene.faster": lambda: self.change_speed(1),
-            "scene.slower": lambda: self.change_speed(-1),
+            "scene.pause": self.steering.hold,
+            "scene.step": self.steering.step,
+            "scene.faster": partial(self.steering.change_speed, 1),
+            "scene.slower": partial(self.steering.change_speed, -1),
         }
 
     def start(self, name: str) -> None:
@@ -85,29 +84,12 @@ class ScenePlay:
         if (pane := self._terminals.current) is not None:
             self._desktop.focus_pane(pane)
         if actions:
-            self.steering = Steering(seen=self._visibly and not self._look.reduced_motion, speed=self.steering.speed)
+            self.steering.begin(seen=self._visibly and not self._look.reduced_motion)
             self.player = ScenePlayer(actions, self, self.steering)
             self._held.begin()
         self._look.wake()
 
     # -- steering ------------------------------------------------------------------------------------------------------
-
-    def toggle_pause(self) -> None:
-        """Pause the scene, or go on."""
-        if self.player is not None:
-            self.steering.hold()
-            self._look.wake()
-
-    def step(self) -> None:
-        """Go on with one command, and pause before the next one."""
-        if self.player is not None:
-            self.steering.step()
-            self._look.wake()
-
-    def change_speed(self, step: int) -> None:
-        """Type faster or slower."""
-        self.steering.change_speed(step)
-        self._look.wake()
 
     def stop(self) -> None:
         """End the scene where it is."""
@@ -120,15 +102,15 @@ class ScenePlay:
         While the scene is paused one may type, so there only keys that write nothing steer: those of a presenter's clicker.
         """
         if key == "pagedown":
-            self.step()
+            self.steering.step()
         elif key == "pageup":
-            self.toggle_pause()
+            self.steering.hold()
         elif self.steering.held:
             return False
         elif key == "space":
-            self.toggle_pause()
+            self.steering.hold()
         elif key in ("plus", "equals_sign", "minus"):
-            self.change_speed(-1 if key == "minus" else 1)
+            self.steering.change_speed(-1 if key == "minus" else 1)
         else:
             return False
         return True
