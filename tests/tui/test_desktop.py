@@ -8,7 +8,11 @@ import pytest
 from rich.cells import cell_len
 from textual import events
 
-from day6_tui.features.scenes import SCENES, Player, Scene
+from day6_core.lessons.actions import filled
+from day6_core.lessons.player import Steering
+from day6_core.lessons.reading import read_scene
+from day6_core.lessons.scene import scenes
+from day6_core.lessons.scene_player import ScenePlayer
 from day6_tui.options import Options
 from tests.support.waiting import Deadline
 from tests.tui.fakes import FakeSimulation, turtle
@@ -32,10 +36,7 @@ class _Stage:
     def ready(self) -> bool:
         return not self.missing
 
-    def has_window(self, kind: str) -> bool:
-        return not self.missing
-
-    def has_topic(self, name: str) -> bool:
+    def holds(self, condition: object) -> bool:
         return not self.missing
 
     def is_heard(self, name: str) -> bool:
@@ -48,8 +49,13 @@ class _Stage:
         self.done.append(f"({text})")
 
 
-def _play(scene: str, stage: _Stage, fetch: str = "", **options: object) -> float:
-    player = Player(SCENES[scene], stage, values={"robot": "~/car.urdf", "fetch": fetch}, **options)
+def _player(scene: str, stage: _Stage, fetch: str = "", *, visibly: bool = True) -> ScenePlayer:
+    actions = filled(list(read_scene(scenes()[scene].path)), {"robot": "~/car.urdf", "fetch": fetch})
+    return ScenePlayer(actions, stage, Steering(seen=visibly))
+
+
+def _play(scene: str, stage: _Stage, fetch: str = "", *, visibly: bool = True) -> float:
+    player = _player(scene, stage, fetch, visibly=visibly)
     now = 1000.0
     while not player.done:
         player.advance(now)
@@ -633,12 +639,12 @@ async def test_a_window_without_a_place_is_announced_and_f4_shows_it(desk) -> No
 # -- presenting ----------------------------------------------------------------------------------------------------------
 
 
-def _running(scene: str = "turtle") -> tuple[_Stage, Player]:
+def _running() -> tuple[_Stage, ScenePlayer]:
     stage = _Stage()
-    return stage, Player(SCENES[scene], stage, values={})
+    return stage, _player("turtle", stage)
 
 
-def _run(player: Player, begin: float, seconds: float) -> float:
+def _run(player: ScenePlayer, begin: float, seconds: float) -> float:
     """Advance for so long; return when that was."""
     for frame in range(round(seconds * 30)):
         player.advance(begin + frame / 30)
@@ -648,27 +654,27 @@ def _run(player: Player, begin: float, seconds: float) -> float:
 def test_a_scene_stops_in_the_middle_of_a_word_and_goes_on_there() -> None:
     stage, player = _running()
     now = _run(player, 1000.0, 0.5)
-    player.paused = True
+    player.steering.held = True
     typed = "".join(stage.done)
     assert typed.startswith("[idle]ros2 run turt") and not typed.endswith("\r")
     now = _run(player, now, 300.0)
     assert "".join(stage.done) == typed
-    player.paused = False
+    player.steering.held = False
     _run(player, now, 8.0)
     assert player.done and "".join(stage.done).count("\r") == 3
 
 
 def test_a_pause_counts_for_no_wait() -> None:
     stage, player = _running()
-    stage.has_window = lambda kind: False  # type: ignore[method-assign]
+    stage.holds = lambda condition: False  # type: ignore[method-assign]
     stage.ready = lambda: stage.done[-1] != "\r"  # type: ignore[method-assign]
     now = _run(player, 1000.0, 3.0)
-    player.paused = True
+    player.steering.held = True
     now = _run(player, now, 60.0)
-    player.paused = False
+    player.steering.held = False
     now = _run(player, now, 2.0)
     assert not player.done, "it still waits for the window"
-    stage.has_window = lambda kind: True  # type: ignore[method-assign]
+    stage.holds = lambda condition: True  # type: ignore[method-assign]
     stage.ready = lambda: True  # type: ignore[method-assign]
     _run(player, now, 8.0)
     assert player.done and "".join(stage.done).count("\r") == 3
@@ -677,14 +683,14 @@ def test_a_pause_counts_for_no_wait() -> None:
 def test_one_step_is_one_command() -> None:
     stage, player = _running()
     now = 1000.0
-    player.step()
+    player.steering.step()
     now = _run(player, now, 2.0)
-    assert player.paused and "".join(stage.done) == "[idle]"
+    assert player.steering.held and "".join(stage.done) == "[idle]"
     for commands in (1, 2):
-        player.step()
+        player.steering.step()
         now = _run(player, now, 6.0)
-        assert player.paused and "".join(stage.done).count("\r") == commands
-    player.step()
+        assert player.steering.held and "".join(stage.done).count("\r") == commands
+    player.steering.step()
     _run(player, now, 6.0)
     assert player.done and "".join(stage.done).count("\r") == 3
 
@@ -694,7 +700,7 @@ def test_one_step_is_one_command() -> None:
 )
 def test_the_speed_is_that_of_typing_and_of_looking(speed: float, least: float, most: float) -> None:
     _, player = _running()
-    player.speed = speed
+    player.steering.speed = speed
     now = 1000.0
     while not player.done:
         player.advance(now)
@@ -704,8 +710,8 @@ def test_the_speed_is_that_of_typing_and_of_looking(speed: float, least: float, 
 
 def test_a_scene_may_be_any_list_of_steps_and_say_what_it_does() -> None:
     stage = _Stage()
-    steps = (("say", "先看看有哪些节点。"), ("terminal", "idle"), ("type", "ros2 node list"), ("say", ""))
-    player = Player(Scene("day", steps), stage, values={})
+    steps = ({"say": "先看看有哪些节点。"}, {"terminal": "idle"}, {"type": "ros2 node list"}, {"say": ""})
+    player = ScenePlayer(steps, stage, Steering(seen=True))
     now = _run(player, 1000.0, 1.0)
     assert stage.done == ["(先看看有哪些节点。)"], "there is time to read it"
     _run(player, now, 6.0)
@@ -731,7 +737,7 @@ async def test_the_key_bar_shows_the_speed_and_how_to_steer_a_scene(desk, size, 
             await pilot.press(key)
             await step(app, pilot)
             assert shown in screen_lines(app)[-1]
-        assert app.scenes.player is not None and not app.scenes.player.paused
+        assert app.scenes.player is not None and not app.scenes.steering.held
 
 
 async def test_a_paused_scene_leaves_the_terminal_to_whoever_types(desk) -> None:
@@ -759,10 +765,10 @@ async def test_a_click_on_the_key_bar_steers_a_scene(desk) -> None:
         for text, expected in ((" + ", 2.0), (" - ", 1.0)):
             await pilot.click(offset=(screen_lines(app)[-1].index(text) + 1, 39))
             await step(app, pilot)
-            assert app.scenes.player is not None and app.scenes.player.speed == expected
+            assert app.scenes.player is not None and app.scenes.steering.speed == expected
         await pilot.click(offset=(screen_lines(app)[-1].index("pause"), 39))
         await step(app, pilot)
-        assert app.scenes.paused
+        assert app.scenes.steering.held
         await pilot.click(offset=(screen_lines(app)[-1].index("stop"), 39))
         await step(app, pilot)
         assert app.scenes.player is None

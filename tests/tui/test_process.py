@@ -201,11 +201,11 @@ def test_the_command_line_speaks_the_language_of_the_user(monkeypatch, capfd, wo
 
 
 def test_the_command_line_knows_every_scene() -> None:
+    from day6_core.lessons.scene import scenes
     from day6_tui.command_line import build_parser
-    from day6_tui.features.scenes import SCENES
 
     (option,) = [action for action in build_parser()._actions if action.dest == "scene"]
-    assert tuple(option.choices) == tuple(SCENES)
+    assert tuple(option.choices) == tuple(scenes())
 
 
 @pytest.mark.process

@@ -38,6 +38,7 @@ def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_a
             ws = await teacher.session.ws_connect(teacher.base + "class/ws", headers=teacher.origin)
             hello = await ws.receive_json()
             assert hello["t"] == "hello" and "day1" in {each["name"] for each in hello["lessons"]}
+            assert {"name": "turtle", "title": {"zh": "海龟", "en": "Turtle"}} in hello["scenes"]
             await door.get(class_server.link("anna"))
             tab = await door.tab()
             await tab.see("anna@day6:~$")

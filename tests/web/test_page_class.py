@@ -87,7 +87,11 @@ def tab(chromium: Chromium, background: Background) -> Iterator[tuple[Page, Page
     from tests.web.page_server import PageServer
 
     page, server = chromium.page(), PageServer(background)
-    server.hello = {"t": "hello", "lang": "en", "lessons": [{"name": "day1", "title": LESSON["title"]}]}
+    lesson, scene = (
+        {"name": "day1", "title": LESSON["title"]},
+        {"name": "turtle", "title": {"zh": "海龟", "en": "Turtle"}},
+    )
+    server.hello = {"t": "hello", "lang": "en", "lessons": [lesson], "scenes": [scene]}
     page.device(1280, 800)
     yield page, server
     page.close()

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+from day6_core.lessons.scene import scenes
+
 
 class Action(NamedTuple):
     """One thing the user can ask for."""
@@ -39,9 +41,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("quit", "ctrl+q", "^Q", weight=8),
     Action("help", "f1", "F1"),
     Action("pupil"),
-    Action("scene.turtle"),
-    Action("scene.car"),
-    Action("scene.world"),
+    *(Action(f"scene.{scene.name}") for scene in scenes().values() if scene.is_action),
     Action("split.right", "alt+backslash", "Alt+\\"),
     Action("split.below", "alt+minus", "Alt+-"),
     Action("close"),

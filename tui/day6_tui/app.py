@@ -361,7 +361,7 @@ class Day6App(TerminalApp):
         elif (overlay := self.desktop.overlay) is not None and overlay.waits and id not in WHILE_ASKED:
             return
         elif id == "pause" and self.scenes.player is not None:
-            self.scenes.toggle_pause()  # of the world, the upper line
+            self.scenes.steering.hold()  # of the world, the upper line
         else:
             self.actions[id]()
         self.frames.wake()

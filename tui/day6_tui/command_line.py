@@ -9,6 +9,7 @@ from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
+from day6_core.lessons.scene import scenes
 from day6_core.ros.distribution import NAMES
 from day6_tui.locale import LANGUAGES, Texts, detect
 
@@ -33,7 +34,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     )
     options = parser.add_argument_group(texts("cli.options"))
     options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
-    options.add_argument("--scene", choices=("turtle", "car", "world", "empty"), help=texts("cli.scene"))
+    options.add_argument("--scene", choices=tuple(scenes()), help=texts("cli.scene"))
     options.add_argument("--robot", metavar="FILE", help=texts("cli.robot"))
     options.add_argument("--distro", choices=NAMES, help=texts("cli.distro"))
     options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.lang"))

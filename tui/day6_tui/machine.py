@@ -115,10 +115,6 @@ class Machine:
             self._counted = changes
         return self._counts
 
-    def has_topic(self, name: str) -> bool:
-        """Whether somebody publishes or subscribes to it."""
-        return name in self._topics()
-
     def is_heard(self, name: str) -> bool:
         """Whether a command of ROS (`ros2 topic echo`) listens to a topic."""
         from day6_core.graph.endpoints import EndpointKind

@@ -16,7 +16,7 @@ class Options:
     """None (or False) for options that were not given."""
 
     scene: str | None = None
-    """A name of `scenes.SCENES`."""
+    """The name of a scene."""
     robot: str | None = None
     """A URDF file in place of the shipped car's."""
     distro: str | None = None

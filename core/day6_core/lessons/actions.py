@@ -1,10 +1,12 @@
-"""The actions of lesson files (WRITING.md): what may be written for each. `stage` performs them."""
+"""The actions of lesson files and scenes (WRITING.md): what may be written for each. `stage` and `scene_player` perform them."""
 
 from __future__ import annotations
 
 import math
 import re
 import reprlib
+from collections.abc import Collection, Mapping
+from typing import Any
 
 from day6_core.lessons.flaws import Flaw, line_of, meant, path_flaw
 
@@ -24,6 +26,7 @@ KEYS = {
 """Names of keys and what a terminal sends for them; a single character stands for itself."""
 
 NAMES = ("type", "terminal", "keys", "write", "replace", "wait", "pause", "rviz", "close", "answer")
+SCENE_NAMES = ("type", "terminal", "wait", "pause", "look", "say", "heard", "reading")
 MOST_PAUSE = 60.0
 
 WINDOWS = (
@@ -34,6 +37,7 @@ WINDOWS = (
 )  # fmt: skip
 """Kinds of windows."""
 
+_VALUE = re.compile(r"@([a-z][a-z0-9_]*)@")
 _PRESSES = re.compile(r"(\S+?)(?:\*(\d{1,3}))?\Z")
 _PATHS = {"write": {"file", "text"}, "replace": {"file", "old", "new"}}
 
@@ -48,7 +52,21 @@ def presses(text: str) -> list[str]:
     return found
 
 
-def action_mistake(given: object) -> str:
+def filled(given: Any, values: Mapping[str, Any]) -> Any:
+    """`given` with its `@name@` replaced; a text that is nothing else becomes the value itself, a number for instance."""
+    if isinstance(given, str):
+        whole = _VALUE.fullmatch(given)
+        if whole is not None:
+            return values[whole[1]]
+        return _VALUE.sub(lambda found: str(values[found[1]]), given)
+    if isinstance(given, list):
+        return [filled(each, values) for each in given]
+    if isinstance(given, dict):
+        return {filled(key, values): filled(each, values) for key, each in given.items()}
+    return given
+
+
+def action_mistake(given: object, names: Collection[str] = NAMES) -> str:
     """What is wrong with an action of a lesson file, a Flaw with its line if that is known; '' if nothing is."""
     if not isinstance(given, dict) or len(given) != 1:
         more = isinstance(given, dict) and len(given) > 1
@@ -56,8 +74,8 @@ def action_mistake(given: object) -> str:
         return Flaw(f"an action is 'name: value', not {reprlib.repr(given)}{why}", line_of(given))
     name, value = next(iter(given.items()))
     line = line_of(given, name)
-    if name not in NAMES:
-        return Flaw(f"there is no action '{name}'{meant(name, NAMES)}", line)
+    if name not in names:
+        return Flaw(f"there is no action '{name}'{meant(name, names)}", line)
     if name == "wait":
         from day6_core.lessons.checks import condition_of
 
@@ -75,10 +93,10 @@ def _judged(name: str, value: object) -> str:
             presses(str(value))
         except KeyError as unknown:
             return f"keys: there is no key {unknown}{meant(unknown.args[0], KEYS)}"
-    elif name == "pause":
+    elif name in ("pause", "look"):
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
         if not number or not math.isfinite(float(str(value))) or not 0 <= float(str(value)) <= MOST_PAUSE:
-            return f"pause: a number of seconds from 0 to {MOST_PAUSE:g}"
+            return f"{name}: a number of seconds from 0 to {MOST_PAUSE:g}"
     elif name in _PATHS:
         if not isinstance(value, dict) or value.keys() != _PATHS[name]:
             return f"{name}: needs {' and '.join(sorted(_PATHS[name]))}"

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 _FENCE = re.compile(r"(~~~+|```+)\s*([\w+-]*)\s*\Z")
 _TEXTS = re.compile(r"## +(zh|en)\b|### +(do|hints|answers|teacher)\s*\Z")
 
 
-@dataclass(frozen=True)
-class Block:
+class Block(NamedTuple):
     """A run of lines: kind '' (text), '#', '##' or '###' (a heading), or the word after a fence."""
 
     kind: str

@@ -22,6 +22,7 @@ from day6_core.lessons.document import HINTS, Action, Lesson, Step
 from day6_core.lessons.exam import Exam, Result, new_exam
 from day6_core.lessons.following import FollowedFile
 from day6_core.lessons.live import Live
+from day6_core.lessons.player import StageError, Steering
 from day6_core.lessons.progress import (
     LONGEST_ANSWERS,
     Progress,
@@ -32,7 +33,7 @@ from day6_core.lessons.progress import (
     save,
 )
 from day6_core.lessons.source import LessonMistakes
-from day6_core.lessons.stage import Stage, StageError
+from day6_core.lessons.stage import Stage
 from day6_core.lessons.state import State
 from day6_core.session.task import Signal
 from day6_core.session.threads import in_thread
@@ -49,9 +50,6 @@ LOOK_SECONDS = 0.25
 
 ENDING_SECONDS = 6.0
 """How long a drill waits for what ran before it."""
-
-READING_PACE = 40.0
-"""Characters a second that are typed for the pupil."""
 
 
 class Course:
@@ -413,21 +411,15 @@ class Course:
             return None
         return self.perform(state.step.solve)
 
-    async def perform(
-        self,
-        actions: Sequence[Action],
-        *,
-        pace: Callable[[], float] = lambda: READING_PACE,
-        held: Callable[[], bool] = lambda: False,
-    ) -> None:
+    async def perform(self, actions: Sequence[Action], steering: Steering | None = None) -> None:
         """Do what a lesson says where everybody can see it. Raises StageError."""
         if self._stage is not None:
             self._shown = self._shown or (self.state.step is not None and actions is self.state.step.solve)
-            self._stage.pace, self._stage.held = pace, held
+            self._stage.steering = steering or Steering(seen=True)
             try:
                 await self._stage.perform([{"terminal": "idle"}, *actions])
             finally:
-                self._stage.pace = lambda: 0.0
+                self._stage.steering = Steering()
 
     def demonstrate(self, language: str) -> Awaitable[None] | None:
         """Play the rest of the lesson by itself, or stop that."""
@@ -436,7 +428,7 @@ class Course:
             return None
         if self.state.lesson is None or self.state.lesson.is_drill:
             return None
-        self.demonstration = Demonstration(self, language, READING_PACE)
+        self.demonstration = Demonstration(self, language)
         return self._demonstrate(self.demonstration)
 
     async def _demonstrate(self, demonstration: Demonstration) -> None:

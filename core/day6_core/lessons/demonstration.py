@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_core.lessons.stage import StageError
-from day6_core.speeds import changed
+from day6_core.lessons.player import StageError, Steering
 
 if TYPE_CHECKING:
     from day6_core.lessons.course import Course
@@ -23,31 +22,19 @@ READS = {"zh": 7.0, "en": 18.0}
 """Characters a second that people read."""
 
 
-class Demonstration:
-    """One demonstration; the window reads `speed` and `held` and calls `hold`, `go_on`, `faster`, `slower`, `stop`."""
+class Demonstration(Steering):
+    """One demonstration; the window reads `speed` and `held` and calls `hold`, `go_on`, `change_speed`, `stop`."""
 
-    def __init__(self, course: Course, language: str, pace: float) -> None:
+    def __init__(self, course: Course, language: str) -> None:
+        super().__init__(seen=True, changed=course.touch)
         self._course = course
         self._language = language
-        self._pace = pace
-        self.speed = 1.0
         self._skip = False
-        self.held = False
         self.stopped = False
-
-    def hold(self) -> None:
-        """Hold, or go on."""
-        self.held = not self.held
-        self._course.touch()
 
     def go_on(self) -> None:
         """Do not wait any longer: the next thing now."""
         self._skip, self.held = True, False
-        self._course.touch()
-
-    def change_speed(self, step: int) -> None:
-        """Faster (1) or slower (-1)."""
-        self.speed = changed(self.speed, step)
         self._course.touch()
 
     def stop(self) -> None:
@@ -64,7 +51,7 @@ class Demonstration:
                 return
             await self._rest(_reading_seconds(step.pages[self._language], self._language))
             if not course.state.solved and not self.stopped:
-                await course.perform(step.solve, pace=lambda: self._pace * self.speed, held=lambda: self.held)
+                await course.perform(step.solve, self)
                 await self._until_solved(step.name)
             await self._rest(AFTER_SOLVED)
             if course.state.is_last or self.stopped:

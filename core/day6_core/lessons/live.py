@@ -70,11 +70,14 @@ class Heard:
 
 
 class Live:
-    """The machine for the checks of one lesson. Used on the scheduler's thread."""
+    """The machine for the checks of one lesson. Used on the scheduler's thread.
 
-    def __init__(self, desk: Desk, session: Session, folder: Path) -> None:
+    Without a session it tells how things are, on any thread, and nothing of messages and parameters.
+    """
+
+    def __init__(self, desk: Desk, session: Session | None, folder: Path) -> None:
         self.desk = desk
-        self.session = session
+        self._session = session
         self.folder = folder
         """Where the lesson lies."""
         self.answer = ""
@@ -90,6 +93,12 @@ class Live:
         self._parameters: dict[tuple[str, str], tuple[int, Any]] = {}
         self._asked: dict[tuple[str, str], int] = {}
         self.lesson_began_ns = self.step_began_ns = self.now_ns()
+
+    @property
+    def session(self) -> Session:
+        """The program that listens and asks."""
+        assert self._session is not None, "this looks only at how things are"
+        return self._session
 
     # -- time and memory -----------------------------------------------------------------------------------------------
 

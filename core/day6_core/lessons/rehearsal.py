@@ -14,7 +14,8 @@ from pathlib import Path
 from day6_core.lessons.checks import Verdict
 from day6_core.lessons.document import Action, Lesson, Step, Wrong
 from day6_core.lessons.live import Live
-from day6_core.lessons.stage import Stage, StageError
+from day6_core.lessons.player import StageError
+from day6_core.lessons.stage import Stage
 from day6_core.session.session import Session
 from day6_core.shell.desk import Desk
 

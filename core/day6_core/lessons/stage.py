@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from day6_core.lessons.actions import presses
 from day6_core.lessons.checks import condition_of
 from day6_core.lessons.live import OutsideHome
+from day6_core.lessons.player import LOOK, Player, StageError
 from day6_core.whole_file import replace_file
 
 if TYPE_CHECKING:
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
 LONGEST_WAIT = 40.0
 """Seconds that `type` waits for its prompt and `wait` for its check."""
 
-LOOK = 0.02
-"""Seconds between two looks."""
-
 ENDS_WITHIN = 5.0
 """Seconds that a program may take to end after Ctrl-C."""
 
@@ -33,25 +31,16 @@ _EDITORS = re.compile(r"\s*(nano|pico|vi|vim|edit|code|ide)\b")
 LINE_TAKES = 8.0
 """A line of a file is shown for the time of so many characters."""
 
-BEFORE_RETURN = 0.25
-"""Seconds between a line that was typed visibly and its Return."""
 
-
-class StageError(Exception):
-    """An action could not be performed."""
-
-
-class Stage:
+class Stage(Player):
     """Performs actions on one machine; the terminals it opened are numbered from 1.
 
-    `pace` tells how many characters a second are typed, so that people can read along, and files are written by typing them too;
-    0: all at once, unseen. While `held` is true nothing is typed. What is typed so may be shown to a pupil, in whose
-    home folder it happens: a file that is not this stage's own is copied before it is changed.
+    Where it is seen (`steering`) files are written by typing them, too. That may be shown to a pupil, in whose home folder it
+    happens: a file that is not this stage's own is copied before it is changed.
     """
 
     def __init__(self, live: Live, session: Session) -> None:
-        self.pace: Callable[[], float] = lambda: 0.0
-        self.held: Callable[[], bool] = lambda: False
+        super().__init__(session.sleep)
         self.spares = False
         """Whether `write` leaves files alone that are there."""
         self._live = live
@@ -60,12 +49,6 @@ class Stage:
         self._terminal: Terminal | None = None
         self._written: dict[Path, bytes] = {}
         """Files as they were left here."""
-
-    async def perform(self, actions: Iterable[Mapping[str, Any]]) -> None:
-        """Perform them one after the other. Raises StageError."""
-        for action in actions:
-            (name, value), *_ = action.items()
-            await getattr(self, f"_do_{name}")(value)
 
     @property
     def _here(self) -> Terminal:
@@ -120,37 +103,19 @@ class Stage:
                 return terminal
         raise StageError(f"no terminal runs  {pattern}")
 
-    async def _do_type(self, lines: str) -> None:
-        for line in lines.strip("\n").split("\n"):
-            terminal = self._here
-            await self._until_idle(terminal, line)
-            before = terminal.runs.count
-            await self._type(terminal, line)
-            await self._until(
-                lambda terminal=terminal, before=before: terminal.runs.count != before or not terminal.idle,
-                f"the terminal did not take  {line}",
-            )
+    async def _do_line(self, line: str) -> None:
+        terminal = self._here
+        await self._until_idle(terminal, line)
+        before = terminal.runs.count
+        await self._type(terminal.send, line)
+        await self._until(
+            lambda: terminal.runs.count != before or not terminal.idle, f"the terminal did not take  {line}"
+        )
 
     async def _until_idle(self, terminal: Terminal, line: str) -> None:
         if not await self._session.until(_is_idle(terminal), LONGEST_WAIT, LOOK):
             runs = "; ".join(terminal.running) or "a program"
             raise StageError(f"'{line}' was not typed: the terminal was busy for {LONGEST_WAIT:g} s, it runs  {runs}")
-
-    async def _type(self, terminal: Terminal, line: str) -> None:
-        if self.pace() <= 0:
-            terminal.run_line(line)
-            return
-        for char in line:
-            await self._while_held()
-            terminal.send(char)
-            await self._session.sleep(1.0 / self.pace())
-        await self._session.sleep(BEFORE_RETURN)
-        await self._while_held()
-        terminal.send("\r")
-
-    async def _while_held(self) -> None:
-        while self.held():
-            await self._session.sleep(LOOK)
 
     async def _type_file(self, name: str, text: str) -> None:
         """Write a file where everybody sees it: `cat > FILE << 'EOF'`."""
@@ -163,7 +128,7 @@ class Stage:
         for line in [*text.removesuffix("\n").split("\n"), end]:
             await self._while_held()
             terminal.send(line + "\r")
-            await self._session.sleep(LINE_TAKES / self.pace())
+            await self._rest(LINE_TAKES)
         await self._until(lambda: terminal.idle, f"the terminal did not take {name}")
 
     async def _do_keys(self, keys: str) -> None:
@@ -184,7 +149,7 @@ class Stage:
         if self.spares and path.exists():
             return
         await self._keep(file["file"], path)
-        if self.pace() > 0 and _can_be_typed(file["text"]):
+        if self.steering.seen and _can_be_typed(file["text"]):
             await self._type_file(file["file"], file["text"])
         else:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -193,7 +158,7 @@ class Stage:
 
     async def _keep(self, name: str, path: Path) -> None:
         """Copy somebody's file, where everybody sees it, before it is changed."""
-        if self.pace() <= 0 or not path.exists() or self._written.get(path) == path.read_bytes():
+        if not self.steering.seen or not path.exists() or self._written.get(path) == path.read_bytes():
             return
         kept = (f"{name}.mine{number or ''}" for number in count())
         copy = next(each for each in kept if not self._live.path(each).exists())
@@ -210,7 +175,7 @@ class Stage:
         if text.count(change["old"]) != 1:
             raise StageError(f"{change['file']} has {change['old']!r} {text.count(change['old'])} times")
         await self._keep(change["file"], path)
-        if self.pace() > 0:
+        if self.steering.seen:
             for word, lines in (("-", change["old"]), ("+", change["new"])):
                 for line in lines.strip("\n").split("\n"):
                     await self._do_type(f"# {change['file'].rpartition('/')[2]} {word} {line.strip()}")
@@ -223,9 +188,6 @@ class Stage:
         await self._until(
             lambda: condition.judge(self._live).ok, f"waited in vain: {condition.judge(self._live).text('en')}"
         )
-
-    async def _do_pause(self, seconds: float) -> None:
-        await self._session.sleep(float(seconds))
 
     async def _do_rviz(self, change: Mapping[str, str]) -> None:
         await self._until(lambda: self._live.windows("rviz2"), "RViz is not open")

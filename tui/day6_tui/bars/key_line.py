@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from day6_core.speeds import in_words
 from day6_tui.actions import Actions, bar_actions
 from day6_tui.appearance.look import Look
@@ -48,21 +50,21 @@ class KeyLine:
     def _scene(self, width: int) -> list[Piece]:
         """What is typed and how to steer it: pause, step, the speed between its two buttons, stop."""
         look, texts, scenes, glyphs = self._look, self._look.texts, self._scenes, self._look.glyphs
-        paused = scenes.paused
+        steering, paused = scenes.steering, scenes.steering.held
         head = texts("bar.scene.paused" if paused else "bar.playing")
         if scenes.said:
             head = clip(scenes.said, max(cell_len(head), width - SCENE_KEYS), glyphs.ellipsis)
         pieces = [Piece(f" {head} ", look.colours.hint)]
-        pause = KeyHint("F9", texts("bar.scene.resume" if paused else "bar.scene.pause"), scenes.toggle_pause)
+        pause = KeyHint("F9", texts("bar.scene.resume" if paused else "bar.scene.pause"), steering.hold)
         keys = [
             pause,
-            KeyHint("PgDn", texts("bar.scene.step"), scenes.step),
+            KeyHint("PgDn", texts("bar.scene.step"), steering.step),
             KeyHint("Esc", texts("bar.scene.stop"), scenes.stop),
         ]
         speed = [
-            Piece(" - ", look.colours.key, lambda: scenes.change_speed(-1)),
-            Piece(f" {in_words(scenes.speed, unicode=glyphs.unicode)} ", look.colours.bar_strong),
-            Piece(" + ", look.colours.key, lambda: scenes.change_speed(1)),
+            Piece(" - ", look.colours.key, partial(steering.change_speed, -1)),
+            Piece(f" {in_words(steering.speed, unicode=glyphs.unicode)} ", look.colours.bar_strong),
+            Piece(" + ", look.colours.key, partial(steering.change_speed, 1)),
             Piece("  ", look.colours.bar),
         ]
         room = width - sum(cell_len(piece.text) for piece in (*pieces, *speed)) - 1

@@ -276,16 +276,17 @@ class Classroom:
 
     def _open(self, order: Order) -> None:
         """A scene or a lesson, as if chosen here: what runs goes on, and a scene types where nothing runs."""
-        from day6_tui.features.scenes import SCENES
+        from day6_core.lessons.scene import scenes
 
         app, self._refused = self._app, ""
         overlay = app.desktop.overlay
+        scene = scenes().get(order.text) if order.do == "scene" else None
         if overlay is not None and overlay.waits:
             self._refused = "class.refused.busy"
-        elif order.do == "scene" and order.text == "empty" and (app.leaving.running() or app.desktop.panes):
+        elif scene is not None and not scene.is_action and (app.leaving.running() or app.desktop.panes):
             self._refused = "class.refused.full"
-        elif order.do == "scene" and order.text in SCENES:
-            app.scenes.start(order.text)
+        elif scene is not None:
+            app.scenes.start(scene.name)
         elif order.do == "lesson" and app.lessons.go_to(order.text):
             app.notices.show(app.look.texts("class.opened"), NOTICE_SECONDS)
         else:

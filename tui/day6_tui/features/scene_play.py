@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from day6_core.speeds import changed
+from day6_core.lessons.player import Steering
+from day6_core.lessons.scene import below, scenes
 from day6_tui.actions import Handlers
 from day6_tui.appearance.look import Look
-from day6_tui.features.scenes import SCENES, Player, Scene, below
 from day6_tui.machine import Machine
 from day6_tui.panes.desktop import Desktop
 from day6_tui.terminals.pane import TerminalPane
 from day6_tui.terminals.shown import Terminals
 from day6_tui.terminals.view import TerminalView
 
+if TYPE_CHECKING:
+    from day6_core.lessons.checks import Condition
+    from day6_core.lessons.live import Live
+    from day6_core.lessons.scene_player import ScenePlayer
+
 
 class ScenePlay:
-    """Plays one scene at a time in the terminals (it is the player's `scenes.Stage`)."""
+    """Plays one scene at a time in the terminals (it is the player's `scene_player.Place`)."""
 
     def __init__(
         self,
@@ -35,10 +43,11 @@ class ScenePlay:
         self._held = terminals.held
         self._look = look
         self._visibly = visibly
-        self.player: Player | None = None
+        self._live: Live | None = None
+        """What a scene waits for is seen here."""
+        self.player: ScenePlayer | None = None
         """The player of the scene; None while no scene is played."""
-        self.speed = 1.0
-        """How fast scenes are typed; the next one too."""
+        self.steering = Steering(changed=lambda: look.wake())
         self.said = ""
         """The sentence that is shown."""
         self._held.steer = self._steer
@@ -47,59 +56,40 @@ class ScenePlay:
 
     def actions(self) -> Handlers:
         return {
-            "scene.turtle": lambda: self.start("turtle"),
-            "scene.car": lambda: self.start("car"),
-            "scene.world": lambda: self.start("world"),
-            "scene.pause": self.toggle_pause,
-            "scene.step": self.step,
-            "scene.faster": lambda: self.change_speed(1),
-            "scene.slower": lambda: self.change_speed(-1),
+            **{
+                f"scene.{scene.name}": partial(self.start, scene.name) for scene in scenes().values() if scene.is_action
+            },
+            "scene.pause": self.steering.hold,
+            "scene.step": self.steering.step,
+            "scene.faster": partial(self.steering.change_speed, 1),
+            "scene.slower": partial(self.steering.change_speed, -1),
         }
 
     def start(self, name: str) -> None:
         """Type the commands of a scene."""
-        namespace = self.namespace()
-        self.play(below(SCENES[name], namespace) if namespace else SCENES[name])
+        from day6_core.lessons.actions import filled
+        from day6_core.lessons.reading import read_scene
 
-    def play(self, scene: Scene, *, by_steps: bool = False) -> None:
-        """Play a scene, any list of steps; `by_steps` waits before its first command."""
+        actions = list(read_scene(scenes()[name].path))
+        if "@robot@" in str(actions):
+            actions = filled(actions, self._machine.robot_words(self._robot))
+        namespace = self.namespace()
+        self.play(list(below(actions, namespace)) if namespace else actions)
+
+    def play(self, actions: Sequence[Mapping[str, Any]]) -> None:
+        """Perform the actions of a scene, any list of them."""
+        from day6_core.lessons.scene_player import ScenePlayer
+
         self._desktop.welcome.show_guide()
         if (pane := self._terminals.current) is not None:
             self._desktop.focus_pane(pane)
-        if scene.steps:
-            visibly = self._visibly and not self._look.reduced_motion
-            values = self._machine.robot_words(self._robot) if scene.needs_robot else {}
-            self.player = Player(scene, self, values=values, visibly=visibly)
-            self.player.speed = self.speed
+        if actions:
+            self.steering.begin(seen=self._visibly and not self._look.reduced_motion)
+            self.player = ScenePlayer(actions, self, self.steering)
             self._held.begin()
-            if by_steps:
-                self.player.step()
         self._look.wake()
 
     # -- steering ------------------------------------------------------------------------------------------------------
-
-    @property
-    def paused(self) -> bool:
-        return self.player is not None and self.player.paused
-
-    def toggle_pause(self) -> None:
-        """Pause the scene, or go on."""
-        if self.player is not None:
-            self.player.paused = not self.player.paused
-            self._look.wake()
-
-    def step(self) -> None:
-        """Go on with one command, and pause before the next one."""
-        if self.player is not None:
-            self.player.step()
-            self._look.wake()
-
-    def change_speed(self, step: int) -> None:
-        """Type faster or slower."""
-        self.speed = changed(self.speed, step)
-        if self.player is not None:
-            self.player.speed = self.speed
-        self._look.wake()
 
     def stop(self) -> None:
         """End the scene where it is."""
@@ -112,15 +102,15 @@ class ScenePlay:
         While the scene is paused one may type, so there only keys that write nothing steer: those of a presenter's clicker.
         """
         if key == "pagedown":
-            self.step()
+            self.steering.step()
         elif key == "pageup":
-            self.toggle_pause()
-        elif self.paused:
+            self.steering.hold()
+        elif self.steering.held:
             return False
         elif key == "space":
-            self.toggle_pause()
+            self.steering.hold()
         elif key in ("plus", "equals_sign", "minus"):
-            self.change_speed(-1 if key == "minus" else 1)
+            self.steering.change_speed(-1 if key == "minus" else 1)
         else:
             return False
         return True
@@ -137,9 +127,9 @@ class ScenePlay:
         if self._held.keys:
             self.player.hurry()
         self.player.advance(now)
-        self._held.paused = self.player.paused
+        self._held.paused = self.steering.held
         if not self.player.done:
-            return not self.player.paused
+            return not self.steering.held
         view, keys = self._held.view, self._held.keys
         self._end()
         if (pane := self._pane_of(view)) is not None:
@@ -151,7 +141,7 @@ class ScenePlay:
         self.player, self.said = None, ""
         self._held.end()
 
-    # -- what a scene acts on (scenes.Stage) ---------------------------------------------------------------------------
+    # -- what a scene acts on (scene_player.Place) ---------------------------------------------------------------------
 
     def _pane_of(self, view: TerminalView | None) -> TerminalPane | None:
         return next((pane for pane in self._terminals.panes if pane.has_terminal and pane.view is view), None)
@@ -177,11 +167,12 @@ class ScenePlay:
     def ready(self) -> bool:
         return self._view is not None and self._view.at_prompt
 
-    def has_window(self, kind: str) -> bool:
-        return any(window.kind == kind for window in self._machine.windows())
+    def holds(self, condition: Condition) -> bool:
+        from day6_core.lessons.live import Live
 
-    def has_topic(self, name: str) -> bool:
-        return self._machine.has_topic(name)
+        if self._live is None and self._machine.desk is not None:
+            self._live = Live(self._machine.desk, None, Path())
+        return self._live is not None and condition.judge(self._live).ok
 
     def is_heard(self, name: str) -> bool:
         return self._machine.is_heard(name)

@@ -9,6 +9,7 @@ from rich.segment import Segment
 from rich.style import Style
 from textual import events
 
+from day6_core.lessons.scene import Scene, scenes
 from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
 from day6_tui.panes.canvas import Canvas
@@ -29,12 +30,15 @@ class Choice(NamedTuple):
     does: str
 
 
+def _choice(scene: Scene) -> Choice:
+    does = f"action.scene.{scene.name}" if scene.is_action else "guide"
+    return Choice(f"welcome.{scene.name}", f"welcome.{scene.name}.more", does)
+
+
 WELCOME = (
-    Choice("welcome.turtle", "welcome.turtle.more", "action.scene.turtle"),
-    Choice("welcome.car", "welcome.car.more", "action.scene.car"),
-    Choice("welcome.world", "welcome.world.more", "action.scene.world"),
+    *(_choice(scene) for scene in scenes().values() if scene.is_action),
     Choice("welcome.lessons", "welcome.lessons.more", "action.lessons"),
-    Choice("welcome.empty", "welcome.empty.more", "guide"),
+    *(_choice(scene) for scene in scenes().values() if not scene.is_action),
 )
 """The choices of the start, by their text keys."""
 

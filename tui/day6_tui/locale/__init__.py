@@ -1,14 +1,16 @@
 """The texts of the user interface, in Chinese and English. Real ROS output never comes from here.
 
-`zh.py` and `en.py` hold one mapping each with the same keys (a test compares them). The language is a value that is passed
-along and may change while the desktop runs, so a text is looked up where it is drawn, never at import.
+`zh.py` and `en.py` hold one mapping each with the same keys (a test compares them); scenes bring their own texts. The language is
+a value that is passed along and may change while the desktop runs, so a text is looked up where it is drawn, never at import.
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from importlib import import_module
+
+from day6_core.lessons.scene import scenes
 
 LANGUAGES = ("zh", "en")
 _catalogues: dict[str, Mapping[str, str]] = {}
@@ -19,8 +21,18 @@ def catalogue(language: str) -> Mapping[str, str]:
     if language not in LANGUAGES:
         raise ValueError(f"no texts in {language!r}, only in {' and '.join(LANGUAGES)}")
     if language not in _catalogues:
-        _catalogues[language] = import_module(f"{__name__}.{language}").TEXTS
+        _catalogues[language] = {**import_module(f"{__name__}.{language}").TEXTS, **dict(_texts_of_scenes(language))}
     return _catalogues[language]
+
+
+def _texts_of_scenes(language: str) -> Iterator[tuple[str, str]]:
+    for name, scene in scenes().items():
+        texts = scene.texts[language]
+        yield f"welcome.{name}", texts.title
+        yield f"welcome.{name}.more", texts.more
+        if scene.is_action:
+            yield f"action.scene.{name}", texts.title
+            yield f"help.action.scene.{name}", texts.help
 
 
 _ARROWS = str.maketrans({"↑": "Up", "↓": "Down", "←": "Left", "→": "Right"})

@@ -22,6 +22,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from day6_core.classroom import order as orders
 from day6_core.classroom.order import OrderError
 from day6_core.classroom.roster import Row
+from day6_core.lessons.scene import scenes
 from day6_tui.classes import log as class_log
 from day6_tui.locale import Texts
 from day6_tui.web import pages
@@ -44,6 +45,14 @@ BEAT = 20.0
 SILENT = ("watch", "unwatch", "tell", "type")
 """Orders whose way is not told: they come again and again."""
 ALL = "*"
+
+
+def _scenes() -> list[dict[str, Any]]:
+    """What a teacher can start besides lessons."""
+    return [
+        {"name": name, "title": {language: texts.short for language, texts in scene.texts.items()}}
+        for name, scene in scenes().items()
+    ]
 
 
 class ClassPage:
@@ -107,7 +116,8 @@ class ClassPage:
             return web.Response(status=403, text="No token.\n")
         ws = web.WebSocketResponse(max_msg_size=LONGEST_FRAME, heartbeat=BEAT, timeout=2.0)
         await ws.prepare(request)
-        await ws.send_json({"t": "hello", "lang": self._texts(request).language, "lessons": self._lessons})
+        language = self._texts(request).language
+        await ws.send_json({"t": "hello", "lang": language, "lessons": self._lessons, "scenes": _scenes()})
         changed = asyncio.Event()
         changed.set()
         end = self._feed.subscribe(changed.set)

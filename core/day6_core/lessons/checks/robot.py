@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 from day6_core.lessons.checks import Verdict, check
 from day6_core.lessons.checks.files import Unreadable, read
 from day6_core.lessons.texts import Say
-from day6_urdf.check import check_text
-from day6_urdf.model import MOVING_TYPES
 
 if TYPE_CHECKING:
     from day6_core.lessons.live import Live
@@ -34,6 +32,8 @@ def urdf(
     axis: str = "",
     xyz: str = "",
 ) -> Verdict:
+    from day6_urdf.check import check_text
+
     wanted = Say("urdf", path=file)
     try:
         text = read(live.path(file))
@@ -89,6 +89,9 @@ def _joint_has(joint: Joint, what: str, value: str) -> tuple[bool, str]:
 
 @check("description", names=("topic",))
 def description(live: Live, joints: list[str] | None = None, topic: str = "/robot_description") -> Verdict:
+    from day6_urdf.check import check_text
+    from day6_urdf.model import MOVING_TYPES
+
     wanted = Say("description.joints", names=tuple(joints)) if joints else Say("description")
     heard = live.heard(topic)
     last = heard.since(heard.count - 1) if heard.count else []

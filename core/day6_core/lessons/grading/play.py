@@ -6,9 +6,10 @@ import time
 from collections.abc import Callable
 from functools import partial
 
+from day6_core.lessons.actions import filled
 from day6_core.lessons.checks import Condition, Verdict, condition_of
 from day6_core.lessons.checks.terminals import plain_output
-from day6_core.lessons.grading.scenarios import Grading, Scenario, filled
+from day6_core.lessons.grading.scenarios import Grading, Scenario
 from day6_core.lessons.grading.stage import IDLE_SECONDS, GraderStage, NotPlayed, tail
 from day6_core.lessons.live import Live
 from day6_core.lessons.texts import Say

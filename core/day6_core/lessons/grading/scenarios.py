@@ -6,14 +6,13 @@ The values in them (`@name@`) are drawn anew for every grading, the same ones fo
 from __future__ import annotations
 
 import random
-import re
 import string
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from day6_core.lessons.actions import action_mistake
+from day6_core.lessons.actions import action_mistake, filled
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import Action
 from day6_core.lessons.flaws import line_of
@@ -26,7 +25,6 @@ ACTIONS = {"start": {"program"}, "publish": {"topic", "type", "fields"}, "call":
 
 _OPTIONAL = {"start": {"arguments"}, "publish": {"count", "every"}, "call": {"fields"}, "build": set()}
 _HEAD, _KEYS = {"grading", "order", "title"}, {"values", "files", "before", "run", "check", "within", "needs"}
-_VALUE = re.compile(r"@([a-z][a-z0-9_]*)@")
 
 
 @dataclass(frozen=True)
@@ -73,20 +71,6 @@ def _draw(kind: Any, chance: random.Random) -> Any:
     if isinstance(low, int) and isinstance(high, int):
         return chance.randint(low, high)
     return round(chance.uniform(low, high), 2)
-
-
-def filled(given: Any, values: Mapping[str, Any]) -> Any:
-    """`given` with its `@name@` replaced; a text that is nothing else becomes the value itself, a number for instance."""
-    if isinstance(given, str):
-        whole = _VALUE.fullmatch(given)
-        if whole is not None:
-            return values[whole[1]]
-        return _VALUE.sub(lambda found: str(values[found[1]]), given)
-    if isinstance(given, list):
-        return [filled(each, values) for each in given]
-    if isinstance(given, dict):
-        return {filled(key, values): filled(each, values) for key, each in given.items()}
-    return given
 
 
 def gradings(folder: Path | None = None) -> list[Grading]:

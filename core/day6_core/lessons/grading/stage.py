@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.lessons.checks import condition_of
 from day6_core.lessons.checks.terminals import plain_output
-from day6_core.lessons.stage import LOOK, Stage, StageError
+from day6_core.lessons.player import LOOK, StageError
+from day6_core.lessons.stage import Stage
 from day6_core.lessons.texts import Say
 
 if TYPE_CHECKING:

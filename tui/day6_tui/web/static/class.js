@@ -16,7 +16,6 @@ const MISSED_MS = 30_000; // names take longer to read, and somebody has to go a
 const SILENT = new Set(["watch", "unwatch", "tell", "type"]); // the server answers every other order with {"t":"sent"}
 const TOLD = new Set(["say", "freeze", "scene", "lesson"]); // of the others one sees what they did
 const ALL = "*"; // which nobody is called
-const SCENES = ["turtle", "car", "world", "empty"];
 const SIDE_BY_SIDE = 2;
 
 const at = (id) => document.getElementById(id);
@@ -28,6 +27,7 @@ class Class {
     this._cards = new Map();
     this._panes = [];
     this._lessons = [];
+    this._scenes = [];
     this._isFrozen = false;
     this._unanswered = []; // to whom the orders went that the server has yet to answer
     this._notice = new Notice(at("notice"));
@@ -45,7 +45,7 @@ class Class {
     this._connection.open();
   }
 
-  /** The first message may say the language and what lessons there are. */
+  /** The first message may say the language and what lessons and scenes there are. */
   _hello(message) {
     this._unanswered = [];
     if (message.lang && new Texts(message.lang).language !== this._texts.language) {
@@ -55,6 +55,7 @@ class Class {
       this._cards.clear();
     }
     if (Array.isArray(message.lessons)) this._lessons = message.lessons;
+    if (Array.isArray(message.scenes)) this._scenes = message.scenes;
     this._fillStart(at("start"), (order) => this._orderAll(order, true));
   }
 
@@ -200,22 +201,22 @@ class Class {
     if (parts.length) this._noticeFor(name).show(parts.join(texts.say("sentences.between")), missed.length ? MISSED_MS : NOTICE_MS);
   }
 
-  /** Scenes, and lessons where the server told which there are. */
+  /** Scenes and lessons, where the server told which there are. */
   _fillStart(select, give) {
     const texts = this._texts;
-    const group = (label, options) => {
+    const group = (label, what, found) => {
       const made = document.createElement("optgroup");
-      made.label = label;
-      made.append(...options);
-      return made;
+      made.label = texts.say(label);
+      for (const { name, title } of found) {
+        const shown = line(title?.[texts.language] ?? title?.en ?? name);
+        made.append(new Option(shown, JSON.stringify({ do: what, text: String(name) })));
+      }
+      return found.length ? [made] : [];
     };
-    const scenes = SCENES.map((name) => new Option(texts.say(`scene.${name}`), JSON.stringify({ do: "scene", text: name })));
-    const lessons = this._lessons.map((lesson) => {
-      const title = line(lesson.title?.[texts.language] ?? lesson.title?.en ?? lesson.name);
-      return new Option(title, JSON.stringify({ do: "lesson", text: String(lesson.name) }));
-    });
-    const groups = [group(texts.say("class.start.scenes"), scenes)];
-    if (lessons.length) groups.push(group(texts.say("class.start.lessons"), lessons));
+    const groups = [
+      ...group("class.start.scenes", "scene", this._scenes),
+      ...group("class.start.lessons", "lesson", this._lessons),
+    ];
     const first = new Option(select.id ? texts.say("class.start") : texts.say("large.start"), "");
     select.replaceChildren(first, ...groups);
     select.onchange = () => {

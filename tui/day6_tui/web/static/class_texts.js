@@ -67,7 +67,6 @@ const ZH = {
   "large.absent": "{name} 还没来，没有屏幕可看。",
   "large.end": "结束桌面",
   "large.end.confirm": "要结束 {name} 的桌面吗？正在运行的程序会停止，文件会保留。",
-  "scene.turtle": "海龟", "scene.car": "小车", "scene.world": "开车闯一闯", "scene.empty": "空桌面",
   "report.columns": ["姓名", "状态", "课程", "步骤", "共几步", "完成这一步", "提示", "最近的错误", "出错的那一行", "空闲（秒）", "举手", "节点"],
   "report.file": "班级",
 };
@@ -139,7 +138,6 @@ const EN = {
   "large.absent": "{name} is not here yet, so there is no screen.",
   "large.end": "End desktop",
   "large.end.confirm": "End the desktop of {name}? Running programs stop, files are kept.",
-  "scene.turtle": "Turtle", "scene.car": "Car", "scene.world": "Drive around", "scene.empty": "Empty desk",
   "report.columns": [
     "name", "state", "lesson", "step", "of steps", "step solved", "hints", "last error", "error text", "idle (s)", "hand", "nodes",
   ],

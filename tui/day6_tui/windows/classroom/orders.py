@@ -85,7 +85,7 @@ class Orders:
 
     def _entries(self, name: str) -> list[Entry]:
         from day6_core.lessons import catalogue
-        from day6_tui.features.scenes import SCENES
+        from day6_core.lessons.scene import scenes
         from day6_tui.overlays.menu import Entry
 
         texts, open_there = self._look.texts, partial(self._send_and_tell, name)
@@ -97,10 +97,10 @@ class Orders:
             )
             for each in (*catalogue.days(), *catalogue.drills())
         ]
-        scenes = [
-            Entry(each, texts("teacher.open.scene"), partial(open_there, Order("scene", text=each))) for each in SCENES
+        return lessons + [
+            Entry(each, texts("teacher.open.scene"), partial(open_there, Order("scene", text=each)))
+            for each in scenes()
         ]
-        return lessons + scenes
 
     def ask_to_end(self, name: str) -> None:
         """Ask whether to end a pupil's desktop."""
