@@ -62,6 +62,7 @@ from day6_tui.panes.arranging import Arranging
 from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.switching import Switching
+from day6_tui.parts import Parts
 from day6_tui.screen import departure
 from day6_tui.screen.frames import Frames
 from day6_tui.screen.log_file import keep_log_off_the_screen
@@ -125,6 +126,14 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None, settin
     return look
 
 
+def _class_link(options: Options) -> ClassLink | None:
+    if options.part is None:
+        return None
+    from day6_tui.classes.link import link_of
+
+    return link_of(options.part)
+
+
 class Day6App(TerminalApp):
     """The desktop. `desk` may be given (tests); otherwise it is made after the first frame."""
 
@@ -162,34 +171,42 @@ class Day6App(TerminalApp):
         self._titled = 0.0
         """When the titles of the panes were looked at last."""
         self.machine = machine = Machine(desk, wake=self.frames.wake)
-        self.welcome = WelcomePane(look)
+        self.welcome = WelcomePane(look, last_lesson=lambda: self.lessons.where)
         self.desktop = desktop = Desktop(look, self.welcome)
         self.notices = notices = Notices(look, lambda: self.size.width - 2, self._notify)
-        self.terminals = Terminals(machine, desktop, notices, look)
-        self.switching = Switching(desktop, self.terminals, machine, notices, look)
-        self.scenes = ScenePlay(options.robot, machine, desktop, self.terminals, look, visibly=fps > 0)
-        self.arranging = Arranging(machine, desktop, self.terminals, notices, look)
-        self.session = Session(machine, desktop, self.terminals, self.arranging, notices, look)
-        self.lessons = Lessons(machine, desktop, self.terminals, notices, settings, look, options.lessons)
-        self.welcome.last_lesson = lambda: self.lessons.where
+        self.terminals = terminals = Terminals(machine, desktop, notices, look)
+        self.parts = parts = Parts(look, settings, machine, desktop, notices, terminals)
+        self.switching = Switching(parts)
+        self.scenes = ScenePlay(parts, options.robot, visibly=fps > 0)
+        self.arranging = Arranging(parts)
+        self.session = Session(parts, self.arranging)
+        self.lessons = Lessons(parts, options.lessons)
         self.looks = looks = Looks(self, look)
-        self.explaining = Explaining(machine, desktop, self.terminals, notices, look)
+        self.explaining = Explaining(parts)
         self.detachment = Detachment(self, options.keeper)
-        self.class_link: ClassLink | None = None
-        if options.part is not None:
-            from day6_tui.classes.link import link_of
-
-            self.class_link = link_of(options.part)
-        is_pupil = self.class_link is not None and not self.class_link.teaches
+        self.class_link = class_link = _class_link(options)
+        is_pupil = class_link is not None and not class_link.teaches
         self.classroom = Classroom(self, self._tell, is_possible=self.detachment.is_possible or is_pupil)
         self.detachment.observed = partial(self.classroom.observe, "keeper")
         self.detachment.ordered = self.classroom.hear
         detach = self.detachment.detach if self.detachment.is_possible else None
-        self.leaving = Leaving(self, desktop, look, detach)
-        if self.class_link is not None:
-            self.leaving.joined = self.class_link.joined
-        self.recording = Recording(self, machine, desktop, looks, notices, look)
-        self.actions = registry = actions.Actions()
+        self.leaving = Leaving(parts, self, detach, class_link.joined if class_link is not None else lambda: 0)
+        self.recording = Recording(parts, self, looks)
+        self.actions = self._make_actions()
+        top = TopLine(
+            parts,
+            self.actions,
+            doors=options.has_doors,
+            recording=self.recording.words,
+            classroom=self._class_pieces,
+            offers=self.classroom.offers,
+        )
+        self.top = Bar(look, top.pieces, name="top")
+        self.bottom = Bar(look, KeyLine(parts, self.scenes, self.actions).pieces, name="bottom")
+
+    def _make_actions(self) -> actions.Actions:
+        """What can be chosen: offered by whoever does it; what makes no sense here is hidden."""
+        registry = actions.Actions()
         for owner in (
             self.terminals,
             self.switching,
@@ -198,33 +215,29 @@ class Day6App(TerminalApp):
             self.arranging,
             self.recording,
             self.classroom,
-            Guidance(desktop, registry, look, self.terminals.run, self.explaining),
-            WorldTime(machine, notices, look),
+            Guidance(self.parts, registry, self.explaining),
+            WorldTime(self.parts),
         ):
             registry.offer(owner.actions())
         registry.offer(
             {
                 "quit": self.leaving.quit,
                 "detach": self.detachment.detach,
-                "language": looks.next_language,
+                "language": self.looks.next_language,
                 "theme": self.choose_theme,
                 "distro": self.choose_distribution,
-                "glyphs": lambda: notices.show(looks.next_glyphs()),
-                "motion": looks.toggle_motion,
+                "glyphs": lambda: self.notices.show(self.looks.next_glyphs()),
+                "motion": self.looks.toggle_motion,
                 "class": self.show_class,
             }
         )
-        if detach is None:
+        if not self.detachment.is_possible:
             registry.hidden.add("detach")
         if self.class_link is None or not self.class_link.teaches:
             registry.hidden.add("class")
         if not self.classroom.is_possible:
             registry.hidden |= self.classroom.actions().keys()
-        top = TopLine(machine, desktop, registry, look, doors=options.has_doors, recording=self.recording.words)
-        top.classroom, top.offers = self._class_pieces, self.classroom.offers
-        self.top = Bar(look, top.pieces, name="top")
-        keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
-        self.bottom = Bar(look, keys.pieces, name="bottom")
+        return registry
 
     def compose(self) -> ComposeResult:
         yield self.top

@@ -6,31 +6,23 @@ from functools import partial
 
 from day6_core.speeds import in_words
 from day6_tui.actions import Actions, bar_actions
-from day6_tui.appearance.look import Look
 from day6_tui.bars.bars import KeyHint, key_pieces
-from day6_tui.bars.notices import Notices
 from day6_tui.features.scene_play import ScenePlay
-from day6_tui.machine import Machine
 from day6_tui.panes.cells import cell_len, clip
-from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Piece
+from day6_tui.parts import Feature, Parts
 
 SCENE_KEYS = 46
 """Cells for the keys that steer a scene."""
 
 
-class KeyLine:
+class KeyLine(Feature):
     """The keys of the focused pane before those of the desktop."""
 
-    def __init__(
-        self, machine: Machine, desktop: Desktop, scenes: ScenePlay, notices: Notices, actions: Actions, look: Look
-    ) -> None:
-        self._machine = machine
-        self._desktop = desktop
+    def __init__(self, parts: Parts, scenes: ScenePlay, actions: Actions) -> None:
+        super().__init__(parts)
         self._scenes = scenes
-        self._notices = notices
         self._actions = actions
-        self._look = look
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """From the left, as many as fit; nothing from the right."""

@@ -5,47 +5,43 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from day6_tui.actions import Actions
-from day6_tui.appearance.look import Look
 from day6_tui.bars.connections import door_words
-from day6_tui.machine import Machine
 from day6_tui.panes.cells import cell_len
-from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Piece
+from day6_tui.parts import Feature, Parts
 
 BAR_NAMES = {"turtlesim": "turtle", "world": "world", "car": "car"}
 """Kind of window -> the desk's name in the top bar while such a window is open."""
 
 
-class TopLine:
+class TopLine(Feature):
     """Reads the machine at every frame; with `doors`, the state of the connections to other machines too."""
 
     def __init__(
         self,
-        machine: Machine,
-        desktop: Desktop,
+        parts: Parts,
         actions: Actions,
-        look: Look,
         *,
         doors: bool,
         recording: Callable[[], str],
+        classroom: Callable[[bool], list[Piece]],
+        offers: Callable[[bool], list[Piece]],
     ) -> None:
-        self._machine = machine
-        self._desktop = desktop
+        super().__init__(parts)
         self._actions = actions
-        self._look = look
         self._doors = doors
         self._recording = recording
-        self.classroom: Callable[[bool], list[Piece]] = _nothing
+        self._classroom = classroom
         """What the pupil of a class has to see; in short words, if asked for."""
-        self.offers: Callable[[bool], list[Piece]] = _nothing
+        self._offers = offers
         """What is of use to the pupil, where there is room."""
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """From the left and from the right; in short words where not all that matters has room."""
         switches = self._switches()
         for short in (False, True):
-            left = [*self._name(), *self._recorded(), *self.classroom(short), *self._door_pieces(short)]
-            left += self.offers(short)
+            left = [*self._name(), *self._recorded(), *self._classroom(short), *self._door_pieces(short)]
+            left += self._offers(short)
             if sum(cell_len(piece.text) for piece in (*left, *switches)) <= width:
                 break
         return [*left, *self._running()], switches

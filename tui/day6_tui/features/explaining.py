@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_tui.appearance.look import Look
-from day6_tui.bars.notices import NOTICE_SECONDS, Notices
-from day6_tui.machine import Machine
-from day6_tui.panes.desktop import Desktop
+from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.panes.pane import Pane
+from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.terminals.shown import Terminals
 
 if TYPE_CHECKING:
     from day6_core.advice.matching import Match
@@ -20,15 +17,11 @@ LONGEST = 8 * 1024
 """Characters of a selection in which a card is looked for."""
 
 
-class Explaining:
+class Explaining(Feature):
     """Finds the card, lets it look around, shows it."""
 
-    def __init__(self, machine: Machine, desktop: Desktop, terminals: Terminals, notices: Notices, look: Look) -> None:
-        self._machine = machine
-        self._notices = notices
-        self._desktop = desktop
-        self._terminals = terminals
-        self._look = look
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts)
 
     def open_for(self, pane: Pane) -> bool:
         """Open the card of what is chosen in a pane, or was printed last there; False if that has none, or none in an exam."""

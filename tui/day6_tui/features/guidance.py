@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 
 from day6_tui.actions import ACTIONS, Actions, Handlers
-from day6_tui.appearance.look import Look
 from day6_tui.features.explaining import Explaining
 from day6_tui.locale import LANGUAGES, catalogue
-from day6_tui.panes.desktop import Desktop
+from day6_tui.parts import Feature, Parts
 
 
 def programs() -> Iterator[tuple[str, str]]:
@@ -24,17 +23,13 @@ def programs() -> Iterator[tuple[str, str]]:
                 yield f"{package} {executable}", f"ros2 run {package} {executable}"
 
 
-class Guidance:
+class Guidance(Feature):
     """Opens them over the desktop."""
 
-    def __init__(
-        self, desktop: Desktop, registry: Actions, look: Look, run: Callable[[str], None], explaining: Explaining
-    ) -> None:
-        self._run = run
+    def __init__(self, parts: Parts, registry: Actions, explaining: Explaining) -> None:
+        super().__init__(parts)
         self._explaining = explaining
-        self._desktop = desktop
         self._registry = registry
-        self._look = look
 
     def actions(self) -> Handlers:
         return {"help": self.toggle_help, "palette": self.open_palette}
@@ -73,5 +68,7 @@ class Guidance:
                 names = [catalogue(language)[key] for language in LANGUAGES]
                 choose = self._registry[action.id]
                 entries.append(Entry(texts(key), action.label, choose, also=names, words=texts("help." + key)))
-        entries += [Entry(name, texts("menu.program"), partial(self._run, command)) for name, command in programs()]
+        entries += [
+            Entry(name, texts("menu.program"), partial(self._terminals.run, command)) for name, command in programs()
+        ]
         self._desktop.open_overlay(Menu(self._look, "menu.palette", entries))

@@ -6,10 +6,9 @@ from collections.abc import Callable, Iterator
 
 from textual.app import App
 
-from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal
 from day6_tui.panes.cells import clip
-from day6_tui.panes.desktop import Desktop
+from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.view import tab_name
 from day6_tui.windows import WindowPane
 
@@ -19,17 +18,16 @@ NAME_WIDTH = 40
 MOST_NAMES = 6
 
 
-class Leaving:
+class Leaving(Feature):
     """Ends the application, of which it only uses `exit`, or leaves it by `detach` where that is possible."""
 
     def __init__(
-        self, app: App[None], desktop: Desktop, look: Look, detach: Callable[[], object] | None = None
+        self, parts: Parts, app: App[None], detach: Callable[[], object] | None, joined: Callable[[], int]
     ) -> None:
+        super().__init__(parts)
         self._app = app
-        self._desktop = desktop
-        self._look = look
         self._detach = detach
-        self.joined: Callable[[], int] = lambda: 0
+        self._joined = joined
         """How many pupils are joined to this desktop."""
         self._asked: Modal | None = None
         """The question whether to end what runs."""
@@ -58,7 +56,7 @@ class Leaving:
 
         Asked a second time while that question is open, it ends the programs, and the class.
         """
-        lost, running, joined = self.lost(), self.running(), self.joined()
+        lost, running, joined = self.lost(), self.running(), self._joined()
         asked_twice = self._asked is not None and self._desktop.overlay is self._asked
         if not lost and (asked_twice or not (running or joined)):
             self._app.exit()

@@ -9,13 +9,9 @@ from typing import TYPE_CHECKING
 
 from day6_core.shell.user import login_name
 from day6_tui.actions import Handlers
-from day6_tui.appearance.look import Look
-from day6_tui.bars.notices import NOTICE_SECONDS, Notices
-from day6_tui.machine import Machine
-from day6_tui.panes.desktop import Desktop
+from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.panes.pane import Pane, PaneMessage
-from day6_tui.settings import Settings
-from day6_tui.terminals.shown import Terminals
+from day6_tui.parts import Feature, Parts
 from day6_tui.textual_private.survival import PersonMessage
 
 if TYPE_CHECKING:
@@ -38,25 +34,11 @@ class LessonAsked(PaneMessage, PersonMessage):
         self.lesson = lesson
 
 
-class Lessons:
+class Lessons(Feature):
     """Owns the lesson window of the desktop."""
 
-    def __init__(
-        self,
-        machine: Machine,
-        desktop: Desktop,
-        terminals: Terminals,
-        notices: Notices,
-        settings: Settings,
-        look: Look,
-        folder: Path | None = None,
-    ) -> None:
-        self._machine = machine
-        self._desktop = desktop
-        self._terminals = terminals
-        self._notices = notices
-        self._settings = settings
-        self._look = look
+    def __init__(self, parts: Parts, folder: Path | None = None) -> None:
+        super().__init__(parts)
         self._folder = folder
         self._last: dict[str, str] = {}
         self._opening_until = 0.0

@@ -10,9 +10,8 @@ from day6_core.session.harmless import one_line
 from day6_tui.actions import Handlers
 from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.glyphs import GLYPH_SETS
-from day6_tui.appearance.look import Look
-from day6_tui.bars.notices import NOTICE_SECONDS, Notices
-from day6_tui.machine import Machine
+from day6_tui.bars.notices import NOTICE_SECONDS
+from day6_tui.parts import Feature, Parts
 from day6_tui.terminal_app import TerminalApp
 from day6_tui.textual_private.access import driver_of
 
@@ -20,25 +19,19 @@ if TYPE_CHECKING:
     from textual.timer import Timer
 
     from day6_tui.cast.recorder import Recorder
-    from day6_tui.panes.desktop import Desktop
 
 
 SECONDS = 1.0
 """Between two times that the upper line shows."""
 
 
-class Recording:
+class Recording(Feature):
     """At most one recording at a time."""
 
-    def __init__(
-        self, app: TerminalApp, machine: Machine, desktop: Desktop, looks: Looks, notices: Notices, look: Look
-    ) -> None:
+    def __init__(self, parts: Parts, app: TerminalApp, looks: Looks) -> None:
+        super().__init__(parts)
         self._app = app
-        self._machine = machine
-        self._desktop = desktop
         self._looks = looks
-        self._notices = notices
-        self._look = look
         self._recorder: Recorder | None = None
         self._seconds: Timer | None = None
         self._pixels = ""

@@ -14,15 +14,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.whole_file import write_private
-from day6_tui.appearance.look import Look
-from day6_tui.bars.notices import NOTICE_SECONDS, Notices
+from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.json_file import read_object
-from day6_tui.machine import Machine
 from day6_tui.panes.arranging import Arranging
-from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.layouts import VERSION, roles_in
+from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.terminals.shown import Terminals
 
 if TYPE_CHECKING:
     from day6_core.shell.terminal import Terminal
@@ -49,24 +46,12 @@ class Left(NamedTuple):
     """What ran in it: commands in the background first, each with its `&`."""
 
 
-class Session:
+class Session(Feature):
     """Saves the desktop when it is left, and brings it back."""
 
-    def __init__(
-        self,
-        machine: Machine,
-        desktop: Desktop,
-        terminals: Terminals,
-        arranging: Arranging,
-        notices: Notices,
-        look: Look,
-    ) -> None:
-        self._machine = machine
-        self._desktop = desktop
-        self._terminals = terminals
+    def __init__(self, parts: Parts, arranging: Arranging) -> None:
+        super().__init__(parts)
         self._arranging = arranging
-        self._notices = notices
-        self._look = look
         self._layout: object = None
         """The layout that windows of programs that were started again come into, and until when."""
         self._until = 0.0

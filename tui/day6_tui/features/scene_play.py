@@ -10,11 +10,8 @@ from typing import TYPE_CHECKING, Any
 from day6_core.lessons.player import Steering
 from day6_core.lessons.scene import below, scenes
 from day6_tui.actions import Handlers
-from day6_tui.appearance.look import Look
-from day6_tui.machine import Machine
-from day6_tui.panes.desktop import Desktop
+from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.terminals.shown import Terminals
 from day6_tui.terminals.view import TerminalView
 
 if TYPE_CHECKING:
@@ -23,31 +20,19 @@ if TYPE_CHECKING:
     from day6_core.lessons.scene_player import ScenePlayer
 
 
-class ScenePlay:
+class ScenePlay(Feature):
     """Plays one scene at a time in the terminals (it is the player's `scene_player.Place`)."""
 
-    def __init__(
-        self,
-        robot: str | None,
-        machine: Machine,
-        desktop: Desktop,
-        terminals: Terminals,
-        look: Look,
-        *,
-        visibly: bool = True,
-    ) -> None:
+    def __init__(self, parts: Parts, robot: str | None, *, visibly: bool = True) -> None:
+        super().__init__(parts)
         self._robot = robot
-        self._machine = machine
-        self._desktop = desktop
-        self._terminals = terminals
-        self._held = terminals.held
-        self._look = look
+        self._held = parts.terminals.held
         self._visibly = visibly
         self._live: Live | None = None
         """What a scene waits for is seen here."""
         self.player: ScenePlayer | None = None
         """The player of the scene; None while no scene is played."""
-        self.steering = Steering(changed=lambda: look.wake())
+        self.steering = Steering(changed=lambda: parts.look.wake())
         self.said = ""
         """The sentence that is shown."""
         self._held.steer = self._steer

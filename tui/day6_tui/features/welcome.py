@@ -91,10 +91,10 @@ class WelcomePane(Pane):
             super().__init__(pane)
             self.text = text
 
-    def __init__(self, look: Look) -> None:
+    def __init__(self, look: Look, last_lesson: Callable[[], str]) -> None:
         super().__init__(look, id="welcome")
-        self.last_lesson: Callable[[], str] = lambda: ""
-        """The title of the lesson of the last time."""
+        self._last_lesson = last_lesson
+        """The title of the lesson of the last time, or ''."""
         self._told_lesson = ""
         self.guide = False
         self.chosen = 0
@@ -140,8 +140,8 @@ class WelcomePane(Pane):
         self.post_message(self.Closed(self))
 
     def pull(self, now: float) -> bool:
-        if self.last_lesson() != self._told_lesson:
-            self._told_lesson = self.last_lesson()
+        if self._last_lesson() != self._told_lesson:
+            self._told_lesson = self._last_lesson()
             self.touch()
         return False
 
@@ -154,7 +154,7 @@ class WelcomePane(Pane):
             self.look.texts.language,
             self.look.colours,
             self.has_focus,
-            self.last_lesson(),
+            self._last_lesson(),
         )
         if state != self._built_for:
             self._built_for = state
@@ -213,12 +213,12 @@ class WelcomePane(Pane):
 
     def _entry(self, choice: Choice, details: bool) -> str:
         """A choice; where there is no line below it, with where one stopped."""
-        last = self.last_lesson() if choice.does == "action.lessons" and not details else ""
+        last = self._last_lesson() if choice.does == "action.lessons" and not details else ""
         return self.look.texts("welcome.lessons.on", title=last) if last else self.look.texts(choice.text)
 
     def _more(self, choice: Choice) -> str:
         """The line below a choice; of the lessons, where one stopped."""
-        last = self.last_lesson() if choice.does == "action.lessons" else ""
+        last = self._last_lesson() if choice.does == "action.lessons" else ""
         return self.look.texts("welcome.lessons.on", title=last) if last else self.look.texts(choice.more)
 
     def _logo(self, width: int) -> list[list[Segment]]:

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from day6_tui.actions import Handlers
-from day6_tui.appearance.look import Look
-from day6_tui.bars.notices import Notices
-from day6_tui.machine import Machine
+from day6_tui.parts import Feature, Parts
 
 
-class WorldTime:
+class WorldTime(Feature):
     """Changes the machine's clock and shows the result."""
 
-    def __init__(self, machine: Machine, notices: Notices, look: Look) -> None:
-        self._machine = machine
-        self._notices = notices
-        self._look = look
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts)
 
     def actions(self) -> Handlers:
         return {

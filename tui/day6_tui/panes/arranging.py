@@ -8,16 +8,13 @@ from functools import partial
 
 from day6_core.whole_file import write_private
 from day6_tui.actions import Handlers
-from day6_tui.appearance.look import Look
-from day6_tui.bars.notices import NOTICE_SECONDS, Notices
+from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.json_file import read_object
-from day6_tui.machine import Machine
-from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.layouts import VERSION, Description, build, describe, grid, presenter, roles_in, speaker
 from day6_tui.panes.placement import WIDE, arranged
 from day6_tui.panes.splits import Extent, Key
+from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.terminals.shown import Terminals
 from day6_tui.windows import WindowPane
 
 FOUR = 4
@@ -28,15 +25,11 @@ LARGEST = 1_000_000
 """More bytes than layouts can have: the file is something else."""
 
 
-class Arranging:
+class Arranging(Feature):
     """Arranges the panes of the desktop anew."""
 
-    def __init__(self, machine: Machine, desktop: Desktop, terminals: Terminals, notices: Notices, look: Look) -> None:
-        self._machine = machine
-        self._desktop = desktop
-        self._terminals = terminals
-        self._notices = notices
-        self._look = look
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts)
         self._speaks = False
         """Whether the layout is the speaker's, which lasts until another one is chosen."""
         self._arranged: set[Key] = set()

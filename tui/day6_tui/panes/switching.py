@@ -7,14 +7,10 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from day6_tui import actions
-from day6_tui.appearance.look import Look
-from day6_tui.bars.notices import Notices
-from day6_tui.machine import Machine
-from day6_tui.panes.desktop import Desktop
 from day6_tui.panes.pane import Pane
 from day6_tui.panes.splits import SIDES, Extent
+from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.terminals.shown import Terminals
 from day6_tui.terminals.teleop_keys import keys_of
 from day6_tui.windows import WindowPane
 
@@ -27,15 +23,11 @@ STEP = Extent(4, 2)
 DIRECTIONS = SIDES[:4]
 
 
-class Switching:
+class Switching(Feature):
     """Decides which pane is next, and where panes go."""
 
-    def __init__(self, desktop: Desktop, terminals: Terminals, machine: Machine, notices: Notices, look: Look) -> None:
-        self._desktop = desktop
-        self._terminals = terminals
-        self._machine = machine
-        self._notices = notices
-        self._look = look
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts)
 
     def actions(self) -> actions.Handlers:
         handlers: dict[str, Callable[[], object]] = {
