@@ -11,6 +11,7 @@ import zenoh
 
 from day6_core.link import admission as admission_module
 from day6_core.link import bridge as bridge_module
+from day6_core.link import pace as pace_module
 from day6_core.link.bridge import Bridge
 from day6_core.link.gid import gid_of
 from day6_core.link.limits import Refusals
@@ -36,6 +37,7 @@ class Bridged:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.clock = Clock()
         monkeypatch.setattr(bridge_module, "time", self.clock)
+        monkeypatch.setattr(pace_module, "time", self.clock)
         monkeypatch.setattr(bridge_module, "threading", SimpleNamespace(Thread=StillThread))
         self.log: list[str] = []
         self.inner, self.outer = FakeSession("inner", self.log), FakeSession("outer", self.log)

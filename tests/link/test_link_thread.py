@@ -22,6 +22,7 @@ from day6_core.graph.node import Node
 from day6_core.link import engine_thread
 from day6_core.link import link as link_module
 from day6_core.link import meeting as meeting_module
+from day6_core.link import pace as pace_module
 from day6_core.link.engine_thread import callback, inside_callback
 from day6_core.link.file_lock import FileLock
 from day6_core.link.gid import gid_of
@@ -106,6 +107,7 @@ def make(short_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Make]:
     monkeypatch.setenv("DAY6_LINK", "on")
     clock = Clock()
     monkeypatch.setattr(link_module, "time", clock)
+    monkeypatch.setattr(pace_module, "time", clock)
     monkeypatch.setattr(link_module, "MeetingPoint", FakeMeeting)
     stand_in = {name: getattr(threading, name) for name in ("Condition", "Event", "current_thread")}
     monkeypatch.setattr(link_module, "threading", SimpleNamespace(Thread=StillThread, **stand_in))

@@ -132,7 +132,14 @@ def test_two_faults_are_told_without_the_name_of_the_file(tmp_path: Path, before
     assert str(error.value).startswith(text)
 
 
-@pytest.mark.parametrize("data", [BOMB, b"", b"\xff\xfe\x00", b"<package>", "<包>".encode("gbk")])
+DEEP = MANIFEST.format(name="one", more="").replace(">d<", ">" + "<b>" * 5000 + "</b>" * 5000 + "<").encode()
+QUOTED = MANIFEST.format(name="One Two", more="").replace('href="', "href='").replace('.xsd"', ".xsd'").encode()
+
+
+@pytest.mark.parametrize(
+    "data",
+    [BOMB, DEEP, QUOTED, BOMB.decode().encode("utf-16"), b"", b"\xff\xfe\x00", b"<package>", "<包>".encode("gbk")],
+)
 def test_a_broken_file_is_no_package_and_no_crash(tmp_path: Path, data: bytes) -> None:
     make(tmp_path / "one", "one")
     (tmp_path / "one" / "package.xml").write_bytes(data)

@@ -76,6 +76,17 @@ def test_without_results_there_is_nothing_to_tell(workshop: Workshop) -> None:
     assert done.err.endswith("error: argument --test-result-base: Path 'build' does not exist\n")
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_a_result_with_a_document_type_is_skipped(workshop: Workshop, encoding: str) -> None:
+    text = (
+        f'<?xml version="1.0" encoding="{encoding}"?><!DOCTYPE s [<!ENTITY a "b">]><testsuite tests="1" failures="0"/>'
+    )
+    (workshop.workspace / "build").mkdir(parents=True, exist_ok=True)
+    (workshop.workspace / "build" / "bad.xml").write_bytes(text.encode(encoding))
+    done = workshop.run("colcon test-result --all")
+    assert "Skipping 'build/bad.xml': a document type is not allowed" in done.err and "0 tests" in done.out
+
+
 @pytest.mark.process
 def test_the_tests_of_a_new_package_find_its_slips(workshop: Workshop) -> None:
     folder = workshop.create("hello", "--node-name hi")

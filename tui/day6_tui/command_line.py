@@ -25,15 +25,8 @@ def language_of(words: list[str]) -> str:
 def build_parser(language: str = "en") -> argparse.ArgumentParser:
     """The options of the desktop."""
     texts = Texts(language)
-    parser = argparse.ArgumentParser(
-        prog="day6-tui",
-        description=texts("cli.description"),
-        epilog=f"{texts('cli.commands')}\n\n{texts('cli.more')}",
-        formatter_class=partial(Formatter, usage=texts("cli.usage")),
-        add_help=False,
-    )
-    options = parser.add_argument_group(texts("cli.options"))
-    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
+    parser, options = parser_with_options(texts, "day6-tui", "cli.description")
+    parser.epilog = f"{texts('cli.commands')}\n\n{texts('cli.more')}"
     options.add_argument("--scene", choices=tuple(scenes()), help=texts("cli.scene"))
     options.add_argument("--robot", metavar="FILE", help=texts("cli.robot"))
     options.add_argument("--distro", choices=NAMES, help=texts("cli.distro"))
@@ -62,20 +55,28 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
 def attach_parser(language: str = "en") -> argparse.ArgumentParser:
     """The options of `day6-tui attach`."""
     texts = Texts(language)
-    parser = argparse.ArgumentParser(
-        prog="day6-tui attach",
-        description=texts("cli.attach"),
-        formatter_class=partial(Formatter, usage=texts("cli.usage")),
-        add_help=False,
-    )
-    options = parser.add_argument_group(texts("cli.options"))
-    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
+    parser, options = parser_with_options(texts, "day6-tui attach", "cli.attach")
     options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.attach.home"))
     options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.attach.lang"))
     return parser
 
 
-class Formatter(argparse.RawDescriptionHelpFormatter):
+def parser_with_options(
+    texts: Texts, prog: str, description: str
+) -> tuple[argparse.ArgumentParser, argparse._ArgumentGroup]:
+    """A parser in the language of `texts`, of which `description` is a key, and its group of options, with `--help`."""
+    parser = argparse.ArgumentParser(
+        prog=prog,
+        description=texts(description),
+        formatter_class=partial(_Formatter, usage=texts("cli.usage")),
+        add_help=False,
+    )
+    options = parser.add_argument_group(texts("cli.options"))
+    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
+    return parser, options
+
+
+class _Formatter(argparse.RawDescriptionHelpFormatter):
     """Folds by terminal cells, of which a Chinese character takes two."""
 
     def __init__(self, prog: str, *, usage: str) -> None:

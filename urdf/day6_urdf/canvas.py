@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import unicodedata
+from itertools import groupby
+from operator import itemgetter
 
 Run = tuple[str, str]
 """Text and the name of its style."""
@@ -97,10 +99,4 @@ class Canvas:
 
 
 def _runs(cells: list[Run]) -> Row:
-    runs: Row = []
-    for text, style in cells:
-        if runs and runs[-1][1] == style:
-            runs[-1] = (runs[-1][0] + text, style)
-        else:
-            runs.append((text, style))
-    return runs
+    return [("".join(text for text, _ in run), style) for style, run in groupby(cells, itemgetter(1))]

@@ -25,6 +25,7 @@ from day6_core.link.engine_thread import callback
 from day6_core.link.gid import gid_of
 from day6_core.link.limits import MOST_WAITING, Refusals
 from day6_core.link.naming import Naming, Plain
+from day6_core.link.pace import Pace
 
 if TYPE_CHECKING:
     import zenoh
@@ -35,9 +36,6 @@ _MOST_MESSAGES = 10_000
 """Messages queued for the bridge's thread; more are dropped, as on a slow network."""
 _QUERY_SECONDS = 3600.0
 """A query stays open as long as its client waits; the result of a goal may take long."""
-_SLICE = 0.005
-_PAUSE = 0.001
-"""Seconds of forwarding, and of leaving the interpreter to the program's own threads in between."""
 _RETRY_SECONDS = 1.0
 """Seconds between attempts to admit tokens that were refused because a limit was reached."""
 _INNER, _OUTER = 0, 1
@@ -182,7 +180,7 @@ class Bridge:
     # -- on the bridge's thread ----------------------------------------------------------------------------------------
 
     def _run(self) -> None:
-        end = time.monotonic() + _SLICE
+        pace = Pace()
         while True:
             try:
                 work = self._work.get(timeout=_RETRY_SECONDS)
@@ -196,9 +194,7 @@ class Bridge:
             except Exception as error:
                 # One item could not be forwarded (the other side has just gone, say): the others can.
                 self._report("the bridge to other machines", error)
-            if time.monotonic() > end:
-                time.sleep(_PAUSE)
-                end = time.monotonic() + _SLICE
+            pace.keep()
 
     def _do_upkeep(self) -> None:
         if self._flooded and self._work.empty():

@@ -32,6 +32,7 @@ from day6_core.link.keys import (
 )
 from day6_core.link.limits import MOST_PRESENCE_TOKENS, MOST_WAITING, Refusals
 from day6_core.link.meeting import MeetingPoint
+from day6_core.link.pace import Pace
 from day6_core.link.passing import Passing
 from day6_core.link.paths import (
     LinkError,
@@ -62,9 +63,6 @@ _PRESENCE_PARTS = 4
 _LONGEST_ZID = 32
 _GATE_PATIENCE = 1.0
 """Seconds that joining waits for the doors to other machines, which open in the background."""
-_SLICE = 0.005
-_PAUSE = 0.001
-"""Seconds of processing announcements, and of leaving the interpreter to the program's own threads in between."""
 _RETRY_SECONDS = 1.0
 """Seconds between attempts to admit what was refused because a limit was reached."""
 
@@ -406,15 +404,12 @@ class Link:
                 self._report("the link's thread", error)
 
     def _take_backlog(self) -> None:
-        """Process the backlog in slices: however much others announce, the program's threads keep running."""
-        end = time.monotonic() + _SLICE
+        pace = Pace()
         while not self._inbox.empty() and not self._closed:
             if self._inbox.qsize() > MOST_WAITING:
                 self._start_over()
             self._take(self._inbox.get())
-            if time.monotonic() > end:
-                time.sleep(_PAUSE)
-                end = time.monotonic() + _SLICE
+            pace.keep()
 
     def _start_over(self) -> None:
         """Drop the announcements in the inbox, of which there are too many, and subscribe again, which replays all tokens."""

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-from functools import partial
 from pathlib import Path
 
 from day6_core.session.harmless import one_line
 from day6_core.whole_file import replacing
 from day6_tui.cast.file import Cast, CastError, read
 from day6_tui.cast.film import Film
-from day6_tui.command_line import Formatter, language_of
+from day6_tui.command_line import language_of, parser_with_options
 from day6_tui.locale import Texts
 
 MOST_FRAMES = 100
@@ -19,15 +18,8 @@ MOST_FRAMES = 100
 
 def parser_of(texts: Texts) -> argparse.ArgumentParser:
     """The options of `day6-tui cast`."""
-    parser = argparse.ArgumentParser(
-        prog="day6-tui cast",
-        description=texts("cli.cast"),
-        formatter_class=partial(Formatter, usage=texts("cli.usage")),
-        add_help=False,
-    )
+    parser, options = parser_with_options(texts, "day6-tui cast", "cli.cast")
     parser.add_argument("file", metavar="FILE.cast", type=Path, help=texts("cli.cast.file"))
-    options = parser.add_argument_group(texts("cli.options"))
-    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
     options.add_argument("--svg", metavar="OUT.svg", type=Path, help=texts("cli.cast.svg"))
     options.add_argument("--at", metavar="SECONDS", type=_seconds, help=texts("cli.cast.at"))
     options.add_argument("--frames", metavar="N", type=_count, default=1, help=texts("cli.cast.frames"))

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from textual import events
 from textual.app import App
 from textual.screen import ModalScreen
 from textual.widgets import Tree
+from textual.widgets.tree import TreeDataType
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from rich.console import RenderableType
     from textual.screen import Screen
-
-Data = TypeVar("Data")
 
 
 class HookedApp(App[None]):
@@ -66,7 +65,7 @@ class TypedAheadScreen(ModalScreen[None]):
             super()._forward_event(event)
 
 
-class FilledTree(Tree[Data]):
+class FilledTree(Tree[TreeDataType]):
     """A tree that may be filled with thousands of nodes: Textual forgets all lines it has drawn for each of them."""
 
     _filling = _stale = False

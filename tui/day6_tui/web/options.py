@@ -13,7 +13,7 @@ from day6_core.graph.domain import VARIABLE, DomainError, domain_from_text
 from day6_core.isolation.cell import Limits
 from day6_core.isolation.modes import NAMES
 from day6_core.places import default_home
-from day6_tui.command_line import Formatter, folder
+from day6_tui.command_line import folder, parser_with_options
 from day6_tui.locale import Texts
 from day6_tui.web.settings import Settings
 
@@ -24,14 +24,7 @@ SHORTEST_WORD = 4
 def build_parser(language: str = "en") -> argparse.ArgumentParser:
     """The options of the server."""
     texts = Texts(language)
-    parser = argparse.ArgumentParser(
-        prog="day6-tui serve",
-        description=texts("cli.serve"),
-        formatter_class=partial(Formatter, usage=texts("cli.usage")),
-        add_help=False,
-    )
-    options = parser.add_argument_group(texts("cli.options"))
-    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
+    parser, options = parser_with_options(texts, "day6-tui serve", "cli.serve")
     add = options.add_argument
     add("--class", dest="class_file", type=Path, metavar="FILE.csv", help=texts("cli.serve.class"))
     add("--new-links", action="store_true", help=texts("cli.serve.new_links"))

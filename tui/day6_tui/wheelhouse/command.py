@@ -6,11 +6,10 @@ import argparse
 import importlib.util
 import sys
 import tempfile
-from functools import partial
 from pathlib import Path
 
 from day6_core.session.harmless import one_line
-from day6_tui.command_line import Formatter, language_of
+from day6_tui.command_line import language_of, parser_with_options
 from day6_tui.locale import Texts
 from day6_tui.wheelhouse import closure, folder, own_wheel
 from day6_tui.wheelhouse.guide import checker, guide
@@ -74,15 +73,8 @@ def _refuse(text: object, status: int) -> int:
 
 
 def _parser(texts: Texts) -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="day6-tui wheelhouse",
-        description=texts("cli.wheelhouse"),
-        formatter_class=partial(Formatter, usage=texts("cli.usage")),
-        add_help=False,
-    )
+    parser, options = parser_with_options(texts, "day6-tui wheelhouse", "cli.wheelhouse")
     parser.add_argument("folder", type=Path, metavar="DIR", help=texts("wheelhouse.folder"))
-    options = parser.add_argument_group(texts("cli.options"))
-    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
     options.add_argument(
         "--platform", action="append", choices=tuple(PLATFORMS), metavar="NAME", help=texts("wheelhouse.platform")
     )

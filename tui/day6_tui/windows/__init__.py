@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Generic, cast
 
 from rich.segment import Segment
+from textual import events
 from textual.geometry import Region
 from textual.strip import Strip
 
@@ -96,6 +97,33 @@ class WindowPane(Pane, Generic[Model]):
 
     def take_view(self, view: str) -> None:
         """Show again what `kept_view` told. Raises ValueError for what it did not."""
+
+    # -- keys and mouse ------------------------------------------------------------------------------------------------
+
+    def on_key(self, event: events.Key) -> None:
+        if self._press(event.key, event.character or ""):
+            event.stop()
+            event.prevent_default()
+            self._redraw()
+
+    def _press(self, key: str, character: str) -> bool:
+        """Use a key; return whether it is one of the window's."""
+        return False
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        self._wheel(event, 1)
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        self._wheel(event, -1)
+
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
+        """Use the mouse wheel, turned down (1) or up (-1)."""
+
+    def _redraw(self) -> None:
+        """Show what the user has changed."""
+        self.look.wake()
+
+    # -- asking --------------------------------------------------------------------------------------------------------
 
     def ask(self, title: str, value: str, taken: Callable[[str], str | None], *, note: str = "") -> None:
         """Ask for a line of text: `taken` gets it and returns what is wrong with it, or None."""

@@ -269,12 +269,6 @@ class RqtBagPane(WindowPane["Bags"]):
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-            self._redraw()
-
     def _press(self, key: str, character: str) -> bool:
         if self.choice is not None:
             used = self.choice.press(key)
@@ -482,20 +476,14 @@ class RqtBagPane(WindowPane["Bags"]):
             self._drag = ""
             self.release_mouse()
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._wheel(event, -1)
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        self._wheel(event, 1)
-
-    def _wheel(self, event: events.MouseEvent, notch: int) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         """Zoom on the timeline; over the names of topics choose one, over the fields of a message go through them."""
         event.stop()
         place = self._place()
         if event.y - self.inner_offset >= place.panel_top:
-            self.panel.wheel(notch)
+            self.panel.wheel(notches)
         elif event.x - self.inner_offset < place.left:
-            self._choose(self.lanes.index + notch)
+            self._choose(self.lanes.index + notches)
         else:
-            self._zoom(WHEEL_OUT if notch > 0 else WHEEL_IN)
+            self._zoom(WHEEL_OUT if notches > 0 else WHEEL_IN)
         self._redraw()

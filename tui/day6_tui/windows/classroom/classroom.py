@@ -386,16 +386,9 @@ class ClassroomPane(WindowPane[TeacherLink]):
             if again:
                 self._enlarge()
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._turn_wheel(WHEEL_ROWS)
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._turn_wheel(-WHEEL_ROWS)
-
-    def _turn_wheel(self, rows: int) -> None:
-        (self._screens.scroll if self._is_large else self._table.scroll)(rows)
+        (self._screens.scroll if self._is_large else self._table.scroll)(notches * WHEEL_ROWS)
         self.look.wake()
 
     # -- who is chosen and seen ----------------------------------------------------------------------------------------

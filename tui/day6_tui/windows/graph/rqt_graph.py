@@ -458,13 +458,9 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         sure = before_replacing(self.look, self.graph.path, taken) if saving else taken
         self.ask(texts(title), "rosgraph.dot", sure, note=texts(note))
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._zoom(1, event.x - 1, event.y - 1)
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._zoom(-1, event.x - 1, event.y - 1)
+        self._zoom(notches, event.x - 1, event.y - 1)
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         self._dragged = False

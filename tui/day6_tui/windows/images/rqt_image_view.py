@@ -91,11 +91,6 @@ class ImageViewPane(PicturePane["ImageView"]):
             ("m", texts("images.mouse")),
         ]
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-
     def _press(self, key: str, character: str) -> bool:
         view = self._view
         if character == "t" or key == "enter":

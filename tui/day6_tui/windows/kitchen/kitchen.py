@@ -302,8 +302,7 @@ class KitchenPane(WindowPane[Kitchen]):
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
-    def on_key(self, event: events.Key) -> None:
-        key = event.key
+    def _press(self, key: str, character: str) -> bool:
         if key in ("up", "down"):
             self._choose_belt(1 if key == "down" else -1)
         elif key in ("left", "right"):
@@ -317,10 +316,8 @@ class KitchenPane(WindowPane[Kitchen]):
         elif key == "escape" and (self._cook or self._belt):
             self._cook = self._belt = ""
         else:
-            return
-        self.look.wake()
-        event.stop()
-        event.prevent_default()
+            return False
+        return True
 
     def _explain(self) -> None:
         """Explain what is chosen, or no longer; the first belt where nothing is."""
@@ -382,13 +379,7 @@ class KitchenPane(WindowPane[Kitchen]):
             self._cook = self._belt = ""
         self.look.wake()
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        self._scroll(event, 2)
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._scroll(event, -2)
-
-    def _scroll(self, event: events.MouseEvent, rows: int) -> None:
-        self._y += rows
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
+        self._y += 2 * notches
         event.stop()
         self.look.wake()

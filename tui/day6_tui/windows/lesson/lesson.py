@@ -391,10 +391,6 @@ class LessonPane(WindowPane["Course"]):
             self._follow = True
             self.touch()
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._scroll(3)
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._scroll(-3)
+        self._scroll(3 * notches)

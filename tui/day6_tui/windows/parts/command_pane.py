@@ -94,12 +94,6 @@ class CommandPane(WindowPane[Commands]):
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-            self.look.wake()
-
     def on_paste(self, event: events.Paste) -> None:
         event.stop()
         self._insert(" ".join(event.text.split("\n")))
@@ -145,12 +139,7 @@ class CommandPane(WindowPane[Commands]):
         self._in_history = max(0, min(len(history), self._in_history + step))
         self._line.set(history[-self._in_history] if self._in_history else "")
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._back += 3
-        self.look.wake()
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        event.stop()
-        self._back = max(0, self._back - 3)
+        self._back = max(0, self._back - 3 * notches)
         self.look.wake()

@@ -17,7 +17,7 @@ Line = list[Segment]
 
 
 class LinesPane(WindowPane[Model]):
-    """Shows what `_build` makes, anew when the model's `version` has changed. A subclass calls `_show` when it has itself."""
+    """Shows what `_build` makes, anew when the model's `version` has changed. A subclass calls `_redraw` when it has itself."""
 
     def __init__(self, window: Window[Model], look: Look) -> None:
         super().__init__(window, look)
@@ -46,6 +46,10 @@ class LinesPane(WindowPane[Model]):
         else:
             self.touch_lines(y for y, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new)
             self.touch_frame()
+
+    def _redraw(self) -> None:
+        self._show()
+        self.look.wake()
 
     def touch(self) -> None:
         self._shown = []

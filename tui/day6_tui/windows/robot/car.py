@@ -192,29 +192,23 @@ class CarPane(WindowPane["CarModel"]):
         lines = [("b", self.look.texts("car.lines"))] if self.look.glyphs.unicode else []
         return [("+ - 0", self.look.texts("car.zoom")), *lines]
 
-    def on_key(self, event: events.Key) -> None:
-        if event.key == "b":
+    def _press(self, key: str, character: str) -> bool:
+        if key == "b":
             self._boxes = not self._boxes
-        elif event.character in _ZOOMS:
-            self._zoom = min(max(self._zoom * _ZOOMS[event.character], 0.2), 20.0)
-        elif event.key in _PANS:
-            right, down = _PANS[event.key]
+        elif character in _ZOOMS:
+            self._zoom = min(max(self._zoom * _ZOOMS[character], 0.2), 20.0)
+        elif key in _PANS:
+            right, down = _PANS[key]
             self._shift = (self._shift[0] + 4 * right, self._shift[1] + 2 * down)
-        elif event.character == "0":
+        elif character == "0":
             self._zoom, self._shift = 1.0, (0, 0)
         else:
-            return
-        event.stop()
-        self._redraw()
+            return False
+        return True
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._zoom = min(self._zoom * ZOOM, 20.0)
-        self._redraw()
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        event.stop()
-        self._zoom = max(self._zoom / ZOOM, 0.2)
+        self._zoom = max(self._zoom / ZOOM, 0.2) if notches > 0 else min(self._zoom * ZOOM, 20.0)
         self._redraw()
 
     def _redraw(self) -> None:

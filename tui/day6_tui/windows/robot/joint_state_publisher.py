@@ -231,13 +231,6 @@ class SlidersPane(LinesPane["SliderModel"]):
             ("d", texts("sliders.degrees")),
         ]
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-            self._show()
-            self.look.wake()
-
     def _press(self, key: str, character: str) -> bool:
         slider = self._slider()
         if slider is None:
@@ -325,8 +318,7 @@ class SlidersPane(LinesPane["SliderModel"]):
             self._dragged = slider.name
             self.capture_mouse()
             self._drag_to(event.x)
-        self._show()
-        self.look.wake()
+        self._redraw()
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         if self._dragged:
@@ -337,17 +329,10 @@ class SlidersPane(LinesPane["SliderModel"]):
             self._dragged = ""
             self.release_mouse()
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._choose(self._index() + 1)
-        self._show()
-        self.look.wake()
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._choose(self._index() - 1)
-        self._show()
-        self.look.wake()
+        self._choose(self._index() + notches)
+        self._redraw()
 
 
 def _knob(step: int, width: int) -> int:

@@ -139,13 +139,6 @@ class LoggerLevelPane(LinesPane["LoggerLevels"]):
     def more_key_hints(self) -> list[tuple[str, str]]:
         return [("Esc", self.look.texts("loggers.cancel"))]
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-            self._show()
-            self.look.wake()
-
     def _press(self, key: str, character: str) -> bool:
         if (steps := list_steps(key, self.inner_height - 2)) is not None:
             self._at[self._column] = max(0, self._at[self._column] + steps)
@@ -193,15 +186,9 @@ class LoggerLevelPane(LinesPane["LoggerLevels"]):
             self._at[self._column] = index
             if self._column != LOGGERS:
                 self._use()
-        self._show()
-        self.look.wake()
+        self._redraw()
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._press("down", "")
-        self._show()
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._press("up", "")
+        self._press("down" if notches > 0 else "up", "")
         self._show()

@@ -374,8 +374,7 @@ class RqtPlotPane(WindowPane[Plot]):
         fine = [("g", texts("plot.fine"))] if self.look.glyphs.canvas in ("half", "braille") else []
         return [(arrows, texts("plot.curve")), *fine]
 
-    def on_key(self, event: events.Key) -> None:
-        key = event.key
+    def _press(self, key: str, character: str) -> bool:
         if key in ("up", "down"):
             self._chosen = max(0, min(len(self.plot.curves) - 1, self._chosen + (1 if key == "down" else -1)))
             self.touch()
@@ -395,10 +394,8 @@ class RqtPlotPane(WindowPane[Plot]):
             self._fine = not self._fine
             self._forget()
         else:
-            return
-        event.stop()
-        event.prevent_default()
-        self.look.wake()
+            return False
+        return True
 
     def _choose_field(self) -> None:
         from day6_tui.overlays.menu import Entry, Menu
@@ -434,12 +431,7 @@ class RqtPlotPane(WindowPane[Plot]):
             self._chosen = first + line
             self.touch()
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self.plot.zoom(1)
-        self.look.wake()
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self.plot.zoom(-1)
+        self.plot.zoom(notches)
         self.look.wake()

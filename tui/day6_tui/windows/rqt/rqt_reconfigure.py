@@ -227,13 +227,6 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             ("w o", texts("reconfigure.files")),
         ]
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-            self._show()
-            self.look.wake()
-
     def _press(self, key: str, character: str) -> bool:
         row = None if self._on_nodes else self._row
         slides = row is not None and row.parameter is not None and row.parameter.range is not None
@@ -380,8 +373,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             self._press_node(x, self._first_node + y)
         elif x >= self._right and y < self._list_height(self.inner_height):
             self._press_row(x - self._right, self._first_row + y)
-        self._show()
-        self.look.wake()
+        self._redraw()
 
     def _press_node(self, x: int, index: int) -> None:
         self._on_nodes = True
@@ -433,15 +425,8 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         self._dragged = {}
         self._show()
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        self._wheel(event, 1)
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._wheel(event, -1)
-
-    def _wheel(self, event: events.MouseEvent, step: int) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
         self._on_nodes = event.x - self.inner_offset < self._left
-        self._choose(step)
-        self._show()
-        self.look.wake()
+        self._choose(notches)
+        self._redraw()

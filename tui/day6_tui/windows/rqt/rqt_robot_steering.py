@@ -288,12 +288,6 @@ class RobotSteeringPane(WindowPane["RobotSteering"]):
             ("m", "stamped"),
         ]
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-            self.look.wake()
-
     def _press(self, key: str, character: str) -> bool:
         if (move := MOVES.get(character) or MOVES.get(key)) is not None:
             self.model.move(*move)

@@ -260,8 +260,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
 
-    def on_key(self, event: events.Key) -> None:
-        key = event.key
+    def _press(self, key: str, character: str) -> bool:
         actions: dict[str, Callable[[], None]] = {
             "r": self.model.request_refresh,
             "c": self.model.request_clear,
@@ -280,9 +279,8 @@ class RqtTfTreePane(WindowPane[TfTree]):
         elif key in _SIDES:
             self._scroll(0, _SIDES[key])
         else:
-            return
-        event.stop()
-        event.prevent_default()
+            return False
+        return True
 
     def on_click(self, event: events.Click) -> None:
         """A click on a frame chooses it."""
@@ -294,13 +292,9 @@ class RqtTfTreePane(WindowPane[TfTree]):
         else:
             super().on_click(event)
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._scroll(*((0, SIDEWAYS) if event.shift else (WHEEL, 0)))
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._scroll(*((0, -SIDEWAYS) if event.shift else (-WHEEL, 0)))
+        self._scroll(*((0, notches * SIDEWAYS) if event.shift else (notches * WHEEL, 0)))
 
     def on_mouse_scroll_right(self, event: events.MouseScrollRight) -> None:
         event.stop()

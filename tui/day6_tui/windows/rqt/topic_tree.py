@@ -1,4 +1,4 @@
-"""The topic monitor's tree: Textual's Tree with columns, in the colours of the desktop."""
+"""The topic monitor's tree, with columns."""
 
 from __future__ import annotations
 
@@ -19,10 +19,8 @@ from day6_core.session.harmless import one_line
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.panes.pane import in_ascii
-from day6_tui.panes.scrollbars import colour_scrollbar
-from day6_tui.textual_private.hooks import FilledTree
-from day6_tui.textual_private.survival import Surviving
 from day6_tui.windows.fields.field_list import without_package
+from day6_tui.windows.parts.desktop_tree import DesktopTree
 
 if TYPE_CHECKING:
     from day6_tui.windows.rqt.topics import TopicsPane
@@ -90,20 +88,16 @@ def columns_in(width: int, longest: int = 0) -> Columns:
     return Columns(topic, kind, bandwidth, hz, max(0, rest - topic - 1))
 
 
-class TopicTree(Surviving, FilledTree[Row]):
+class TopicTree(DesktopTree[Row]):
     """Shows the branches that its pane gives it; which are open and where the cursor is outlasts their coming and going."""
 
     DEFAULT_CSS = """
-    TopicTree {
-        margin: 2 1 1 1; padding: 0; width: 1fr; height: 1fr; background: transparent; border: none;
-        scrollbar-size-vertical: 1; scrollbar-size-horizontal: 0; overflow-x: hidden; scrollbar-gutter: stable;
-    }
-    TopicTree:focus { border: none; background-tint: transparent 0%; }
+    TopicTree { margin: 2 1 1 1; scrollbar-gutter: stable; }
     """
 
     def __init__(self, pane: TopicsPane, look: Look) -> None:
-        super().__init__("")
-        self._pane, self._look = pane, look
+        super().__init__(look)
+        self._pane = pane
         self._open: set[Path] = set()
         self._opened: Path | None = None
         """What was opened last, until its parts are in sight."""
@@ -112,24 +106,13 @@ class TopicTree(Surviving, FilledTree[Row]):
         """Cells of the longest name of a topic, with what stands before it."""
         self.remark = ""
         """What is shown while there are no lines."""
-        self.show_root = self.show_guides = self.auto_expand = False
         self.guide_depth = INDENT
-        self.root.expand()
-        self.take_look(look)
 
     def take_look(self, look: Look) -> None:
-        """Take the colours and characters of the desktop."""
-        colour_scrollbar(self, look)
-        self.styles.scrollbar_size_vertical = 1 if look.glyphs.unicode else 0
+        super().take_look(look)
         self.notify_style_update()
 
     # -- what is shown -------------------------------------------------------------------------------------------------
-
-    @property
-    def chosen(self) -> Row | None:
-        """The line the cursor is on."""
-        node = self.cursor_node
-        return node.data if node is not None else None
 
     @property
     def columns(self) -> Columns:
@@ -215,24 +198,14 @@ class TopicTree(Surviving, FilledTree[Row]):
         event.stop()
         self._pane.touch_frame()
 
-    def on_tree_node_selected(self, event: Tree.NodeSelected[Row]) -> None:
-        event.stop()
-
     def watch_scroll_y(self, old_value: float, new_value: float) -> None:
         super().watch_scroll_y(old_value, new_value)
         self._look.wake()
 
     # -- drawing -------------------------------------------------------------------------------------------------------
 
-    @property
-    def rich_style(self) -> Style:
-        return self._look.colours.text
-
     def get_component_rich_style(self, *names: str, partial: bool = False, default: Style | None = None) -> Style:
         return Style.null() if partial else self.rich_style
-
-    def get_label_width(self, node: TreeNode[Row]) -> int:
-        return 1  # as wide as the window, never wider
 
     def render_label(self, node: TreeNode[Row], base_style: Style, style: Style) -> Text:
         row, look = node.data, self._look

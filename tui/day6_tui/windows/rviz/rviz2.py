@@ -506,13 +506,8 @@ class RVizPane(WindowPane[RViz]):
         named = [(arrows if key == ARROWS else key, texts(words)) for key, words in hints]
         return named if unicode else [(key, in_ascii(text)) for key, text in named]
 
-    def on_key(self, event: events.Key) -> None:
-        key = event.key
-        if not self._everywhere_key(key) and not (self._panel_key(key) if self.on_panel else self._view_key(key)):
-            return
-        event.stop()
-        event.prevent_default()
-        self.look.wake()
+    def _press(self, key: str, character: str) -> bool:
+        return self._everywhere_key(key) or (self._panel_key(key) if self.on_panel else self._view_key(key))
 
     def _everywhere_key(self, key: str) -> bool:
         if (tool := self.rviz.tools.with_key(key)) is not None:
@@ -608,7 +603,7 @@ class RVizPane(WindowPane[RViz]):
         }
         if display is not None or isinstance(prop, SavedView):
             names = {label.key: label.name.lower() for label in LABELS}
-            actions |= {key: partial(self._press, name) for key, name in {**names, "delete": "remove"}.items()}
+            actions |= {key: partial(self._push, name) for key, name in {**names, "delete": "remove"}.items()}
         if display is not None:
             for step, key in ((-1, "shift+up"), (1, "shift+down")):
                 actions[key] = partial(self.request, partial(self.rviz.move_display, display, step))
@@ -620,7 +615,7 @@ class RVizPane(WindowPane[RViz]):
         elif prop.parent is not None and prop.parent.parent is not None:
             self.choose(prop.parent)
 
-    def _press(self, name: str) -> None:
+    def _push(self, name: str) -> None:
         """Do what the button of this name does."""
         display, prop = self.panel.properties.chosen_display, self.panel.properties.prop
         if name == "add":
@@ -644,7 +639,7 @@ class RVizPane(WindowPane[RViz]):
         if self.screen.focused is not event.button:  # a click on it may be the first one in this window
             self._panel_keys = True
             self.screen.set_focus(self.focus_target, scroll_visible=False)
-        self._press(event.button.id or "")
+        self._push(event.button.id or "")
         self.look.wake()
 
     @on(PropertyTree.Clicked)
@@ -761,16 +756,10 @@ class RVizPane(WindowPane[RViz]):
         self.release_mouse()
         self.look.wake()
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._scroll(event, 1)
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        self._scroll(event, -1)
-
-    def _scroll(self, event: events.MouseEvent, notches: int) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        if self._in_view(event) and not self._hand.wheel(notches):
-            self.rviz.view.wheel(notches, bool(event.shift))
+        if self._in_view(event) and not self._hand.wheel(-notches):
+            self.rviz.view.wheel(-notches, bool(event.shift))
         self.look.wake()
 
 

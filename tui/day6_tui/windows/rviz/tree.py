@@ -1,11 +1,10 @@
-"""The tree of the Displays panel: Textual's Tree with the two columns of RViz, in the colours of the desktop."""
+"""The tree of the Displays panel, with the two columns of RViz."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
 from rich.segment import Segment
-from rich.style import Style
 from rich.text import Text
 from textual import events
 from textual.geometry import Region
@@ -19,9 +18,8 @@ from day6_core.ros.programs.rviz2.model.properties import Property
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import harmless
 from day6_tui.panes.pane import in_ascii
-from day6_tui.panes.scrollbars import colour_scrollbar
-from day6_tui.textual_private.hooks import FilledTree
-from day6_tui.textual_private.survival import PersonMessage, Surviving
+from day6_tui.textual_private.survival import PersonMessage
+from day6_tui.windows.parts.desktop_tree import DesktopTree
 from day6_tui.windows.rviz import panel
 
 MOST_LINES = 5000
@@ -30,19 +28,14 @@ MOST_LINES = 5000
 _NO_LABEL = Text("")
 
 
-class PropertyTree(Surviving, FilledTree[panel.Line]):
+class PropertyTree(DesktopTree[panel.Line]):
     """Shows the properties of an `RViz`. Which branches are open is the program's, the cursor and what is in sight are Textual's.
 
     A branch that was never opened has no nodes.
     """
 
-    DEFAULT_CSS = """
-    PropertyTree, PropertyTree:focus {
-        background: transparent; background-tint: transparent 0%; border: none; padding: 0;
-        width: 1fr; height: 1fr; overflow-x: hidden;
-        scrollbar-size-vertical: 1; scrollbar-size-horizontal: 0;
-    }
-    """
+    _filling = _stale = False
+    """Whether the nodes are being filled in, and whether there are others than before."""
 
     class Clicked(PersonMessage):
         """The mouse was pressed and released on a `part` of a line: its `opener`, its check `box` or its `value`."""
@@ -56,8 +49,8 @@ class PropertyTree(Surviving, FilledTree[panel.Line]):
         """The cursor is on another line, or other lines are in sight."""
 
     def __init__(self, rviz: RViz, look: Look) -> None:
-        super().__init__("")
-        self._rviz, self._look = rviz, look
+        super().__init__(look)
+        self._rviz = rviz
         self._seen = -1
         self._active = False
         self._room = 0
@@ -66,28 +59,13 @@ class PropertyTree(Surviving, FilledTree[panel.Line]):
         """The nodes that are lines."""
         self._shown: list[tuple[object, ...]] = []
         """What the rows in sight look like."""
-        self.show_root = self.show_guides = self.auto_expand = False
-        self.root.expand()
-        self.take_look(look)
-
-    def take_look(self, look: Look) -> None:
-        """Take the colours and characters of the desktop."""
-        colour_scrollbar(self, look)
-        self.styles.scrollbar_size_vertical = 1 if look.glyphs.unicode else 0
-        self.refresh()
 
     # -- what there is -------------------------------------------------------------------------------------------------
 
     @property
-    def line(self) -> panel.Line | None:
-        """The line the cursor is on."""
-        node = self.cursor_node
-        return node.data if node is not None else None
-
-    @property
     def prop(self) -> Property | None:
         """The chosen property."""
-        return self.line.prop if self.line is not None else None
+        return self.chosen.prop if self.chosen is not None else None
 
     @property
     def chosen_display(self) -> Display | None:
@@ -210,21 +188,11 @@ class PropertyTree(Surviving, FilledTree[panel.Line]):
         event.stop()
         self.post_message(self.Moved())
 
-    def on_tree_node_selected(self, event: Tree.NodeSelected[panel.Line]) -> None:
-        event.stop()
-
     def watch_scroll_y(self, old_value: float, new_value: float) -> None:
         super().watch_scroll_y(old_value, new_value)
         self.post_message(self.Moved())
 
     # -- drawing -------------------------------------------------------------------------------------------------------
-
-    @property
-    def rich_style(self) -> Style:
-        return self._look.colours.text
-
-    def get_label_width(self, node: TreeNode[panel.Line]) -> int:
-        return 1  # as wide as the panel, never wider
 
     def render_line(self, y: int) -> Strip:
         width, look = self.size.width, self._look

@@ -225,14 +225,6 @@ class WorldPane(WindowPane["WorldModel"]):
             ("r", texts("world.reset")),
         ]
 
-    def on_key(self, event: events.Key) -> None:
-        if self._press(event.key, event.character or ""):
-            event.stop()
-            event.prevent_default()
-            self._rows = []
-            self.touch()
-            self.look.wake()
-
     def _press(self, key: str, character: str) -> bool:
         request = _REQUESTS.get(key) or {"[": "slower", "]": "faster", "r": "reset", "t": "clear"}.get(character)
         if request is not None:
@@ -275,14 +267,9 @@ class WorldPane(WindowPane["WorldModel"]):
         self.touch()
         self.look.wake()
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+    def _wheel(self, event: events.MouseEvent, notches: int) -> None:
         event.stop()
-        self._zoom(1 / ZOOM)
-        self._redraw()
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        event.stop()
-        self._zoom(ZOOM)
+        self._zoom(ZOOM if notches > 0 else 1 / ZOOM)
         self._redraw()
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
