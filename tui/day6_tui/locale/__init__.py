@@ -1,14 +1,17 @@
 """The texts of the user interface, in Chinese and English. Real ROS output never comes from here.
 
-`zh.py` and `en.py` hold one mapping each with the same keys (a test compares them). The language is a value that is passed
-along and may change while the desktop runs, so a text is looked up where it is drawn, never at import.
+A folder for each language holds a module for each part of the interface, the same ones with the same keys (a test compares
+them). The language is a value that is passed along and may change while the desktop runs, so a text is looked up where it is
+drawn, never at import.
 """
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Mapping
 from importlib import import_module
+from pathlib import Path
 
 LANGUAGES = ("zh", "en")
 _catalogues: dict[str, Mapping[str, str]] = {}
@@ -19,8 +22,20 @@ def catalogue(language: str) -> Mapping[str, str]:
     if language not in LANGUAGES:
         raise ValueError(f"no texts in {language!r}, only in {' and '.join(LANGUAGES)}")
     if language not in _catalogues:
-        _catalogues[language] = import_module(f"{__name__}.{language}").TEXTS
+        texts: dict[str, str] = {}
+        for part in parts(language):
+            texts |= import_module(f"{__name__}.{language}.{part}").TEXTS
+        _catalogues[language] = texts
     return _catalogues[language]
+
+
+def parts(language: str) -> list[str]:
+    """The parts of the interface that have texts in a language: the modules of its folder."""
+    return sorted(
+        name.removesuffix(".py")
+        for name in os.listdir(Path(__file__).parent / language)
+        if name.endswith(".py") and name != "__init__.py"
+    )
 
 
 _ARROWS = str.maketrans({"↑": "Up", "↓": "Down", "←": "Left", "→": "Right"})
