@@ -41,10 +41,11 @@ def main(arguments: list[str] | None = None) -> int:
     if command is not None:
         return command(words[1:])
     keeper = _kept_by()
-    from day6_tui.command_line import build_parser, language_of
+    from day6_core.language import language_of
+    from day6_tui.command_line import build_parser
     from day6_tui.locale import Texts
 
-    language = language_of(words)
+    language = language_of(os.environ, words)
     texts = Texts(language)
     in_class = words[:1] == ["class"]
     if words and not words[0].startswith("-") and not in_class:
@@ -241,12 +242,12 @@ def _office(name: str, words: list[str]) -> int:
     """Run `submit`, `grade` or `report`, in the user's language."""
     import importlib
 
+    from day6_core.language import language_of
     from day6_core.ros.environment import activate
-    from day6_tui.command_line import language_of
 
     activate()
     module = importlib.import_module(f"day6_core.lessons.{_OFFICE[name]}")
-    status: int = module.main(words, language_of(words))
+    status: int = module.main(words, language_of(os.environ, words))
     return status
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from day6_core.language import LANGUAGES
 from day6_core.session.harmless import lines, one_line
 
 VERSION = 1
@@ -14,7 +15,6 @@ LONGEST = 256 << 10
 """Bytes of one note."""
 LONGEST_TEXT = 200
 MOST_NAMES = 64
-LANGUAGES = ("zh", "en")
 COLUMNS, ROWS = (1, 500), (1, 200)
 MOST_STEPS = 10_000
 REFUSALS = tuple(f"class.refused.{why}" for why in ("busy", "type", "no", "taken_back", "place", "unknown", "full"))

@@ -9,6 +9,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
+from day6_core.language import language_of
 from day6_core.session.session import Main, Session
 from day6_core.session.streams import InputStream, OutputStream
 
@@ -41,7 +42,7 @@ async def agreed(
 ) -> bool:
     """Ask about each path that is outside, in a command's name; return False after the first no. Without `keys`, return True."""
     home = Path(variables.get("HOME", "/"))
-    question = QUESTIONS.get(variables.get("DAY6_LANG", ""), QUESTIONS["en"])
+    question = QUESTIONS[language_of(variables)]
     for path in paths:
         if keys is not None and is_outside(path, home):
             stderr.write(f"{name}: {question.format(path=path)}")

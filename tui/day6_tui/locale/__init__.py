@@ -8,12 +8,12 @@ drawn, never at import.
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
 
-LANGUAGES = ("zh", "en")
+from day6_core.language import LANGUAGES
+
 _catalogues: dict[str, Mapping[str, str]] = {}
 
 
@@ -59,17 +59,3 @@ class Texts:
     def switch(self) -> None:
         """Go to the other language."""
         self.language = LANGUAGES[(LANGUAGES.index(self.language) + 1) % len(LANGUAGES)]
-
-
-def detect(environ: Mapping[str, str], *, wide_glyphs: bool = True, platform: str = sys.platform) -> str:
-    """The language of the locale; English where the terminal has no Chinese characters (`wide_glyphs` False)."""
-    if wide_glyphs:
-        for name in ("LC_ALL", "LC_MESSAGES", "LANGUAGE", "LANG"):
-            if value := environ.get(name):
-                return "zh" if value.lower().startswith("zh") else "en"
-        if platform == "win32":  # which has none of these variables
-            import locale
-
-            name = locale.getlocale()[0] or ""  # zh_CN, or Chinese (Simplified)_China
-            return "zh" if name.lower().startswith(("zh", "chinese")) else "en"
-    return "en"

@@ -48,8 +48,8 @@ _KEYWORDS = frozenset({"if", "then", "else", "elif", "fi", "for", "in", "while",
 
 
 async def help_(session: Session) -> int:
+    from day6_core.language import language_of
     from day6_core.shell.commands import command_names
-    from day6_urdf.explain import language_of
 
     text = _HELP[language_of(session.env)]
     mentioned = set(text.replace(",", " ").replace(";", " ").split())

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
+from day6_core.language import language_of
 from day6_core.session.session import Main, Session
 from day6_core.shell.language.interpreter import Shell, shell_of
-from day6_urdf.explain import language_of
 
 
 async def sudo(session: Session) -> int:
