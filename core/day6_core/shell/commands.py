@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.ros.executables import are_on
-from day6_core.ros.program_index import named_by, place_of_command
+from day6_core.ros.program_index import COMMANDS, named_by, place_of_command
 from day6_core.ros.programs import load
 from day6_core.session.session import Main, Session
 from day6_core.shell.process.real_tools import find_tool, running
@@ -46,8 +46,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "why": "why explain",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
-        "programs": "python3 python pytest launch_test ros2 colcon rqt rqt_bag rqt_graph rqt_console rqt_plot rqt_topic rviz2 "
-        "check_urdf urdf_to_graphviz xacro bash sh",
+        "programs": " ".join(("python3 python pytest launch_test ros2 colcon bash sh", *COMMANDS)),
     }.items()
 }
 """The module of `builtins` in which each command is; each has a table `COMMANDS` with the same names."""
