@@ -68,7 +68,10 @@ const ZH = {
   "large.end": "结束桌面",
   "large.end.confirm": "要结束 {name} 的桌面吗？正在运行的程序会停止，文件会保留。",
   "scene.turtle": "海龟", "scene.car": "小车", "scene.world": "开车闯一闯", "scene.empty": "空桌面",
-  "report.columns": ["姓名", "状态", "课程", "步骤", "共几步", "完成这一步", "提示", "最近的错误", "出错的那一行", "空闲（秒）", "举手", "节点"],
+  "report.column.name": "姓名", "report.column.state": "状态", "report.column.lesson": "课程",
+  "report.column.step": "步骤", "report.column.steps": "共几步", "report.column.solved": "完成这一步",
+  "report.column.hints": "提示", "report.column.trouble": "最近的错误", "report.column.line": "出错的那一行",
+  "report.column.idle": "空闲（秒）", "report.column.hand": "举手", "report.column.nodes": "节点",
   "report.file": "班级",
 };
 
@@ -140,9 +143,10 @@ const EN = {
   "large.end": "End desktop",
   "large.end.confirm": "End the desktop of {name}? Running programs stop, files are kept.",
   "scene.turtle": "Turtle", "scene.car": "Car", "scene.world": "Drive around", "scene.empty": "Empty desk",
-  "report.columns": [
-    "name", "state", "lesson", "step", "of steps", "step solved", "hints", "last error", "error text", "idle (s)", "hand", "nodes",
-  ],
+  "report.column.name": "name", "report.column.state": "state", "report.column.lesson": "lesson",
+  "report.column.step": "step", "report.column.steps": "of steps", "report.column.solved": "step solved",
+  "report.column.hints": "hints", "report.column.trouble": "last error", "report.column.line": "error text",
+  "report.column.idle": "idle (s)", "report.column.hand": "hand", "report.column.nodes": "nodes",
   "report.file": "class",
 };
 
