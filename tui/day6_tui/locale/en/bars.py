@@ -1,6 +1,7 @@
 """The bars above and below."""
 
 TEXTS = {
+    # bars
     "bar.desk": "Desk",
     "bar.turtle": "Turtle",
     "bar.car": "Car",

@@ -1,6 +1,7 @@
 """A class: what a pupil sees, and the window of the teacher."""
 
 TEXTS = {
+    # a class: what a pupil sees
     "action.hand": "Raise your hand, or lower it",
     "action.sayings": "What the teacher said",
     "action.take_back": "Let the teacher type no longer",

@@ -1,6 +1,7 @@
 """The manual: its titles in the order of its pages, and the pages of no window."""
 
 TEXTS = {
+    # help
     "help.title": "Help",
     "help.keys": "↑ ↓ scroll   Tab next page   Esc back",
     "help.everywhere": "Keys that work everywhere",

@@ -1,4 +1,4 @@
-"""Menus, lists, questions, errors, the card of a message."""
+"""Menus, lists, questions, settings, errors, the card of a message."""
 
 TEXTS = {
     "find.title": "Search",
@@ -50,4 +50,13 @@ TEXTS = {
     "why.keys": "↑ ↓ scroll   F1 manual   Esc back",
     "why.next": "Type next",
     "question.back": "Back",
+    "theme.title": "Theme",
+    "theme.dark": "Dark",
+    "theme.light": "Light",
+    "theme.contrast": "High contrast",
+    "theme.colourblind": "Safe for colour-blind eyes",
+    "settings.fault": "{path} cannot be read and is left as it is: {reason}",
+    "settings.not_kept": "The choice holds until the end only: {reason}",
+    "distro.title": "Distribution of ROS 2",
+    "distro.next_start": "{name} from the next start of day6-tui on (day6-tui --distro {name})",
 }

@@ -1,4 +1,4 @@
-"""rqt and its plugins."""
+"""rqt and its plugins, and the fields of messages in some of them."""
 
 TEXTS = {
     # topics
@@ -24,6 +24,20 @@ TEXTS = {
     "topics.filter_note": "Part of a topic's name or type; nothing shows all.",
     "topics.filtered": "of {count}, filter: {text}",
     "topics.unfilter": "show all",
+    # fields of messages
+    "fields.request": "Request: Topic",
+    "fields.response": "Response: Field",
+    "fields.type": "Type",
+    "fields.expression": "Expression",
+    "fields.value": "Value",
+    "fields.edit": "change",
+    "fields.take": "take it",
+    "fields.on": "and the next field",
+    "fields.leave": "old value",
+    "fields.next": "next field, while typing",
+    "fields.default": "default value",
+    "fields.in_force": "in force: {text}",
+    "fields.elements": "one element more, less",
     # service_caller
     "service.call": "Call",
     "service.cancel": "Cancel",

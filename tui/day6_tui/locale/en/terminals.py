@@ -1,6 +1,20 @@
-"""Terminals."""
+"""Terminals, and one window on a real terminal."""
 
 TEXTS = {
+    # one window on a real terminal
+    "single.end": "End",
+    "single.help": "Help",
+    "single.log": "Log",
+    "single.next": "Next",
+    "single.no_log": "The program has written nothing yet.",
+    "help.single.end": "ends the program",
+    "help.single.help": "explains this window",
+    "help.single.log": "shows what the program has written; it is also on the terminal afterwards",
+    "help.single.next": "goes to the program's next window, if it has more than one",
+    "help.single.glyphs": "changes how pictures are drawn",
+    "help.single.language": "changes the language: 中文",
+    "help.single.suspend": "stops the program and returns to the shell; fg resumes it",
+    # terminal
     "window.hidden": "{title} is open: {key} shows it",
     "terminal.stubborn": "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%",
     "input.gbk": "Your terminal sends GBK, not UTF-8: set it to UTF-8 (PuTTY: Window > Translation)",

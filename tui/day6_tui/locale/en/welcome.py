@@ -1,6 +1,7 @@
 """The choices at the start, and the guide of an empty desk."""
 
 TEXTS = {
+    # welcome
     "welcome.title": "Welcome",
     "welcome.heading": "ROS 2, right here in your terminal",
     "welcome.question": "What would you like to do?",

@@ -1,6 +1,7 @@
 """The bars above and below."""
 
 TEXTS = {
+    # bars
     "bar.desk": "桌面",
     "bar.turtle": "海龟",
     "bar.car": "小车",

@@ -1,6 +1,7 @@
 """A class: what a pupil sees, and the window of the teacher."""
 
 TEXTS = {
+    # 一个班：学生看到的
     "action.hand": "举手，或者放下手",
     "action.sayings": "老师说过的话",
     "action.take_back": "不再让老师打字",

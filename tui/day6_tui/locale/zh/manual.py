@@ -1,6 +1,7 @@
 """The manual: its titles in the order of its pages, and the pages of no window."""
 
 TEXTS = {
+    # help
     "help.title": "帮助",
     "help.keys": "↑ ↓ 滚动   Tab 下一页   Esc 返回",
     "help.everywhere": "到处都能用的按键",

@@ -1,4 +1,4 @@
-"""Menus, lists, questions, errors, the card of a message."""
+"""Menus, lists, questions, settings, errors, the card of a message."""
 
 TEXTS = {
     "find.title": "查找",
@@ -50,4 +50,13 @@ TEXTS = {
     "why.keys": "↑ ↓ 滚动   F1 手册   Esc 返回",
     "why.next": "接着输入",
     "question.back": "返回",
+    "theme.title": "配色",
+    "theme.dark": "深色",
+    "theme.light": "浅色",
+    "theme.contrast": "高对比度",
+    "theme.colourblind": "色盲也能分清",
+    "settings.fault": "{path} 读不出来，先原样留着：{reason}",
+    "settings.not_kept": "这次的选择没能保存，只在退出前有效：{reason}",
+    "distro.title": "ROS 2 发行版",
+    "distro.next_start": "下次打开 day6-tui 时就是 {name}（day6-tui --distro {name}）",
 }

@@ -1,4 +1,4 @@
-"""rqt and its plugins."""
+"""rqt and its plugins, and the fields of messages in some of them."""
 
 TEXTS = {
     # topics
@@ -24,6 +24,20 @@ TEXTS = {
     "topics.filter_note": "写话题名或类型的一部分；什么都不写就显示全部。",
     "topics.filtered": "共 {count} 个，过滤：{text}",
     "topics.unfilter": "显示全部",
+    # fields of messages
+    "fields.request": "请求：话题",
+    "fields.response": "响应：字段",
+    "fields.type": "类型",
+    "fields.expression": "表达式",
+    "fields.value": "值",
+    "fields.edit": "修改",
+    "fields.take": "确定",
+    "fields.on": "并改下一个",
+    "fields.leave": "保留原值",
+    "fields.next": "输入时跳到下一个字段",
+    "fields.default": "默认值",
+    "fields.in_force": "生效的是：{text}",
+    "fields.elements": "列表加、减一项",
     # service_caller
     "service.call": "调用",
     "service.cancel": "取消",

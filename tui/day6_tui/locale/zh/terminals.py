@@ -1,6 +1,20 @@
-"""Terminals."""
+"""Terminals, and one window on a real terminal."""
 
 TEXTS = {
+    # one window on a real terminal
+    "single.end": "结束",
+    "single.help": "帮助",
+    "single.log": "日志",
+    "single.next": "换窗口",
+    "single.no_log": "程序还没有输出任何内容。",
+    "help.single.end": "结束程序",
+    "help.single.help": "说明这个窗口",
+    "help.single.log": "查看程序的输出；程序结束后这些内容也会打印在终端里",
+    "help.single.next": "切换到该程序的下一个窗口（如果有多个）",
+    "help.single.glyphs": "换一套字符来画图",
+    "help.single.language": "切换语言：English",
+    "help.single.suspend": "暂停程序并回到命令行，用 fg 继续",
+    # terminal
     "window.hidden": "{title} 打开了：按 {key} 去看",
     "terminal.stubborn": "它不理会 Ctrl-C。按 Ctrl-\\ 可以结束它；或者先按 Ctrl-Z，再输入 kill -9 %%",
     "input.gbk": "你的终端发送的是 GBK 而不是 UTF-8：请把终端编码设为 UTF-8（PuTTY：Window > Translation）",

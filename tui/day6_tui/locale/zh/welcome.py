@@ -1,6 +1,7 @@
 """The choices at the start, and the guide of an empty desk."""
 
 TEXTS = {
+    # welcome
     "welcome.title": "欢迎",
     "welcome.heading": "ROS 2，就在你的终端里",
     "welcome.question": "你想做什么？",
