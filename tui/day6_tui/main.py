@@ -229,13 +229,13 @@ def _demo(words: list[str]) -> list[str]:
 def _why(words: list[str]) -> int:
     """Explain a message: the words, or the last line with a card of what is piped in."""
     from day6_core.session.local import run_local
-    from day6_core.shell.builtins.why import COMMANDS
+    from day6_core.shell.builtins.why import why
 
     if words and words[0] in ("-h", "--help"):
         print("usage: day6-tui why [TEXT | TOPIC | NUMBER]\n")
         print("Explain a message of ROS 2, Python, colcon or launch; A 2>&1 | day6-tui why explains what A said.")
         return 0
-    return run_local(COMMANDS["why"], ["why", *words], one_shot=True)
+    return run_local(why, ["why", *words], one_shot=True)
 
 
 def _office(name: str, words: list[str]) -> int:

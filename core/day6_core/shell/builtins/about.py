@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain, complain_as_shell
 from day6_core.shell.language import file_tests
 from day6_core.shell.language.interpreter import shell_of
@@ -268,27 +268,3 @@ async def seq(session: Session) -> int:
         value = first + count * step
         await session.stdout.drain()
     return 0
-
-
-COMMANDS: dict[str, Main] = {
-    "help": help_,
-    "clear": clear,
-    "reset": clear,
-    "which": which,
-    "type": type_,
-    "command": command,
-    "whoami": whoami,
-    "id": id_,
-    "hostname": hostname,
-    "uname": uname,
-    "printenv": printenv,
-    "env": env,
-    "true": true,
-    "false": false,
-    ":": true,
-    "test": test,
-    "[": test,
-    "basename": basename,
-    "dirname": dirname,
-    "seq": seq,
-}

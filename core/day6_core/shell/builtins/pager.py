@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from day6_core.language import language_of
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.streams import InputStream, TerminalSide
 from day6_core.shell.builtins.options import reason
 from day6_core.shell.builtins.text import text_named
@@ -155,6 +155,3 @@ def _rows_of(line: str, width: int) -> Iterator[str]:
         row += character
         used += cells
     yield row
-
-
-COMMANDS: dict[str, Main] = {"less": less, "more": less, "man": man}
