@@ -9,24 +9,22 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
 from day6_core.language import LANGUAGES
 
-_catalogues: dict[str, Mapping[str, str]] = {}
 
-
+@cache
 def catalogue(language: str) -> Mapping[str, str]:
     """All texts of 'zh' or 'en'. Raises ValueError for another language."""
     if language not in LANGUAGES:
         raise ValueError(f"no texts in {language!r}, only in {' and '.join(LANGUAGES)}")
-    if language not in _catalogues:
-        texts: dict[str, str] = {}
-        for part in parts(language):
-            texts |= import_module(f"{__name__}.{language}.{part}").TEXTS
-        _catalogues[language] = texts
-    return _catalogues[language]
+    texts: dict[str, str] = {}
+    for part in parts(language):
+        texts |= import_module(f"{__name__}.{language}.{part}").TEXTS
+    return texts
 
 
 def parts(language: str) -> list[str]:
