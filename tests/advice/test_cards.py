@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.advice.card_files import FOLDER, LANGUAGES, TOPICS, CardError, all_cards, read_topic, topics
+from day6_core.advice.card_files import FOLDER, TOPICS, CardError, all_cards, read_topic, topics
 from day6_core.advice.explain import LOOKERS, as_text, explain, explanation_of_card, scene_of, wrapped
 from day6_core.advice.matching import Match, card_for, cards_in, forms, plain_lines
 from day6_core.advice.rules import Surroundings
+from day6_core.language import LANGUAGES
 from day6_core.ros import distribution
 from day6_core.ros.distribution import NAMES
 from day6_core.width import text_width

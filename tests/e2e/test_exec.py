@@ -67,6 +67,23 @@ def test_status_and_output_are_those_of_a_shell(place: Place, commands: str, sta
     assert (done.returncode, done.stdout) == (status, out), done.stderr
 
 
+WORDS = {"zh": ("新建文件夹", "没有删除任何东西"), "en": ("make folders", "Nothing is removed")}
+
+
+@pytest.mark.parametrize(
+    ("language", "locale"),
+    [
+        ("zh", {"LANG": "C.UTF-8", "DAY6_LANG": "zh"}),
+        ("en", {"LANG": "zh_CN.UTF-8", "DAY6_LANG": "en"}),
+        ("zh", {"LANG": "zh_CN.UTF-8", "DAY6_LANG": "fr"}),
+        ("en", {"LANG": "zh_CN.UTF-8", "LC_MESSAGES": "C"}),
+    ],
+)
+def test_everything_is_said_in_one_language(place: Place, language: str, locale: dict[str, str]) -> None:
+    done = place.execute("man mkdir; apt remove x", **{"LC_ALL": None, "DAY6_LANG": None, **locale})
+    assert [word for words in WORDS.values() for word in words if word in done.stdout] == [*WORDS[language]]
+
+
 def test_a_job_that_is_killed_says_so_when_asked(place: Place) -> None:
     done = place.execute("sleep 9 & kill %1; sleep 0.1; jobs; kill %1")
     assert done.stdout == "[1]+  Terminated              sleep 9\n"

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons import catalogue
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.reading import read_lesson
-from day6_core.lessons.source import LANGUAGES, LessonMistakes
+from day6_core.lessons.source import LessonMistakes
 
 EXAMPLE = (Path(catalogue.__file__).parent / "example.md").read_text(encoding="utf-8")
 

@@ -36,7 +36,7 @@ def test_every_text_is_used() -> None:
     keys = set(catalogue("en"))
     # In quotes, or behind the braces of an f-string.
     begins = {f"{quote}{key.partition('.')[0]}." for key in keys for quote in "\"'"}
-    modules = (tree for path, tree in trees(words=(*begins, "}.")) if path.parent.name != "locale")
+    modules = (tree for path, tree in trees(words=(*begins, "}.")) if "locale" not in path.parts)
     assert left_over(keys, modules) == []
 
 

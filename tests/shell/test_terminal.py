@@ -262,7 +262,9 @@ def test_fg_gives_the_terminal_to_a_background_job(seat: Any) -> None:
     assert seat.line("cat f").splitlines()[-2] == "typed"
 
 
-def test_raw_keys_go_to_the_program_and_the_mode_ends_with_it(machine: Any, seat: Any) -> None:
+def test_raw_keys_go_to_the_program_and_the_mode_ends_with_it(
+    machine: Any, seat: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     keys: list[str] = []
 
     async def teleop(session: Any) -> int:
@@ -273,18 +275,14 @@ def test_raw_keys_go_to_the_program_and_the_mode_ends_with_it(machine: Any, seat
 
     from day6_core.shell.builtins import programs
 
-    before = programs.COMMANDS["rqt_graph"]
-    programs.COMMANDS["rqt_graph"] = teleop
-    try:
-        seat.line("rqt_graph")
-        assert seat.terminal.reading_keys
-        seat.type("\x1b[A你x")
-        assert keys == ["\x1b[A", "你", "x"]
-        seat.type("\x03")
-        assert not seat.terminal.reading_keys
-        assert seat.line("echo back").splitlines()[-2] == "back"
-    finally:
-        programs.COMMANDS["rqt_graph"] = before
+    monkeypatch.setattr(programs, "ros_program", teleop)
+    seat.line("rqt_graph")
+    assert seat.terminal.reading_keys
+    seat.type("\x1b[A你x")
+    assert keys == ["\x1b[A", "你", "x"]
+    seat.type("\x03")
+    assert not seat.terminal.reading_keys
+    assert seat.line("echo back").splitlines()[-2] == "back"
 
 
 def test_two_terminals_have_their_own_environment_and_directory(machine: Any, seat: Any) -> None:

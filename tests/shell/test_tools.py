@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+from inspect import iscoroutinefunction
 from pathlib import Path
 from typing import Any
 
@@ -88,6 +89,12 @@ def test_man_speaks_the_language_of_the_terminal(machine: Any) -> None:
     assert "list files and folders" in machine.run("LANG=C man ls").out
     assert "列出文件和文件夹" in machine.run("LANG=zh_CN.UTF-8 man ls").out
     assert machine.run("man nothing") == (16, "", "No manual entry for nothing\n")
+
+
+def test_every_command_is_a_function() -> None:
+    from day6_core.shell.commands import builtin, command_names
+
+    assert [name for name in command_names() if not iscoroutinefunction(builtin(name))] == []
 
 
 def test_every_example_of_the_manual_is_a_command_that_exists(machine: Any) -> None:

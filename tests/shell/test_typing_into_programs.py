@@ -74,7 +74,7 @@ def test_more_than_the_terminal_holds_is_refused_with_a_beep(seat: Any, monkeypa
     assert seat.look().splitlines()[-1] == f"{PROMPT} 12345678901"
 
 
-def test_a_program_that_does_not_end_after_three_ctrl_c_is_stubborn(seat: Any) -> None:
+def test_a_program_that_does_not_end_after_three_ctrl_c_is_stubborn(seat: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     async def deaf(session: Any) -> int:
         session.on_interrupt = lambda: True
         await session.sleep(100)
@@ -82,18 +82,14 @@ def test_a_program_that_does_not_end_after_three_ctrl_c_is_stubborn(seat: Any) -
 
     from day6_core.shell.builtins import programs
 
-    before = programs.COMMANDS["rqt_graph"]
-    programs.COMMANDS["rqt_graph"] = deaf
-    try:
-        seat.line("rqt_graph")
-        for times in range(3):
-            assert not seat.terminal.is_stubborn, times
-            seat.type("\x03")
-        assert seat.terminal.is_stubborn
-        seat.settle(200)
-        assert not seat.terminal.is_stubborn
-    finally:
-        programs.COMMANDS["rqt_graph"] = before
+    monkeypatch.setattr(programs, "ros_program", deaf)
+    seat.line("rqt_graph")
+    for times in range(3):
+        assert not seat.terminal.is_stubborn, times
+        seat.type("\x03")
+    assert seat.terminal.is_stubborn
+    seat.settle(200)
+    assert not seat.terminal.is_stubborn
 
 
 def test_a_terminal_is_idle_only_when_its_prompt_waits_with_nothing_typed(seat: Any) -> None:

@@ -7,12 +7,14 @@ import os
 import string
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 from rich.cells import cell_len
 from rich.style import Style
 
+from day6_core.language import LANGUAGES, language_of
 from day6_tui import actions, locale
 from day6_tui.app import Day6App, make_look
 from day6_tui.appearance import glyphs
@@ -108,11 +110,36 @@ def test_every_symbol_is_one_cell(found) -> None:
 
 
 def test_the_language_is_that_of_the_locale_unless_the_terminal_has_no_chinese() -> None:
-    assert locale.detect({"LANG": "zh_CN.UTF-8"}) == "zh"
-    assert locale.detect({"LANG": "zh_CN.UTF-8", "LC_ALL": "en_US.UTF-8"}) == "en"
-    assert locale.detect({"LANG": "de_DE.UTF-8"}) == "en"
-    assert locale.detect({"LANG": "zh_CN.UTF-8"}, wide_glyphs=False) == "en"
-    assert make_look(Options(), {"LANG": "zh_CN.UTF-8", "TERM": "linux"}).texts.language == "en"
+    chinese = {"LANG": "zh_CN.UTF-8"}
+    assert language_of(chinese) == "zh"
+    assert language_of({**chinese, "LC_ALL": "en_US.UTF-8"}) == "en"
+    assert language_of({"LANG": "de_DE.UTF-8"}) == language_of({}, platform="linux") == "en"
+    assert language_of(chinese, wide_glyphs=False) == "en"
+    assert make_look(Options(), {**chinese, "TERM": "linux"}).texts.language == "en"
+
+
+def test_what_is_chosen_is_stronger_than_the_locale_and_an_option_than_a_variable() -> None:
+    environ = {"LANG": "zh_CN.UTF-8", "DAY6_LANG": "en"}
+    assert language_of(environ) == "en"
+    assert language_of(environ, ["--lang", "zh"]) == language_of(environ, ["--lang=zh"]) == "zh"
+    assert language_of({**environ, "DAY6_LANG": "fr"}, ["--lang", "it"]) == "zh"
+    assert make_look(Options(), environ).texts.language == "en"
+    assert make_look(Options(lang="zh"), environ).texts.language == "zh"
+    assert make_look(Options(), {"DAY6_LANG": "zh", "TERM": "linux", "LANG": "C.UTF-8"}).texts.language == "zh"
+
+
+def test_every_language_has_a_folder_with_the_same_parts_and_in_them_the_same_keys() -> None:
+    here = Path(locale.__file__).parent
+    assert sorted(LANGUAGES) == sorted(each.name for each in here.iterdir() if (each / "__init__.py").is_file())
+    first, *others = (
+        {part: [*import_module(f"{locale.__name__}.{language}.{part}").TEXTS] for part in locale.parts(language)}
+        for language in LANGUAGES
+    )
+    for other in others:
+        assert first.keys() == other.keys()
+        assert {part: {*keys} for part, keys in first.items()} == {part: {*keys} for part, keys in other.items()}
+    keys = [key for part in first.values() for key in part]
+    assert sorted({key for key in keys if keys.count(key) > 1}) == []
 
 
 def test_both_catalogues_have_the_same_keys_and_fields() -> None:

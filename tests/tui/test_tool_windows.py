@@ -10,9 +10,10 @@ import pytest
 from rich.cells import cell_len
 
 from day6_core.graph import Graph
+from day6_core.language import LANGUAGES
 from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_tui.actions import ACTIONS
-from day6_tui.locale import LANGUAGES, catalogue
+from day6_tui.locale import catalogue
 from day6_tui.overlays.manual import KEY_WIDTH
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import opened, screen_lines, screen_text, step

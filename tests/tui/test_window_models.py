@@ -9,6 +9,8 @@ import pytest
 
 from day6_core.lessons.program import lessons_of
 from day6_core.link.classroom.teacher import Teacher
+from day6_core.ros.programs.rqt_gui.catalogue import KNOWN
+from day6_core.ros.programs.rqt_gui.plugin import plugin_of
 from day6_core.session.display import Window
 from day6_core.session.streams import InputStream, OutputStream
 from day6_core.shell.desk import Desk
@@ -19,28 +21,13 @@ from day6_tui.windows import WindowPane, pane_class
 from tests.support.window_kinds import window_kinds
 
 COMMANDS = {
+    **{plugin_of(entry.package).kind: f"ros2 run {entry.package} {entry.package}" for entry in KNOWN},
     "turtlesim": "ros2 run turtlesim turtlesim_node",
     "car": "ros2 run day6_bot car_view",
-    "rqt_graph": "rqt_graph",
-    "topics": "rqt_topic",
     "rqt": "rqt",
-    "rqt_console": "rqt_console",
-    "rqt_plot": "rqt_plot",
-    "rqt_bag": "rqt_bag",
-    "rqt_tf_tree": "ros2 run rqt_tf_tree rqt_tf_tree",
-    "service_caller": "ros2 run rqt_service_caller rqt_service_caller",
-    "publisher": "ros2 run rqt_publisher rqt_publisher",
-    "type_browser": "ros2 run rqt_msg rqt_msg",
-    "action_browser": "ros2 run rqt_action rqt_action",
-    "rqt_image_view": "ros2 run rqt_image_view rqt_image_view",
     "showimage": (
         "ros2 run image_tools showimage & ros2 run image_tools cam2image --ros-args -p burger_mode:=true > /dev/null 2>&1"
     ),
-    "rqt_shell": "ros2 run rqt_shell rqt_shell",
-    "rqt_py_console": "ros2 run rqt_py_console rqt_py_console",
-    "rqt_robot_steering": "ros2 run rqt_robot_steering rqt_robot_steering",
-    "rqt_logger_level": "ros2 run rqt_logger_level rqt_logger_level",
-    "rqt_reconfigure": "ros2 run rqt_reconfigure rqt_reconfigure",
     "joint_state_publisher": "ros2 run joint_state_publisher_gui joint_state_publisher_gui",
     "world": "ros2 run day6_world world",
     "editor": "nano notes.txt",

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from day6_urdf import check_text
-from day6_urdf.explain import hint_of, hints_wanted, language_of
+from day6_urdf.explain import hint_of, hints_wanted
 
 GOLDEN = Path(__file__).resolve().parents[1] / "conformance" / "golden" / "check_urdf.jsonl"
 
@@ -68,13 +68,6 @@ def test_every_recorded_mistake_has_a_hint_in_both_languages() -> None:
         assert english != chinese, case["name"]
         assert english.startswith("hint: ") and chinese.startswith("提示：")
         assert "{" not in english + chinese
-
-
-def test_the_language_is_that_of_the_terminal() -> None:
-    assert language_of({"LANG": "zh_CN.UTF-8"}) == "zh"
-    assert language_of({"LANG": "de_DE.UTF-8"}) == "en"
-    assert language_of({"DAY6_LANG": "en", "LANG": "zh_CN.UTF-8"}) == "en"
-    assert language_of({}) == "en"
 
 
 def test_hints_can_be_switched_off() -> None:

@@ -30,6 +30,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.widget import Widget
 
+from day6_core.language import language_of
 from day6_core.ros import distribution
 from day6_core.session.harmless import one_line
 from day6_core.shell.process.heap import keep_heap_small
@@ -55,7 +56,7 @@ from day6_tui.features.saved_desktop import Session
 from day6_tui.features.scene_play import ScenePlay
 from day6_tui.features.welcome import WelcomePane
 from day6_tui.features.world_time import WorldTime
-from day6_tui.locale import Texts, detect
+from day6_tui.locale import Texts
 from day6_tui.machine import Machine
 from day6_tui.options import Options
 from day6_tui.panes.arranging import Arranging
@@ -111,7 +112,7 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None, settin
     """
     environ = terminal_environ() if environ is None else environ
     glyphs = choose(options.glyphs, environ)
-    language = options.lang or detect(environ, wide_glyphs=glyphs.chinese)
+    language = options.lang or language_of(environ, wide_glyphs=glyphs.chinese)
     if not glyphs.unicode:
         language = "en"  # Chinese cannot be written there at all
     sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")

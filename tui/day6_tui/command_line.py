@@ -3,23 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import os
 from collections.abc import Iterable
 from functools import partial
-from itertools import pairwise
 from pathlib import Path
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.scene import scenes
 from day6_core.ros.distribution import NAMES
-from day6_tui.locale import LANGUAGES, Texts, detect
-
-
-def language_of(words: list[str]) -> str:
-    """Return the language that the words of a command line choose, else that of the terminal or the system."""
-    chosen = [after for word, after in pairwise(words) if word == "--lang"]
-    chosen += [word.partition("=")[2] for word in words if word.startswith("--lang=")]
-    known = [name for name in (*chosen, os.environ.get("DAY6_LANG", "")) if name in LANGUAGES]
-    return known[0] if known else detect(os.environ)
+from day6_tui.locale import Texts
 
 
 def build_parser(language: str = "en") -> argparse.ArgumentParser:
@@ -30,7 +21,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("--scene", choices=tuple(scenes()), help=texts("cli.scene"))
     options.add_argument("--robot", metavar="FILE", help=texts("cli.robot"))
     options.add_argument("--distro", choices=NAMES, help=texts("cli.distro"))
-    options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.lang"))
+    options.add_argument("--lang", choices=LANGUAGES, help=texts("cli.lang"))
     options.add_argument("--glyphs", choices=("pixels", "half", "braille", "cell", "ascii"), help=texts("cli.glyphs"))
     options.add_argument("--theme", choices=("dark", "light", "contrast", "colourblind"), help=texts("cli.theme"))
     options.add_argument("--fps", type=_frame_rate, metavar="N", help=texts("cli.fps"))
@@ -57,7 +48,7 @@ def attach_parser(language: str = "en") -> argparse.ArgumentParser:
     texts = Texts(language)
     parser, options = parser_with_options(texts, "day6-tui attach", "cli.attach")
     options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.attach.home"))
-    options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.attach.lang"))
+    options.add_argument("--lang", choices=LANGUAGES, help=texts("cli.attach.lang"))
     return parser
 
 

@@ -41,10 +41,11 @@ def main(arguments: list[str] | None = None) -> int:
     if command is not None:
         return command(words[1:])
     keeper = _kept_by()
-    from day6_tui.command_line import build_parser, language_of
+    from day6_core.language import language_of
+    from day6_tui.command_line import build_parser
     from day6_tui.locale import Texts
 
-    language = language_of(words)
+    language = language_of(os.environ, words)
     texts = Texts(language)
     in_class = words[:1] == ["class"]
     if words and not words[0].startswith("-") and not in_class:
@@ -234,25 +235,25 @@ def _demo(words: list[str]) -> list[str]:
 def _why(words: list[str]) -> int:
     """Explain a message: the words, or the last line with a card of what is piped in."""
     from day6_core.session.local import run_local
-    from day6_core.shell.builtins.why import COMMANDS
+    from day6_core.shell.builtins.why import why
 
     if words and words[0] in ("-h", "--help"):
         print("usage: day6-tui why [TEXT | TOPIC | NUMBER]\n")
         print("Explain a message of ROS 2, Python, colcon or launch; A 2>&1 | day6-tui why explains what A said.")
         return 0
-    return run_local(COMMANDS["why"], ["why", *words], one_shot=True)
+    return run_local(why, ["why", *words], one_shot=True)
 
 
 def _office(name: str, words: list[str]) -> int:
     """Run `submit`, `grade` or `report`, in the user's language."""
     import importlib
 
+    from day6_core.language import language_of
     from day6_core.ros.environment import activate
-    from day6_tui.command_line import language_of
 
     activate()
     module = importlib.import_module(f"day6_core.lessons.{_OFFICE[name]}")
-    status: int = module.main(words, language_of(words))
+    status: int = module.main(words, language_of(os.environ, words))
     return status
 
 

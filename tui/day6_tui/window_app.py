@@ -370,9 +370,7 @@ class WindowApp(TerminalApp):
 def show(foreground: Foreground) -> None:
     """Draw the program's windows on this terminal until they are gone (`day6_core.session.local.Show`)."""
     keep_log_off_the_screen()
-    look = make_look(
-        Options(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")), settings=Settings()
-    )
+    look = make_look(Options(glyphs=os.environ.get("DAY6_GLYPHS")), settings=Settings())
     app = WindowApp(foreground, look)
     foreground.ending.restore_terminal = lambda: give_back(app)
     app.run()

@@ -13,8 +13,6 @@ from dataclasses import dataclass
 
 from day6_urdf.report import Diagnostic, Report
 
-LANGUAGES = ("en", "zh")
-
 
 @dataclass(frozen=True, slots=True)
 class Hint:
@@ -244,15 +242,6 @@ def _near(message: str, groups: tuple[str | None, ...], text: str, language: str
     if not found:
         return ""
     return f"。是不是想写 {found[0]}？" if language == "zh" else f". Did you mean {found[0]}?"
-
-
-def language_of(environment: Mapping[str, str]) -> str:
-    """Return 'zh' or 'en' for a program's environment: by `DAY6_LANG`, else by the locale's variables."""
-    for name in ("DAY6_LANG", "LC_ALL", "LC_MESSAGES", "LANGUAGE", "LANG"):
-        value = environment.get(name)
-        if value:
-            return "zh" if value.lower().startswith("zh") else "en"
-    return "en"
 
 
 def hints_wanted(environment: Mapping[str, str]) -> bool:

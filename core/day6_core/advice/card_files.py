@@ -29,13 +29,13 @@ from functools import lru_cache
 from pathlib import Path
 from string import Formatter
 
+from day6_core.language import LANGUAGES
 from day6_core.ros.differences import retold
 
 TOPICS = ("python", "syntax", "packages", "build", "setup", "launch", "graph", "messages", "parameters", "actions", "tf",
           "rviz", "urdf", "programs", "link", "bags", "files", "shell", "usage", "rclpy", "errors", "ends")  # fmt: skip
 """The files in the order in which their cards are tried: what is special comes before what is general."""
 
-LANGUAGES = ("zh", "en")
 FOLDER = Path(__file__).parent / "cards"
 
 _FLAGS = ("hint", "echo", "same")

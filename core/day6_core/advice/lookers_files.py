@@ -15,9 +15,9 @@ from day6_core.advice.lookers_line import of_slip
 from day6_core.advice.looking import Found, Scene, found, looker
 from day6_core.advice.rules import cause_of
 from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
+from day6_core.language import language_of
 from day6_core.ros.differences import has_interface, has_package
 from day6_core.ros.distribution import setup_script
-from day6_urdf.explain import language_of
 
 MOST_FILES = 2000
 """Files below a package that are looked at."""

@@ -17,9 +17,10 @@ from day6_core.advice.matching import card_for, cards_in
 from day6_core.advice.texts import TEXTS
 from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, PUNCTUATION, chinese_sign, near_choice, slip_of_command
 from day6_core.advice.wording import filled_in
+from day6_core.language import language_of
 from day6_core.ros import differences
 from day6_core.ros.distribution import current
-from day6_urdf.explain import Hint, hints_wanted, language_of
+from day6_urdf.explain import Hint, hints_wanted
 
 _FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
 """Packages whose types are seldom meant."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Annotated, Any, get_type_hints
 
+from day6_core.language import LANGUAGES
 from day6_core.session.harmless import lines, one_line
 
 VERSION = 1
@@ -14,7 +15,6 @@ LONGEST = 256 << 10
 """Bytes of one note."""
 LONGEST_TEXT = 200
 MOST_NAMES = 64
-LANGUAGES = ("zh", "en")
 COLUMNS, ROWS = (1, 500), (1, 200)
 MOST_STEPS = 10_000
 REFUSALS = tuple(f"class.refused.{why}" for why in ("busy", "type", "no", "taken_back", "place", "unknown", "full"))
@@ -56,27 +56,30 @@ class Picture:
 
 @dataclass(frozen=True)
 class Note:
-    """One pupil now. `idle` is the seconds since the last key or click when this was said."""
+    """One pupil now. `idle` is the seconds since the last key or click when this was said.
 
-    lesson: LessonPlace | None = None
-    trouble: Trouble | None = None
-    nodes: tuple[str, ...] = ()
-    programs: tuple[str, ...] = ()
-    hand: bool = False
-    idle: float = 0.0
-    attended: bool = False
+    Beside the kind of each field stands what reads it from outside.
+    """
+
+    lesson: Annotated[LessonPlace | None, _lesson] = None
+    trouble: Annotated[Trouble | None, _trouble] = None
+    nodes: Annotated[tuple[str, ...], _names] = ()
+    programs: Annotated[tuple[str, ...], _names] = ()
+    hand: Annotated[bool, _flag] = False
+    idle: Annotated[float, _seconds] = 0.0
+    attended: Annotated[bool, _flag] = False
     """Whether it knows of a teacher who is there."""
-    watched: bool = False
-    seen: bool = False
+    watched: Annotated[bool, _flag] = False
+    seen: Annotated[bool, _flag] = False
     """Whether it knows of somebody who looks by a link that only watches."""
-    frozen: bool = False
-    asked: bool = False
+    frozen: Annotated[bool, _flag] = False
+    asked: Annotated[bool, _flag] = False
     """Whether the question is open whether the teacher may type."""
-    may_type: bool = False
+    may_type: Annotated[bool, _flag] = False
     """Whether the pupil lets the teacher type."""
-    refused: str = ""
+    refused: Annotated[str, _refusal] = ""
     """Why an order was not followed, if the last one was not: one of REFUSALS, or ''."""
-    screen: Picture | None = None
+    screen: Annotated[Picture | None, _picture] = None
     """Only while the pupil is watched."""
 
 
@@ -101,22 +104,7 @@ def decode(data: bytes) -> Note:
     if not isinstance(found, dict) or found.get("v") != VERSION:
         raise NoteError("not a note of this version")
     try:
-        return Note(
-            lesson=_lesson(found.get("lesson")),
-            trouble=_trouble(found.get("trouble")),
-            nodes=_names(found.get("nodes")),
-            programs=_names(found.get("programs")),
-            hand=found.get("hand") is True,
-            idle=_seconds(found.get("idle")),
-            attended=found.get("attended") is True,
-            watched=found.get("watched") is True,
-            seen=found.get("seen") is True,
-            frozen=found.get("frozen") is True,
-            asked=found.get("asked") is True,
-            may_type=found.get("may_type") is True,
-            refused=found["refused"] if found.get("refused") in REFUSALS else "",
-            screen=_picture(found.get("screen")),
-        )
+        return Note(**{name: read(found.get(name)) for name, read in _READERS.items()})
     except (TypeError, ValueError, KeyError, OverflowError) as error:
         raise NoteError(str(error)) from None
 
@@ -172,3 +160,14 @@ def _picture(found: object) -> Picture | None:
     if not isinstance(ansi, str):
         raise TypeError("a screen is text")
     return Picture(columns, rows, "\n".join(lines(ansi).split("\n")[:rows]))
+
+
+def _flag(found: object) -> bool:
+    return found is True
+
+
+def _refusal(found: object) -> str:
+    return found if isinstance(found, str) and found in REFUSALS else ""
+
+
+_READERS = {name: kind.__metadata__[0] for name, kind in get_type_hints(Note, include_extras=True).items()}

@@ -65,6 +65,16 @@ class Event(NamedTuple):
     text: str = ""
 
 
+class Reached(NamedTuple):
+    """How far a pupil came in a lesson; "" and 0 without one."""
+
+    name: str
+    lesson: str = ""
+    step: int = 0
+    """The furthest that was solved or reached."""
+    steps: int = 0
+
+
 class Roster:
     """Holds the class. Not for several threads."""
 
@@ -209,10 +219,10 @@ class Roster:
         """Return the names of all who are here."""
         return [row.name for row in self._rows.values() if row.is_here]
 
-    def report(self) -> list[tuple[str, str, int, int]]:
-        """Return for each pupil and each lesson that was seen: name, lesson, the step that was reached, how many there are."""
+    def report(self) -> list[Reached]:
+        """Return how far each pupil came in each lesson that was seen."""
         rows = sorted(self._rows.values(), key=lambda row: row.name)
-        return [(row.name, *place) for row in rows for place in row.furthest or (("", 0, 0),)]
+        return [Reached(row.name, *place) for row in rows for place in row.furthest or ((),)]
 
 
 def _news(before: Note, note: Note) -> Iterator[tuple[str, str]]:

@@ -9,11 +9,12 @@ import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.catalogue import HERE, days, drills, lessons_in, shipped_names
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.flaws import meant
 from day6_core.lessons.reading import read_lesson
-from day6_core.lessons.source import LANGUAGES, LessonMistakes, Mistake
+from day6_core.lessons.source import LessonMistakes, Mistake
 from day6_core.session.harmless import lines, one_line
 
 WRITING = Path(__file__).with_name("WRITING.md")

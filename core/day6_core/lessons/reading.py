@@ -8,13 +8,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.actions import NAMES, SCENE_NAMES, action_mistake
 from day6_core.lessons.blocks import Block, blocks
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import HINTS, Action, Answer, Lesson, Page, Step, Wrong
 from day6_core.lessons.flaws import MarkedMap, line_of, meant
 from day6_core.lessons.remarks import note_remarks
-from day6_core.lessons.source import LANGUAGES, NAME, Source
+from day6_core.lessons.source import NAME, Source
 from day6_core.width import text_width
 
 PARTS = ("do", "hints", "answers", "teacher")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.document import Lesson, Step
 from day6_core.lessons.flaws import MarkedMap, line_of, meant
-from day6_core.lessons.source import LANGUAGES, Source
+from day6_core.lessons.source import Source
 from day6_core.width import text_width
 
 MOST_TITLE = 60

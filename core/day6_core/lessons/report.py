@@ -8,10 +8,10 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.catalogue import days, drills, lessons_in
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.progress import FOLDER, Progress, ProgressError, StepDone, load
-from day6_core.lessons.source import LANGUAGES
 from day6_core.lessons.tables import (
     Cell,
     Exists,

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.flaws import Flaw, MarkedMap, line_of, meant
 from day6_core.lessons.plain_yaml import NotYaml, read_yaml
 from day6_core.ros.differences import retold
 
-LANGUAGES = ("zh", "en")
 NAME = re.compile(r"[a-z0-9][a-z0-9_-]*\Z")
 LARGEST = 1_000_000
 """Bytes of a file."""

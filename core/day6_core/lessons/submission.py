@@ -19,9 +19,9 @@ import zipfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.grading.archive import LARGEST, MANIFEST, VERSION
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, name_mistake, pupils, safe_name
-from day6_core.lessons.source import LANGUAGES
 from day6_core.lessons.texts import Say
 from day6_core.places import default_home
 from day6_core.session.harmless import one_line

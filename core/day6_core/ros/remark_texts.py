@@ -1,7 +1,7 @@
 """The English texts of all remarks by id (`programs/remark.py`); names of topics, links and types are in the parameters.
 
-The programs print them, and the catalogue of the windows (day6_tui/locale/en.py) has them from here. The Chinese ones are in
-day6_tui/locale/zh.py: without a screen a remark is English.
+The programs print them, and the catalogue of the windows (day6_tui/locale/en/remarks.py) has them from here. The Chinese ones
+are in day6_tui/locale/zh/remarks.py: without a screen a remark is English.
 """
 
 TEXTS = {

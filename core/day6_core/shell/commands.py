@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.ros.executables import are_on
-from day6_core.ros.program_index import named_by, place_of_command
+from day6_core.ros.program_index import COMMANDS, named_by, place_of_command
 from day6_core.ros.programs import load
 from day6_core.session.session import Main, Session
 from day6_core.shell.process.real_tools import find_tool, running
@@ -19,18 +19,19 @@ if TYPE_CHECKING:
 
 _PACKAGE = "day6_core.shell.builtins"
 
-MODULES: dict[str, tuple[str, ...]] = {
-    module: tuple(names.split())
+MODULES: dict[str, dict[str, str]] = {
+    module: {name: function or name for name, _, function in (word.partition("=") for word in names.split())}
     for module, names in {
-        "state": "cd pwd shift exit logout break continue return source . eval history",
-        "variables": "export unset local declare typeset readonly let read alias unalias set shopt bind complete stty trap "
-        "ulimit umask",
-        "jobs": "jobs fg bg wait kill disown ps pkill killall",
+        "state": "cd pwd shift exit=exit_ logout=exit_ break=break_ continue=break_ return=return_ source .=source "
+        "eval=eval_ history",
+        "variables": "export unset local declare typeset=declare readonly=declare let read alias unalias set=set_ "
+        "shopt bind=accepted complete=accepted stty=accepted trap=accepted ulimit=accepted umask=accepted",
+        "jobs": "jobs fg bg wait kill disown ps pkill killall=pkill",
         "files": "cat mkdir rmdir touch rm tee chmod",
         "transfer": "cp mv",
         "listing": "ls tree",
         "text": "echo printf head tail wc sort uniq",
-        "search": "grep egrep fgrep",
+        "search": "grep egrep fgrep=egrep",
         "paths": "ln readlink realpath pushd popd dirs",
         "repeated": "xargs watch",
         "download": "wget curl",
@@ -38,21 +39,21 @@ MODULES: dict[str, tuple[str, ...]] = {
         "display": "tput dircolors lesspipe",
         "find": "find",
         "columns": "cut tr rev sed diff",
-        "pager": "less more man",
-        "packages": "sudo apt apt-get rosdep pip pip3",
-        "edit": "nano gedit vim vi code mousepad gnome-text-editor",
-        "terminals": "xterm gnome-terminal x-terminal-emulator",
+        "pager": "less more=less man",
+        "packages": "sudo apt apt-get=apt rosdep pip pip3=pip",
+        "edit": "nano=edit gedit=edit vim=edit vi=edit code=edit mousepad=edit gnome-text-editor=edit",
+        "terminals": "xterm gnome-terminal=gnome_terminal x-terminal-emulator=xterm",
         "times": "sleep timeout date",
         "why": "why explain",
-        "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
-        "basename dirname seq",
-        "programs": "python3 python pytest launch_test ros2 colcon rqt rqt_bag rqt_graph rqt_console rqt_plot rqt_topic rviz2 "
-        "check_urdf urdf_to_graphviz xacro bash sh",
+        "about": "help=help_ clear reset=clear which type=type_ command whoami hostname uname id=id_ env printenv "
+        "true false :=true test [=test basename dirname seq",
+        "programs": "python3 python=python3 pytest launch_test ros2 colcon bash sh=bash "
+        + " ".join(f"{name}=ros_program" for name in COMMANDS),
     }.items()
 }
-"""The module of `builtins` in which each command is; each has a table `COMMANDS` with the same names."""
+"""The module of `builtins` in which each command is, and the function there, which has its name if `=` gives no other."""
 
-_MODULE_OF = {name: module for module, names in MODULES.items() for name in names}
+_PLACES = {name: (module, function) for module, names in MODULES.items() for name, function in names.items()}
 
 _ALSO_BUILTIN = "pushd popd dirs jobs fg bg wait kill disown echo printf help type command true false : test ["
 SHELL_BUILTINS = frozenset((*MODULES["state"], *MODULES["variables"], *_ALSO_BUILTIN.split())) - {"stty"}
@@ -61,28 +62,28 @@ SHELL_BUILTINS = frozenset((*MODULES["state"], *MODULES["variables"], *_ALSO_BUI
 
 def command_names() -> list[str]:
     """Every command there is, sorted."""
-    return sorted(_MODULE_OF)
+    return sorted(_PLACES)
 
 
 def builtin(name: str) -> Main | None:
     """The command of that name among ours, None if there is none."""
-    module = _MODULE_OF.get(name)
-    if module is None:
+    if name not in _PLACES:
         return None
-    main: Main = importlib.import_module(f"{_PACKAGE}.{module}").COMMANDS[name]
+    module, function = _PLACES[name]
+    main: Main = getattr(importlib.import_module(f"{_PACKAGE}.{module}"), function)
     return main
 
 
 def place_of(name: str) -> str:
     """The path that `which` prints for a command; '' for a built-in of the shell."""
-    if name not in _MODULE_OF or name in SHELL_BUILTINS - {"echo", "printf", "kill", "test", "[", "true", "false"}:
+    if name not in _PLACES or name in SHELL_BUILTINS - {"echo", "printf", "kill", "test", "[", "true", "false"}:
         return ""
     return place_of_command(name) or f"/usr/bin/{name}"
 
 
 def where(name: str, shell: Shell) -> str:
     """The path of any program: ours, else one of the real machine; '' for what is not one."""
-    if name in _MODULE_OF:
+    if name in _PLACES:
         return "" if _is_unsourced(name, shell.variables) else place_of(name)
     return find_tool(name, shell.variables, shell.cwd)
 
@@ -124,7 +125,7 @@ def find_command(name: str, shell: Shell) -> Main:
         return calling(shell.functions[name])
     if "/" in name:
         return _file(name, shell)
-    if name in _MODULE_OF and not _is_unsourced(name, shell.variables):
+    if name in _PLACES and not _is_unsourced(name, shell.variables):
         return builtin(name) or _nothing
     if tool := find_tool(name, shell.variables, shell.cwd):
         return running([tool])

@@ -46,6 +46,7 @@ _PASSED_ON = (
     "LANGUAGE",
     "LC_ALL",
     "LC_CTYPE",
+    "LC_MESSAGES",
     "TZ",
     "TMPDIR",
     "TEMP",

@@ -145,12 +145,12 @@ _PAGES: dict[str, Page] = {
 }
 
 
-def page(name: str, locale: str) -> str | None:
-    """Return the page of a command, in Chinese if the locale says so; None if there is none."""
+def page(name: str, language: str) -> str | None:
+    """Return the page of a command in a language; None if there is none."""
     found = _PAGES.get(name)
     if found is None:
         return None
-    chinese = locale.startswith("zh")
+    chinese = language == "zh"
     head, use, examples = ("名称", "用法", "例子") if chinese else ("NAME", "SYNOPSIS", "EXAMPLES")
     lines = [head, f"       {name} - {found.chinese if chinese else found.english}", "", use, f"       {found.usage}"]
     if found.examples:

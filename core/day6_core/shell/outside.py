@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
+from functools import wraps
 from pathlib import Path
 
+from day6_core.language import language_of
 from day6_core.session.session import Main, Session
 from day6_core.session.streams import InputStream, OutputStream
 
@@ -41,7 +43,7 @@ async def agreed(
 ) -> bool:
     """Ask about each path that is outside, in a command's name; return False after the first no. Without `keys`, return True."""
     home = Path(variables.get("HOME", "/"))
-    question = QUESTIONS.get(variables.get("DAY6_LANG", ""), QUESTIONS["en"])
+    question = QUESTIONS[language_of(variables)]
     for path in paths:
         if keys is not None and is_outside(path, home):
             stderr.write(f"{name}: {question.format(path=path)}")
@@ -57,14 +59,19 @@ def keys_of(stdin: InputStream, *outputs: OutputStream) -> InputStream | None:
     return next((keys for output in outputs if (keys := output.keyboard()) is not None), None)
 
 
-def asking(command: Main, changed: Callable[[list[str]], list[str]]) -> Main:
-    """`command`, but before it runs its user is asked; `changed` chooses from its operands the files it changes."""
+def asking(changed: Callable[[list[str]], list[str]]) -> Callable[[Main], Main]:
+    """Decorate a command: before it runs its user is asked; `changed` chooses from its operands the files it changes."""
 
-    async def run(session: Session) -> int | None:
-        names = changed([word for word in session.argv[1:] if not word.startswith("-")])
-        keys = keys_of(session.stdin, session.stdout, session.stderr)
-        if not await agreed(session.name, [session.cwd / name for name in names], keys, session.stderr, session.env):
-            return 1
-        return await command(session)
+    def decorated(command: Main) -> Main:
+        @wraps(command)
+        async def run(session: Session) -> int | None:
+            names = changed([word for word in session.argv[1:] if not word.startswith("-")])
+            keys = keys_of(session.stdin, session.stdout, session.stderr)
+            paths = [session.cwd / name for name in names]
+            if not await agreed(session.name, paths, keys, session.stderr, session.env):
+                return 1
+            return await command(session)
 
-    return run
+        return run
+
+    return decorated

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from pathlib import Path
 
+from day6_core.language import LANGUAGES, language_of
 from day6_core.session.harmless import one_line
 from day6_core.whole_file import replacing
 from day6_tui.cast.file import Cast, CastError, read
 from day6_tui.cast.film import Film
-from day6_tui.command_line import language_of, parser_with_options
+from day6_tui.command_line import parser_with_options
 from day6_tui.locale import Texts
 
 MOST_FRAMES = 100
@@ -24,13 +26,13 @@ def parser_of(texts: Texts) -> argparse.ArgumentParser:
     options.add_argument("--at", metavar="SECONDS", type=_seconds, help=texts("cli.cast.at"))
     options.add_argument("--frames", metavar="N", type=_count, default=1, help=texts("cli.cast.frames"))
     options.add_argument("--force", action="store_true", help=texts("cli.cast.force"))
-    options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.attach.lang"))
+    options.add_argument("--lang", choices=LANGUAGES, help=texts("cli.attach.lang"))
     return parser
 
 
 def main(words: list[str]) -> int:
     """`day6-tui cast WORD…`; returns the exit status."""
-    texts = Texts(language_of(words))
+    texts = Texts(language_of(os.environ, words))
     options = parser_of(texts).parse_args(words)
     try:
         cast = read(options.file)

@@ -12,7 +12,7 @@ from day6_tui.locale import Texts
 
 def as_csv(events: Iterable[Event], texts: Texts) -> bytes:
     """Return a line for each event: the local time, the pupil, what happened, and its text."""
-    heads = [texts(f"class.log.{column}") for column in ("time", "name", "what", "text")]
+    heads = [texts(f"class.log.{column}") for column in Event._fields]
     rows = [
         (
             datetime.fromtimestamp(event.time).strftime("%Y-%m-%d %H:%M:%S"),

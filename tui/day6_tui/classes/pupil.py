@@ -383,9 +383,9 @@ def strips_of(app: Day6App) -> list[Strip]:
 
 def _card_of(output: str, lines: int | None) -> Trouble | None:
     """The card of an output, of its last lines only where it may go on."""
-    from day6_core.advice.card_files import LANGUAGES
     from day6_core.advice.matching import cards_in
     from day6_core.advice.wording import filled_in
+    from day6_core.language import LANGUAGES
 
     if lines is not None:
         output = "\n".join(output.rstrip().splitlines()[-lines:])

@@ -19,9 +19,10 @@ from day6_tui.locale import Texts
 
 def attach(words: list[str]) -> int:
     """`day6-tui attach [--home DIR]`; returns the exit status."""
-    from day6_tui.command_line import attach_parser, language_of
+    from day6_core.language import language_of
+    from day6_tui.command_line import attach_parser
 
-    language = language_of(words)
+    language = language_of(os.environ, words)
     texts = Texts(language)
     options = attach_parser(language).parse_args(words)
     if sys.platform == "win32":

@@ -26,7 +26,7 @@ assert not TYPE_CHECKING or sys.platform != "win32"  # Windows has none of this
 
 DESCRIBES_TERMINAL = (
     "TERM", "COLORTERM", "TERM_PROGRAM", "TERM_PROGRAM_VERSION", "TMUX", "STY", "NO_COLOR",
-    "LC_ALL", "LC_CTYPE", "LC_MESSAGES", "LANGUAGE", "LANG",
+    "LC_ALL", "LC_CTYPE", "LC_MESSAGES", "LANGUAGE", "LANG", "DAY6_LANG",
 )  # fmt: skip
 """The variables that the desktop judges a terminal by."""
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from day6_core.language import LANGUAGES
 from day6_tui.actions import ACTIONS, Actions, Handlers
 from day6_tui.features.explaining import Explaining
-from day6_tui.locale import LANGUAGES, catalogue
+from day6_tui.locale import catalogue
 from day6_tui.parts import Feature, Parts
 
 

@@ -1,28 +1,40 @@
 """The texts of the user interface, in Chinese and English. Real ROS output never comes from here.
 
-`zh.py` and `en.py` hold one mapping each with the same keys (a test compares them); scenes bring their own texts. The language is
-a value that is passed along and may change while the desktop runs, so a text is looked up where it is drawn, never at import.
+A folder for each language holds a module for each part of the interface, the same ones with the same keys (a test compares
+them); scenes bring their own texts. The language is a value that is passed along and may change while the desktop runs, so a
+text is looked up where it is drawn, never at import.
 """
 
 from __future__ import annotations
 
-import sys
+import os
 from collections.abc import Iterator, Mapping
+from functools import cache
 from importlib import import_module
+from pathlib import Path
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.scene import scenes
 
-LANGUAGES = ("zh", "en")
-_catalogues: dict[str, Mapping[str, str]] = {}
 
-
+@cache
 def catalogue(language: str) -> Mapping[str, str]:
     """All texts of 'zh' or 'en'. Raises ValueError for another language."""
     if language not in LANGUAGES:
         raise ValueError(f"no texts in {language!r}, only in {' and '.join(LANGUAGES)}")
-    if language not in _catalogues:
-        _catalogues[language] = {**import_module(f"{__name__}.{language}").TEXTS, **dict(_texts_of_scenes(language))}
-    return _catalogues[language]
+    texts: dict[str, str] = {}
+    for part in parts(language):
+        texts |= import_module(f"{__name__}.{language}.{part}").TEXTS
+    return texts | dict(_texts_of_scenes(language))
+
+
+def parts(language: str) -> list[str]:
+    """The parts of the interface that have texts in a language: the modules of its folder."""
+    return sorted(
+        name.removesuffix(".py")
+        for name in os.listdir(Path(__file__).parent / language)
+        if name.endswith(".py") and name != "__init__.py"
+    )
 
 
 def _texts_of_scenes(language: str) -> Iterator[tuple[str, str]]:
@@ -56,17 +68,3 @@ class Texts:
     def switch(self) -> None:
         """Go to the other language."""
         self.language = LANGUAGES[(LANGUAGES.index(self.language) + 1) % len(LANGUAGES)]
-
-
-def detect(environ: Mapping[str, str], *, wide_glyphs: bool = True, platform: str = sys.platform) -> str:
-    """The language of the locale; English where the terminal has no Chinese characters (`wide_glyphs` False)."""
-    if wide_glyphs:
-        for name in ("LC_ALL", "LC_MESSAGES", "LANGUAGE", "LANG"):
-            if value := environ.get(name):
-                return "zh" if value.lower().startswith("zh") else "en"
-        if platform == "win32":  # which has none of these variables
-            import locale
-
-            name = locale.getlocale()[0] or ""  # zh_CN, or Chinese (Simplified)_China
-            return "zh" if name.lower().startswith(("zh", "chinese")) else "en"
-    return "en"

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from day6_core.graph import GraphEvent, graph_for_domain
 from day6_core.graph import Node as GraphNode
 from day6_core.graph.graph import Change
+from day6_core.language import language_of
 from day6_core.ros.environment import activate, program_environment
-from day6_tui.command_line import language_of
 from day6_tui.distribution_choice import settle
 from day6_tui.locale import Texts
 from day6_tui.notebook.errors import picture, place, show_interrupt
@@ -55,7 +55,7 @@ class Notebook:
         os.environ.update(program_environment())  # for !ros2 and !python3
         os.environ.setdefault("RCUTILS_LOGGING_USE_STDOUT", "1")  # notebooks show stderr as errors, in red
         self._shell = shell
-        self._texts = Texts(language_of([]))
+        self._texts = Texts(language_of(os.environ))
         self._spinners: dict[Node, Spinner] = {}
         self._told: set[str] = set()
         """The names of nodes that the pupil knows to go on."""

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 from textual.app import ComposeResult
 from textual.binding import Binding
 
+from day6_core.language import LANGUAGES
 from day6_tui.appearance.look import Look
-from day6_tui.locale import LANGUAGES, catalogue
+from day6_tui.locale import catalogue
 from day6_tui.overlays.menu import Entry, SearchedList
 from day6_tui.overlays.modal import plain
 from day6_tui.panes.cells import fit, wrap

@@ -17,11 +17,11 @@ from textual import constants
 from textual.color import Color as Ground
 from textual.filter import LineFilter, Monochrome, NoColor
 
+from day6_core.language import language_of
 from day6_tui.appearance import glyphs
 from day6_tui.appearance.colours import colours
 from day6_tui.appearance.glyphs import CANVASES, GLYPH_SETS, PIXELS
 from day6_tui.appearance.themes import NAMES, make_theme
-from day6_tui.locale import detect
 
 if TYPE_CHECKING:
     from day6_tui.app import Day6App
@@ -95,7 +95,7 @@ class Adaptation:
         if self._kind:
             self._worn[self._kind] = worn, spoken
         else:
-            spoken = detect(environ)
+            spoken = language_of(environ)
         self._kind = kind = glyphs.detect(environ)
         known, language = self._worn.get(kind, (app.options.glyphs, app.options.lang or spoken))
         wanted = known if known in _SHOWN_BY[kind] else _SHOWN_BY[kind][0]

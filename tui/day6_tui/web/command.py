@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
+import os
 import signal
 import sys
 from collections.abc import Callable
@@ -12,8 +13,8 @@ from collections.abc import Callable
 from day6_core.isolation import modes
 from day6_core.isolation.cell import IsolationError, Words
 from day6_core.isolation.modes import Offer
+from day6_core.language import language_of
 from day6_core.session.harmless import one_line
-from day6_tui.command_line import language_of
 from day6_tui.locale import Texts
 from day6_tui.web.options import is_loopback, parse
 from day6_tui.web.places import isolation_before
@@ -30,7 +31,7 @@ class Refused(Exception):
 
 def main(words: list[str]) -> int:
     """`day6-tui serve [OPTION …]`; returns the exit status."""
-    language = language_of(words)
+    language = language_of(os.environ, words)
     texts = Texts(language)
     settings = parse(words, language)
     tell = _teller(texts)

@@ -12,6 +12,7 @@ from urllib.parse import urlsplit
 from day6_core.graph.domain import VARIABLE, DomainError, domain_from_text
 from day6_core.isolation.cell import Limits
 from day6_core.isolation.modes import NAMES
+from day6_core.language import LANGUAGES
 from day6_core.places import default_home
 from day6_tui.command_line import folder, parser_with_options
 from day6_tui.locale import Texts
@@ -31,7 +32,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     add("--word", type=_word, metavar="WORD", help=texts("cli.serve.word"))
     add("--data", type=Path, metavar="DIR", help=texts("cli.serve.data"))
     add("--lessons", type=folder, metavar="DIR", help=texts("cli.lessons"))
-    add("--lang", choices=("zh", "en"), help=texts("cli.serve.lang"))
+    add("--lang", choices=LANGUAGES, help=texts("cli.serve.lang"))
     add("--most", type=partial(_number, least=1, most=1000), default=40, metavar="N", help=texts("cli.serve.most"))
     add("--idle", type=_minutes, default=120.0, metavar="MIN", help=texts("cli.serve.idle"))
     add("--keep", action="store_true", help=texts("cli.serve.keep"))

@@ -6,7 +6,8 @@ from html import escape
 
 from aiohttp import web
 
-from day6_tui.locale import LANGUAGES, Texts
+from day6_core.language import LANGUAGES
+from day6_tui.locale import Texts
 
 LONGEST_TYPED = 64
 """Characters of the field for the name: more than a name may have, so that it is told and not cut."""

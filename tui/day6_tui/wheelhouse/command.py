@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
+import os
 import sys
 import tempfile
 from pathlib import Path
 
+from day6_core.language import LANGUAGES, language_of
 from day6_core.session.harmless import one_line
-from day6_tui.command_line import language_of, parser_with_options
+from day6_tui.command_line import parser_with_options
 from day6_tui.locale import Texts
 from day6_tui.wheelhouse import closure, folder, own_wheel
 from day6_tui.wheelhouse.guide import checker, guide
@@ -21,7 +23,7 @@ EXTRAS = ("serve",)
 
 def main(words: list[str]) -> int:
     """`day6-tui wheelhouse DIR [--platform P …] [--python V …]`; returns the exit status."""
-    language = language_of(words)
+    language = language_of(os.environ, words)
     texts = Texts(language)
     options = _parser(texts).parse_args(words)
     here = this_platform()
@@ -79,5 +81,5 @@ def _parser(texts: Texts) -> argparse.ArgumentParser:
         "--platform", action="append", choices=tuple(PLATFORMS), metavar="NAME", help=texts("wheelhouse.platform")
     )
     options.add_argument("--python", action="append", choices=PYTHONS, metavar="3.12", help=texts("wheelhouse.python"))
-    options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.lang"))
+    options.add_argument("--lang", choices=LANGUAGES, help=texts("cli.lang"))
     return parser

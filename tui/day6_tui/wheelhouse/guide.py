@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from day6_tui.locale import LANGUAGES, Texts
+from day6_core.language import LANGUAGES
+from day6_tui.locale import Texts
 from day6_tui.wheelhouse.targets import PYTHONS, Target
 
 _INSTALL = "pip install --no-index --find-links . day6-tui"

@@ -10,10 +10,11 @@ import threading
 import time
 from pathlib import Path
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.grading import reports
 from day6_core.lessons.grading.grader import SECONDS, Graded, Grader
 from day6_core.lessons.grading.scenarios import HERE, Grading, gradings
-from day6_core.lessons.source import LANGUAGES, LessonMistakes
+from day6_core.lessons.source import LessonMistakes
 from day6_core.lessons.tables import Exists, must_be_new, write_table
 from day6_core.lessons.texts import Say
 from day6_core.session.harmless import lines, one_line

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.grading.grader import Graded, Result
-from day6_core.lessons.source import LANGUAGES
 from day6_core.lessons.tables import Cell, csv_bytes, html_page, html_table, html_text
 from day6_core.lessons.texts import Say
 from day6_core.session.harmless import one_line

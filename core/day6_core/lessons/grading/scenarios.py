@@ -12,11 +12,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons.actions import action_mistake, filled
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import Action
 from day6_core.lessons.flaws import line_of
-from day6_core.lessons.source import LANGUAGES, NAME, Source
+from day6_core.lessons.source import NAME, Source
 
 HERE = Path(__file__).parent / "hidden"
 WITHIN, MOST_WITHIN = 15.0, 60.0

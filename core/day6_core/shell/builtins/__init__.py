@@ -1,5 +1,5 @@
 """The commands of the simulated terminal, one module per group; `day6_core/shell/commands.py` lists where each one is.
 
-Each module has a table `COMMANDS: name -> async def main(session) -> int | None`. What they print, errors included, is what bash
+Each is an `async def command(session) -> int | None`. What they print, errors included, is what bash
 and coreutils print. A built-in that changes its shell does so through `shell_of`.
 """

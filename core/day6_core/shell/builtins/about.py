@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain, complain_as_shell
 from day6_core.shell.language import file_tests
 from day6_core.shell.language.interpreter import shell_of
@@ -48,8 +48,8 @@ _KEYWORDS = frozenset({"if", "then", "else", "elif", "fi", "for", "in", "while",
 
 
 async def help_(session: Session) -> int:
+    from day6_core.language import language_of
     from day6_core.shell.commands import command_names
-    from day6_urdf.explain import language_of
 
     text = _HELP[language_of(session.env)]
     mentioned = set(text.replace(",", " ").replace(";", " ").split())
@@ -268,27 +268,3 @@ async def seq(session: Session) -> int:
         value = first + count * step
         await session.stdout.drain()
     return 0
-
-
-COMMANDS: dict[str, Main] = {
-    "help": help_,
-    "clear": clear,
-    "reset": clear,
-    "which": which,
-    "type": type_,
-    "command": command,
-    "whoami": whoami,
-    "id": id_,
-    "hostname": hostname,
-    "uname": uname,
-    "printenv": printenv,
-    "env": env,
-    "true": true,
-    "false": false,
-    ":": true,
-    "test": test,
-    "[": test,
-    "basename": basename,
-    "dirname": dirname,
-    "seq": seq,
-}

@@ -6,7 +6,7 @@ import difflib
 import re
 from collections.abc import Callable, Generator
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.task import in_turns
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import lines_of, text_named, unescape
@@ -377,6 +377,3 @@ def _normal_diff(session: Session, old: list[str], new: list[str]) -> None:
 
 def _span(first: int, end: int) -> str:
     return str(end) if end - first == 1 else f"{first + 1},{end}"
-
-
-COMMANDS: dict[str, Main] = {"cut": cut, "tr": tr, "rev": rev, "sed": sed, "diff": diff}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 
 _SEQUENCES = {
     "clear": "\x1b[H\x1b[2J",
@@ -49,6 +49,3 @@ async def dircolors(session: Session) -> int:
 async def lesspipe(session: Session) -> int:
     """Do nothing: the real one prints variables with which less shows archives; ours shows text files only."""
     return 0
-
-
-COMMANDS: dict[str, Main] = {"tput": tput, "dircolors": dircolors, "lesspipe": lesspipe}

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 from urllib.parse import urlsplit
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
 from day6_core.shell.builtins.options import UsageError, parse
 from day6_core.shell.builtins.text import write_named
@@ -68,6 +68,12 @@ def _address(text: str) -> str | None:
     return url if parts.scheme in ("http", "https") and parts.hostname else None
 
 
+def _saved(names: list[str]) -> list[str]:
+    """Where files may be written: the working directory, and the operands that are not URLs."""
+    return [".", *(name for name in names if "://" not in name)]
+
+
+@asking(_saved)
 async def wget(session: Session) -> int:
     """`wget [-q] [-O FILE] [-P FOLDER] ADDRESS …`."""
     try:
@@ -125,6 +131,7 @@ async def _wget_end(session: Session, url: str, name: str, response: Response, r
     return 0
 
 
+@asking(_saved)
 async def curl(session: Session) -> int:
     """`curl [-sSLf] [-o FILE | -O] ADDRESS`."""
     try:
@@ -165,11 +172,3 @@ def _curl_fails(session: Session, number: int, text: str, quiet: bool) -> int:
     if not quiet:
         session.print_error(f"curl: ({number}) {text}")
     return number
-
-
-def _saved(names: list[str]) -> list[str]:
-    """Where files may be written: the working directory, and the operands that are not URLs."""
-    return [".", *(name for name in names if "://" not in name)]
-
-
-COMMANDS: dict[str, Main] = {"wget": asking(wget, _saved), "curl": asking(curl, _saved)}

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from day6_core.places import data_folder
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.task import Signal
 from day6_core.shell.editing.model import CannotEdit, Editor
 
@@ -51,6 +51,3 @@ def _give_keys_back(session: Session, model: Editor) -> None:
 def _state_folder() -> Path:
     """The folder in which copies of unsaved texts survive a crash."""
     return data_folder() / "unsaved"
-
-
-COMMANDS: dict[str, Main] = dict.fromkeys(("nano", "gedit", "vim", "vi", "code", "mousepad", "gnome-text-editor"), edit)

@@ -7,7 +7,7 @@ import os
 import stat
 from pathlib import Path
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.streams import FileOutput, OutputStream, WriteError
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import lines_of
@@ -37,6 +37,11 @@ async def cat(session: Session) -> int:
     return 1 if problems else 0
 
 
+def _all(names: list[str]) -> list[str]:
+    return names
+
+
+@asking(_all)
 async def tee(session: Session) -> int:
     options, names = parse(session.argv, "ai")
     files: list[FileOutput] = []
@@ -77,6 +82,7 @@ async def tee(session: Session) -> int:
     return status
 
 
+@asking(_all)
 async def mkdir(session: Session) -> int:
     try:
         options, names = parse(session.argv, "pv", "m", {"--parents": "p", "--verbose": "v"})
@@ -122,6 +128,7 @@ def _make_folder(cwd: Path, name: str, *, parents: bool) -> None:
             raise OSError(error.errno, error.strerror, part) from None
 
 
+@asking(_all)
 async def rmdir(session: Session) -> int:
     try:
         _, names = parse(session.argv, "")
@@ -140,6 +147,7 @@ async def rmdir(session: Session) -> int:
     return status
 
 
+@asking(_all)
 async def touch(session: Session) -> int:
     status = 0
     names = [word for word in session.argv[1:] if not word.startswith("-")]
@@ -157,6 +165,7 @@ async def touch(session: Session) -> int:
     return status
 
 
+@asking(_all)
 async def rm(session: Session) -> int:
     try:
         options, names = parse(
@@ -239,6 +248,7 @@ async def _agreed_to_remove(session: Session, name: str, found: os.stat_result) 
     return (await session.stdin.read_line()).strip().lower() in ("y", "yes")
 
 
+@asking(lambda names: names[1:])
 async def chmod(session: Session) -> int:
     words = [word for word in session.argv[1:] if word != "-R"]
     if len(words) < 2:
@@ -275,18 +285,3 @@ def _new_mode(text: str, now: int) -> int:
                 mode &= ~(7 << shift)
             mode = mode & ~(bits << shift) if clause[at] == "-" else mode | (bits << shift)
     return mode
-
-
-def _all(names: list[str]) -> list[str]:
-    return names
-
-
-COMMANDS: dict[str, Main] = {
-    "cat": cat,
-    "mkdir": asking(mkdir, _all),
-    "rmdir": asking(rmdir, _all),
-    "touch": asking(touch, _all),
-    "rm": asking(rm, _all),
-    "tee": asking(tee, _all),
-    "chmod": asking(chmod, lambda names: names[1:]),
-}

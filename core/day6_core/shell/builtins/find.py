@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain, reason
 
 Test = Callable[[str, Path], bool]
@@ -152,6 +152,3 @@ def _size(text: str) -> Test:
         return blocks > number if sign == "+" else blocks < number if sign == "-" else blocks == number
 
     return test
-
-
-COMMANDS: dict[str, Main] = {"find": find}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from day6_core.session.program import Program
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.signals import NUMBERS
 from day6_core.shell.builtins.options import complain_as_shell
 from day6_core.shell.language.control_flow import Interrupted
@@ -226,16 +226,3 @@ async def pkill(session: Session) -> int:
     if not found and session.name == "killall":
         session.print_error(f"{words[0]}: no process found")
     return 0 if found else 1
-
-
-COMMANDS: dict[str, Main] = {
-    "jobs": jobs,
-    "fg": fg,
-    "bg": bg,
-    "wait": wait,
-    "kill": kill,
-    "disown": disown,
-    "ps": ps,
-    "pkill": pkill,
-    "killall": pkill,
-}

@@ -8,7 +8,7 @@ import stat
 import time
 from pathlib import Path
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.language.interpreter import shell_of
 from day6_core.width import text_width
@@ -224,6 +224,3 @@ def _branch(session: Session, folder: Path, prefix: str, options: dict[str, str]
         counts[0 if inside else 1] += 1
         if inside:
             _branch(session, entry, prefix + ("    " if last else "│   "), options, left - 1, counts)
-
-
-COMMANDS: dict[str, Main] = {"ls": ls, "tree": tree}

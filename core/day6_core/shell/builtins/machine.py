@@ -6,7 +6,7 @@ import os
 import platform
 from pathlib import Path
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
 
 _RELEASE = Path("/etc/os-release")
@@ -54,6 +54,3 @@ async def locale(session: Session) -> int:
         session.print(f"LC_{name}={own}" if own else f'LC_{name}="{variables.get("LC_ALL") or language or "POSIX"}"')
     session.print(f"LC_ALL={variables.get('LC_ALL', '')}")
     return 0
-
-
-COMMANDS: dict[str, Main] = {"nproc": nproc, "lsb_release": lsb_release, "locale": locale}

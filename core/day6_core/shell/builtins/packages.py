@@ -8,9 +8,9 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from day6_core.session.session import Main, Session
+from day6_core.language import language_of
+from day6_core.session.session import Session
 from day6_core.shell.language.interpreter import Shell, shell_of
-from day6_urdf.explain import language_of
 
 
 async def sudo(session: Session) -> int:
@@ -187,6 +187,3 @@ def _is_system(key: str) -> bool:
 async def pip(session: Session) -> int:
     """The pip of the Python that runs student programs, really."""
     return await session.run_python(["-m", "pip", *session.argv[1:]])
-
-
-COMMANDS: dict[str, Main] = {"sudo": sudo, "apt": apt, "apt-get": apt, "rosdep": rosdep, "pip": pip, "pip3": pip}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from day6_core.session.session import Main, Session
+from day6_core.language import language_of
+from day6_core.session.session import Session
 from day6_core.session.streams import InputStream, TerminalSide
 from day6_core.shell.builtins.options import reason
 from day6_core.shell.builtins.text import text_named
@@ -49,7 +50,7 @@ async def man(session: Session) -> int:
         return 1
     status = 0
     for name in words:
-        text = page(name, session.env.get("LC_ALL") or session.env.get("LANG", ""))
+        text = page(name, language_of(session.env))
         if text is None:
             session.print_error(f"No manual entry for {name}")
             status = 16
@@ -154,6 +155,3 @@ def _rows_of(line: str, width: int) -> Iterator[str]:
         row += character
         used += cells
     yield row
-
-
-COMMANDS: dict[str, Main] = {"less": less, "more": less, "man": man}

@@ -6,12 +6,13 @@ import os
 from pathlib import Path
 from uuid import uuid4
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.builtins.options import UsageError, complain, complain_as_shell, parse, reason
 from day6_core.shell.language.interpreter import shell_of
 from day6_core.shell.outside import asking
 
 
+@asking(lambda names: names[-1:] if len(names) > 1 else [])
 async def ln(session: Session) -> int:
     """`ln -s TARGET [NAME]`, also hard links; `-f` replaces what is there."""
     try:
@@ -160,13 +161,3 @@ def _go(session: Session, target: str) -> bool:
     shell.variables["OLDPWD"], shell.variables["PWD"] = str(shell.cwd), str(path)
     shell.cwd = path
     return True
-
-
-COMMANDS: dict[str, Main] = {
-    "ln": asking(ln, lambda names: names[-1:] if len(names) > 1 else []),
-    "readlink": readlink,
-    "realpath": realpath,
-    "pushd": pushd,
-    "popd": popd,
-    "dirs": dirs,
-}

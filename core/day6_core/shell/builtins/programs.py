@@ -27,24 +27,22 @@ async def launch_test(session: Session) -> int:
     return await session.run_python(["-m", "launch_testing.launch_test", *session.argv[1:]])
 
 
+@asking(lambda words: ["."] if words[:2] == ["pkg", "create"] else [])
 async def ros2(session: Session) -> int:
     # Not imported at the top: the command tree is large, and most lines of a terminal do without it.
     main: Main = importlib.import_module("day6_core.ros.ros2").main
     return (await main(session)) or 0
 
 
+@asking(lambda words: ["."] if words[:1] in (["build"], ["test"]) else [])
 async def colcon(session: Session) -> int:
     main: Main = importlib.import_module("day6_core.workspace.command").main
     return (await main(session)) or 0
 
 
-def _program(package: str, executable: str) -> Main:
+async def ros_program(session: Session) -> int:
     """A command that is an executable of one of our packages."""
-
-    async def main(session: Session) -> int:
-        return await session.execute(load(package, executable), session.argv)
-
-    return main
+    return await session.execute(load(*ROS_COMMANDS[session.name]), session.argv)
 
 
 async def bash(session: Session) -> int:
@@ -85,16 +83,3 @@ async def _run_copy(session: Session, text: str, zero: str, arguments: list[str]
     inner.exported = set(session.env)
     streams = Streams(session.stdin, session.stdout, session.stderr)
     return (await subshell_main(inner, lambda: inner.run(text, streams))(session)) or 0
-
-
-COMMANDS: dict[str, Main] = {
-    "python3": python3,
-    "python": python3,
-    "pytest": pytest,
-    "launch_test": launch_test,
-    "ros2": asking(ros2, lambda words: ["."] if words[:2] == ["pkg", "create"] else []),
-    "colcon": asking(colcon, lambda words: ["."] if words[:1] in (["build"], ["test"]) else []),
-    **{name: _program(*place) for name, place in ROS_COMMANDS.items()},
-    "bash": bash,
-    "sh": bash,
-}

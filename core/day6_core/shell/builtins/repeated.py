@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shlex
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.streams import InputStream
 from day6_core.shell.builtins.options import UsageError, complain, parse
 from day6_core.shell.language.interpreter import shell_of, subshell_main
@@ -101,6 +101,3 @@ def _first_operand(argv: list[str], with_value: str) -> int:
         takes_next = len(argv[at]) == 2 and argv[at][1] in with_value
         at += 2 if takes_next else 1
     return min(at, len(argv))
-
-
-COMMANDS: dict[str, Main] = {"xargs": xargs, "watch": watch}

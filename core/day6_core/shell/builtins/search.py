@@ -6,7 +6,7 @@ import os
 import re
 from collections import deque
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.task import in_turns
 from day6_core.shell.builtins.options import UsageError, complain, parse
 from day6_core.shell.builtins.text import lines_of
@@ -224,6 +224,3 @@ async def egrep(session: Session) -> int:
     """`egrep` and `fgrep`: the old names of `grep -E` and `grep -F`."""
     kind = "-E" if session.name == "egrep" else "-F"
     return await session.execute(grep, ["grep", kind, *session.argv[1:]])
-
-
-COMMANDS: dict[str, Main] = {"grep": grep, "egrep": egrep, "fgrep": egrep}

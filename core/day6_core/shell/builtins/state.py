@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain_as_shell, reason
 from day6_core.shell.builtins.text import text_named
 from day6_core.shell.language.control_flow import ExitShell, LoopControl, ReturnFromSource
@@ -166,19 +166,3 @@ async def history(session: Session) -> int:
     for number, line in enumerate(shell.history[first:], first + 1):
         session.print(f"{number:>5}  {line}")
     return 0
-
-
-COMMANDS: dict[str, Main] = {
-    "cd": cd,
-    "pwd": pwd,
-    "shift": shift,
-    "exit": exit_,
-    "logout": exit_,
-    "break": break_,
-    "continue": break_,
-    "return": return_,
-    "source": source,
-    ".": source,
-    "eval": eval_,
-    "history": history,
-}

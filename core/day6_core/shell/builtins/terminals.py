@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.language.interpreter import shell_of
 
 if TYPE_CHECKING:
@@ -70,10 +70,3 @@ def _open(session: Session, command: Sequence[str]) -> Terminal | None:
         session.print_error(f"{session.argv[0]}: fork: {error.strerror}")
         return None
     return terminal
-
-
-COMMANDS: dict[str, Main] = {
-    "xterm": xterm,
-    "gnome-terminal": gnome_terminal,
-    "x-terminal-emulator": xterm,
-}

@@ -10,7 +10,7 @@ from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 
 from day6_core.session.blocking_files import refuse
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.streams import FileInput, InputStream
 from day6_core.session.task import let_others_run
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
@@ -420,14 +420,3 @@ async def uniq(session: Session) -> int:
             previous, count = text, 1
     show()
     return 1 if problems else 0
-
-
-COMMANDS: dict[str, Main] = {
-    "echo": echo,
-    "printf": printf,
-    "head": head,
-    "tail": tail,
-    "wc": wc,
-    "sort": sort,
-    "uniq": uniq,
-}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from day6_core.session.clock import NANOSECONDS, nanoseconds
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.signals import NUMBERS
 from day6_core.session.task import wait_for
 from day6_core.shell.builtins.options import UsageError, complain, parse
@@ -125,6 +125,3 @@ async def date(session: Session) -> int:
         pattern = pattern.replace("%Z", "UTC")  # which Python calls GMT
     session.print(time.strftime(pattern[1:].replace("%e", f"{moment.tm_mday:>2}"), moment))
     return 0
-
-
-COMMANDS: dict[str, Main] = {"sleep": sleep, "timeout": timeout, "date": date}

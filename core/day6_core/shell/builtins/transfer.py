@@ -9,7 +9,7 @@ import shutil
 import stat
 from pathlib import Path
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.session.task import let_others_run
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import text_named, write_named
@@ -29,11 +29,13 @@ class _Refused(Exception):
     """Why one file was not copied or moved; the text is complete but for the name of the command."""
 
 
+@asking(lambda names: names[-1:])
 async def cp(session: Session) -> int:
     """`cp [-rafvinpu] SOURCE… TARGET`."""
     return await _Transfer(session).run(move=False)
 
 
+@asking(lambda names: names)
 async def mv(session: Session) -> int:
     """`mv [-fvinu] SOURCE… TARGET`."""
     return await _Transfer(session).run(move=True)
@@ -287,9 +289,3 @@ def _same(source: Path, goal: Path, *, follow: bool) -> bool:
     except OSError:
         return False
     return False
-
-
-COMMANDS: dict[str, Main] = {
-    "cp": asking(cp, lambda names: names[-1:]),
-    "mv": asking(mv, lambda names: names),
-}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shlex
 
-from day6_core.session.session import Main, Session
+from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain_as_shell
 from day6_core.shell.language.arithmetic import ArithmeticProblem, evaluate
 from day6_core.shell.language.control_flow import DiscardLine
@@ -261,25 +261,3 @@ async def shopt(session: Session) -> int:
 async def accepted(session: Session) -> int:
     """`trap`, `umask`, `bind` …: accepted because a .bashrc uses them; they have no effect here."""
     return 0
-
-
-COMMANDS: dict[str, Main] = {
-    "export": export,
-    "unset": unset,
-    "local": local,
-    "declare": declare,
-    "typeset": declare,
-    "readonly": declare,
-    "let": let,
-    "read": read,
-    "alias": alias,
-    "unalias": unalias,
-    "set": set_,
-    "shopt": shopt,
-    "bind": accepted,
-    "complete": accepted,
-    "stty": accepted,
-    "trap": accepted,
-    "ulimit": accepted,
-    "umask": accepted,
-}

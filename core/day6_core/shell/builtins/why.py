@@ -9,10 +9,10 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from day6_core.session.session import Main, Session
+from day6_core.language import language_of
+from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
 from day6_core.shell.language.interpreter import shell_of
-from day6_urdf.explain import language_of
 
 if TYPE_CHECKING:
     from day6_core.advice.card_files import Card
@@ -221,6 +221,3 @@ def _say(session: Session, key: str) -> str:
     from day6_core.advice.texts import TEXTS
 
     return f"{session.name}: {TEXTS[key][language_of(session.env) == 'zh']}"
-
-
-COMMANDS: dict[str, Main] = {"why": why, "explain": explain}

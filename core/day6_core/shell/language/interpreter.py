@@ -145,7 +145,7 @@ class Shell(ShellState):
         """Names of the commands that open a terminal."""
         from day6_core.shell.commands import MODULES
 
-        return MODULES["terminals"]
+        return tuple(MODULES["terminals"])
 
     def start_beside(
         self,

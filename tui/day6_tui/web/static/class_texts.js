@@ -67,7 +67,10 @@ const ZH = {
   "large.absent": "{name} 还没来，没有屏幕可看。",
   "large.end": "结束桌面",
   "large.end.confirm": "要结束 {name} 的桌面吗？正在运行的程序会停止，文件会保留。",
-  "report.columns": ["姓名", "状态", "课程", "步骤", "共几步", "完成这一步", "提示", "最近的错误", "出错的那一行", "空闲（秒）", "举手", "节点"],
+  "report.column.name": "姓名", "report.column.state": "状态", "report.column.lesson": "课程",
+  "report.column.step": "步骤", "report.column.steps": "共几步", "report.column.solved": "完成这一步",
+  "report.column.hints": "提示", "report.column.trouble": "最近的错误", "report.column.line": "出错的那一行",
+  "report.column.idle": "空闲（秒）", "report.column.hand": "举手", "report.column.nodes": "节点",
   "report.file": "班级",
 };
 
@@ -138,9 +141,10 @@ const EN = {
   "large.absent": "{name} is not here yet, so there is no screen.",
   "large.end": "End desktop",
   "large.end.confirm": "End the desktop of {name}? Running programs stop, files are kept.",
-  "report.columns": [
-    "name", "state", "lesson", "step", "of steps", "step solved", "hints", "last error", "error text", "idle (s)", "hand", "nodes",
-  ],
+  "report.column.name": "name", "report.column.state": "state", "report.column.lesson": "lesson",
+  "report.column.step": "step", "report.column.steps": "of steps", "report.column.solved": "step solved",
+  "report.column.hints": "hints", "report.column.trouble": "last error", "report.column.line": "error text",
+  "report.column.idle": "idle (s)", "report.column.hand": "hand", "report.column.nodes": "nodes",
   "report.file": "class",
 };
 

@@ -107,12 +107,25 @@ function csvCell(value) {
   return `"${plain.replaceAll('"', '""')}"`;
 }
 
+/** What is in each column of the report; `report.column.<name>` stands above it. */
+const COLUMNS = {
+  name: (row) => row.shownName,
+  state: (row, texts) => texts.say(`state.${row.state}`),
+  lesson: (row) => row.lesson?.title ?? "",
+  step: (row) => row.lesson?.step ?? "",
+  steps: (row) => row.lesson?.all ?? "",
+  solved: (row) => (row.lesson ? Number(row.lesson.solved) : ""),
+  hints: (row) => row.lesson?.hints ?? "",
+  trouble: (row) => row.trouble?.title ?? "",
+  line: (row) => row.trouble?.line ?? "",
+  idle: (row) => (row.runs ? row.idle : ""),
+  hand: (row) => (row.hand ? 1 : 0),
+  nodes: (row) => row.nodes.join(" "),
+};
+
 /** The class as a CSV file that Excel opens, too. */
 export function report(rows, texts) {
-  const lines = rows.map((row) => [
-    row.shownName, texts.say(`state.${row.state}`), row.lesson?.title ?? "", row.lesson?.step ?? "", row.lesson?.all ?? "",
-    row.lesson ? Number(row.lesson.solved) : "", row.lesson?.hints ?? "", row.trouble?.title ?? "",
-    row.trouble?.line ?? "", row.runs ? row.idle : "", row.hand ? 1 : 0, row.nodes.join(" "),
-  ]);
-  return "\ufeff" + [texts.lines("report.columns"), ...lines].map((cells) => cells.map(csvCell).join(",") + "\r\n").join("");
+  const head = Object.keys(COLUMNS).map((column) => texts.say(`report.column.${column}`));
+  const lines = rows.map((row) => Object.values(COLUMNS).map((cell) => cell(row, texts)));
+  return "\ufeff" + [head, ...lines].map((cells) => cells.map(csvCell).join(",") + "\r\n").join("");
 }

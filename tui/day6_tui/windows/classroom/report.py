@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from day6_core.classroom.roster import Roster
+from day6_core.classroom.roster import Reached, Roster
 from day6_core.lessons.tables import csv_bytes, must_be_new, write_table
 from day6_tui.classes.log import as_csv
 from day6_tui.locale import Texts
@@ -19,8 +19,8 @@ def write_report(path: Path, roster: Roster, texts: Texts) -> list[str]:
     """Write both files and return their names. Raises Exists before anything is written, OSError."""
     log = log_beside(path)
     must_be_new([path, log], force=False)
-    heads = [texts(f"teacher.csv.{name}") for name in ("name", "lesson", "step", "steps")]
-    rows = [(name, lesson, step or "", steps or "") for name, lesson, step, steps in roster.report()]
+    heads = [texts(f"teacher.csv.{name}") for name in Reached._fields]
+    rows = [[each or "" for each in reached] for reached in roster.report()]
     write_table(path, csv_bytes(heads, rows), force=False)
     write_table(log, as_csv(roster.events, texts), force=False)
     return [path.name, log.name]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from rich.segment import Segment
@@ -12,10 +12,8 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.windows.classroom.words import Words, words_of
 
-NAME_LEAST, LESSON_LEAST, STATE_LEAST = 12, 9, 20
-"""Cells of the columns that are not given up for another one."""
-LESSON_GOOD = 14
-"""Cells of a column that does not jump when somebody opens a lesson."""
+STATE_LEAST = 20
+"""Cells of what is said of a pupil that are not given up for a column."""
 MARK = 2
 """Cells before the name, for the mark of the chosen row."""
 CUT_LEAST = 10
@@ -46,20 +44,37 @@ def places_for(rows: int, told: int, height: int, *, preview: bool) -> Places:
     return Places(min(wanted, height - told), 0, told)
 
 
-class Columns(NamedTuple):
-    """Cells of the columns; the last has what is left."""
+def lesson_of(row: Row) -> str:
+    """The lesson a pupil is in, and the step."""
+    lesson = row.note.lesson if row.note is not None else None
+    return f"{lesson.name} {lesson.step}/{lesson.all}" if lesson is not None else ""
 
-    name: int
-    lesson: int
+
+class Column(NamedTuple):
+    """A column before what is said of a pupil; `teacher.head.<name>` stands above it."""
+
+    name: str
+    text: Callable[[Row], str]
+    least: int
+    """Cells that are not given up for another column."""
+    good: int
+    """Cells in which it does not jump when somebody opens a lesson."""
 
 
-def columns_for(names: Iterable[str], lessons: Iterable[str], width: int) -> Columns:
-    """As wide as the longest name and lesson; where that is too much, the lesson gives way first, then the name."""
-    name = max(NAME_LEAST, *map(cell_len, names))
-    lesson = max(LESSON_GOOD, *map(cell_len, lessons))
-    over = name + lesson + STATE_LEAST + MARK + 2 - width
-    given = max(0, min(over, lesson - LESSON_LEAST))
-    return Columns(name - max(0, min(over - given, name - NAME_LEAST)), lesson - given)
+COLUMNS = (Column("name", lambda row: row.name, least=12, good=12), Column("lesson", lesson_of, least=9, good=14))
+
+
+def widths_for(lines: Sequence[Sequence[str]], width: int) -> list[int]:
+    """As wide as the longest text of each column in these lines; where that is too much, the last one gives way first."""
+    widths = [
+        max(column.good, *map(cell_len, texts)) for column, texts in zip(COLUMNS, zip(*lines, strict=True), strict=True)
+    ]
+    over = sum(widths) + len(widths) + STATE_LEAST + MARK - width
+    for at in reversed(range(len(widths))):
+        given = max(0, min(over, widths[at] - COLUMNS[at].least))
+        widths[at] -= given
+        over -= given
+    return widths
 
 
 def with_room(words: Sequence[Words], room: int, look: Look) -> list[Segment]:
@@ -117,33 +132,29 @@ class ClassTable:
         if self._reveals:
             self.top = max(at - room + 1, min(self.top, at))
         self.top, self.page = max(0, min(self.top, len(rows) - room)), room
-        texts = self._look.texts
-        lessons = [lesson_of(row) for row in rows]
-        columns = columns_for(
-            [texts("teacher.head.name"), *(row.name for row in rows)], [texts("teacher.head.lesson"), *lessons], width
-        )
-        lines = [self._head(columns, width, is_frozen=is_frozen)]
+        heads = [self._look.texts(f"teacher.head.{column.name}") for column in COLUMNS]
+        widths = widths_for([heads, *([column.text(row) for column in COLUMNS] for row in rows)], width)
+        lines = [self._head(heads, widths, width, is_frozen=is_frozen)]
         self.row_at = {}
         for row in rows[self.top : self.top + room]:
             self.row_at[len(lines)] = row.name
-            lines.append(self._line(row, now, columns, width, is_chosen=row.name == chosen))
+            lines.append(self._line(row, now, widths, width, is_chosen=row.name == chosen))
         if len(rows) > room:
             lines.append(self._rest(len(rows) - room - self.top, width))
         return lines
 
-    def _head(self, columns: Columns, width: int, *, is_frozen: bool) -> list[Segment]:
+    def _head(self, heads: Sequence[str], widths: Sequence[int], width: int, *, is_frozen: bool) -> list[Segment]:
         texts, colours = self._look.texts, self._look.colours
-        left = f"{' ' * MARK}{fit(texts('teacher.head.name'), columns.name)} "
-        left += f"{fit(texts('teacher.head.lesson'), columns.lesson)} "
+        left = " " * MARK + "".join(f"{fit(head, cells)} " for head, cells in zip(heads, widths, strict=True))
         rest = max(0, width - cell_len(left))
         state = texts("teacher.head.frozen" if is_frozen else "teacher.head.state")
         return [Segment(left, colours.muted), Segment(fit(state, rest), colours.hint if is_frozen else colours.muted)]
 
-    def _line(self, row: Row, now: float, columns: Columns, width: int, *, is_chosen: bool) -> list[Segment]:
+    def _line(self, row: Row, now: float, widths: Sequence[int], width: int, *, is_chosen: bool) -> list[Segment]:
         look, colours, ellipsis = self._look, self._look.colours, self._look.glyphs.ellipsis
         base = colours.choice if is_chosen else colours.text if row.is_here else colours.muted
-        name, lesson = fit(row.name, columns.name, ellipsis), fit(lesson_of(row), columns.lesson, ellipsis)
-        left = f"{fit(look.glyphs.chevron if is_chosen else '', MARK)}{name} {lesson} "
+        left = fit(look.glyphs.chevron if is_chosen else "", MARK)
+        left += "".join(f"{fit(each.text(row), cells, ellipsis)} " for each, cells in zip(COLUMNS, widths, strict=True))
         words = list(words_of(row, now, look, is_room=self._is_room))
         return [Segment(left, base), *with_room(words, max(0, width - cell_len(left)), look)]
 
@@ -157,9 +168,3 @@ class ClassTable:
             yield self._look.texts("teacher.above", count=self.top)
         if below:
             yield self._look.texts("teacher.below", count=below)
-
-
-def lesson_of(row: Row) -> str:
-    """The lesson a pupil is in, and the step."""
-    lesson = row.note.lesson if row.note is not None else None
-    return f"{lesson.name} {lesson.step}/{lesson.all}" if lesson is not None else ""

@@ -34,9 +34,6 @@ class PropertyTree(DesktopTree[panel.Line]):
     A branch that was never opened has no nodes.
     """
 
-    _filling = _stale = False
-    """Whether the nodes are being filled in, and whether there are others than before."""
-
     class Clicked(PersonMessage):
         """The mouse was pressed and released on a `part` of a line: its `opener`, its check `box` or its `value`."""
 

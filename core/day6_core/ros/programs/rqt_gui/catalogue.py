@@ -16,8 +16,6 @@ class Entry(NamedTuple):
     """`<package>/<class>`, by which perspectives name it."""
     type: str
     """Module and class of the real plugin, which `rqt --list-plugins` prints and `rqt --standalone` looks in."""
-    class_name: str
-    """The `Plugin` that it is here, in the executable of the package's name, which runs it alone."""
 
     @property
     def package(self) -> str:
@@ -25,30 +23,25 @@ class Entry(NamedTuple):
 
 
 KNOWN = (
-    Entry("Actions", "Action Type Browser", "rqt_action/ActionPlugin", "rqt_action.action_plugin.ActionPlugin",
-          "ActionPlugin"),
-    Entry("Configuration", "Dynamic Reconfigure", "rqt_reconfigure/Param", "rqt_reconfigure.param_plugin.ParamPlugin",
-          "ReconfigurePlugin"),
-    Entry("Introspection", "Node Graph", "rqt_graph/RosGraph", "rqt_graph.ros_graph.RosGraph", "RosGraphPlugin"),
-    Entry("Logging", "Bag", "rqt_bag/Bag", "rqt_bag.bag.Bag", "BagPlugin"),
-    Entry("Logging", "Console", "rqt_console/Console", "rqt_console.console.Console", "ConsolePlugin"),
-    Entry("Logging", "Logger Level", "rqt_logger_level/LoggerLevel", "rqt_logger_level.logger_level.LoggerLevel",
-          "LoggerLevelPlugin"),
-    Entry("Miscellaneous Tools", "Python Console", "rqt_py_console/PyConsole", "rqt_py_console.py_console.PyConsole",
-          "PyConsolePlugin"),
-    Entry("Miscellaneous Tools", "Shell", "rqt_shell/Shell", "rqt_shell.shell.Shell", "ShellPlugin"),
+    Entry("Actions", "Action Type Browser", "rqt_action/ActionPlugin", "rqt_action.action_plugin.ActionPlugin"),
+    Entry("Configuration", "Dynamic Reconfigure", "rqt_reconfigure/Param", "rqt_reconfigure.param_plugin.ParamPlugin"),
+    Entry("Introspection", "Node Graph", "rqt_graph/RosGraph", "rqt_graph.ros_graph.RosGraph"),
+    Entry("Logging", "Bag", "rqt_bag/Bag", "rqt_bag.bag.Bag"),
+    Entry("Logging", "Console", "rqt_console/Console", "rqt_console.console.Console"),
+    Entry("Logging", "Logger Level", "rqt_logger_level/LoggerLevel", "rqt_logger_level.logger_level.LoggerLevel"),
+    Entry("Miscellaneous Tools", "Python Console", "rqt_py_console/PyConsole", "rqt_py_console.py_console.PyConsole"),
+    Entry("Miscellaneous Tools", "Shell", "rqt_shell/Shell", "rqt_shell.shell.Shell"),
     Entry("Robot Tools", "Robot Steering", "rqt_robot_steering/RobotSteering",
-          "rqt_robot_steering.robot_steering.RobotSteering", "RobotSteeringPlugin"),
+          "rqt_robot_steering.robot_steering.RobotSteering"),
     Entry("Services", "Service Caller", "rqt_service_caller/ServiceCaller",
-          "rqt_service_caller.service_caller.ServiceCaller", "ServiceCallerPlugin"),
-    Entry("Services", "Service Type Browser", "rqt_srv/Services", "rqt_srv.services.Services", "ServiceTypePlugin"),
-    Entry("Topics", "Message Publisher", "rqt_publisher/Publisher", "rqt_publisher.publisher.Publisher",
-          "PublisherPlugin"),
-    Entry("Topics", "Message Type Browser", "rqt_msg/Messages", "rqt_msg.messages.Messages", "MessageTypePlugin"),
-    Entry("Topics", "Topic Monitor", "rqt_topic/TopicPlugin", "rqt_topic.topic.Topic", "TopicMonitorPlugin"),
-    Entry("Visualization", "Image View", "rqt_image_view/ImageView", "rqt_image_view/ImageView", "ImageViewPlugin"),
-    Entry("Visualization", "Plot", "rqt_plot/Plot", "rqt_plot.plot.Plot", "PlotPlugin"),
-    Entry("Visualization", "TF Tree", "rqt_tf_tree/RosTfTree", "rqt_tf_tree.tf_tree.RosTfTree", "TfTreePlugin"),
+          "rqt_service_caller.service_caller.ServiceCaller"),
+    Entry("Services", "Service Type Browser", "rqt_srv/Services", "rqt_srv.services.Services"),
+    Entry("Topics", "Message Publisher", "rqt_publisher/Publisher", "rqt_publisher.publisher.Publisher"),
+    Entry("Topics", "Message Type Browser", "rqt_msg/Messages", "rqt_msg.messages.Messages"),
+    Entry("Topics", "Topic Monitor", "rqt_topic/TopicPlugin", "rqt_topic.topic.Topic"),
+    Entry("Visualization", "Image View", "rqt_image_view/ImageView", "rqt_image_view/ImageView"),
+    Entry("Visualization", "Plot", "rqt_plot/Plot", "rqt_plot.plot.Plot"),
+    Entry("Visualization", "TF Tree", "rqt_tf_tree/RosTfTree", "rqt_tf_tree.tf_tree.RosTfTree"),
 )  # fmt: skip
 
 

@@ -25,8 +25,9 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Coroutine, Mapping
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, TypeVar, cast
 
 from day6_core.ros.programs.rqt_gui.command_line import own_words, plugin_parser
 from day6_core.ros.programs.rqt_gui.perspectives import Perspectives, folder_of
@@ -170,6 +171,13 @@ class PluginType(Protocol):
     def add_arguments(self, parser: Parser, /) -> None: ...
 
     def __call__(self, place: Place, /) -> Plugin[Any]: ...
+
+
+def plugin_of(package: str) -> PluginType:
+    """Return the plugin of a package: the one that the module of its executable defines, which runs it alone."""
+    module = import_module(f"day6_core.ros.programs.{package}.{package}")
+    classes = (each for each in vars(module).values() if isinstance(each, type) and each.__module__ == module.__name__)
+    return cast("PluginType", next(each for each in classes if issubclass(each, Plugin)))
 
 
 def create_node(session: Session, *, in_cpp: bool = False) -> Node:

@@ -7,7 +7,6 @@ named (see `programs/_without_screen.py`).
 from __future__ import annotations
 
 from functools import partial
-from importlib import import_module
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -17,7 +16,7 @@ from day6_core.ros.programs.rqt_gui.catalogue import Entry, matching, plugins
 from day6_core.ros.programs.rqt_gui.command_line import container_parser, own_words
 from day6_core.ros.programs.rqt_gui.model import Open, Rqt
 from day6_core.ros.programs.rqt_gui.perspectives import DEFAULT, Instance, Perspectives, folder_of
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, create_node, open_first
+from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, create_node, open_first, plugin_of
 from day6_core.session.argument_parser import ParserExit
 from day6_core.session.session import Session, Terminated
 from day6_core.session.task import Signal
@@ -201,8 +200,7 @@ class Container:
         self._kept = True
 
     def _begin(self, opened: Open, settings: Settings, *, chosen: bool = False) -> None:
-        module = import_module(f"day6_core.ros.programs.{opened.entry.package}.{opened.entry.package}")
-        plugin_type = getattr(module, opened.entry.class_name)
+        plugin_type = plugin_of(opened.entry.package)
         place = Place(self._session, self._node(in_cpp=plugin_type.in_cpp), settings=settings)
         plugin: Plugin[Any] = plugin_type(place)
         window = self._display.open(plugin.kind, opened.title, plugin.model, chosen=chosen)

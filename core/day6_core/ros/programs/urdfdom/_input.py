@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from day6_core.language import language_of
 from day6_core.session.session import Session
 from day6_urdf import Robot, check_text
 from day6_urdf.advice import advice_of
 from day6_urdf.check import MAX_BYTES, read_description, too_large
-from day6_urdf.explain import hint_of, hints_wanted, language_of
+from day6_urdf.explain import hint_of, hints_wanted
 
 FAILED = 255
 """exit(-1)"""

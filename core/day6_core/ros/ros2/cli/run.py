@@ -33,7 +33,7 @@ async def run_command(session: Session) -> int:
     argv = session.argv[1:]
     if argv == ["--version"]:
         session.print(f"ros2 {VERSION} (day6-tui)")
-        from day6_urdf.explain import language_of
+        from day6_core.language import language_of
 
         session.print_error(_NO_VERSION[language_of(session.env)])
         return 0

@@ -1,0 +1,42 @@
+"""The editor."""
+
+TEXTS = {
+    "editor.save": "save",
+    "editor.find": "find",
+    "editor.line": "go to line",
+    "editor.close": "close",
+    "editor.write": "save (Enter)",
+    "editor.write.name": "File Name to Write",
+    "editor.name": "a name is needed",
+    "editor.exists": "{name} exists: Enter again overwrites it",
+    "editor.modified": "Save modified buffer?",
+    "editor.modified.text": "{file} has unsaved changes.",
+    "editor.modified.save": "Save",
+    "editor.modified.discard": "Don't save",
+    "editor.cut": "cut lines, put them back",
+    "editor.tab": "completes modules, message types and fields; elsewhere indents, all selected lines if there are any",
+    "editor.complete": "Which one?",
+    "editor.outdent": "unindent",
+    "editor.new": "A new file …",
+    "editor.no_folder": "there is no folder {name}",
+    "editor.undo": "undo, redo",
+    "editor.open": "other file",
+    "editor.reload": "as on disk",
+    "editor.files": "Open a file",
+    "editor.choose": "Enter chooses a file of this folder.",
+    "editor.problem": "line {line}: {text}",
+    "editor.recovered": "not saved last time, restored here; ^R loads the file from disk",
+    "editor.outside": "the file was changed elsewhere; ^R loads that, ^S keeps this",
+    "editor.beyond": "outside your home folder: again changes it anyway",
+    "editor.overwrite": "the file was changed elsewhere: ^S again overwrites it",
+    "editor.not_saved": "not saved: {reason}",
+    "editor.not_kept": "no copy of the unsaved text: {reason}",
+    "editor.lose": "the same answer again loses the text, no copy: {reason}",
+    "editor.gone": "file gone from disk; ^S writes it again",
+    "editor.not_found": "{text} not found",
+    "editor.lines": "1 to {count}",
+    "help.editor": (
+        "A file of your home folder. What is wrong in it is named below and underlined, while you type. Unsaved text is kept and "
+        "comes back, whatever happens. Any other editor on the same files works as well: a change on the disk shows up here."
+    ),
+}

@@ -1,0 +1,57 @@
+"""The kitchen."""
+
+TEXTS = {
+    "action.kitchen": "Kitchen: the graph as cooks, belts and dishes",
+    "help.action.kitchen": "shows the live graph as a kitchen in which dishes move when messages pass; once more closes it",
+    "kitchen.title": "Kitchen",
+    "kitchen.count": "cooks: {cooks}, belts: {belts}",
+    "kitchen.hidden": ", hidden: {count}",
+    "kitchen.trouble": "belts that do not work: {count}",
+    "kitchen.belts": "belt",
+    "kitchen.cooks": "cook",
+    "kitchen.explain": "explain",
+    "kitchen.show_hidden": "hidden ones",
+    "kitchen.hide": "hide again",
+    "kitchen.scroll": "scroll",
+    "kitchen.leave": "choose nothing",
+    "kitchen.empty": (
+        "The kitchen is empty: no node is running.\nStart a cook in a terminal, for example\n"
+        "ros2 run turtlesim turtlesim_node"
+    ),
+    "kitchen.space": " ",
+    "kitchen.nobody": "nobody",
+    "kitchen.unseen": "{count} hidden",
+    "kitchen.note.type": "wrong shape",
+    "kitchen.note.qos": "QoS differs",
+    "kitchen.note.unheard": "nobody takes",
+    "kitchen.note.unfilled": "nobody gives",
+    "kitchen.cook": "{name} is a cook.",
+    "kitchen.cook.gives": "Puts dishes on {belts}.",
+    "kitchen.cook.takes": "Takes dishes from {belts}.",
+    "kitchen.cook.idle": "Stands at no belt that is shown.",
+    "kitchen.cook.twins": "{count} cooks have this name, and nobody can tell them apart!",
+    "kitchen.cook.ros": "ROS: node {name}, publishes {gives}, subscribes to {takes} of these topics.",
+    "kitchen.belt.moves": "The belt {belt} carries {shape} from {givers} to {takers}.",
+    "kitchen.belt.unheard": "{givers} puts {shape} on the belt {belt}, but nobody takes them: they fall off at the end.",
+    "kitchen.belt.unfilled": "{takers} waits at the belt {belt} for {shape}, but nobody puts any on it.",
+    "kitchen.belt.type": "{giver} puts {shape} on the belt {belt}, but the hatch of {taker} only fits {wanted}: nothing gets in.",
+    "kitchen.belt.qos": (
+        "{giver} puts {shape} on the belt {belt}, but {taker} takes dishes on other terms only, and gets none."
+    ),
+    "kitchen.belt.ros": "ROS: topic {belt}, type {type}; publishers: {givers}; subscribers: {takers}.",
+    "kitchen.belt.type.ros": "ROS: on {belt} {giver} publishes {sent} and {taker} subscribes to {detail}: not the same type.",
+    "kitchen.belt.qos.ros": "ROS: on {belt} the QoS of {giver} does not satisfy {taker}: {detail}.",
+    "kitchen.belt.rate": "{rate} messages a second, measured.",
+    "kitchen.belt.still": "No message passes at the moment.",
+    "kitchen.belt.unknown": ("How many messages pass cannot be counted from here: none comes by."),
+    "help.kitchen": (
+        "The live graph as a kitchen. Cooks are nodes, belts are topics, dishes are messages. A dish looks like its message "
+        "type: the same type, the same shape, letter and colour. A cook whose hatch fits another shape gets nothing, and the "
+        "belt is marked.\n\n"
+        "A dish moves when a message really passed. Where many pass, only some are drawn; the number beside the type is the "
+        "measured rate. ?/s: nobody here can count them, because nobody takes them or both cooks are on another machine.\n\n"
+        "■ puts dishes on a belt, ► takes them, × cannot take them. Dotted belts are empty: nobody puts anything on them.\n\n"
+        "/rosout, /parameter_events and hidden nodes are left out; h shows them. A click on a cook or a belt explains it. "
+        "The kitchen itself subscribes to nothing and is not in the picture."
+    ),
+}

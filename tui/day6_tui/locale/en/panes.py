@@ -1,0 +1,24 @@
+"""Panes, their places, and the session that is opened again."""
+
+TEXTS = {
+    "help.panes": "Alt+←↑↓→\tthe pane on that side\nAlt+1 … 9\tthe pane with that number\n"
+    "Shift+Alt+←\tand ↑ ↓ →: moves the border\nMouse\tdrag borders and titles; double-click a title to enlarge",
+    "drop.told": "{name}: let go to put it {where}",
+    "drop.left": "to the left of {name}",
+    "drop.right": "to the right of {name}",
+    "drop.above": "above {name}",
+    "drop.below": "below {name}",
+    "drop.tab": "behind {name}, as a tab",
+    "layout.name": "A name for this layout",
+    "layout.no_name": "It needs a name",
+    "layout.saved": "The layout is saved as {name}",
+    "layout.own": "saved",
+    "layout.foreign": "not a file of layouts of version {version}",
+    "layout.unreadable": "{file}: {reason}",
+    "session.title": "As you left it",
+    "session.ask": "When you left, these were running. Start them again?\n\n{what}",
+    "session.back": "Not now",
+    "session.start": "Start again",
+    "session.restored": "from {when}",
+    "session.foreign": "not a session of this version; it stays as it is",
+}

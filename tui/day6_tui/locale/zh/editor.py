@@ -1,0 +1,42 @@
+"""The editor."""
+
+TEXTS = {
+    "editor.save": "保存",
+    "editor.find": "查找",
+    "editor.line": "跳到行",
+    "editor.close": "关闭",
+    "editor.write": "保存（再按 Enter）",
+    "editor.write.name": "要写入的文件名",
+    "editor.name": "要有一个名字",
+    "editor.exists": "{name} 已经有了：再按一次 Enter 就覆盖它",
+    "editor.modified": "改过的内容要保存吗？",
+    "editor.modified.text": "{file} 里有改动还没有保存。",
+    "editor.modified.save": "保存",
+    "editor.modified.discard": "不保存",
+    "editor.cut": "剪下几行、放回来",
+    "editor.tab": "补全模块、消息类型和字段；别处是缩进，选中了多行就一起缩进",
+    "editor.complete": "要哪一个？",
+    "editor.outdent": "退回一级",
+    "editor.new": "新建文件……",
+    "editor.no_folder": "没有文件夹 {name}",
+    "editor.undo": "撤销、重做",
+    "editor.open": "别的文件",
+    "editor.reload": "读回磁盘上的",
+    "editor.files": "打开文件",
+    "editor.choose": "按 Enter 选择这个文件夹里的文件。",
+    "editor.problem": "第 {line} 行：{text}",
+    "editor.recovered": "上次没有保存，已经找回来了；按 ^R 换成磁盘上的文件",
+    "editor.outside": "文件在别处被改过；^R 读新的，^S 保留这里的",
+    "editor.beyond": "这个文件不在你的主目录里：再按一次才会改它",
+    "editor.overwrite": "文件在别处被改过：再按一次 ^S 就覆盖它",
+    "editor.not_saved": "没有保存：{reason}",
+    "editor.not_kept": "没能留下未保存内容的副本：{reason}",
+    "editor.lose": "再选一次“不保存”文字就没了，没有副本：{reason}",
+    "editor.gone": "磁盘上的文件不见了；^S 重新写入",
+    "editor.not_found": "没有找到 {text}",
+    "editor.lines": "1 到 {count}",
+    "help.editor": (
+        "你主目录里的一个文件。有错误时，下面会说是什么错，那一行会加下划线，边打字边检查。没保存的内容会留着，无论发生什么都能找回来。"
+        "用别的编辑器改同一个文件也可以：磁盘上一变，这里就跟着变。"
+    ),
+}
