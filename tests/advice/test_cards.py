@@ -13,6 +13,7 @@ from day6_core.advice.card_files import FOLDER, LANGUAGES, TOPICS, CardError, al
 from day6_core.advice.explain import LOOKERS, as_text, explain, explanation_of_card, scene_of, wrapped
 from day6_core.advice.matching import Match, card_for, cards_in, forms, plain_lines
 from day6_core.advice.rules import Surroundings
+from day6_core.facts.graph import GraphFacts
 from day6_core.ros import distribution
 from day6_core.ros.distribution import NAMES
 from day6_core.width import text_width
@@ -243,19 +244,12 @@ def test_nobody_says_to_know_a_cause_that_was_not_found(tmp_path: Path) -> None:
     "odd", ["\0", "a" * 5000, "/root/x/y", "[*", "\ud800", "..", "/", "~nobody", "a/b/c", "'", "\u202e", "%s{x}"]
 )
 def test_no_looker_stumbles_over_an_odd_name(tmp_path: Path, odd: str) -> None:
-    class Nobody:
-        def nodes(self) -> list[str]:
-            return ["/a", "/a"]
-
-        topics = services = elsewhere = lambda self: {}
-        publishers = subscriptions = lambda self, topic: []
-
     names = ("name", "package", "share", "type", "path", "variable", "fixed")
     for card in all_cards():
         if not card.look:
             continue
         match = Match("Error: x", card, dict.fromkeys((*names, *map(str, range(4))), odd))
-        for graph in (None, Nobody()):
+        for graph in (None, GraphFacts(nodes=("/a", "/a"))):
             around = Surroundings({"HOME": str(tmp_path), "ROS_DISTRO": "jazzy"}, tmp_path)
             scene = scene_of(match, around, command=f"ros2 run {odd} {odd} {odd}", graph=graph, commands=["ls", odd])
             for language in LANGUAGES:

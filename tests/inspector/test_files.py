@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.facts.setup_file import read_setup
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.file_rules import _fits
 from day6_core.ros.programs.day6_inspector.files import Files, ParameterFile, Typed, Where, look
 from day6_core.ros.programs.day6_inspector.program_rules import script_of
 from day6_core.ros.programs.day6_inspector.rules import findings
-from day6_core.ros.programs.day6_inspector.setup_file import read_setup
 
 MANIFEST = "<package format='3'><name>{}</name></package>"
 
@@ -42,7 +42,7 @@ def test_a_setup_file_that_cannot_be_read_is_no_finding(tmp_path: Path, setup: s
 def test_entry_points_are_judged_by_the_files(tmp_path: Path) -> None:
     folder = package(tmp_path, "a", "setup(entry_points={'console_scripts': ['x = a.x:main', 'y = a.y:main', 'z']})")
     (folder / "a/x.py").write_text("def main():\n    pass\n", encoding="utf-8")
-    found = read_setup((folder / "setup.py").read_text(encoding="utf-8"), folder)
+    found = read_setup(folder)
     assert [(each.name, each.flaw) for each in found.entry_points] == [("x", ""), ("y", "module"), ("z", "form")]
 
 

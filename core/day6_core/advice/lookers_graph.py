@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Iterable
 from difflib import get_close_matches
 
 from day6_core.advice.known import template_of
-from day6_core.advice.looking import Found, GraphFacts, Scene, found, looker
+from day6_core.advice.looking import Found, Scene, found, looker
 from day6_core.advice.typed import CLOSE_AMONG_FEW
-
-_ACTION = "/_action/send_goal"
+from day6_core.facts.graph import ACTION, Endpoint, GraphFacts
 
 
 @looker
@@ -18,9 +18,9 @@ def node(scene: Scene) -> Found | None:
     if scene.graph is None:
         return None
     name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    nodes = sorted(set(scene.graph.nodes()))
+    nodes = sorted(set(scene.graph.nodes))
     if not nodes:
-        return _alone(scene)
+        return _alone(scene.graph, scene)
     full = _full(name)
     if full in nodes:
         return found("graph.now_there", scene.command, name=full)
@@ -33,15 +33,15 @@ def topic(scene: Scene) -> Found | None:
     if scene.graph is None:
         return None
     name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    if not scene.graph.nodes():
-        return _alone(scene)
-    topics = scene.graph.topics()
+    if not scene.graph.nodes:
+        return _alone(scene.graph, scene)
+    topics = scene.graph.topics
     full = _full(name)
     if full in topics:
         kinds = topics[full]
         if len(kinds) > 1:
             return _types(scene.graph, full, kinds)
-        if not scene.graph.publishers(full):
+        if not scene.graph.publishers.get(full, ()):
             return found("topic.no_publisher", shlex.join(["ros2", "topic", "info", "-v", full]), name=full)
         return found("graph.now_there", scene.command, name=full)
     return _near(scene, name, sorted(topics), "ros2 topic list")
@@ -53,9 +53,9 @@ def service(scene: Scene) -> Found | None:
     if scene.graph is None:
         return None
     name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    if not scene.graph.nodes():
-        return _alone(scene)
-    services = scene.graph.services()
+    if not scene.graph.nodes:
+        return _alone(scene.graph, scene)
+    services = scene.graph.services
     full = _full(name)
     if full in services:
         wanted = next((word for word in scene.words() if word.count("/") == 2 and not word.startswith("/")), "")
@@ -72,9 +72,9 @@ def action(scene: Scene) -> Found | None:
     if scene.graph is None:
         return None
     name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    if not scene.graph.nodes():
-        return _alone(scene)
-    actions = sorted(each.removesuffix(_ACTION) for each in scene.graph.services() if each.endswith(_ACTION))
+    if not scene.graph.nodes:
+        return _alone(scene.graph, scene)
+    actions = sorted(each.removesuffix(ACTION) for each in scene.graph.services if each.endswith(ACTION))
     if _full(name) in actions:
         return found("graph.now_there", "", name=_full(name))
     return _near(scene, name, actions, "ros2 action list")
@@ -109,16 +109,16 @@ def _needed_type(scene: Scene, command: str, name: str) -> Found | None:
     assert scene.graph is not None
     full = _full(name)
     if command == "action":
-        services = scene.graph.services()
+        services = scene.graph.services
         known_types = {
-            each.removesuffix(_ACTION): [kind.removesuffix("_SendGoal") for kind in kinds]
+            each.removesuffix(ACTION): [kind.removesuffix("_SendGoal") for kind in kinds]
             for each, kinds in services.items()
-            if each.endswith(_ACTION)
+            if each.endswith(ACTION)
         }
     elif command == "service":
-        known_types = {each: kinds for each, kinds in scene.graph.services().items() if "/_action/" not in each}
+        known_types = {each: list(kinds) for each, kinds in scene.graph.services.items() if "/_action/" not in each}
     else:
-        known_types = scene.graph.topics()
+        known_types = scene.graph.topics
     if full not in known_types:
         return _near(scene, name, sorted(known_types), f"ros2 {command} list") if known_types else None
     kind = known_types[full][0]
@@ -130,7 +130,7 @@ def _needed_type(scene: Scene, command: str, name: str) -> Found | None:
 def _needed_node(scene: Scene, words: list[str], operands: list[str]) -> Found | None:
     """`ros2 param set NAME VALUE`: the node is missing, not the value; and `NAME=VALUE`."""
     assert scene.graph is not None
-    nodes = sorted(set(scene.graph.nodes()))
+    nodes = sorted(set(scene.graph.nodes))
     if not operands or words[2] not in ("set", "get", "describe", "delete"):
         return None
     if _full(operands[0]) in nodes:
@@ -152,12 +152,10 @@ def qos(scene: Scene) -> Found | None:
     if scene.graph is None:
         return None
     name = _full(scene.value("name"))
-    senders, listeners = scene.graph.publishers(name), scene.graph.subscriptions(name)
-    weak = [node for node, reliability in senders if reliability == "best_effort"]
-    strict = [node for node, reliability in listeners if reliability == "reliable"]
-    if weak and strict:
-        look = shlex.join(["ros2", "topic", "info", "-v", name])
-        return found("qos.reliability", look, name=name, publisher=weak[0], subscriber=strict[0])
+    for topic, publisher, subscriber, policy in scene.graph.deaf:
+        if topic == name and policy == "reliability":
+            look = shlex.join(["ros2", "topic", "info", "-v", name])
+            return found("qos.reliability", look, name=name, publisher=publisher, subscriber=subscriber)
     return None
 
 
@@ -166,7 +164,7 @@ def twins(scene: Scene) -> Found | None:
     """Nodes that share a name."""
     if scene.graph is None:
         return None
-    nodes = scene.graph.nodes()
+    nodes = scene.graph.nodes
     twice = sorted({each for each in nodes if nodes.count(each) > 1})
     return found("graph.twins", name=", ".join(twice), count=nodes.count(twice[0])) if twice else None
 
@@ -176,14 +174,14 @@ def frames(scene: Scene) -> Found | None:
     """Whether anybody publishes transforms, and whether the joints that move have somebody who says how far."""
     if scene.graph is None:
         return None
-    moving, fixed = scene.graph.publishers("/tf"), scene.graph.publishers("/tf_static")
-    described = scene.graph.publishers("/robot_description")
+    moving, fixed = scene.graph.publishers.get("/tf", ()), scene.graph.publishers.get("/tf_static", ())
+    described = scene.graph.publishers.get("/robot_description", ())
     if not moving and not fixed:
         key = "tf.nobody" if not described else "tf.only_description"
         return found(key, nodes=_names(described))
-    publisher = next((node for node, _ in moving + fixed if "robot_state_publisher" in node), "")
-    if publisher and not scene.graph.publishers("/joint_states"):
-        if scene.graph.topics().get("/joint_states"):
+    publisher = next((each.node for each in (*moving, *fixed) if "robot_state_publisher" in each.node), "")
+    if publisher and not scene.graph.publishers.get("/joint_states", ()):
+        if "/joint_states" in scene.graph.subscriptions:
             return found(
                 "tf.no_joints", "ros2 run joint_state_publisher_gui joint_state_publisher_gui", publisher=publisher
             )
@@ -194,24 +192,24 @@ def frames(scene: Scene) -> Found | None:
 @looker
 def description(scene: Scene) -> Found | None:
     """Whether anybody publishes a robot description."""
-    if scene.graph is None or scene.graph.publishers("/robot_description"):
+    if scene.graph is None or scene.graph.publishers.get("/robot_description", ()):
         return None
-    nodes = [each for each in scene.graph.nodes() if "robot_state_publisher" in each]
+    nodes = [each for each in scene.graph.nodes if "robot_state_publisher" in each]
     return found("description.nobody" if not nodes else "description.silent", nodes=", ".join(nodes))
 
 
 @looker
 def clock(scene: Scene) -> Found | None:
     """Whether anybody publishes /clock."""
-    if scene.graph is None or scene.graph.publishers("/clock"):
+    if scene.graph is None or scene.graph.publishers.get("/clock", ()):
         return None
     return found("clock.nobody")
 
 
-def _alone(scene: Scene) -> Found:
+def _alone(graph: GraphFacts, scene: Scene) -> Found:
     """No node runs where this terminal looks; perhaps in another domain."""
     domain = scene.variables.get("ROS_DOMAIN_ID", "") or "0"
-    others = scene.graph.elsewhere() if scene.graph is not None else {}
+    others = {number: nodes for number, nodes in graph.domains.items() if nodes and number != graph.domain}
     if others:
         number = min(others)
         nodes = ", ".join(sorted(set(others[number])))
@@ -223,13 +221,13 @@ def _full(name: str) -> str:
     return name if name.startswith("/") else f"/{name}"
 
 
-def _names(endpoints: list[tuple[str, str]]) -> str:
-    return ", ".join(dict.fromkeys(node for node, _ in endpoints))
+def _names(endpoints: Iterable[Endpoint]) -> str:
+    return ", ".join(dict.fromkeys(each.node for each in endpoints))
 
 
 def _types(graph: GraphFacts, topic: str, kinds: list[str]) -> Found:
     look = shlex.join(["ros2", "topic", "info", "-v", topic])
-    who = _names([*graph.publishers(topic), *graph.subscriptions(topic)])
+    who = _names(graph.ends(topic))
     return found("topic.types", look, name=topic, types=", ".join(kinds), nodes=who)
 
 

@@ -17,6 +17,7 @@ from day6_core.advice.matching import card_for, cards_in
 from day6_core.advice.texts import TEXTS
 from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, PUNCTUATION, chinese_sign, near_choice, slip_of_command
 from day6_core.advice.wording import filled_in
+from day6_core.facts.workspaces import packages_lacking_comma, why_unknown, workspaces_around
 from day6_core.ros import differences
 from day6_core.ros.distribution import current
 from day6_urdf.explain import Hint, hints_wanted, language_of
@@ -225,14 +226,12 @@ def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
     """Whether a package was built and not sourced, or not even built."""
     if not package.isidentifier():
         return ""
-    built = known.built_package(package, around.variables, around.cwd)
-    if built is not None:
-        return _say("not_sourced", language, name=package, setup=built / "setup.bash")
-    source = known.source_package(package, around.variables, around.cwd)
-    if source is not None:
-        key = "build_failed" if known.build_failed(package, source[1]) else "not_built"
-        return _say(key, language, name=package, folder=source[0], workspace=source[1])
-    return ""
+    unknown = why_unknown(package, around.variables, around.cwd)
+    if unknown is None:
+        return ""
+    setup = unknown.workspace / "install" / "setup.bash"
+    said = {"folder": unknown.folder, "workspace": unknown.workspace, "setup": setup}
+    return _say(unknown.because, language, name=package, **said)
 
 
 def _no_import(fault: Fault, around: Surroundings, language: str) -> str:
@@ -280,10 +279,8 @@ def _no_setup(fault: Fault, around: Surroundings, language: str) -> str:
     """setuptools gave up: what it says does not name the comma that is missing between two entry points."""
     if not fault.message.startswith("'distutils.core.setup()' was never called"):
         return ""
-    for setup in known.setup_files(around.variables, around.cwd):
-        if line := known.missing_comma(setup):
-            return _say("setup.comma", language, setup=setup, line=line)
-    return ""
+    lacking = next(packages_lacking_comma(workspaces_around(around.variables, around.cwd)), None)
+    return _say("setup.comma", language, setup=lacking[0] / "setup.py", line=lacking[1]) if lacking is not None else ""
 
 
 # -- syntax ----------------------------------------------------------------------------------------------------------------

@@ -10,11 +10,12 @@ import shlex
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from day6_core.facts.workspaces import is_sourced
 from day6_core.ros.distribution import setup_script
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
 from day6_core.ros.programs.day6_inspector.frame_rules import NO_FRAME, of_extrapolation, of_frame
-from day6_core.ros.programs.day6_inspector.outputs import Output, outputs, shortened, sourced
+from day6_core.ros.programs.day6_inspector.outputs import Output, outputs, shortened
 
 _OWN = Path(__file__).resolve().parents[3]
 """Where this program is: in a checkout, not among the libraries."""
@@ -64,7 +65,7 @@ def unknown_package(output: Output, name: str, facts: Facts) -> Finding | None:
     if not package.built:
         build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
         return finding("error", "not_built", line=output.source, package=name, folder=package.folder, then=build)
-    if not sourced(output.terminal, workspace.install / name) and not sourced(output.terminal, workspace.install):
+    if not is_sourced(name, workspace.install, output.terminal.variables):
         then = f"source {shlex.quote(str(setup))}"
         return finding(
             "error", "not_sourced", line=output.source, package=name, number=output.terminal.number, then=then
@@ -83,23 +84,16 @@ def _no_executable(output: Output, match: re.Match[str], facts: Facts) -> Findin
     if found is None:
         return finding("error", "no_executable", **said, then=f"ros2 pkg executables {name}")
     workspace, package = found
-    setup_file = shlex.quote(str(package.folder / "setup.py"))
     build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
     if package.in_bin:
         return finding(
             "error", "no_setup_cfg", package=name, then=f"nano {shlex.quote(str(package.folder / 'setup.cfg'))}"
         )
-    for entry in package.entry_points:
-        if entry.name == executable:
-            return finding("error", "entry_not_built", **said, then=build)
-    module = executable.removesuffix(".py")
-    if (
-        package.python
-        and f"{name}/{module}.py" in package.files
-        and not any(each.module.endswith(module) for each in package.entry_points)
-    ):
-        entry_line = f"'{module} = {name}.{module}:main'"
-        return finding("error", "no_entry_point", **said, entry=entry_line, then=f"nano {setup_file}")
+    if any(entry.name == executable for entry in package.entry_points):
+        return finding("error", "entry_not_built", **said, then=build)
+    if entry_line := package.lacking_entry(executable):
+        edit = f"nano {shlex.quote(str(package.install_script))}"
+        return finding("error", "no_entry_point", **said, entry=entry_line, then=edit)
     return finding("error", "no_executable", **said, then=f"ros2 pkg executables {name}")
 
 
@@ -109,12 +103,12 @@ def _no_launch_file(output: Output, match: re.Match[str], facts: Facts) -> Findi
     share = match[3] if match.lastindex and match.lastindex >= 3 else ""
     if found is not None:
         workspace, package = found
-        there = next((each for each in package.files if each.rpartition("/")[2] == name), None)
+        there = package.file_called(name)
         if there is not None and "setup.py" in package.changed:
             build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
             return finding("error", "launch_not_built", line=output.source, file=name, package=package_name, then=build)
         if there is not None:
-            where = package.folder / ("setup.py" if package.python else "CMakeLists.txt")
+            where = package.install_script
             said = {"file": there, "package": package_name, "where": where.name}
             return finding("error", "launch_not_installed", **said, then=f"nano {shlex.quote(str(where))}")
     then = f"ls {shlex.quote(share)}/launch" if share else ""

@@ -10,9 +10,9 @@ import difflib
 from collections import Counter
 from collections.abc import Iterator
 
+from day6_core.facts.graph import Endpoint as Endpoint
 from day6_core.link.state import Door, DoorState, LinkState
 from day6_core.ros.differences import value
-from day6_core.ros.programs.day6_inspector.facts import Endpoint as Endpoint
 from day6_core.ros.programs.day6_inspector.facts import Facts as Facts
 from day6_core.ros.programs.day6_inspector.file_rules import of_files
 from day6_core.ros.programs.day6_inspector.finding import ORDER, finding
