@@ -14,11 +14,12 @@ from day6_core.advice.lookers_line import of_slip
 from day6_core.advice.looking import Found, Scene, found, looker
 from day6_core.advice.rules import cause_of
 from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
-from day6_core.facts.folders import files_in, names_in, text_of
+from day6_core.facts.folders import files_in, names_in
 from day6_core.facts.setup_file import read_setup
 from day6_core.facts.workspaces import (
     executables_in,
     find_package,
+    names_file,
     packages_lacking_comma,
     sourced_prefixes,
     why_unknown,
@@ -134,11 +135,9 @@ def launch_file(scene: Scene) -> Found | None:
     there = lies[1].file_called(name) if lies is not None else None
     if lies is not None and there is not None:
         source, file = lies[1], lies[1].install_script
-        place = there.rpartition("/")[0] or "."
-        text = text_of(file)
-        if name in text or re.search(rf"{re.escape(place)}['\"/ )]", text):
+        if names_file(file, there):
             return found("launch.not_rebuilt", _build(lies[0].folder, package, scene), name=name)
-        key = "launch.data_files" if source.python else "launch.install"
+        key, place = "launch.data_files" if source.python else "launch.install", there.rpartition("/")[0] or "."
         return found(key, f"nano {_short(file, scene)}", name=name, file=file, place=place)
     names = [
         path.name

@@ -164,9 +164,8 @@ def twins(scene: Scene) -> Found | None:
     """Nodes that share a name."""
     if scene.graph is None:
         return None
-    nodes = scene.graph.nodes
-    twice = sorted({each for each in nodes if nodes.count(each) > 1})
-    return found("graph.twins", name=", ".join(twice), count=nodes.count(twice[0])) if twice else None
+    twice = sorted(scene.graph.twins)
+    return found("graph.twins", name=", ".join(twice), count=scene.graph.twins[twice[0]]) if twice else None
 
 
 @looker
@@ -209,11 +208,9 @@ def clock(scene: Scene) -> Found | None:
 def _alone(graph: GraphFacts, scene: Scene) -> Found:
     """No node runs where this terminal looks; perhaps in another domain."""
     domain = scene.variables.get("ROS_DOMAIN_ID", "") or "0"
-    others = {number: nodes for number, nodes in graph.domains.items() if nodes and number != graph.domain}
-    if others:
-        number = min(others)
-        nodes = ", ".join(sorted(set(others[number])))
-        return found("graph.other_domain", f"export ROS_DOMAIN_ID={number}", domain=domain, other=number, nodes=nodes)
+    for number, nodes in graph.domains_besides(graph.domain).items():
+        said = {"domain": domain, "other": number, "nodes": ", ".join(sorted(set(nodes)))}
+        return found("graph.other_domain", f"export ROS_DOMAIN_ID={number}", **said)
     return found("graph.empty", domain=domain)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -49,6 +50,15 @@ class GraphFacts:
         """The topics with their types."""
         ends = {name: self.ends(name) for name in sorted({*self.publishers, *self.subscriptions})}
         return {name: sorted({end.type for end in each}) for name, each in ends.items()}
+
+    @property
+    def twins(self) -> dict[str, int]:
+        """How many nodes share a name, by the names that several have."""
+        return {name: count for name, count in Counter(self.nodes).items() if count > 1}
+
+    def domains_besides(self, domain: int) -> dict[int, tuple[str, ...]]:
+        """Return the other domains in which nodes run, sorted, with these."""
+        return {each: nodes for each, nodes in sorted(self.domains.items()) if nodes and each != domain}
 
     def ends(self, topic: str) -> tuple[Endpoint, ...]:
         """Return the publishers of a topic, then its subscriptions."""

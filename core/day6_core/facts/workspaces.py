@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import NamedTuple
 
@@ -206,7 +207,7 @@ def _read_package(workspace: Path, folder: Path) -> Package:
     if prefix is None:
         return package
     executables = executables_in(prefix, name)
-    changed, missing = _compared(folder, name, prefix)
+    changed, missing = _compared(package, prefix)
     wanted = [entry.name for entry in package.entry_points if entry.name not in executables]
     in_bin = bool(wanted) and all((prefix / "bin" / each).exists() for each in wanted)
     if wanted and not in_bin:
@@ -240,8 +241,22 @@ def _is_newer(setup: Path, installed: Path) -> bool:
         return False
 
 
-def _compared(folder: Path, name: str, prefix: Path) -> tuple[list[str], list[str]]:
-    """Return the files that differ from what was installed, and those that were not installed although others of the kind are."""
+def names_file(script: Path, file: str) -> bool:
+    """Return whether a setup.py or CMakeLists.txt has a file of its package installed: by its name, a wildcard or its folder."""
+    place, _, name = file.rpartition("/")
+    text, folder = text_of(script), re.escape(place)
+    wildcards = re.findall(rf"{folder}(?:/|['\"],\s*['\"])([^'\"]*\*[^'\"]*)['\"]", text) if place else ()
+    whole = rf"DIRECTORY\b[^)]*(?<![\w/]){folder}(?![\w/])"
+    return (
+        name in text
+        or any(fnmatchcase(name, each) for each in wildcards)
+        or (place != "" and re.search(whole, text) is not None)
+    )
+
+
+def _compared(package: Package, prefix: Path) -> tuple[list[str], list[str]]:
+    """Return the files that are not as they were installed, and those that were not installed because nothing names them."""
+    folder, name = package.folder, package.name
     changed: list[str] = []
     missing: list[str] = []
     module = folder / name
@@ -259,7 +274,8 @@ def _compared(folder: Path, name: str, prefix: Path) -> tuple[list[str], list[st
                 if _differs(path, other):
                     changed.append(str(path.relative_to(folder)))
             elif kind == "launch" and not any(share.rglob(path.name)):
-                missing.append(str(path.relative_to(folder)))
+                file = path.relative_to(folder).as_posix()
+                (changed if names_file(package.install_script, file) else missing).append(file)
     return changed, missing
 
 

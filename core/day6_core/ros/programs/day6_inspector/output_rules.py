@@ -125,7 +125,7 @@ def _no_launch_file(output: Output, seen: Sequence[Sighting], facts: Facts) -> F
     if found is not None:
         workspace, package = found
         there = package.file_called(name)
-        if there is not None and "setup.py" in package.changed:
+        if there is not None and not {there, "setup.py"}.isdisjoint(package.changed):
             build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
             return finding("error", "launch_not_built", line=output.source, file=name, package=package_name, then=build)
         if there is not None:

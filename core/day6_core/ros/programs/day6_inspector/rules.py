@@ -142,9 +142,8 @@ def _fights(facts: Facts) -> Iterator[Finding]:
 
 
 def _twins(facts: Facts) -> Iterator[Finding]:
-    for name, count in Counter(facts.nodes).items():
-        if count > 1:
-            yield finding("warning", "twins", name=name, count=count, then=f"ros2 node info {name}")
+    for name, count in facts.twins.items():
+        yield finding("warning", "twins", name=name, count=count, then=f"ros2 node info {name}")
 
 
 def _missed(facts: Facts) -> Iterator[Finding]:
