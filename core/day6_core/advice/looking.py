@@ -76,11 +76,25 @@ Looker = Callable[[Scene], Found | None]
 LOOKERS: dict[str, Looker] = {}
 """By the name that cards call them."""
 
+ASK_GRAPH: set[str] = set()
+"""Those that ask the live graph."""
+
 
 def looker(function: Looker) -> Looker:
     """Register a function under its own name."""
-    LOOKERS[function.__name__.strip("_")] = function
+    LOOKERS[function.__name__] = function
     return function
+
+
+def graph_looker(function: Callable[[Scene, GraphFacts], Found | None]) -> Looker:
+    """Register a function that is not asked where nobody can ask a graph."""
+
+    def look(scene: Scene) -> Found | None:
+        return function(scene, scene.graph) if scene.graph is not None else None
+
+    ASK_GRAPH.add(function.__name__)
+    LOOKERS[function.__name__] = look
+    return look
 
 
 def found(key: str, next_: str = "", **values: object) -> Found:

@@ -38,7 +38,8 @@ class GraphFacts:
     """Service -> nodes that offer it; an action by its own name too."""
     clients: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     services: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Service -> its types; an action counts as the service NAME/_action/send_goal."""
+    """Service -> its types, without those of actions."""
+    actions: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     deaf: tuple[tuple[str, str, str, str], ...] = ()
     """Pairs with incompatible QoS: topic, publisher's node, subscriber's node, the policy."""
     domain: int = 0
@@ -46,10 +47,10 @@ class GraphFacts:
     """Domains in use here -> their nodes."""
 
     @property
-    def topics(self) -> dict[str, list[str]]:
+    def topics(self) -> dict[str, tuple[str, ...]]:
         """The topics with their types."""
         ends = {name: self.ends(name) for name in sorted({*self.publishers, *self.subscriptions})}
-        return {name: sorted({end.type for end in each}) for name, each in ends.items()}
+        return {name: tuple(sorted({end.type for end in each})) for name, each in ends.items()}
 
     @property
     def twins(self) -> dict[str, int]:
@@ -70,13 +71,19 @@ def facts_of(graph: Graph, domains: Mapping[int, Sequence[str]] | None = None) -
     publishers, subscriptions = (
         _by_topic(graph.endpoints(kind)) for kind in (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
     )
+    services = graph.names_and_types(EndpointKind.SERVICE)
     return GraphFacts(
         publishers=_ends(publishers),
         subscriptions=_ends(subscriptions),
         nodes=nodes_of(graph),
         servers=_participants(graph, EndpointKind.SERVICE),
         clients=_participants(graph, EndpointKind.CLIENT),
-        services={name: tuple(types) for name, types in graph.names_and_types(EndpointKind.SERVICE)},
+        services={name: tuple(types) for name, types in services if "/_action/" not in name},
+        actions={
+            name.removesuffix(ACTION): tuple(each.removesuffix("_SendGoal") for each in types)
+            for name, types in services
+            if name.endswith(ACTION)
+        },
         deaf=tuple(
             (topic, offer.node.full_name, request.node.full_name, policy)
             for topic, offers in publishers.items()

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from day6_core.facts.graph import GraphFacts
+from day6_core.facts.workspaces import Package, Workspace
 from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.files import Files
 from day6_core.ros.programs.day6_inspector.insides import Process
@@ -78,3 +79,7 @@ class Facts(GraphFacts):
     """The insides of Python programs that run as processes."""
     silent_processes: tuple[str, ...] = ()
     """Nodes of programs on this machine that do not tell about their insides."""
+
+    def package(self, name: str) -> tuple[Workspace, Package] | None:
+        """Return a package of a workspace with this; None if there is none, or nobody has looked."""
+        return self.files.package(name) if self.files is not None else None

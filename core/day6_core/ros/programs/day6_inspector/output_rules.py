@@ -15,7 +15,7 @@ from pathlib import Path
 from day6_core.advice.card_files import Card, all_cards, names_of
 from day6_core.advice.matching import Sighting, sightings
 from day6_core.advice.wording import command_of
-from day6_core.facts.workspaces import is_sourced
+from day6_core.facts.workspaces import Workspace, is_sourced
 from day6_core.ros.distribution import setup_script
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import ORDER, Finding, finding
@@ -77,21 +77,23 @@ def _no_package(output: Output, seen: Sequence[Sighting], facts: Facts) -> Findi
     return unknown_package(output, seen[0].values["name"], facts)
 
 
+def _build(workspace: Workspace) -> str:
+    return f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
+
+
 def unknown_package(output: Output, name: str, facts: Facts) -> Finding | None:
     """Say why a package is not found: not sourced, not built, or no such package."""
-    found = facts.files.package(name) if facts.files is not None else None
+    found = facts.package(name)
     if found is None:
         return finding("error", "no_package", line=output.source, package=name, then="ros2 pkg list")
     workspace, package = found
     setup = workspace.install / "setup.bash"
     if not package.built:
-        build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
-        return finding("error", "not_built", line=output.source, package=name, folder=package.folder, then=build)
+        said = {"line": output.source, "package": name, "folder": package.folder}
+        return finding("error", "not_built", **said, then=_build(workspace))
     if not is_sourced(name, workspace.install, output.terminal.variables):
-        then = f"source {shlex.quote(str(setup))}"
-        return finding(
-            "error", "not_sourced", line=output.source, package=name, number=output.terminal.number, then=then
-        )
+        said = {"line": output.source, "package": name, "number": output.terminal.number}
+        return finding("error", "not_sourced", **said, then=f"source {shlex.quote(str(setup))}")
     return None
 
 
@@ -101,18 +103,17 @@ def _no_executable(output: Output, seen: Sequence[Sighting], facts: Facts) -> Fi
     if len(plain_words) < 2:
         return None
     name, executable = plain_words[:2]
-    found = facts.files.package(name) if facts.files is not None else None
+    found = facts.package(name)
     said = {"line": output.source, "package": name, "executable": executable}
     if found is None:
         return finding("error", "no_executable", **said, then=f"ros2 pkg executables {name}")
     workspace, package = found
-    build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
     if package.in_bin:
         return finding(
             "error", "no_setup_cfg", package=name, then=f"nano {shlex.quote(str(package.folder / 'setup.cfg'))}"
         )
     if any(entry.name == executable for entry in package.entry_points):
-        return finding("error", "entry_not_built", **said, then=build)
+        return finding("error", "entry_not_built", **said, then=_build(workspace))
     if entry_line := package.lacking_entry(executable):
         edit = f"nano {shlex.quote(str(package.install_script))}"
         return finding("error", "no_entry_point", **said, entry=entry_line, then=edit)
@@ -121,13 +122,13 @@ def _no_executable(output: Output, seen: Sequence[Sighting], facts: Facts) -> Fi
 
 def _no_launch_file(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     name, package_name, share = (seen[0].values[each] for each in ("name", "package", "share"))
-    found = facts.files.package(package_name) if facts.files is not None else None
+    found = facts.package(package_name)
     if found is not None:
         workspace, package = found
         there = package.file_called(name)
         if there is not None and not {there, "setup.py"}.isdisjoint(package.changed):
-            build = f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
-            return finding("error", "launch_not_built", line=output.source, file=name, package=package_name, then=build)
+            said = {"line": output.source, "file": name, "package": package_name}
+            return finding("error", "launch_not_built", **said, then=_build(workspace))
         if there is not None:
             where = package.install_script
             said = {"file": there, "package": package_name, "where": where.name}
