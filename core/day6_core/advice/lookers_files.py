@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from difflib import get_close_matches
 from itertools import chain
 from pathlib import Path
 
@@ -13,8 +12,9 @@ from day6_core.advice import known
 from day6_core.advice.lookers_line import of_slip
 from day6_core.advice.looking import Found, Scene, found, looker
 from day6_core.advice.rules import cause_of
-from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
+from day6_core.advice.typed import slip_of_command
 from day6_core.facts.folders import files_in, names_in
+from day6_core.facts.names import CLOSE, nearest
 from day6_core.facts.setup_file import read_setup
 from day6_core.facts.workspaces import (
     executables_in,
@@ -61,8 +61,8 @@ def package(scene: Scene) -> Found | None:
     names = known_packages(scene)
     if name in names:
         return found("package.now_known", "", name=name)
-    near = get_close_matches(name, names, 1, CLOSE_AMONG_FEW)
-    return found("package.near", _again(scene, name, near[0]), name=name, near=near[0]) if near else None
+    near = nearest(name, names)
+    return found("package.near", _again(scene, name, near), name=name, near=near) if near else None
 
 
 def _of_the_workspace(name: str, scene: Scene) -> Found | None:
@@ -91,7 +91,7 @@ def executable(scene: Scene) -> Found | None:
     package, name = operands[:2]
     installed = _executables(package, scene)
     near = name.removesuffix(".py") if name.removesuffix(".py") in installed else ""
-    near = near or next(iter(get_close_matches(name, installed, 1, CLOSE_AMONG_FEW)), "")
+    near = near or nearest(name, installed)
     lies = find_package(package, workspaces_around(scene.variables, scene.cwd))
     if lies is None:
         if near:
@@ -144,9 +144,9 @@ def launch_file(scene: Scene) -> Found | None:
         for path in files_in(share, most=MOST_FILES)
         if path.suffix in (".py", ".xml", ".yaml", ".yml") and "launch" in path.name
     ]
-    near = get_close_matches(name, names, 1, CLOSE_AMONG_FEW)
+    near = nearest(name, names)
     if near:
-        return found("launch.near", shlex.join(["ros2", "launch", package, near[0]]), name=name, near=near[0])
+        return found("launch.near", shlex.join(["ros2", "launch", package, near]), name=name, near=near)
     return found("launch.others", "", package=package, names=", ".join(sorted(set(names)))) if names else None
 
 
@@ -172,10 +172,9 @@ def path(scene: Scene) -> Found | None:
         gone = next((above for above in (parent, *parent.parents) if above.parent.is_dir()), parent)
         return found("path.no_folder", "", folder=gone, above=gone.parent)
     entries = names_in(parent)[:MOST_FILES]
-    near = [entry for entry in entries if entry.lower() == whole.name.lower()]
-    near = near or get_close_matches(whole.name, entries, 1, CLOSE_AMONG_FEW)
+    near = next((entry for entry in entries if entry.lower() == whole.name.lower()), "") or nearest(whole.name, entries)
     if near and len(whole.name) > 2:
-        right = name.removesuffix(whole.name) + near[0] if name.endswith(whole.name) else near[0]
+        right = name.removesuffix(whole.name) + near if name.endswith(whole.name) else near
         return found("path.near", _again(scene, name, right), name=name, near=right)
     elsewhere = _elsewhere(whole.name, scene)
     if elsewhere is not None:
@@ -249,10 +248,9 @@ def message_package(scene: Scene) -> Found | None:
         types = sorted({f"{f.parent.parent.name}/{f.parent.name}/{f.stem}" for share in known.shares(scene.variables)
                         for f in share.glob(f"{package}/*/*.*") if f.parent.name in ("msg", "srv", "action")})  # fmt: skip
         types = list(filter(has_interface, types))
-        found_near = get_close_matches(whole, types, 1, CLOSE)
-        if not found_near or found_near[0] == whole:
+        near = nearest(whole, types, CLOSE)
+        if near in ("", whole):
             return None
-        near = found_near[0]
     return found("type.near", _again(scene, whole, near), name=whole, near=near)
 
 

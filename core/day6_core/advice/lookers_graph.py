@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 from day6_core.advice.known import template_of
 from day6_core.advice.looking import Found, Scene, found, graph_looker
-from day6_core.advice.typed import CLOSE_AMONG_FEW
-from day6_core.facts.graph import Endpoint, GraphFacts
+from day6_core.facts.graph import GraphFacts, node_names
+from day6_core.facts.names import absolute, last_part, nearest
 
 
 @graph_looker
@@ -19,7 +18,7 @@ def node(scene: Scene, graph: GraphFacts) -> Found | None:
     nodes = sorted(set(graph.nodes))
     if not nodes:
         return _alone(scene, graph)
-    full = _full(name)
+    full = absolute(name)
     if full in nodes:
         return found("graph.now_there", scene.command, name=full)
     return _near(scene, name, nodes, "ros2 node list")
@@ -32,7 +31,7 @@ def topic(scene: Scene, graph: GraphFacts) -> Found | None:
     if not graph.nodes:
         return _alone(scene, graph)
     topics = graph.topics
-    full = _full(name)
+    full = absolute(name)
     if full in topics:
         kinds = topics[full]
         if len(kinds) > 1:
@@ -50,7 +49,7 @@ def service(scene: Scene, graph: GraphFacts) -> Found | None:
     if not graph.nodes:
         return _alone(scene, graph)
     services = graph.services
-    full = _full(name)
+    full = absolute(name)
     if full in services:
         wanted = next((word for word in scene.words() if word.count("/") == 2 and not word.startswith("/")), "")
         if wanted and wanted not in services[full]:
@@ -66,8 +65,8 @@ def action(scene: Scene, graph: GraphFacts) -> Found | None:
     name = _named(scene)
     if not graph.nodes:
         return _alone(scene, graph)
-    if _full(name) in graph.actions:
-        return found("graph.now_there", "", name=_full(name))
+    if absolute(name) in graph.actions:
+        return found("graph.now_there", "", name=absolute(name))
     return _near(scene, name, sorted(graph.actions), "ros2 action list")
 
 
@@ -97,7 +96,7 @@ _TYPES = ("service_type", "action_type", "message_type")
 
 def _needed_type(scene: Scene, graph: GraphFacts, command: str, name: str) -> Found | None:
     """The type of what is named, from the graph, and the whole line with it."""
-    full = _full(name)
+    full = absolute(name)
     known_types = {"action": graph.actions, "service": graph.services}.get(command, graph.topics)
     if full not in known_types:
         return _near(scene, name, sorted(known_types), f"ros2 {command} list") if known_types else None
@@ -112,14 +111,14 @@ def _needed_node(scene: Scene, graph: GraphFacts, words: list[str], operands: li
     nodes = sorted(set(graph.nodes))
     if not operands or words[2] not in ("set", "get", "describe", "delete"):
         return None
-    if _full(operands[0]) in nodes:
+    if absolute(operands[0]) in nodes:
         name, _, value = operands[-1].partition("=")
         if words[2] == "set" and len(operands) == 2 and name and value:
             return found("needed.no_equals", scene.with_word(operands[1], f"{name} {value}"), name=name, value=value)
         return None
     if "/" in operands[0] or not nodes or len(operands) > (2 if words[2] == "set" else 1):
         return None
-    if get_close_matches(_full(operands[0]), nodes, 1, CLOSE_AMONG_FEW):
+    if nearest(absolute(operands[0]), nodes):
         return _near(scene, operands[0], nodes, "ros2 node list")
     line = shlex.join([*words[:3], nodes[0], *words[3:]]) if len(nodes) == 1 else "ros2 param list"
     return found("needed.node", line, name=operands[0], nodes=", ".join(nodes))
@@ -128,7 +127,7 @@ def _needed_node(scene: Scene, graph: GraphFacts, words: list[str], operands: li
 @graph_looker
 def qos(scene: Scene, graph: GraphFacts) -> Found | None:
     """A publisher and a subscription whose reliability does not fit."""
-    name = _full(scene.value("name"))
+    name = absolute(scene.value("name"))
     for topic, publisher, subscriber, policy in graph.deaf:
         if topic == name and policy == "reliability":
             look = shlex.join(["ros2", "topic", "info", "-v", name])
@@ -150,7 +149,7 @@ def frames(scene: Scene, graph: GraphFacts) -> Found | None:
     described = graph.publishers.get("/robot_description", ())
     if not moving and not fixed:
         key = "tf.nobody" if not described else "tf.only_description"
-        return found(key, nodes=_names(described))
+        return found(key, nodes=node_names(described))
     publisher = next((each.node for each in (*moving, *fixed) if "robot_state_publisher" in each.node), "")
     if publisher and not graph.publishers.get("/joint_states", ()):
         if "/joint_states" in graph.subscriptions:
@@ -192,29 +191,21 @@ def _named(scene: Scene) -> str:
     return scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
 
 
-def _full(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"
-
-
-def _names(endpoints: Iterable[Endpoint]) -> str:
-    return ", ".join(dict.fromkeys(each.node for each in endpoints))
-
-
 def _types(graph: GraphFacts, topic: str, kinds: Iterable[str]) -> Found:
     look = shlex.join(["ros2", "topic", "info", "-v", topic])
-    who = _names(graph.ends(topic))
+    who = node_names(graph.ends(topic))
     return found("topic.types", look, name=topic, types=", ".join(kinds), nodes=who)
 
 
 def _near(scene: Scene, name: str, names: list[str], lists: str) -> Found | None:
     """The one of the names that is nearly this one, or has the same last part."""
-    full = _full(name)
-    last = full.rpartition("/")[2]
-    same = [each for each in names if last and each.rpartition("/")[2] == last]
-    near = same if len(same) == 1 else get_close_matches(full, names, 1, CLOSE_AMONG_FEW)
+    full = absolute(name)
+    last = last_part(full)
+    same = [each for each in names if last and last_part(each) == last]
+    near = same[0] if len(same) == 1 else nearest(full, names)
     if near:
-        right = near[0] if name.startswith("/") or name.count("/") or same else near[0].removeprefix("/")
-        return found("graph.near", _with(scene, name, right), name=full, near=near[0])
+        right = near if name.startswith("/") or name.count("/") or same else near.removeprefix("/")
+        return found("graph.near", _with(scene, name, right), name=full, near=near)
     if not names:
         return found("graph.none", lists, name=full)
     return None

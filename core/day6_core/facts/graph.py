@@ -106,6 +106,11 @@ def nodes_by_domain(graphs: Iterable[Graph]) -> dict[int, tuple[str, ...]]:
     return {graph.domain_id: tuple(sorted(nodes_of(graph))) for graph in graphs}
 
 
+def node_names(endpoints: Iterable[Endpoint]) -> str:
+    """Return the nodes of some endpoints, each once, as a text."""
+    return ", ".join(dict.fromkeys(each.node for each in endpoints))
+
+
 def is_shown(node_name: str) -> bool:
     """Whether a node counts: those of `ros2 topic pub` and `echo` are hidden, but their topic names are typed by hand."""
     return not node_name.startswith("_") or node_name.startswith("_ros2cli")

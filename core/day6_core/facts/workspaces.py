@@ -13,6 +13,7 @@ from day6_core.facts.folders import LONGEST_FILE, files_in, names_in, text_of
 from day6_core.facts.setup_file import EntryPoint, read_setup
 
 MOST_PACKAGES = 100
+MOST_FOLDERS = 5000
 DEEPEST = 4
 """Folders below `src` in which packages are looked for."""
 
@@ -170,7 +171,7 @@ def _manifests_in(source: Path) -> tuple[list[Path], list[tuple[Path, Path]], bo
     """Return the package.xml files below `src`, those inside other packages, and whether there are too many."""
     found: list[Path] = []
     inner: list[tuple[Path, Path]] = []
-    for folder, folders, names in os.walk(source):
+    for count, (folder, folders, names) in enumerate(os.walk(source)):
         here = Path(folder)
         outer = next((each.parent for each in found if each.parent in here.parents), None)
         if "COLCON_IGNORE" in names or len(here.relative_to(source).parts) > DEEPEST:
@@ -182,7 +183,7 @@ def _manifests_in(source: Path) -> tuple[list[Path], list[tuple[Path, Path]], bo
                 found.append(here / "package.xml")
             else:
                 inner.append((here, outer))
-        if len(found) >= MOST_PACKAGES:
+        if len(found) >= MOST_PACKAGES or count >= MOST_FOLDERS:
             return found, inner, True
     return found, inner, False
 

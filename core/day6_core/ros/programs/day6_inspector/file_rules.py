@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 import shlex
 from collections.abc import Iterator
 
+from day6_core.facts.names import nearest
 from day6_core.facts.workspaces import Package, Workspace, sourced_prefixes
 from day6_core.ros.distribution import setup_script
 from day6_core.ros.programs.day6_inspector.facts import Facts
@@ -92,9 +92,8 @@ def _parameters(facts: Facts) -> Iterator[Finding]:
         if file.problem:
             yield finding("error", "parameter_file", file=file.path.name, reason=file.problem, then=edit)
         elif file.keys and facts.nodes and not any(_fits(key, facts.nodes) for key in file.keys):
-            near = difflib.get_close_matches(file.keys[0], facts.nodes, 1, 0.4)
             keys = ", ".join(file.keys)
-            nodes = near[0] if near else ", ".join(dict.fromkeys(facts.nodes))
+            nodes = nearest(file.keys[0], facts.nodes, 0.4) or ", ".join(dict.fromkeys(facts.nodes))
             yield finding("warning", "parameter_keys", file=file.path.name, keys=keys, nodes=nodes, then=edit)
         elif not file.keys:
             yield finding("warning", "parameter_nothing", file=file.path.name, then=edit)

@@ -13,8 +13,10 @@ from functools import lru_cache
 from pathlib import Path
 
 from day6_core.advice.card_files import Card, all_cards, names_of
+from day6_core.advice.fault import PLACE
 from day6_core.advice.matching import Sighting, sightings
 from day6_core.advice.wording import command_of
+from day6_core.facts.names import absolute
 from day6_core.facts.workspaces import Workspace, is_sourced
 from day6_core.ros.distribution import setup_script
 from day6_core.ros.programs.day6_inspector.facts import Facts
@@ -25,7 +27,6 @@ from day6_core.ros.programs.day6_inspector.outputs import Output, outputs, short
 _OWN = Path(__file__).resolve().parents[3]
 """Where this program is: in a checkout, not among the libraries."""
 
-_FRAME = re.compile(r'^\s*File "([^"]+)", line (\d+)', re.MULTILINE)
 _ERROR = re.compile(
     r"^([A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Exists|Exit|Warning)\w*)(?::[ ]?(.*))?$", re.MULTILINE
 )
@@ -153,12 +154,7 @@ def _duplicates(output: Output, seen: Sequence[Sighting], facts: Facts) -> Findi
 
 
 def _no_type(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
-    known = [
-        word
-        for word in output.line.source.split()
-        if re.fullmatch(r"[A-Za-z]\w*(/(?:msg|srv|action))?/[A-Za-z]\w*", word)
-    ]
-    type_name = seen[0].values["type"] or (known[0] if known else "")
+    type_name = seen[0].values["type"] or _type_in(output.line.source)
     package = type_name.partition("/")[0]
     if package:
         found = unknown_package(output, package, facts)
@@ -168,13 +164,19 @@ def _no_type(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding 
     return finding("error", "no_type", line=output.source, type=type_name or "?", then=then)
 
 
+def _type_in(source: str) -> str:
+    """The first type that a command line names, '' if it names none."""
+    pattern = r"[A-Za-z]\w*/(?:(?:msg|srv|action)/)?[A-Za-z]\w*"
+    return next((word for word in source.split() if re.fullmatch(pattern, word)), "")
+
+
 # -- Python ---------------------------------------------------------------------------------------------------------------
 
 
 def own_frame(output: Output) -> tuple[str, int] | None:
     """Return file and line of the last frame of a traceback that is not in a library."""
     last = None
-    for file, line in _FRAME.findall(output.text):
+    for file, line in PLACE.findall(output.text):
         parts = Path(file).parts
         if "site-packages" in parts and "install" not in parts:
             continue
@@ -239,15 +241,11 @@ def _waits(key: str, kind: str, verb: str) -> Judge:
             return None
         words = [word for word in output.line.source.split() if not word.startswith("-")]
         name = words[3] if words[:3] == ["ros2", kind, verb] and len(words) > 3 else ""
-        if _absolute(name) in facts.servers:
+        if absolute(name) in facts.servers:
             return None
         return finding("error", key, line=output.source, then=f"ros2 {kind} list")
 
     return judge
-
-
-def _absolute(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"
 
 
 def _two_types(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
@@ -258,12 +256,8 @@ def _two_types(output: Output, seen: Sequence[Sighting], facts: Facts) -> Findin
 
 
 def _bad_yaml(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
-    words = [
-        word
-        for word in output.line.source.split()
-        if re.fullmatch(r"[A-Za-z]\w*/(?:(?:msg|srv|action)/)?[A-Za-z]\w*", word)
-    ]
-    then = f"ros2 interface show {words[0]}" if words else ""
+    type_name = _type_in(output.line.source)
+    then = f"ros2 interface show {type_name}" if type_name else ""
     reason = seen[0].values.get("reason", seen[0].line).strip()
     return finding("error", "bad_yaml", line=output.source, reason=reason, then=then)
 
