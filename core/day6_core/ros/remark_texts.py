@@ -1,6 +1,6 @@
 """The English texts of remarks by id (`programs/remark.py`); names of topics, links and types are in the parameters.
 
-Of the inspector's findings those about what a terminal printed stand in their cards (`day6_core/advice/cards`), in both languages.
+Those of findings about what a terminal printed stand in their cards (`day6_core/advice/cards`), in both languages.
 The programs print them, and the catalogue of the windows (day6_tui/locale/en.py) has them from here. The Chinese ones are in
 day6_tui/locale/zh.py: without a screen a remark is English.
 """
