@@ -9,10 +9,19 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.advice.card_files import FOLDER, TOPICS, CardError, all_cards, read_topic, topics
+from day6_core.advice.card_files import (
+    FOLDER,
+    TOPICS,
+    CardError,
+    all_cards,
+    finding_cards,
+    read_topic,
+    topics,
+)
 from day6_core.advice.explain import LOOKERS, as_text, explain, explanation_of_card, scene_of, wrapped
-from day6_core.advice.matching import Match, card_for, cards_in, forms, plain_lines
+from day6_core.advice.matching import Match, card_for, cards_in, forms, plain_lines, sightings
 from day6_core.advice.rules import Surroundings
+from day6_core.facts.graph import GraphFacts
 from day6_core.language import LANGUAGES
 from day6_core.ros import distribution
 from day6_core.ros.distribution import NAMES
@@ -75,6 +84,10 @@ def test_every_card_can_be_shown_by_itself_in_any_width(language: str) -> None:
         (CARD.replace("- same", "- smae"), 5, "expected says, match"),
         (CARD.replace("- same", "- same\n- look: package"), 3, "needs checks"),
         (CARD + "\n**en** Again.\n", 11, "once"),
+        (CARD.replace("- same", "- same\n- finding: no_name"), 6, "a level and a key"),
+        (CARD.replace("- same", "- same\n- finds: `no (`"), 6, "no regular expression"),
+        (CARD + "! {name}: wrong\n", 3, "says less in one language"),
+        (CARD + "! {name}: wrong\nmore\n", 11, "nothing comes after the finding"),
         (CARD.replace("## a-card", "stray"), 3, "text before the first card"),
     ],
 )
@@ -244,19 +257,12 @@ def test_nobody_says_to_know_a_cause_that_was_not_found(tmp_path: Path) -> None:
     "odd", ["\0", "a" * 5000, "/root/x/y", "[*", "\ud800", "..", "/", "~nobody", "a/b/c", "'", "\u202e", "%s{x}"]
 )
 def test_no_looker_stumbles_over_an_odd_name(tmp_path: Path, odd: str) -> None:
-    class Nobody:
-        def nodes(self) -> list[str]:
-            return ["/a", "/a"]
-
-        topics = services = elsewhere = lambda self: {}
-        publishers = subscriptions = lambda self, topic: []
-
     names = ("name", "package", "share", "type", "path", "variable", "fixed")
     for card in all_cards():
         if not card.look:
             continue
         match = Match("Error: x", card, dict.fromkeys((*names, *map(str, range(4))), odd))
-        for graph in (None, Nobody()):
+        for graph in (None, GraphFacts(nodes=("/a", "/a"))):
             around = Surroundings({"HOME": str(tmp_path), "ROS_DISTRO": "jazzy"}, tmp_path)
             scene = scene_of(match, around, command=f"ros2 run {odd} {odd} {odd}", graph=graph, commands=["ls", odd])
             for language in LANGUAGES:
@@ -290,3 +296,24 @@ def test_ten_times_as_long_a_word_takes_ten_times_as_long() -> None:
         return min(times)
 
     assert time_of(20_000) < 40 * time_of(2_000)
+
+
+def test_a_finding_has_one_sentence_and_is_seen_anywhere_in_a_line(tmp_path: Path) -> None:
+    said = {card.finding for card in all_cards() if card.finding}
+    assert said == finding_cards().keys() and len(said) > 30
+    path = tmp_path / "x.md"
+    finds = "- same\n- finding: error no_name\n- finds: `no (?P<name>\\w+) at`"
+    path.write_text(CARD.replace("- same", finds) + "! {name}: {first}\n", encoding="utf-8")
+    with pytest.raises(CardError, match="says less"):
+        read_topic(path)
+    text = CARD.replace("- same", finds).replace("\n\n**en**", "\n! {name}：{first}\n\n**en**") + "! {name}: {first}\n"
+    path.write_text(text, encoding="utf-8")
+    (card,) = read_topic(path)[1]
+    assert (card.level, card.finding, card.finding_next) == ("error", "no_name", "")
+    assert card.words["en"].finding == "{name}: There is no {name}."
+    assert [(seen.values["name"], seen.rest) for seen in sightings(card, "x: no sun at all\nmore\nno moon at\n")] == [
+        ("sun", "more\nno moon at\n"),
+        ("moon", ""),
+    ]
+    card.finds = ()
+    assert [seen.line for seen in sightings(card, "[a-1] no sun here\nx no moon here")] == ["[a-1] no sun here"]

@@ -111,7 +111,9 @@ def test_a_package_of_the_workspace_that_is_not_built_or_not_sourced(tmp_path: P
     output = failed("import car_pkg", tmp_path)
     said = hint_below(output, Surroundings(variables, tmp_path))
     assert f"car_pkg is in {package}" in said and f"cd {workspace}; colcon build" in said
-    (workspace / "install" / "car_pkg").mkdir(parents=True)
+    share = workspace / "install" / "car_pkg" / "share" / "car_pkg"
+    share.mkdir(parents=True)
+    (share / "package.xml").touch()
     (workspace / "install" / "setup.bash").write_text("")
     said = hint_below(output, Surroundings(variables, package))
     assert said.endswith(f"source {workspace / 'install' / 'setup.bash'}")

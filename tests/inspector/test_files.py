@@ -6,12 +6,13 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.facts.setup_file import read_setup
+from day6_core.facts.workspaces import Unknown, names_file, why_unknown
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.file_rules import _fits
 from day6_core.ros.programs.day6_inspector.files import Files, ParameterFile, Typed, Where, look
 from day6_core.ros.programs.day6_inspector.program_rules import script_of
 from day6_core.ros.programs.day6_inspector.rules import findings
-from day6_core.ros.programs.day6_inspector.setup_file import read_setup
 
 MANIFEST = "<package format='3'><name>{}</name></package>"
 
@@ -42,7 +43,7 @@ def test_a_setup_file_that_cannot_be_read_is_no_finding(tmp_path: Path, setup: s
 def test_entry_points_are_judged_by_the_files(tmp_path: Path) -> None:
     folder = package(tmp_path, "a", "setup(entry_points={'console_scripts': ['x = a.x:main', 'y = a.y:main', 'z']})")
     (folder / "a/x.py").write_text("def main():\n    pass\n", encoding="utf-8")
-    found = read_setup((folder / "setup.py").read_text(encoding="utf-8"), folder)
+    found = read_setup(folder)
     assert [(each.name, each.flaw) for each in found.entry_points] == [("x", ""), ("y", "module"), ("z", "form")]
 
 
@@ -133,3 +134,53 @@ def test_values_for_a_node_that_does_not_run_yet_are_no_fault_where_no_node_runs
 )
 def test_the_script_of_a_line(tmp_path: Path, line: str, script: str) -> None:
     assert script_of(line, tmp_path, tmp_path / "home") == (tmp_path / script if script else None)
+
+
+@pytest.mark.parametrize(
+    ("script", "text", "named"),
+    [
+        ("setup.py", "('share/a/launch', ['launch/x.launch.py'])", True),
+        ("setup.py", "('share/a/launch', ['launch/y.launch.py'])", False),
+        ("setup.py", "('share/a/launch', glob('launch/*.py'))", True),
+        (
+            "setup.py",
+            "(os.path.join('share', name, 'launch'), glob(os.path.join('launch', '*launch.[pxy][yma]*')))",
+            True,
+        ),
+        ("setup.py", "('share/a/launch', glob('launch/*.xml'))", False),
+        ("setup.py", "('share/a', ['package.xml'])", False),
+        ("CMakeLists.txt", "install(DIRECTORY launch worlds\n  DESTINATION share/${PROJECT_NAME})", True),
+        ("CMakeLists.txt", "install(DIRECTORY worlds/launch DESTINATION share/${PROJECT_NAME})", False),
+    ],
+)
+def test_a_launch_file_is_named_by_itself_by_a_wildcard_or_by_its_folder(
+    tmp_path: Path, script: str, text: str, named: bool
+) -> None:
+    (tmp_path / script).write_text(text, encoding="utf-8")
+    assert names_file(tmp_path / script, "launch/x.launch.py") is named
+
+
+def test_a_terminal_knows_a_package_that_was_there_when_it_sourced_the_workspace(tmp_path: Path) -> None:
+    package(tmp_path, "new")
+    install = tmp_path / "ros2_ws/install"
+    home = {"HOME": str(tmp_path)}
+    before = {**home, "AMENT_PREFIX_PATH": str(install / "old")}
+    assert why_unknown("new", home, tmp_path) == Unknown(
+        "not_built", tmp_path / "ros2_ws", tmp_path / "ros2_ws/src/new"
+    )
+    share = install / "new/share/new"
+    share.mkdir(parents=True)
+    (share / "package.xml").touch()
+    assert why_unknown("new", before, tmp_path) == Unknown("not_sourced", tmp_path / "ros2_ws", install)
+    assert why_unknown("new", {**home, "AMENT_PREFIX_PATH": str(install / "new")}, tmp_path) is None
+    assert why_unknown("new", {**home, "AMENT_PREFIX_PATH": str(install)}, tmp_path) is None
+    assert why_unknown("none", home, tmp_path) is None
+
+
+def test_entry_points_that_are_computed_are_known_by_the_names_that_are_written(tmp_path: Path) -> None:
+    folder = package(
+        tmp_path, "a", "scripts = ['x = a.x:main', 'no entry']\nsetup(entry_points={'console_scripts': scripts})"
+    )
+    assert (read_setup(folder).entry_points, read_setup(folder).programs) == ((), ("x",))
+    (folder / "setup.py").write_text("s = ['x = a.x:main'\n'y = a.y:main']", encoding="utf-8")
+    assert read_setup(folder).comma == 1

@@ -123,5 +123,5 @@ def test_the_inspector_is_nowhere_while_it_looks_on(lab: Lab) -> None:
 def test_in_a_real_terminal_it_says_what_it_cannot_look_at(lab: Lab) -> None:
     from day6_core.ros.programs.day6_inspector.model import Inspector
 
-    model = Inspector(lab.inspector._node, lab.desk.clock)
+    model = Inspector(lab.inspector._listening._node, lab.desk.clock, lab.desk.graph)
     assert model._unseen() == ("terminals", "files", "programs")

@@ -33,7 +33,7 @@ class Lab(SteppedMachine):
 
     def __init__(self) -> None:
         super().__init__()
-        self.inspector = Inspector(self.make(f"{OBSERVER_PREFIX}_inspector_1"), self.clock)
+        self.inspector = Inspector(self.make(f"{OBSERVER_PREFIX}_inspector_1"), self.clock, self.graph)
         self.node.destroy_node()
 
     def make(self, name: str) -> Any:

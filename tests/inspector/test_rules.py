@@ -7,7 +7,9 @@ from typing import NamedTuple
 
 import pytest
 
+from day6_core.advice.card_files import all_cards, names_of
 from day6_core.interfaces import checks
+from day6_core.ros.programs.day6_inspector import output_rules
 from day6_core.ros.programs.day6_inspector.rules import Endpoint, Facts, findings
 from day6_core.session.overview import TerminalView
 
@@ -184,3 +186,12 @@ def test_a_command_that_went_well_takes_the_place_of_its_failed_attempts() -> No
     other = Ran("", 0, "ros2 param get /heater target")
     assert keys_after(wrong) == keys_after(wrong, other) == keys_after(right, wrong) == ["parameter_type"]
     assert keys_after(wrong, right) == keys_after(wrong, right, other) == []
+
+
+def test_what_a_finding_names_is_found_by_every_pattern_of_its_card_unless_a_judge_fills_it_in() -> None:
+    cards = [card for card in all_cards() if card.finding]
+    assert output_rules._JUDGES.keys() <= {card.finding for card in cards}
+    for card in cards:
+        if card.finding not in output_rules._JUDGES:
+            named = names_of(card.words["en"].finding) - {"where", "line"}
+            assert all(named <= pattern.names for pattern in card.finds or card.patterns), card.id

@@ -2,5 +2,5 @@
 
 `cards/*.md` are read by `card_files`, found for a line by `matching`, explained by `explain` with the help of lookers; `rules`
 gives the hints. A cause or a hint is told only where it is certain: a wrong one costs a beginner more than none. The shell,
-colcon and the desktop use this; it imports nothing above the interfaces and the graph.
+colcon, the inspector and the desktop use this; it imports nothing above the interfaces and the graph.
 """

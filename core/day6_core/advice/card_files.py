@@ -18,6 +18,15 @@ of the line; there may be several. `look` names functions of the modules `looker
 Words alone: `- hint` (the first line is certain enough to be shown as a hint, in every language), `- echo` (the message only
 says that another one came before it), `- same` (on a real robot nothing is different). {names} in the texts are filled in; a
 brace is written twice.
+
+A card may be a finding of the inspector, too:
+
+    - finding: error no_package `ros2 pkg list`
+    - finds: `Package '(?P<name>[^']+)' not found`
+
+It has a level, a key, and a command where it is another one than `next`. `finds` is a regular expression for anywhere in a line;
+without one the finding is seen where the card is. Its sentence stands at the end of each language: `! {where}: {first}`, where
+{where} is the place in the program, {line} what was run, {first} the card's first line.
 """
 
 from __future__ import annotations
@@ -41,6 +50,7 @@ FOLDER = Path(__file__).parent / "cards"
 _FLAGS = ("hint", "echo", "same")
 _ITEM = re.compile(r"- (\w+)(?:: (.+))?$")
 _HEAD = re.compile(r"## ([a-z0-9]+(?:-[a-z0-9]+)*)$")
+_FINDING = re.compile(r"(error|warning|info) ([a-z_]+)(?: `(.+)`)?$")
 _SAID = re.compile(r"\*\*(\w+)\*\* (.+)$")
 _HOLE = re.compile(r"\{(\w+|…)\}")
 KNOWN_VALUES = ("line", "file")
@@ -63,6 +73,8 @@ class Words:
     more: str = ""
     checks: tuple[str, ...] = ()
     robot: str = ""
+    finding: str = ""
+    """The sentence of the inspector's finding, '' where another card has it, or there is none."""
 
 
 @dataclass
@@ -77,6 +89,11 @@ class Card:
     hint: bool = False
     echo: bool = False
     same: bool = False
+    finding: str = ""
+    """The key of the inspector's finding, '' for none."""
+    level: str = ""
+    finding_next: str = ""
+    finds: tuple[Pattern, ...] = ()
     words: dict[str, Words] = field(default_factory=dict)
 
 
@@ -109,7 +126,14 @@ class Pattern:
         """Return what varies in this line, None if it is another one."""
         if self.literal not in line:
             return None
-        found = self.compiled.match(line)
+        return self._values(self.compiled.match(line))
+
+    def search(self, line: str) -> dict[str, str] | None:
+        """Return the same for a line that has it anywhere."""
+        return self._values(self.compiled.search(line)) if self.literal in line else None
+
+    @staticmethod
+    def _values(found: re.Match[str] | None) -> dict[str, str] | None:
         if found is None:
             return None
         numbered = {str(number): group or "" for number, group in enumerate(found.groups())}
@@ -168,8 +192,8 @@ class _Reader:
         self._begun = 0
         """Where the card begins that is read."""
         self._language = ""
-        self._said: dict[str, tuple[list[str], list[str], list[str]]] = {}
-        """By language: what it means, checks, the real robot."""
+        self._said: dict[str, tuple[list[str], list[str], list[str], list[str]]] = {}
+        """By language: what it means, checks, the real robot, the finding."""
 
     def _wrong(self, reason: str, line: int = 0) -> CardError:
         return CardError(self._path, line or self._number, reason)
@@ -202,8 +226,16 @@ class _Reader:
         if name in _FLAGS and value is None:
             setattr(card, name, True)
             return
-        if name not in ("says", "match", "look", "next") or value is None:
-            raise self._wrong("expected says, match, look or next with a value, or hint, echo or same without one")
+        if name not in ("says", "match", "look", "next", "finding", "finds") or value is None:
+            raise self._wrong(
+                "expected says, match, look, next, finding or finds with a value, or hint, echo or same without one"
+            )
+        if name == "finding":
+            told = _FINDING.match(value)
+            if told is None:
+                raise self._wrong("a finding has a level and a key: error no_package")
+            card.level, card.finding, card.finding_next = told[1], told[2], told[3] or ""
+            return
         if name == "look":
             card.look = tuple(value.split())
             return
@@ -213,19 +245,27 @@ class _Reader:
             card.next = value[1:-1]
             return
         try:
-            card.patterns += (Pattern(value[1:-1], is_line=name == "says"),)
+            pattern = Pattern(value[1:-1], is_line=name == "says")
         except re.error as error:
             raise self._wrong(f"this is no regular expression: {error}") from None
+        if name == "finds":
+            card.finds += (pattern,)
+        else:
+            card.patterns += (pattern,)
 
     def _begin(self, language: str, text: str) -> None:
         if language not in LANGUAGES or language in self._said:
             raise self._wrong(f"each card speaks each of {', '.join(LANGUAGES)} once")
         self._language = language
-        self._said[language] = ([text], [], [])
+        self._said[language] = ([text], [], [], [])
 
     def _say(self, line: str) -> None:
-        means, checks, robot = self._said[self._language]
-        if line.startswith("> "):
+        means, checks, robot, finding = self._said[self._language]
+        if line.startswith("! "):
+            finding.append(line[2:].replace("{first}", means[0]))
+        elif finding:
+            raise self._wrong("nothing comes after the finding")
+        elif line.startswith("> "):
             robot.append(line[2:])
         elif robot:
             raise self._wrong("nothing comes after the real robot")
@@ -246,14 +286,20 @@ class _Reader:
         for language in LANGUAGES:
             if language not in self._said:
                 raise self._wrong(f"the card {card.id} says nothing in '{language}'", self._begun)
-            means, checks, robot = self._said[language]
+            means, checks, robot, finding = self._said[language]
             join = "" if language == "zh" else " "
-            card.words[language] = Words(means[0], join.join(means[1:]), tuple(checks), join.join(robot))
+            card.words[language] = Words(
+                means[0], join.join(means[1:]), tuple(checks), join.join(robot), join.join(finding)
+            )
         self._said, self._language = {}, ""
         chinese, english = (card.words[language] for language in LANGUAGES)
         if not card.patterns:
             raise self._wrong(f"the card {card.id} matches nothing", self._begun)
-        if len(chinese.checks) != len(english.checks) or bool(chinese.robot) != bool(english.robot):
+        if (
+            len(chinese.checks) != len(english.checks)
+            or bool(chinese.robot) != bool(english.robot)
+            or names_of(chinese.finding) != names_of(english.finding)
+        ):
             raise self._wrong(f"the card {card.id} says less in one language", self._begun)
         if bool(chinese.robot) == card.same:
             raise self._wrong(f"the card {card.id} needs either '> …' about a real robot or '- same'", self._begun)
@@ -269,7 +315,7 @@ class _Reader:
         for words in card.words.values():
             for text in (words.first, words.more, *words.checks, words.robot, card.next):
                 try:
-                    named = {name for _, name, _, _ in Formatter().parse(text) if name is not None}
+                    named = names_of(text)
                 except ValueError as error:
                     raise self._wrong(f"the card {card.id}: {error} (a brace is written twice)", self._begun) from None
                 if named - known:
@@ -293,3 +339,14 @@ def all_cards() -> Iterator[Card]:
     """Return all cards in the order in which they are tried."""
     for _, cards in topics().values():
         yield from cards
+
+
+def names_of(text: str) -> set[str]:
+    """Return what a text fills in. Raises ValueError for a brace alone."""
+    return {name for _, name, _, _ in Formatter().parse(text) if name is not None}
+
+
+@lru_cache(maxsize=1)
+def finding_cards() -> dict[str, Card]:
+    """Return the cards with the sentence of a finding, by its key."""
+    return {card.finding: card for card in all_cards() if card.words["en"].finding}

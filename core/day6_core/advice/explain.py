@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from day6_core.advice import lookers_files, lookers_graph, lookers_line, lookers_values  # they register themselves
 from day6_core.advice.card_files import Card, topics
 from day6_core.advice.fault import fault_in
-from day6_core.advice.looking import LOOKERS, Found, GraphFacts, Scene
+from day6_core.advice.looking import ASK_GRAPH, LOOKERS, Found, Scene
 from day6_core.advice.matching import Match
 from day6_core.advice.rules import Surroundings
 from day6_core.advice.texts import TEXTS
 from day6_core.advice.wording import command_of, filled_in, sentence, with_gaps
+from day6_core.facts.graph import GraphFacts
 from day6_core.session.harmless import one_line
 from day6_core.width import char_width, text_width
 
@@ -148,7 +149,7 @@ def explanation_of_card(card: Card, language: str) -> Explanation:
 
 def asks_graph(card: Card) -> bool:
     """Return whether a looker of this card asks the live graph."""
-    return any(LOOKERS[name].__module__ == lookers_graph.__name__ for name in card.look)
+    return not ASK_GRAPH.isdisjoint(card.look)
 
 
 def topic_list(language: str) -> list[tuple[str, str, list[Card]]]:

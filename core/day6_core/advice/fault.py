@@ -15,7 +15,9 @@ _LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ", re.MULTILINE)
 _ERROR = re.compile(
     r"^(?: - )?(?:[\w.]+\.)?(\w*(?:Error|Exception)): (.+)$|^(?:[\w.]+\.)?(\w+(?:Error|Exception))$", re.MULTILINE
 )
-_PLACE = re.compile(r'^ *File "([^"]+)", line (\d+)', re.MULTILINE)
+PLACE = re.compile(r'^ *File "([^"]+)", line (\d+)', re.MULTILINE)
+"""A place in a traceback: file and line."""
+
 _IN_LAUNCH = re.compile(r" \((\S+), line (\d+)\)$")
 """How an exception itself names the place of a syntax error."""
 
@@ -35,7 +37,7 @@ def fault_in(output: str) -> Fault | None:
     text = _LAUNCHED.sub("", without_sequences(output[-LONGEST:]))
     begin = max(text.rfind("Traceback (most recent call last):"), text.rfind("Caught exception in launch"))
     if begin < 0:  # a syntax error of the program itself has no traceback, only its place
-        places = list(_PLACE.finditer(text))
+        places = list(PLACE.finditer(text))
         if not places or not re.search(r"^(?:Syntax|Indentation|Tab)Error: ", text[places[-1].end() :], re.MULTILINE):
             return None
         begin = places[-1].start()
@@ -43,7 +45,7 @@ def fault_in(output: str) -> Fault | None:
     found = _ERROR.search(text)
     if found is None:
         return None
-    places = list(_PLACE.finditer(text, 0, found.start()))
+    places = list(PLACE.finditer(text, 0, found.start()))
     file, line = (places[-1][1], int(places[-1][2])) if places else ("", 0)
     message = found[2] or ""
     inner = _IN_LAUNCH.search(message)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from day6_core.facts.workspaces import sourced_prefixes
 from day6_core.interfaces.definition import (
     InvalidSpecification,
     Structure,
@@ -23,7 +23,6 @@ from day6_core.ros.environment import SHARE_PATH, python_folders
 
 SEPARATOR = os.pathsep
 
-_NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")
 _PUBLIC = re.compile(r"^(?:class|def) ([A-Za-z]\w*)|^from \S+ import (.+)$", re.MULTILINE)
 
 
@@ -127,77 +126,10 @@ def _structure(whole: str, variables: Mapping[str, str], *, sent: bool = False) 
     return None
 
 
-def built_package(name: str, variables: Mapping[str, str], cwd: Path) -> Path | None:
-    """Return the install folder of a workspace in which a package is built that the terminal has not sourced."""
-    for workspace in _workspaces(variables, cwd):
-        install = workspace / "install"
-        if (install / "setup.bash").is_file() and (
-            (install / name).is_dir() or (install / "share" / name / "package.xml").is_file()
-        ):
-            sourced = variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
-            return install if not {str(install), str(install / name)} & set(sourced) else None
-    return None
-
-
-def source_package(name: str, variables: Mapping[str, str], cwd: Path) -> tuple[Path, Path] | None:
-    """Return folder and workspace of a package that lies in `src` and is not built."""
-    for workspace in _workspaces(variables, cwd):
-        for manifest in (workspace / "src").glob("*/package.xml"):
-            found = _NAME.search(manifest.read_text(encoding="utf-8", errors="replace"))
-            if found is not None and found[1] == name and not (workspace / "install" / name).exists():
-                return manifest.parent, workspace
-    return None
-
-
-def build_failed(name: str, workspace: Path) -> bool:
-    """Return whether colcon noted that it could not build a package the last time."""
-    try:
-        return (workspace / "build" / name / "colcon_build.rc").read_text(encoding="utf-8").strip() != "0"
-    except (OSError, UnicodeError):
-        return False
-
-
-def missing_comma(setup: Path) -> int:
-    """Return the line of a setup.py that lacks the comma between two entry points; 0 if none does, or it cannot be read.
-
-    Python joins two texts without a comma to one: 'a = p.a:main' 'b = p.b:main' is one entry, and no right one.
-    """
-    try:
-        tree = ast.parse(setup.read_text(encoding="utf-8", errors="replace"))
-    except (OSError, SyntaxError, ValueError):
-        return 0
-    for node in ast.walk(tree):
-        if isinstance(node, ast.List):
-            for text in node.elts:
-                joined = (
-                    isinstance(text, ast.Constant) and isinstance(text.value, str) and _TWO_ENTRIES.match(text.value)
-                )
-                if joined and text.end_lineno != text.lineno:
-                    return text.lineno
-    return 0
-
-
-def setup_files(variables: Mapping[str, str], cwd: Path) -> Iterator[Path]:
-    """Yield the setup.py of each package of the workspace one is in, and of the usual one."""
-    for workspace in _workspaces(variables, cwd):
-        yield from sorted((workspace / "src").glob("*/setup.py"))
-
-
-_TWO_ENTRIES = re.compile(r"\s*[\w.-]+\s*=\s*[\w.]+:\w+?\s*[\w.-]+\s*=\s*[\w.]+:\w+\s*$")
-
-
-def _workspaces(variables: Mapping[str, str], cwd: Path) -> Iterator[Path]:
-    """The workspace one is in, and the usual one."""
-    around = [folder for folder in (cwd, *cwd.parents) if (folder / "src").is_dir()]
-    yield from dict.fromkeys([*around, Path(variables.get("HOME", "/")) / "ros2_ws"])
-
-
 def shares(variables: Mapping[str, str]) -> Iterator[Path]:
     """Yield the folders in which a terminal with these variables finds packages."""
     yield SHARE_PATH
-    for prefix in variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
-        if prefix:
-            yield Path(prefix, "share")
+    yield from (prefix / "share" for prefix in sourced_prefixes(variables))
 
 
 def _python_path(variables: Mapping[str, str]) -> Iterator[Path]:

@@ -2,25 +2,35 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 import shlex
-from collections.abc import Iterator
-from difflib import get_close_matches
+from itertools import chain
 from pathlib import Path
 
 from day6_core.advice import known
 from day6_core.advice.lookers_line import of_slip
 from day6_core.advice.looking import Found, Scene, found, looker
 from day6_core.advice.rules import cause_of
-from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
+from day6_core.advice.typed import slip_of_command
+from day6_core.facts.folders import files_in, names_in
+from day6_core.facts.names import CLOSE, nearest
+from day6_core.facts.setup_file import read_setup
+from day6_core.facts.workspaces import (
+    executables_in,
+    find_package,
+    names_file,
+    packages_lacking_comma,
+    sourced_prefixes,
+    why_unknown,
+    workspaces_around,
+)
 from day6_core.language import language_of
 from day6_core.ros.differences import has_interface, has_package
 from day6_core.ros.distribution import setup_script
 
 MOST_FILES = 2000
-"""Files below a package that are looked at."""
+"""Files below a folder that are looked at."""
 
 
 @looker
@@ -51,23 +61,22 @@ def package(scene: Scene) -> Found | None:
     names = known_packages(scene)
     if name in names:
         return found("package.now_known", "", name=name)
-    near = get_close_matches(name, names, 1, CLOSE_AMONG_FEW)
-    return found("package.near", _again(scene, name, near[0]), name=name, near=near[0]) if near else None
+    near = nearest(name, names)
+    return found("package.near", _again(scene, name, near), name=name, near=near) if near else None
 
 
 def _of_the_workspace(name: str, scene: Scene) -> Found | None:
     """Whether a package is built and not sourced, or not even built."""
     if not name.isidentifier():
         return None
-    built = known.built_package(name, scene.variables, scene.cwd)
-    if built is not None:
-        source = f"source {_short(built / 'setup.bash', scene)}"
-        return found("package.not_sourced", source, name=name, install=_short(built, scene))
-    lies = known.source_package(name, scene.variables, scene.cwd)
-    if lies is not None:
-        key = "package.build_failed" if known.build_failed(name, lies[1]) else "package.not_built"
-        return found(key, _build(lies[1], name, scene), name=name, folder=_short(lies[0], scene))
-    return None
+    unknown = why_unknown(name, scene.variables, scene.cwd)
+    if unknown is None:
+        return None
+    folder = _short(unknown.folder, scene)
+    if unknown.because == "not_sourced":
+        source = f"source {_short(unknown.folder / 'setup.bash', scene)}"
+        return found("package.not_sourced", source, name=name, install=folder)
+    return found(f"package.{unknown.because}", _build(unknown.workspace, name, scene), name=name, folder=folder)
 
 
 @looker
@@ -82,66 +91,62 @@ def executable(scene: Scene) -> Found | None:
     package, name = operands[:2]
     installed = _executables(package, scene)
     near = name.removesuffix(".py") if name.removesuffix(".py") in installed else ""
-    near = near or next(iter(get_close_matches(name, installed, 1, CLOSE_AMONG_FEW)), "")
-    folder = _source_of(package, scene)
-    if folder is None:
+    near = near or nearest(name, installed)
+    lies = find_package(package, workspaces_around(scene.variables, scene.cwd))
+    if lies is None:
         if near:
             return found("executable.near", shlex.join(["ros2", "run", package, near]), name=name, near=near)
         has = ", ".join(installed)
         return found("executable.has", f"ros2 pkg executables {package}", package=package, names=has) if has else None
-    if (comma := _comma(folder / "setup.py", scene)) is not None:
-        return comma
-    build = _build(_workspace_of(folder, scene), package, scene)
-    points = _entry_points(folder / "setup.py")
-    if name in points:
+    source = lies[1]
+    setup, edit = source.folder / "setup.py", f"nano {_short(source.folder / 'setup.py', scene)}"
+    said = read_setup(source.folder)
+    if said.comma:
+        return _comma(source.folder, said.comma, scene)
+    if name in said.programs:
+        build = _build(lies[0].folder, package, scene)
         return found("executable.not_built", build, name=name, package=package)
     if near:
         return found("executable.near", shlex.join(["ros2", "run", package, near]), name=name, near=near)
-    stem = name.removesuffix(".py")
-    if (folder / package / f"{stem}.py").is_file():
-        line = f"'{stem} = {package}.{stem}:main',"
-        edit = f"nano {_short(folder / 'setup.py', scene)}"
-        return found("executable.no_entry", edit, name=stem, setup=folder / "setup.py", line=line)
-    if points:
-        return found("executable.others", "", package=package, names=", ".join(sorted(points)))
-    return found("executable.none", f"nano {_short(folder / 'setup.py', scene)}", setup=folder / "setup.py")
+    if line := source.lacking_entry(name):
+        return found("executable.no_entry", edit, name=name.removesuffix(".py"), setup=setup, line=f"{line},")
+    if said.programs:
+        return found("executable.others", "", package=package, names=", ".join(sorted({*said.programs})))
+    return found("executable.none", edit, setup=setup)
 
 
-def _comma(setup: Path, scene: Scene) -> Found | None:
-    line = known.missing_comma(setup)
-    return found("setup.comma", f"nano {_short(setup, scene)}", setup=_short(setup, scene), line=line) if line else None
+def _comma(package: Path, line: int, scene: Scene) -> Found:
+    setup = _short(package / "setup.py", scene)
+    return found("setup.comma", f"nano {setup}", setup=setup, line=line)
 
 
 @looker
 def setup_comma(scene: Scene) -> Found | None:
     """A comma that is missing between two entry points of a setup.py."""
-    commas = (_comma(setup, scene) for setup in known.setup_files(scene.variables, scene.cwd))
-    return next((each for each in commas if each is not None), None)
+    lacking = next(packages_lacking_comma(workspaces_around(scene.variables, scene.cwd)), None)
+    return _comma(*lacking, scene) if lacking is not None else None
 
 
 @looker
 def launch_file(scene: Scene) -> Found | None:
     """A launch file that lies in `src` but is not installed, or whose name is nearly this one."""
     name, package, share = scene.value("name"), scene.value("package"), Path(scene.value("share"))
-    folder = _source_of(package, scene)
-    if folder is not None:
-        source = next((path for path in _files(folder) if path.name == name), None)
-        if source is not None:
-            setup = folder / "setup.py"
-            text = _text(setup) or _text(folder / "CMakeLists.txt")
-            place = source.parent.relative_to(folder).as_posix()
-            if name in text or re.search(rf"{re.escape(place)}['\"/ )]", text):
-                build = _build(_workspace_of(folder, scene), package, scene)
-                return found("launch.not_rebuilt", build, name=name)
-            file = setup if setup.is_file() else folder / "CMakeLists.txt"
-            key = "launch.data_files" if setup.is_file() else "launch.install"
-            return found(key, f"nano {_short(file, scene)}", name=name, file=file, place=place)
+    lies = find_package(package, workspaces_around(scene.variables, scene.cwd))
+    there = lies[1].file_called(name) if lies is not None else None
+    if lies is not None and there is not None:
+        source, file = lies[1], lies[1].install_script
+        if names_file(file, there):
+            return found("launch.not_rebuilt", _build(lies[0].folder, package, scene), name=name)
+        key, place = "launch.data_files" if source.python else "launch.install", there.rpartition("/")[0] or "."
+        return found(key, f"nano {_short(file, scene)}", name=name, file=file, place=place)
     names = [
-        path.name for path in _files(share) if path.suffix in (".py", ".xml", ".yaml", ".yml") and "launch" in path.name
+        path.name
+        for path in files_in(share, most=MOST_FILES)
+        if path.suffix in (".py", ".xml", ".yaml", ".yml") and "launch" in path.name
     ]
-    near = get_close_matches(name, names, 1, CLOSE_AMONG_FEW)
+    near = nearest(name, names)
     if near:
-        return found("launch.near", shlex.join(["ros2", "launch", package, near[0]]), name=name, near=near[0])
+        return found("launch.near", shlex.join(["ros2", "launch", package, near]), name=name, near=near)
     return found("launch.others", "", package=package, names=", ".join(sorted(set(names)))) if names else None
 
 
@@ -166,11 +171,10 @@ def path(scene: Scene) -> Found | None:
     if not parent.is_dir():
         gone = next((above for above in (parent, *parent.parents) if above.parent.is_dir()), parent)
         return found("path.no_folder", "", folder=gone, above=gone.parent)
-    entries = _names_in(parent)
-    near = [entry for entry in entries if entry.lower() == whole.name.lower()]
-    near = near or get_close_matches(whole.name, entries, 1, CLOSE_AMONG_FEW)
+    entries = names_in(parent)[:MOST_FILES]
+    near = next((entry for entry in entries if entry.lower() == whole.name.lower()), "") or nearest(whole.name, entries)
     if near and len(whole.name) > 2:
-        right = name.removesuffix(whole.name) + near[0] if name.endswith(whole.name) else near[0]
+        right = name.removesuffix(whole.name) + near if name.endswith(whole.name) else near
         return found("path.near", _again(scene, name, right), name=name, near=right)
     elsewhere = _elsewhere(whole.name, scene)
     if elsewhere is not None:
@@ -244,10 +248,9 @@ def message_package(scene: Scene) -> Found | None:
         types = sorted({f"{f.parent.parent.name}/{f.parent.name}/{f.stem}" for share in known.shares(scene.variables)
                         for f in share.glob(f"{package}/*/*.*") if f.parent.name in ("msg", "srv", "action")})  # fmt: skip
         types = list(filter(has_interface, types))
-        found_near = get_close_matches(whole, types, 1, CLOSE)
-        if not found_near or found_near[0] == whole:
+        near = nearest(whole, types, CLOSE)
+        if near in ("", whole):
             return None
-        near = found_near[0]
     return found("type.near", _again(scene, whole, near), name=whole, near=near)
 
 
@@ -292,49 +295,6 @@ def _short(place: Path, scene: Scene) -> str:
     return "~" if place == scene.home else "." if place == scene.cwd else shlex.quote(str(place))
 
 
-def _workspaces(scene: Scene) -> Iterator[Path]:
-    around = [folder for folder in (scene.cwd, *scene.cwd.parents) if (folder / "src").is_dir()]
-    yield from dict.fromkeys([*around, scene.home / "ros2_ws"])
-
-
-def _source_of(package: str, scene: Scene) -> Path | None:
-    """The folder of a package's sources."""
-    for workspace in _workspaces(scene):
-        for manifest in (*(workspace / "src").glob("*/package.xml"), *(workspace / "src").glob("*/*/package.xml")):
-            if re.search(rf"<name>\s*{re.escape(package)}\s*</name>", _text(manifest)):
-                return manifest.parent
-    return None
-
-
-def _workspace_of(folder: Path, scene: Scene) -> Path:
-    return next((workspace for workspace in _workspaces(scene) if folder.is_relative_to(workspace)), folder)
-
-
-def _text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8", errors="replace")[:200_000] if path.is_file() else ""
-    except OSError:
-        return ""
-
-
-def _files(folder: Path) -> Iterator[Path]:
-    count = 0
-    for root, folders, names in os.walk(folder):
-        folders[:] = [each for each in folders if not each.startswith(".") and each != "__pycache__"]
-        for name in names:
-            count += 1
-            if count > MOST_FILES:
-                return
-            yield Path(root, name)
-
-
-def _names_in(folder: Path) -> list[str]:
-    try:
-        return sorted(entry.name for entry in os.scandir(folder))[:MOST_FILES]
-    except OSError:
-        return []
-
-
 def _elsewhere(name: str, scene: Scene) -> Path | None:
     """The one file of that name below home's workspace or this folder; None if there is none, or several."""
     if len(name) < 3 or "." not in name:
@@ -342,7 +302,9 @@ def _elsewhere(name: str, scene: Scene) -> Path | None:
     roots = [root for root in (scene.cwd, scene.home / "ros2_ws" / "src", scene.home) if root.is_dir()]
     for root in roots:
         places = [
-            each for each in _files(root) if each.name == name and not {"build", "install", "log"} & {*each.parts}
+            each
+            for each in files_in(root, most=MOST_FILES, hidden=True)
+            if each.name == name and not {"build", "install", "log"} & {*each.parts}
         ]
         if places:
             return places[0] if len(places) == 1 else None
@@ -352,19 +314,5 @@ def _elsewhere(name: str, scene: Scene) -> Path | None:
 def _executables(package: str, scene: Scene) -> list[str]:
     from day6_core.ros.program_index import executables
 
-    names = list(executables(package))
-    for prefix in scene.variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
-        if prefix and (Path(prefix) / "lib" / package).is_dir():
-            names += _names_in(Path(prefix) / "lib" / package)
-    return sorted(set(names))
-
-
-def _entry_points(setup: Path) -> dict[str, str]:
-    """Name and target of the console scripts that a setup.py names, as far as they are written as plain texts."""
-    try:
-        tree = ast.parse(_text(setup))
-    except (SyntaxError, ValueError):
-        return {}
-    texts = [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)]
-    pairs = (re.fullmatch(r"\s*([\w.-]+)\s*=\s*([\w.]+:\w+)\s*", text) for text in texts)
-    return {pair[1]: pair[2] for pair in pairs if pair is not None}
+    installed = (executables_in(prefix, package) for prefix in sourced_prefixes(scene.variables))
+    return sorted({*executables(package), *chain.from_iterable(installed)})

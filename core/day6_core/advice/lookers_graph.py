@@ -3,97 +3,87 @@
 from __future__ import annotations
 
 import shlex
-from difflib import get_close_matches
+from collections.abc import Iterable
 
 from day6_core.advice.known import template_of
-from day6_core.advice.looking import Found, GraphFacts, Scene, found, looker
-from day6_core.advice.typed import CLOSE_AMONG_FEW
+from day6_core.advice.looking import Found, Scene, found, graph_looker
+from day6_core.facts.graph import GraphFacts, node_names
+from day6_core.facts.names import absolute, last_part, nearest
 
-_ACTION = "/_action/send_goal"
 
-
-@looker
-def node(scene: Scene) -> Found | None:
+@graph_looker
+def node(scene: Scene, graph: GraphFacts) -> Found | None:
     """A node that is not there: none is, or one has nearly this name."""
-    if scene.graph is None:
-        return None
-    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    nodes = sorted(set(scene.graph.nodes()))
+    name = _named(scene)
+    nodes = sorted(set(graph.nodes))
     if not nodes:
-        return _alone(scene)
-    full = _full(name)
+        return _alone(scene, graph)
+    full = absolute(name)
     if full in nodes:
         return found("graph.now_there", scene.command, name=full)
     return _near(scene, name, nodes, "ros2 node list")
 
 
-@looker
-def topic(scene: Scene) -> Found | None:
+@graph_looker
+def topic(scene: Scene, graph: GraphFacts) -> Found | None:
     """A topic that nobody publishes, or whose name is nearly another's."""
-    if scene.graph is None:
-        return None
-    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    if not scene.graph.nodes():
-        return _alone(scene)
-    topics = scene.graph.topics()
-    full = _full(name)
+    name = _named(scene)
+    if not graph.nodes:
+        return _alone(scene, graph)
+    topics = graph.topics
+    full = absolute(name)
     if full in topics:
         kinds = topics[full]
         if len(kinds) > 1:
-            return _types(scene.graph, full, kinds)
-        if not scene.graph.publishers(full):
+            return _types(graph, full, kinds)
+        if full not in graph.publishers:
             return found("topic.no_publisher", shlex.join(["ros2", "topic", "info", "-v", full]), name=full)
         return found("graph.now_there", scene.command, name=full)
     return _near(scene, name, sorted(topics), "ros2 topic list")
 
 
-@looker
-def service(scene: Scene) -> Found | None:
+@graph_looker
+def service(scene: Scene, graph: GraphFacts) -> Found | None:
     """A service that nobody offers, or whose name is nearly another's."""
-    if scene.graph is None:
-        return None
-    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    if not scene.graph.nodes():
-        return _alone(scene)
-    services = scene.graph.services()
-    full = _full(name)
+    name = _named(scene)
+    if not graph.nodes:
+        return _alone(scene, graph)
+    services = graph.services
+    full = absolute(name)
     if full in services:
         wanted = next((word for word in scene.words() if word.count("/") == 2 and not word.startswith("/")), "")
         if wanted and wanted not in services[full]:
             right = services[full][0]
             return found("service.type", _with(scene, wanted, right), name=full, wanted=wanted, right=right)
         return found("graph.now_there", "", name=full)
-    return _near(scene, name, sorted(each for each in services if "/_action/" not in each), "ros2 service list")
+    return _near(scene, name, sorted(services), "ros2 service list")
 
 
-@looker
-def action(scene: Scene) -> Found | None:
+@graph_looker
+def action(scene: Scene, graph: GraphFacts) -> Found | None:
     """Whether an action has another type or name than was typed."""
-    if scene.graph is None:
-        return None
-    name = scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
-    if not scene.graph.nodes():
-        return _alone(scene)
-    actions = sorted(each.removesuffix(_ACTION) for each in scene.graph.services() if each.endswith(_ACTION))
-    if _full(name) in actions:
-        return found("graph.now_there", "", name=_full(name))
-    return _near(scene, name, actions, "ros2 action list")
+    name = _named(scene)
+    if not graph.nodes:
+        return _alone(scene, graph)
+    if absolute(name) in graph.actions:
+        return found("graph.now_there", "", name=absolute(name))
+    return _near(scene, name, sorted(graph.actions), "ros2 action list")
 
 
-@looker
-def needed(scene: Scene) -> Found | None:
+@graph_looker
+def needed(scene: Scene, graph: GraphFacts) -> Found | None:
     """What a command still needs and the graph knows: the type of a service, an action, a topic; the node of a parameter."""
     words = scene.words()
-    if scene.graph is None or words[:1] != ["ros2"] or len(words) < 3:
+    if words[:1] != ["ros2"] or len(words) < 3:
         return None
     first = next((name.strip() for name in scene.value("names").split(",")), "")
     operands = [word for word in words[3:] if not word.startswith("-")]
     if first in _LISTS and not operands:
         return found("needed.name", _LISTS[first], lists=_LISTS[first])
     if first in _TYPES and len(operands) == 1 and scene.command.rstrip().endswith(operands[0]):
-        return _needed_type(scene, words[1], operands[0])
+        return _needed_type(scene, graph, words[1], operands[0])
     if words[1] == "param":
-        return _needed_node(scene, words, operands)
+        return _needed_node(scene, graph, words, operands)
     return None
 
 
@@ -104,21 +94,10 @@ _LISTS = {"service_name": "ros2 service list", "action_name": "ros2 action list"
 _TYPES = ("service_type", "action_type", "message_type")
 
 
-def _needed_type(scene: Scene, command: str, name: str) -> Found | None:
+def _needed_type(scene: Scene, graph: GraphFacts, command: str, name: str) -> Found | None:
     """The type of what is named, from the graph, and the whole line with it."""
-    assert scene.graph is not None
-    full = _full(name)
-    if command == "action":
-        services = scene.graph.services()
-        known_types = {
-            each.removesuffix(_ACTION): [kind.removesuffix("_SendGoal") for kind in kinds]
-            for each, kinds in services.items()
-            if each.endswith(_ACTION)
-        }
-    elif command == "service":
-        known_types = {each: kinds for each, kinds in scene.graph.services().items() if "/_action/" not in each}
-    else:
-        known_types = scene.graph.topics()
+    full = absolute(name)
+    known_types = {"action": graph.actions, "service": graph.services}.get(command, graph.topics)
     if full not in known_types:
         return _near(scene, name, sorted(known_types), f"ros2 {command} list") if known_types else None
     kind = known_types[full][0]
@@ -127,63 +106,53 @@ def _needed_type(scene: Scene, command: str, name: str) -> Found | None:
     return found("needed.type" if contents else "needed.type_alone", line, name=full, type=kind)
 
 
-def _needed_node(scene: Scene, words: list[str], operands: list[str]) -> Found | None:
+def _needed_node(scene: Scene, graph: GraphFacts, words: list[str], operands: list[str]) -> Found | None:
     """`ros2 param set NAME VALUE`: the node is missing, not the value; and `NAME=VALUE`."""
-    assert scene.graph is not None
-    nodes = sorted(set(scene.graph.nodes()))
+    nodes = sorted(set(graph.nodes))
     if not operands or words[2] not in ("set", "get", "describe", "delete"):
         return None
-    if _full(operands[0]) in nodes:
+    if absolute(operands[0]) in nodes:
         name, _, value = operands[-1].partition("=")
         if words[2] == "set" and len(operands) == 2 and name and value:
             return found("needed.no_equals", scene.with_word(operands[1], f"{name} {value}"), name=name, value=value)
         return None
     if "/" in operands[0] or not nodes or len(operands) > (2 if words[2] == "set" else 1):
         return None
-    if get_close_matches(_full(operands[0]), nodes, 1, CLOSE_AMONG_FEW):
+    if nearest(absolute(operands[0]), nodes):
         return _near(scene, operands[0], nodes, "ros2 node list")
     line = shlex.join([*words[:3], nodes[0], *words[3:]]) if len(nodes) == 1 else "ros2 param list"
     return found("needed.node", line, name=operands[0], nodes=", ".join(nodes))
 
 
-@looker
-def qos(scene: Scene) -> Found | None:
+@graph_looker
+def qos(scene: Scene, graph: GraphFacts) -> Found | None:
     """A publisher and a subscription whose reliability does not fit."""
-    if scene.graph is None:
-        return None
-    name = _full(scene.value("name"))
-    senders, listeners = scene.graph.publishers(name), scene.graph.subscriptions(name)
-    weak = [node for node, reliability in senders if reliability == "best_effort"]
-    strict = [node for node, reliability in listeners if reliability == "reliable"]
-    if weak and strict:
-        look = shlex.join(["ros2", "topic", "info", "-v", name])
-        return found("qos.reliability", look, name=name, publisher=weak[0], subscriber=strict[0])
+    name = absolute(scene.value("name"))
+    for topic, publisher, subscriber, policy in graph.deaf:
+        if topic == name and policy == "reliability":
+            look = shlex.join(["ros2", "topic", "info", "-v", name])
+            return found("qos.reliability", look, name=name, publisher=publisher, subscriber=subscriber)
     return None
 
 
-@looker
-def twins(scene: Scene) -> Found | None:
+@graph_looker
+def twins(scene: Scene, graph: GraphFacts) -> Found | None:
     """Nodes that share a name."""
-    if scene.graph is None:
-        return None
-    nodes = scene.graph.nodes()
-    twice = sorted({each for each in nodes if nodes.count(each) > 1})
-    return found("graph.twins", name=", ".join(twice), count=nodes.count(twice[0])) if twice else None
+    twice = sorted(graph.twins)
+    return found("graph.twins", name=", ".join(twice), count=graph.twins[twice[0]]) if twice else None
 
 
-@looker
-def frames(scene: Scene) -> Found | None:
+@graph_looker
+def frames(scene: Scene, graph: GraphFacts) -> Found | None:
     """Whether anybody publishes transforms, and whether the joints that move have somebody who says how far."""
-    if scene.graph is None:
-        return None
-    moving, fixed = scene.graph.publishers("/tf"), scene.graph.publishers("/tf_static")
-    described = scene.graph.publishers("/robot_description")
+    moving, fixed = graph.publishers.get("/tf", ()), graph.publishers.get("/tf_static", ())
+    described = graph.publishers.get("/robot_description", ())
     if not moving and not fixed:
         key = "tf.nobody" if not described else "tf.only_description"
-        return found(key, nodes=_names(described))
-    publisher = next((node for node, _ in moving + fixed if "robot_state_publisher" in node), "")
-    if publisher and not scene.graph.publishers("/joint_states"):
-        if scene.graph.topics().get("/joint_states"):
+        return found(key, nodes=node_names(described))
+    publisher = next((each.node for each in (*moving, *fixed) if "robot_state_publisher" in each.node), "")
+    if publisher and not graph.publishers.get("/joint_states", ()):
+        if "/joint_states" in graph.subscriptions:
             return found(
                 "tf.no_joints", "ros2 run joint_state_publisher_gui joint_state_publisher_gui", publisher=publisher
             )
@@ -191,57 +160,52 @@ def frames(scene: Scene) -> Found | None:
     return None
 
 
-@looker
-def description(scene: Scene) -> Found | None:
+@graph_looker
+def description(scene: Scene, graph: GraphFacts) -> Found | None:
     """Whether anybody publishes a robot description."""
-    if scene.graph is None or scene.graph.publishers("/robot_description"):
+    if graph.publishers.get("/robot_description"):
         return None
-    nodes = [each for each in scene.graph.nodes() if "robot_state_publisher" in each]
+    nodes = [each for each in graph.nodes if "robot_state_publisher" in each]
     return found("description.nobody" if not nodes else "description.silent", nodes=", ".join(nodes))
 
 
-@looker
-def clock(scene: Scene) -> Found | None:
+@graph_looker
+def clock(scene: Scene, graph: GraphFacts) -> Found | None:
     """Whether anybody publishes /clock."""
-    if scene.graph is None or scene.graph.publishers("/clock"):
+    if graph.publishers.get("/clock"):
         return None
     return found("clock.nobody")
 
 
-def _alone(scene: Scene) -> Found:
+def _alone(scene: Scene, graph: GraphFacts) -> Found:
     """No node runs where this terminal looks; perhaps in another domain."""
     domain = scene.variables.get("ROS_DOMAIN_ID", "") or "0"
-    others = scene.graph.elsewhere() if scene.graph is not None else {}
-    if others:
-        number = min(others)
-        nodes = ", ".join(sorted(set(others[number])))
-        return found("graph.other_domain", f"export ROS_DOMAIN_ID={number}", domain=domain, other=number, nodes=nodes)
+    for number, nodes in graph.domains_besides(graph.domain).items():
+        said = {"domain": domain, "other": number, "nodes": ", ".join(sorted(set(nodes)))}
+        return found("graph.other_domain", f"export ROS_DOMAIN_ID={number}", **said)
     return found("graph.empty", domain=domain)
 
 
-def _full(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"
+def _named(scene: Scene) -> str:
+    """What the message names, else the line that was run."""
+    return scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
 
 
-def _names(endpoints: list[tuple[str, str]]) -> str:
-    return ", ".join(dict.fromkeys(node for node, _ in endpoints))
-
-
-def _types(graph: GraphFacts, topic: str, kinds: list[str]) -> Found:
+def _types(graph: GraphFacts, topic: str, kinds: Iterable[str]) -> Found:
     look = shlex.join(["ros2", "topic", "info", "-v", topic])
-    who = _names([*graph.publishers(topic), *graph.subscriptions(topic)])
+    who = node_names(graph.ends(topic))
     return found("topic.types", look, name=topic, types=", ".join(kinds), nodes=who)
 
 
 def _near(scene: Scene, name: str, names: list[str], lists: str) -> Found | None:
     """The one of the names that is nearly this one, or has the same last part."""
-    full = _full(name)
-    last = full.rpartition("/")[2]
-    same = [each for each in names if last and each.rpartition("/")[2] == last]
-    near = same if len(same) == 1 else get_close_matches(full, names, 1, CLOSE_AMONG_FEW)
+    full = absolute(name)
+    last = last_part(full)
+    same = [each for each in names if last and last_part(each) == last]
+    near = same[0] if len(same) == 1 else nearest(full, names)
     if near:
-        right = near[0] if name.startswith("/") or name.count("/") or same else near[0].removeprefix("/")
-        return found("graph.near", _with(scene, name, right), name=full, near=near[0])
+        right = near if name.startswith("/") or name.count("/") or same else near.removeprefix("/")
+        return found("graph.near", _with(scene, name, right), name=full, near=near)
     if not names:
         return found("graph.none", lists, name=full)
     return None

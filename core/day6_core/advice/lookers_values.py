@@ -5,11 +5,10 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Mapping
-from difflib import get_close_matches
 
 from day6_core.advice import known
 from day6_core.advice.looking import Found, Scene, found, looker
-from day6_core.advice.typed import CLOSE_AMONG_FEW
+from day6_core.facts.names import nearest
 
 _TYPE = re.compile(r"\b[a-z]\w*/(?:(?:msg|srv|action)/)?[A-Z]\w*")
 _DEEPEST = 4
@@ -114,10 +113,10 @@ def _no_field(scene: Scene, whole: str, text: str, layout: Mapping[str, str], ki
         right = _put_right(scene, text, fixed) if fixed else ""
         return found("value.inside", right, name=name, holders=", ".join(holders), right=fixed or example)
     names = list(layout if own else _names_below(layout, scene.variables))
-    near = get_close_matches(name, names, 1, CLOSE_AMONG_FEW)
+    near = nearest(name, names)
     if near and re.search(rf"\b{re.escape(name)}\b", text):
-        fixed = re.sub(rf"\b{re.escape(name)}\b", near[0], text, count=1)
-        return found("value.near", _put_right(scene, text, fixed), name=name, near=near[0])
+        fixed = re.sub(rf"\b{re.escape(name)}\b", near, text, count=1)
+        return found("value.near", _put_right(scene, text, fixed), name=name, near=near)
     return None
 
 

@@ -7,32 +7,10 @@ import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Protocol
 
 from day6_core.advice.fault import Fault
 from day6_core.advice.rules import Surroundings
-
-
-class GraphFacts(Protocol):
-    """The live graph, as far as cards ask. Names are full names; hidden ones (with `_`) are left out but for actions."""
-
-    def nodes(self) -> list[str]:
-        """Return the names of all nodes, one for each node."""
-
-    def topics(self) -> dict[str, list[str]]:
-        """Return the topics with their types."""
-
-    def services(self) -> dict[str, list[str]]:
-        """Return the services with their types; an action counts as the service NAME/_action/send_goal."""
-
-    def elsewhere(self) -> dict[int, list[str]]:
-        """Return the nodes of the other domains that this machine knows of, those that have any."""
-
-    def publishers(self, topic: str) -> list[tuple[str, str]]:
-        """Return node and reliability (`reliable`, `best_effort`) of each publisher of a topic."""
-
-    def subscriptions(self, topic: str) -> list[tuple[str, str]]:
-        """Return the same of its subscriptions."""
+from day6_core.facts.graph import GraphFacts
 
 
 @dataclass(frozen=True)
@@ -98,11 +76,25 @@ Looker = Callable[[Scene], Found | None]
 LOOKERS: dict[str, Looker] = {}
 """By the name that cards call them."""
 
+ASK_GRAPH: set[str] = set()
+"""Those that ask the live graph."""
+
 
 def looker(function: Looker) -> Looker:
     """Register a function under its own name."""
-    LOOKERS[function.__name__.strip("_")] = function
+    LOOKERS[function.__name__] = function
     return function
+
+
+def graph_looker(function: Callable[[Scene, GraphFacts], Found | None]) -> Looker:
+    """Register a function that is not asked where nobody can ask a graph."""
+
+    def look(scene: Scene) -> Found | None:
+        return function(scene, scene.graph) if scene.graph is not None else None
+
+    ASK_GRAPH.add(function.__name__)
+    LOOKERS[function.__name__] = look
+    return look
 
 
 def found(key: str, next_: str = "", **values: object) -> Found:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from day6_core.advice.card_files import Card, all_cards
 from day6_core.session.plain import without_sequences
@@ -97,3 +98,29 @@ def unfinished(source: str) -> Match | None:
     line = next(iter(source.strip().splitlines()), "")
     match = card_for(f"the prompt > waits for the end of: {line}")
     return replace(match, line=line) if match is not None else None
+
+
+class Sighting(NamedTuple):
+    """A line of an output in which a card's finding was seen, what was found in it, and what came after it."""
+
+    line: str
+    values: Mapping[str, str]
+    rest: str
+
+
+def sightings(card: Card, text: str) -> list[Sighting]:
+    """Return where in an output the finding of a card is seen."""
+    patterns = [pattern for pattern in card.finds or card.patterns if pattern.literal in text]
+    found: list[Sighting] = []
+    lines = text.split("\n") if patterns else []
+    for number, line in enumerate(lines):
+        candidates = (
+            pattern.search(line) if card.finds else pattern.match(form)
+            for pattern in patterns
+            if pattern.literal in line
+            for form in ((line,) if card.finds else reversed(forms(line)))
+        )
+        values = next((each for each in candidates if each is not None), None)
+        if values is not None:
+            found.append(Sighting(line, values, "\n".join(lines[number + 1 :])))
+    return found

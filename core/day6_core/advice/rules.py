@@ -7,7 +7,6 @@ import sys
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 
@@ -15,8 +14,10 @@ from day6_core.advice import known
 from day6_core.advice.fault import Fault, fault_in
 from day6_core.advice.matching import card_for, cards_in
 from day6_core.advice.texts import TEXTS
-from day6_core.advice.typed import CLOSE, CLOSE_AMONG_FEW, PUNCTUATION, chinese_sign, near_choice, slip_of_command
+from day6_core.advice.typed import PUNCTUATION, chinese_sign, near_choice, slip_of_command
 from day6_core.advice.wording import filled_in
+from day6_core.facts.names import CLOSE, nearest
+from day6_core.facts.workspaces import packages_lacking_comma, why_unknown, workspaces_around
 from day6_core.language import language_of
 from day6_core.ros import differences
 from day6_core.ros.distribution import current
@@ -209,8 +210,8 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
     whole = found[1]
     outer, _, last = whole.rpartition(".")
     if outer:
-        near = get_close_matches(last, known.parts_of(outer, around.variables), 1, CLOSE_AMONG_FEW)
-        return _say("module.near", language, name=whole, near=f"{outer}.{near[0]}") if near else ""
+        near = nearest(last, known.parts_of(outer, around.variables))
+        return _say("module.near", language, name=whole, near=f"{outer}.{near}") if near else ""
     if text := _of_the_workspace(whole, around, language):
         return text
     turtlesim = differences.value("turtlesim.interfaces")
@@ -218,30 +219,28 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
         return _say("module.moved", language, name=whole, distro=current(), now=turtlesim)
     if whole in _PIP:
         return _say("module.pip", language, name=whole, package=_PIP[whole])
-    near = get_close_matches(whole, known.modules(around.variables), 1, CLOSE)
-    return _say("module.near", language, name=whole, near=near[0]) if near else ""
+    near = nearest(whole, known.modules(around.variables), CLOSE)
+    return _say("module.near", language, name=whole, near=near) if near else ""
 
 
 def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
     """Whether a package was built and not sourced, or not even built."""
     if not package.isidentifier():
         return ""
-    built = known.built_package(package, around.variables, around.cwd)
-    if built is not None:
-        return _say("not_sourced", language, name=package, setup=built / "setup.bash")
-    source = known.source_package(package, around.variables, around.cwd)
-    if source is not None:
-        key = "build_failed" if known.build_failed(package, source[1]) else "not_built"
-        return _say(key, language, name=package, folder=source[0], workspace=source[1])
-    return ""
+    unknown = why_unknown(package, around.variables, around.cwd)
+    if unknown is None:
+        return ""
+    setup = unknown.workspace / "install" / "setup.bash"
+    said = {"folder": unknown.folder, "workspace": unknown.workspace, "setup": setup}
+    return _say(unknown.because, language, name=package, **said)
 
 
 def _no_import(fault: Fault, around: Surroundings, language: str) -> str:
     found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", fault.message)
     if found is None:
         return ""
-    near = get_close_matches(found[1], known.names_of(found[2], around.variables), 1, CLOSE)
-    return _say("import.near", language, name=found[1], module=found[2], near=near[0]) if near else ""
+    near = nearest(found[1], known.names_of(found[2], around.variables), CLOSE)
+    return _say("import.near", language, name=found[1], module=found[2], near=near) if near else ""
 
 
 def _no_name(fault: Fault, around: Surroundings, language: str) -> str:
@@ -272,8 +271,8 @@ def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
     if not layouts or any(fields != layouts[0][1] for _, fields in layouts):
         return ""
     fields = layouts[0][1]
-    close = get_close_matches(name, fields, 1, CLOSE)
-    near = _say("field.near", language, near=close[0]).rstrip("?？") if close else ""
+    close = nearest(name, fields, CLOSE)
+    near = _say("field.near", language, near=close).rstrip("?？") if close else ""
     return _say("field", language, type=kind, name=name, near=near, fields=", ".join(fields))
 
 
@@ -281,10 +280,8 @@ def _no_setup(fault: Fault, around: Surroundings, language: str) -> str:
     """setuptools gave up: what it says does not name the comma that is missing between two entry points."""
     if not fault.message.startswith("'distutils.core.setup()' was never called"):
         return ""
-    for setup in known.setup_files(around.variables, around.cwd):
-        if line := known.missing_comma(setup):
-            return _say("setup.comma", language, setup=setup, line=line)
-    return ""
+    lacking = next(packages_lacking_comma(workspaces_around(around.variables, around.cwd)), None)
+    return _say("setup.comma", language, setup=lacking[0] / "setup.py", line=lacking[1]) if lacking is not None else ""
 
 
 # -- syntax ----------------------------------------------------------------------------------------------------------------

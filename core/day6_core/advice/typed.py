@@ -5,15 +5,10 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
-from difflib import get_close_matches
 from typing import NamedTuple
 
+from day6_core.facts.names import CLOSE, nearest
 from day6_core.ros.environment import SHARE_PATH
-
-CLOSE = 0.75
-"""How alike two names are of which one is taken for a slip of the other (difflib's ratio)."""
-
-CLOSE_AMONG_FEW = 0.6
 
 SHORTEST = 4
 """Letters of a command that can be taken for another's slip."""
@@ -75,7 +70,7 @@ def chinese_sign(words: Sequence[str], line: str) -> Slip | None:
 def near_choice(name: str, choices: Sequence[str]) -> str:
     """Return the one of a few words that was meant; '' if none is near."""
     turned = [choice for choice in choices if _is_turned(name, choice)]
-    return next(iter(turned or get_close_matches(name, choices, 1, CLOSE_AMONG_FEW)), "")
+    return turned[0] if turned else nearest(name, choices)
 
 
 def _in_code(char: str) -> str:
@@ -146,8 +141,8 @@ def _turned(name: str, line: str, commands: list[str]) -> Slip | None:
 
 
 def _near(name: str, line: str, commands: list[str]) -> Slip | None:
-    near = get_close_matches(name, commands, 1, CLOSE) if len(name) >= SHORTEST else []
-    return _meant(name, line, near[0]) if near and near[0] != name else None
+    near = nearest(name, commands, CLOSE) if len(name) >= SHORTEST else ""
+    return _meant(name, line, near) if near not in ("", name) else None
 
 
 def _is_turned(one: str, other: str) -> bool:

@@ -1,5 +1,6 @@
-"""The English texts of all remarks by id (`programs/remark.py`); names of topics, links and types are in the parameters.
+"""The English texts of remarks by id (`programs/remark.py`); names of topics, links and types are in the parameters.
 
+Those of findings about what a terminal printed stand in their cards (`day6_core/advice/cards`), in both languages.
 The programs print them, and the catalogue of the windows (day6_tui/locale/en/remarks.py) has them from here. The Chinese ones
 are in day6_tui/locale/zh/remarks.py: without a screen a remark is English.
 """
@@ -51,16 +52,12 @@ TEXTS = {
     "inspector.refused_names": "{count} announcements of other processes were refused: ROS does not allow such names",
     "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
     "inspector.refused_sessions": "{count} items from other machines were refused: they claim to come from this one",
-    "inspector.no_package": (
-        "`{line}`: there is no package {package}, neither installed nor in a workspace: is its name right?"
-    ),
     "inspector.not_built": "`{line}`: {package} is in {folder}, but it has not been built yet",
     "inspector.not_sourced": (
         "`{line}`: {package} is built, but terminal {number} does not know it: it was opened before, or nothing was "
         "sourced in it"
     ),
     "inspector.nowhere_sourced": "{packages}: built, but no terminal knows it yet",
-    "inspector.no_executable": "`{line}`: {package} has no executable {executable}",
     "inspector.no_entry_point": (
         "`{line}`: {executable} is a file of {package}, but entry_points in setup.py does not name it: add {entry} "
         "and build again"
@@ -79,10 +76,7 @@ TEXTS = {
     "inspector.launch_not_installed": (
         "{package}: {file} is not installed: {where} does not name it (data_files), so `ros2 launch` cannot find it"
     ),
-    "inspector.no_launch_file": "{package} has no launch file {file}",
     "inspector.not_rebuilt": "{package}: {files} was changed after the build; what runs is the old one",
-    "inspector.no_ros": "`{line}`: {command} is not known, because ROS was not sourced in this shell",
-    "inspector.duplicates": "{package} is there more than once ({folders}): colcon builds neither. Hide or remove one",
     "inspector.inner_package": (
         "the package {inner} is inside the folder of {outer}: colcon does not look there. Move it into src"
     ),
@@ -90,49 +84,9 @@ TEXTS = {
         "there is a second build in {folder}: somebody ran colcon there. Build in the workspace only, and remove "
         "this one"
     ),
-    "inspector.gone": "terminal {number}: {variable} names {entry}, which does not exist any more",
     "inspector.unreadable": "could not be read: {what}",
-    "inspector.other_python": "`{line}`: this is another Python (conda, venv), for which rclpy was not made",
-    "inspector.no_rclpy": (
-        "`{line}`: this Python does not find rclpy: ROS was not sourced here, or its paths were switched off"
-    ),
-    "inspector.no_module": "{where}: there is no Python module {module}",
-    "inspector.no_type": "`{line}`: the type {type} is not known here: is its name right, and its package sourced?",
-    "inspector.bad_yaml": "`{line}`: the values do not fit the type: {reason}",
-    "inspector.two_types_said": "{topic} has publishers of different types; only one can be right",
     "inspector.mixed_types": "{topic}: {nodes} publish different types: {types}",
-    "inspector.no_router": "`{line}`: rmw_zenoh finds no router; it has to run first",
-    "inspector.no_super": (
-        "{where}: the first line of __init__ has to be super().__init__('NAME'): without it a {kind} is no node"
-    ),
-    "inspector.no_init": "{where}: rclpy.init() has to come before the first node",
-    "inspector.submodule": "{where}: rclpy.{name} has to be imported by itself: import rclpy.{name}",
-    "inspector.no_depth": "{where}: create_{kind} also needs the length of its queue as the last argument, e.g. 10",
-    "inspector.not_a_message": (
-        "{where}: publish(…) wants a whole {type}, not a {got}: make one, fill in its fields, publish that"
-    ),
-    "inspector.field_type": "{where}: the field {field} has to be of type {type}: write 1.0 and not 1",
-    "inspector.called_callback": "{where}: hand over the function itself, without (): self.callback and not self.callback()",
-    "inspector.undeclared": (
-        "{where}: the parameter {parameter} was never declared: declare_parameter('{parameter}', VALUE) comes first"
-    ),
-    "inspector.parameter_type": (
-        "{where}: the parameter {parameter} got a value of another type than its own: 1.0 is a double, 1 an integer"
-    ),
-    "inspector.attribute": "{where}: a {type} has no {name}: is the name right?",
-    "inspector.exception": "{where}: the program ended with {error}",
     "inspector.ctrl_c": "`{line}`: this traceback is only your Ctrl-C; nothing is broken",
-    "inspector.shut_twice": "`{line}`: harmless: Ctrl-C had shut rclpy down already. rclpy.try_shutdown() does not complain",
-    "inspector.setuptools": "`{line}`: SetuptoolsDeprecationWarning is a warning and no error: the package was built",
-    "inspector.no_frame": "`{line}`: nobody sends the frame {frame}: is its name right, does its publisher run?",
-    "inspector.extrapolation": (
-        "`{line}`: a transform was asked for a time at which there is none (the {direction}): two clocks differ, or "
-        "it came too late"
-    ),
-    "inspector.waits_service": "`{line}` waits for a service that nobody offers: is the name right, does its server run?",
-    "inspector.waits_action": "`{line}` waits for an action that nobody offers: is the name right, does its server run?",
-    "inspector.goal_rejected": "`{line}`: the server has refused this goal; its own terminal says why",
-    "inspector.twin_said": "two nodes are called {name}: their logs and parameters get mixed up",
     "inspector.no_server": "{nodes} wants to call {name}, but nobody offers it",
     "inspector.service_near": "{nodes} wants to call {name}, but only {near} is offered: is one of the names a typo?",
     "inspector.said_too_soon": (

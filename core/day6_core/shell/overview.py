@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.facts.graph import nodes_by_domain
 from day6_core.session.overview import TerminalView
 
 if TYPE_CHECKING:
@@ -48,7 +49,4 @@ class DeskOverview:
 
     def domains(self) -> Mapping[int, Sequence[str]]:
         """Return the domains whose graphs were ever used here."""
-        return {
-            domain_id: sorted(node.full_name for node in graph.nodes if not node.name.startswith("_"))
-            for domain_id, graph in self._desk.graphs.items()
-        }
+        return nodes_by_domain(self._desk.graphs.values())

@@ -68,9 +68,9 @@ class Explaining(Feature):
 
     def _show(self, match: Match, pane: Pane, output: str, command: str) -> bool:
         from day6_core.advice.explain import explain, scene_of
-        from day6_core.advice.live import LiveGraph
         from day6_core.advice.rules import Surroundings
         from day6_core.advice.texts import TEXTS
+        from day6_core.facts.graph import facts_of, nodes_by_domain
         from day6_core.graph.domain import DomainError
         from day6_core.shell.commands import command_names
         from day6_core.shell.desk import domain_of
@@ -87,7 +87,7 @@ class Explaining(Feature):
         variables = terminal.shell.environment if terminal is not None else desk.environment()
         folder = terminal.shell.cwd if terminal is not None else desk.home
         try:
-            graph = LiveGraph(desk.graph_of(domain_of(variables)), list(desk.graphs.values()))
+            graph = facts_of(desk.graph_of(domain_of(variables)), nodes_by_domain(desk.graphs.values()))
         except DomainError:
             graph = None
         around = Surroundings(variables, folder, launch=command.startswith("ros2 launch"))

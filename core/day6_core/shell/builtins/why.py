@@ -16,8 +16,8 @@ from day6_core.shell.language.interpreter import shell_of
 
 if TYPE_CHECKING:
     from day6_core.advice.card_files import Card
-    from day6_core.advice.looking import GraphFacts
     from day6_core.advice.matching import Match
+    from day6_core.graph.graph import Graph
     from day6_core.shell.runs import Run
     from day6_core.shell.terminal import Terminal
 
@@ -120,18 +120,20 @@ def _match_in(text: str, number: int) -> Match | None:
 async def _show(session: Session, match: Match, output: str, command: str) -> int:
     from day6_core.advice.explain import as_text, explain, scene_of
     from day6_core.advice.rules import Surroundings
+    from day6_core.facts.graph import facts_of, nodes_by_domain
     from day6_core.shell.commands import command_names
     from day6_core.shell.language.hints import letters_awaited
 
     language = language_of(session.env)
     columns = session.stdout.columns
-    graph = _facts(session, match.card)
+    graph, others = _graphs(session, match.card)
     letters = letters_awaited(shell_of(session).desk) if session.host is not None else ""
 
     def text() -> str:
         around = Surroundings(session.env, session.cwd, launch=command.startswith("ros2 launch"))
+        seen = facts_of(graph, nodes_by_domain(others)) if graph is not None else None
         scene = scene_of(
-            match, around, output=output, command=command, graph=graph, commands=command_names(), letters=letters
+            match, around, output=output, command=command, graph=seen, commands=command_names(), letters=letters
         )
         return as_text(explain(match, scene, language), language, columns)
 
@@ -154,16 +156,13 @@ def with_colour(text: str) -> list[str]:
     return "".join(parts[: len(parts) - 1 + len(parts) % 2]).split("\n") if len(parts) % 2 else text.split("\n")
 
 
-def _facts(session: Session, card: Card) -> GraphFacts | None:
-    """The live graph, joined only where a looker of this card asks for it."""
+def _graphs(session: Session, card: Card) -> tuple[Graph | None, list[Graph]]:
+    """The live graph, joined only where a looker of this card asks for it, and those of all domains."""
     from day6_core.advice.explain import asks_graph
-    from day6_core.advice.live import LiveGraph
 
     graph = session.graph if asks_graph(card) else None
-    if graph is None:
-        return None
-    others = list(shell_of(session).desk.graphs.values()) if session.host is not None else []
-    return LiveGraph(graph, others)
+    others = list(shell_of(session).desk.graphs.values()) if graph is not None and session.host is not None else []
+    return graph, others
 
 
 async def _list(session: Session, word: str) -> int:

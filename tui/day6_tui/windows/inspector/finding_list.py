@@ -56,7 +56,8 @@ class FindingList(PaneList):
             "warning": (glyphs.warning, colours.text),
             "info": (glyphs.dot, colours.muted),
         }[finding.level]
-        text = self.look.texts(finding.id, **dict(finding.parameters))
+        texts = self.look.texts
+        text = finding.of_card(texts.language) or texts(finding.id, **dict(finding.parameters))
         below = f"$ {finding.next}" if finding.next else ""
         return Row(self, index, text, mark, style, below, colours.accent)
 

@@ -5,18 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from day6_core.facts.graph import GraphFacts
+from day6_core.facts.workspaces import Package, Workspace
 from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.files import Files
 from day6_core.ros.programs.day6_inspector.insides import Process
 from day6_core.session.overview import TerminalView
-
-
-@dataclass(frozen=True)
-class Endpoint:
-    """A publisher or subscription: its node and type."""
-
-    node: str
-    type: str
 
 
 @dataclass(frozen=True)
@@ -47,18 +41,9 @@ class RobotFacts:
 
 
 @dataclass(frozen=True)
-class Facts:
-    """The facts about a graph, without hidden nodes and topics (with `_`), and about what is around it."""
+class Facts(GraphFacts):
+    """The facts about a graph and about what is around it."""
 
-    publishers: Mapping[str, tuple[Endpoint, ...]] = field(default_factory=dict)
-    subscriptions: Mapping[str, tuple[Endpoint, ...]] = field(default_factory=dict)
-    nodes: tuple[str, ...] = ()
-    """Full names, one for each node, so that duplicates count."""
-    servers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Service -> nodes that offer it; an action by its own name too."""
-    clients: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    deaf: tuple[tuple[str, str, str, str], ...] = ()
-    """Pairs with incompatible QoS: topic, publisher's node, subscriber's node, the policy."""
     missed: tuple[tuple[str, str, float], ...] = ()
     """Publishers that nobody who listens has heard: topic, node, the seconds it lived or 0 if it is still there."""
     rates: Mapping[str, float] = field(default_factory=dict)
@@ -84,9 +69,6 @@ class Facts:
     rviz: tuple[RVizView, ...] = ()
     world: tuple[tuple[str, tuple[tuple[str, object], ...]], ...] = ()
     """What the worlds' windows complain about: key and parameters of their remarks."""
-    domain: int = 0
-    domains: Mapping[int, tuple[str, ...]] = field(default_factory=dict)
-    """Domains in use here -> their nodes."""
     terminals: tuple[TerminalView, ...] | None = None
     """None where there is nobody to ask about terminals."""
     now_ns: int = 0
@@ -97,3 +79,7 @@ class Facts:
     """The insides of Python programs that run as processes."""
     silent_processes: tuple[str, ...] = ()
     """Nodes of programs on this machine that do not tell about their insides."""
+
+    def package(self, name: str) -> tuple[Workspace, Package] | None:
+        """Return a package of a workspace with this; None if there is none, or nobody has looked."""
+        return self.files.package(name) if self.files is not None else None

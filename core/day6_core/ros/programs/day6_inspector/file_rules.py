@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import difflib
 import shlex
 from collections.abc import Iterator
 
+from day6_core.facts.names import nearest
+from day6_core.facts.workspaces import Package, Workspace, sourced_prefixes
 from day6_core.ros.distribution import setup_script
 from day6_core.ros.programs.day6_inspector.facts import Facts
-from day6_core.ros.programs.day6_inspector.files import Package, Workspace
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
-from day6_core.ros.programs.day6_inspector.outputs import sourced
 
 
 def of_files(facts: Facts) -> Iterator[Finding]:
@@ -49,13 +48,10 @@ def _workspace(facts: Facts, workspace: Workspace) -> Iterator[Finding]:
         yield from _package(package, build)
     built = [package.name for package in workspace.packages if package.built]
     terminals = facts.terminals or ()
-    if built and terminals and not any(_knows(each, workspace) for each in terminals):
+    sourced = (prefix for each in terminals for prefix in sourced_prefixes(each.variables))
+    if built and terminals and not any(prefix.is_relative_to(workspace.install) for prefix in sourced):
         then = f"source {shlex.quote(str(workspace.install / 'setup.bash'))}"
         yield finding("info", "nowhere_sourced", packages=", ".join(built), then=then)
-
-
-def _knows(terminal: object, workspace: Workspace) -> bool:
-    return sourced(terminal, workspace.install)  # type: ignore[arg-type]
 
 
 def _package(package: Package, build: str) -> Iterator[Finding]:
@@ -84,7 +80,7 @@ def _package(package: Package, build: str) -> Iterator[Finding]:
         files = f"{first} (+{rest})" if rest else first
         yield finding("warning", "not_rebuilt", package=package.name, files=files, then=build)
     elif package.not_installed:
-        where = setup if package.python else package.folder / "CMakeLists.txt"
+        where = package.install_script
         said = {"file": package.not_installed[0], "package": package.name, "where": where.name}
         yield finding("warning", "launch_not_installed", **said, then=f"nano {shlex.quote(str(where))}")
 
@@ -96,9 +92,8 @@ def _parameters(facts: Facts) -> Iterator[Finding]:
         if file.problem:
             yield finding("error", "parameter_file", file=file.path.name, reason=file.problem, then=edit)
         elif file.keys and facts.nodes and not any(_fits(key, facts.nodes) for key in file.keys):
-            near = difflib.get_close_matches(file.keys[0], facts.nodes, 1, 0.4)
             keys = ", ".join(file.keys)
-            nodes = near[0] if near else ", ".join(dict.fromkeys(facts.nodes))
+            nodes = nearest(file.keys[0], facts.nodes, 0.4) or ", ".join(dict.fromkeys(facts.nodes))
             yield finding("warning", "parameter_keys", file=file.path.name, keys=keys, nodes=nodes, then=edit)
         elif not file.keys:
             yield finding("warning", "parameter_nothing", file=file.path.name, then=edit)

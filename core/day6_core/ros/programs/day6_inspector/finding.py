@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from day6_core.advice.card_files import finding_cards
 from day6_core.ros.programs.remark import Remark
 
 ORDER = {"error": 0, "warning": 1, "info": 2}
@@ -18,6 +19,16 @@ class Finding(Remark):
 
     next: str = ""
     """What to type next, '' where no one command helps."""
+
+    def of_card(self, language: str) -> str:
+        """Return it in the words of the card that is about it, '' if there is none."""
+        card = finding_cards().get(self.id.removeprefix("inspector."))
+        return card.words[language].finding.format(**dict(self.parameters)) if card is not None else ""
+
+    @property
+    def text(self) -> str:
+        """The English words."""
+        return self.of_card("en") or super().text
 
 
 def finding(level: str, key: str, *, then: str = "", **parameters: object) -> Finding:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
+from day6_core.advice.matching import Sighting
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
 from day6_core.ros.programs.day6_inspector.outputs import Output, outputs
@@ -24,31 +26,24 @@ def complains_of_frames(facts: Facts) -> bool:
     return any(NO_FRAME in output.text for output in outputs(facts))
 
 
-def of_extrapolation(output: Output, match: re.Match[str], facts: Facts) -> Finding | None:
+def of_extrapolation(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     """Say that a transform was asked for at the wrong time, unless that is over."""
-    last = _last(output, match)
-    begin = output.text.rfind("\n", 0, last.start()) + 1
-    said = _STAMP.search(output.text[begin : last.start()])
+    said = _STAMP.search(seen[-1].line)
     old = said is not None and facts.now_ns - float(said[1]) * 1e9 > OLD_NS
-    if _got_further(output, last) or (output.running and old):
+    if _got_further(seen[-1]) or (output.running and old):
         return None
-    then = "ros2 topic delay /tf"
-    return finding("warning", "extrapolation", line=output.source, direction=last[1], then=then)
+    direction = seen[-1].values["direction"]
+    return finding("warning", "extrapolation", line=output.source, direction=direction, then="ros2 topic delay /tf")
 
 
-def of_frame(output: Output, match: re.Match[str], facts: Facts) -> Finding | None:
+def of_frame(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     """Say that a frame is not there, unless that is over."""
-    last = _last(output, match)
-    if _got_further(output, last) or (output.running and last[1].lstrip("/") in facts.frames):
+    frame = seen[-1].values["frame"]
+    if _got_further(seen[-1]) or (output.running and frame.lstrip("/") in facts.frames):
         return None
-    return finding("warning", "no_frame", line=output.source, frame=last[1], then="ros2 run tf2_tools view_frames")
+    return finding("warning", "no_frame", line=output.source, frame=frame, then="ros2 run tf2_tools view_frames")
 
 
-def _last(output: Output, match: re.Match[str]) -> re.Match[str]:
-    *_, last = re.finditer(match.re, output.text)
-    return last
-
-
-def _got_further(output: Output, last: re.Match[str]) -> bool:
+def _got_further(last: Sighting) -> bool:
     """Whether the program went on after its last complaint: only its beginning came too early."""
-    return len(output.text[last.end() :].rstrip().split("\n")) > OTHER_LINES
+    return len(last.rest.rstrip().split("\n")) >= OTHER_LINES

@@ -6,7 +6,6 @@ from functools import partial
 
 from day6_core.graph.names import OBSERVER_PREFIX
 from day6_core.link import state_of
-from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.asking import Asking
 from day6_core.ros.programs.day6_inspector.files import look
 from day6_core.ros.programs.day6_inspector.model import Inspector
@@ -24,9 +23,10 @@ async def main(session: Session) -> int | None:
     """Watch until interrupted; without a display print the findings and end with 1 if there are errors."""
     node = session.create_node(f"{OBSERVER_PREFIX}_inspector_{session.pid}", start_parameter_services=False)
     graph = session.graph
-    link = (lambda: state_of(graph)) if graph is not None else LinkState
-    insides = Asking(graph) if graph is not None else None
-    model = Inspector(node, session.clock, link, graph=graph, overview=session.overview, insides=insides)
+    assert graph is not None  # a node is in it
+    model = Inspector(
+        node, session.clock, graph, lambda: state_of(graph), overview=session.overview, insides=Asking(graph)
+    )
     session.defer(model.close)
     session.spawn(session.spin(node))
     if session.display is None:

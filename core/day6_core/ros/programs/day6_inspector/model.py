@@ -9,14 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Protocol
 
-from day6_core.graph.endpoints import EndpointKind
-from day6_core.graph.names import full_name
+from day6_core.facts.graph import facts_of
 from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.files import Files, Typed, Where
 from day6_core.ros.programs.day6_inspector.finding import Finding
 from day6_core.ros.programs.day6_inspector.frame_rules import complains_of_frames
-from day6_core.ros.programs.day6_inspector.graph_facts import deaf_pairs, endpoint, participants, shown
 from day6_core.ros.programs.day6_inspector.insides import Process
 from day6_core.ros.programs.day6_inspector.listening import JOINT_STATES, Listening
 from day6_core.ros.programs.day6_inspector.pace import Pace
@@ -53,13 +51,12 @@ class Inspector:
         self,
         node: Node,
         clock: WorldClock,
+        graph: Graph,
         link: Callable[[], LinkState] = LinkState,
         *,
-        graph: Graph | None = None,
         overview: Overview | None = None,
         insides: Insides | None = None,
     ) -> None:
-        self._node = node
         self._clock = clock
         self._link = link
         self._graph = graph
@@ -69,7 +66,7 @@ class Inspector:
         self._clock_pace = Pace(clock)
         self._pace = clock.speed
         self._listening = Listening(node)
-        self._publications = Publications(graph) if graph is not None else None
+        self._publications = Publications(graph)
         self.findings: tuple[Finding, ...] = ()
         self.unseen: tuple[str, ...] = ()
         """What could not be looked at: 'terminals', 'files', 'programs', 'domains'."""
@@ -79,8 +76,7 @@ class Inspector:
 
     def close(self) -> None:
         """Stop following the graph."""
-        if self._publications is not None:
-            self._publications.close()
+        self._publications.close()
 
     def refresh(self) -> None:
         """Look again (on the program's thread)."""
@@ -140,33 +136,14 @@ class Inspector:
 
     def facts(self) -> Facts:
         """Return what is known now, without hidden nodes and topics."""
-        node = self._node
-        names = [
-            full_name(space, name) for name, space in node.get_node_names_and_namespaces() if not name.startswith("_")
-        ]
-        publishers, subscriptions, deaf = {}, {}, []
-        for topic, _ in node.get_topic_names_and_types():
-            if any(part.startswith("_") for part in topic.split("/")):
-                continue
-            offers = shown(node.get_publishers_info_by_topic(topic))
-            requests = shown(node.get_subscriptions_info_by_topic(topic))
-            if offers:
-                publishers[topic] = tuple(map(endpoint, offers))
-            if requests:
-                subscriptions[topic] = tuple(map(endpoint, requests))
-            deaf += deaf_pairs(topic, offers, requests)
         heard = self._listening
-        published = JOINT_STATES in publishers
         overview, windows = self._overview, self._overview.windows() if self._overview is not None else ()
+        seen = facts_of(self._graph, overview.domains() if overview is not None else None)
+        published = JOINT_STATES in seen.publishers
         processes = self._insides.processes if self._insides is not None else ()
         rate = heard.rate()
         return Facts(
-            publishers=publishers,
-            subscriptions=subscriptions,
-            nodes=tuple(names),
-            servers=participants(self._graph, EndpointKind.SERVICE),
-            clients=participants(self._graph, EndpointKind.CLIENT),
-            deaf=tuple(deaf),
+            **vars(seen),
             missed=self._missed(processes),
             rates={JOINT_STATES: rate} if rate is not None else {},
             heard_joints=heard.joint_names if published else (),
@@ -180,8 +157,6 @@ class Inspector:
             pace=self._pace,
             rviz=rviz_views(windows),
             world=world_remarks(windows),
-            domain=self._graph.domain_id if self._graph is not None else 0,
-            domains={key: tuple(each) for key, each in overview.domains().items()} if overview is not None else {},
             terminals=self._terminals(),
             now_ns=self._clock.now_ns(),
             files=self._files,
@@ -193,8 +168,6 @@ class Inspector:
         return tuple(self._overview.terminals()) if self._overview is not None else None
 
     def _missed(self, processes: tuple[Process, ...]) -> tuple[tuple[str, str, float], ...]:
-        if self._publications is None:
-            return ()
         received: Mapping[tuple[str, str], int] = {
             (inside.node, topic): count
             for process in processes

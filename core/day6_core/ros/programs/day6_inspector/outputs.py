@@ -1,11 +1,9 @@
-"""The last lines that were run in the terminals, with what they printed as text, and what a terminal knows of workspaces."""
+"""The last lines that were run in the terminals, with what they printed as text."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from functools import lru_cache
-from pathlib import Path
 from typing import NamedTuple
 
 from day6_core.ros.programs.day6_inspector.facts import Facts
@@ -78,9 +76,3 @@ def _command(source: str) -> str:
 def plain(text: str) -> str:
     """Return what a terminal was given without its control sequences."""
     return without_sequences(text).replace("\r", "")
-
-
-def sourced(terminal: TerminalView, install: Path) -> bool:
-    """Return whether a terminal knows the packages of a workspace."""
-    known = terminal.variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
-    return any(Path(each) == install or install in Path(each).parents for each in known if each)

@@ -153,17 +153,11 @@ def of_domains(facts: Facts) -> Iterator[Finding]:
     for terminal in facts.terminals or ():
         with suppress(DomainError):
             terminals[terminal.number] = domain_from_text(terminal.variables.get(VARIABLE, ""))
-    used = {domain for domain, nodes in facts.domains.items() if nodes}
     for number, domain in terminals.items():
-        others = sorted(used - {domain})
-        if len(set(terminals.values()) | used) > 1 and others and domain != _common(list(terminals.values()), facts):
-            said = {
-                "number": number,
-                "domain": domain,
-                "other": others[0],
-                "nodes": ", ".join(facts.domains[others[0]]),
-            }
-            yield finding("warning", "domains", **said, then=f"export ROS_DOMAIN_ID={others[0]}")
+        if domain != _common(list(terminals.values()), facts):
+            for other, nodes in list(facts.domains_besides(domain).items())[:1]:
+                said = {"number": number, "domain": domain, "other": other, "nodes": ", ".join(nodes)}
+                yield finding("warning", "domains", **said, then=f"export ROS_DOMAIN_ID={other}")
 
 
 def _common(domains: list[int], facts: Facts) -> int:

@@ -7,10 +7,10 @@ from collections import deque
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
+from day6_core.facts.graph import is_shown
 from day6_core.graph.endpoints import EndpointKind, Publisher, Subscription
 from day6_core.graph.graph import Change, GraphEvent
 from day6_core.graph.qos import Durability
-from day6_core.ros.programs.day6_inspector.graph_facts import is_shown
 from day6_core.ros.programs.day6_inspector.insides import Process
 
 if TYPE_CHECKING:

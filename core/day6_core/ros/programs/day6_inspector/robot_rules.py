@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterator
 
+from day6_core.facts.names import nearest
 from day6_core.ros.programs.day6_inspector.facts import Facts, RVizView
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
 
@@ -27,10 +27,10 @@ def of_joints(facts: Facts) -> Iterator[Finding]:
     for joint in facts.heard_joints:
         if joint not in facts.joints:
             free = sorted(facts.joints - set(facts.heard_joints))
-            near = difflib.get_close_matches(joint, free, 1, 0.5)
+            near = nearest(joint, free, 0.5)
             said = {"topic": facts.joint_states, "joint": joint}
             if near:
-                yield finding("error", "unknown_joint_near", **said, nearest=near[0], then=echo)
+                yield finding("error", "unknown_joint_near", **said, nearest=near, then=echo)
             else:
                 yield finding("error", "unknown_joint", **said, then=echo)
     for joint in sorted(facts.joints - set(facts.heard_joints)):
@@ -61,8 +61,7 @@ def of_rviz(facts: Facts) -> Iterator[Finding]:
     for view in facts.rviz:
         known = view.fixed_frame in view.frames
         if not known and view.frames:
-            near = difflib.get_close_matches(view.fixed_frame, view.frames, 1, 0.6)
-            frame = near[0] if near else root_of(view)
+            frame = nearest(view.fixed_frame, view.frames) or root_of(view)
             said = {"frame": view.fixed_frame, "other": frame, "frames": ", ".join(sorted(view.frames)[:6])}
             yield finding("error", "fixed_frame", **said, then="ros2 run tf2_tools view_frames")
         elif not known and DESCRIPTION in facts.publishers:

@@ -6,13 +6,14 @@ Those about what terminals print are in `output_rules`, about files in `file_rul
 
 from __future__ import annotations
 
-import difflib
 from collections import Counter
 from collections.abc import Iterator
 
+from day6_core.facts.graph import Endpoint as Endpoint
+from day6_core.facts.graph import node_names
+from day6_core.facts.names import are_alike
 from day6_core.link.state import Door, DoorState, LinkState
 from day6_core.ros.differences import value
-from day6_core.ros.programs.day6_inspector.facts import Endpoint as Endpoint
 from day6_core.ros.programs.day6_inspector.facts import Facts as Facts
 from day6_core.ros.programs.day6_inspector.file_rules import of_files
 from day6_core.ros.programs.day6_inspector.finding import ORDER, finding
@@ -50,10 +51,6 @@ def findings(facts: Facts) -> list[Finding]:
     return sorted(found, key=lambda each: ORDER[each.level])
 
 
-def _names(endpoints: tuple[Endpoint, ...]) -> str:
-    return ", ".join(dict.fromkeys(endpoint.node for endpoint in endpoints))
-
-
 def _mismatched_types(facts: Facts) -> Iterator[Finding]:
     for topic, publishers in facts.publishers.items():
         for publisher in dict.fromkeys(publishers):
@@ -78,7 +75,7 @@ def _mixed_types(facts: Facts) -> Iterator[Finding]:
         if len(types) > 1 and topic not in facts.subscriptions:
             then = f"ros2 topic info -v {topic}"
             yield finding(
-                "error", "mixed_types", topic=topic, types=", ".join(types), nodes=_names(publishers), then=then
+                "error", "mixed_types", topic=topic, types=", ".join(types), nodes=node_names(publishers), then=then
             )
 
 
@@ -99,7 +96,7 @@ def _one_sided(facts: Facts) -> Iterator[Finding]:
             same = {endpoint.type for endpoint in facts.publishers[published]} & {
                 endpoint.type for endpoint in facts.subscriptions[subscribed]
             }
-            if same and _alike(published, subscribed):
+            if same and are_alike(published, subscribed):
                 explained |= {published, subscribed}
                 yield finding("warning", "near", published=published, subscribed=subscribed, then="ros2 topic list -v")
     for topic in unpublished:
@@ -112,13 +109,13 @@ def _one_sided(facts: Facts) -> Iterator[Finding]:
                 "warning" if sent else "info",
                 "unsaid",
                 topic=topic,
-                nodes=_names(facts.subscriptions[topic]),
+                nodes=node_names(facts.subscriptions[topic]),
                 then=then,
             )
     for topic in unsubscribed:
         if topic not in explained and not _by_rviz_tool(topic, facts):
             then = f"ros2 topic echo {topic}"
-            yield finding("info", "unheard", topic=topic, nodes=_names(facts.publishers[topic]), then=then)
+            yield finding("info", "unheard", topic=topic, nodes=node_names(facts.publishers[topic]), then=then)
 
 
 def _by_rviz_tool(topic: str, facts: Facts) -> bool:
@@ -127,24 +124,16 @@ def _by_rviz_tool(topic: str, facts: Facts) -> bool:
     return topic in RVIZ_TOOLS and all(node.startswith("rviz") for node in nodes)
 
 
-def _alike(one: str, other: str) -> bool:
-    """Whether two names differ only by a typo: a letter or two, or the namespace."""
-    if one.rsplit("/", 1)[-1] == other.rsplit("/", 1)[-1]:
-        return True
-    return difflib.SequenceMatcher(None, one, other, autojunk=False).ratio() >= 0.8
-
-
 def _fights(facts: Facts) -> Iterator[Finding]:
     for topic, publishers in facts.publishers.items():
         if len(publishers) > 1 and any(publisher.type in SINGLE_VOICED for publisher in publishers):
-            said = {"topic": topic, "count": len(publishers), "nodes": _names(publishers)}
+            said = {"topic": topic, "count": len(publishers), "nodes": node_names(publishers)}
             yield finding("warning", "fight", **said, then=f"ros2 topic info -v {topic}")
 
 
 def _twins(facts: Facts) -> Iterator[Finding]:
-    for name, count in Counter(facts.nodes).items():
-        if count > 1:
-            yield finding("warning", "twins", name=name, count=count, then=f"ros2 node info {name}")
+    for name, count in facts.twins.items():
+        yield finding("warning", "twins", name=name, count=count, then=f"ros2 node info {name}")
 
 
 def _missed(facts: Facts) -> Iterator[Finding]:
@@ -171,7 +160,7 @@ def _services(facts: Facts) -> Iterator[Finding]:
     for name, nodes in facts.clients.items():
         if name in facts.servers or all(node.startswith("/_ros2cli") for node in nodes):
             continue  # what is typed in a terminal says itself that it waits
-        near = [each for each in facts.servers if _alike(name, each)]
+        near = [each for each in facts.servers if are_alike(name, each)]
         if near:
             yield finding("warning", "service_near", name=name, near=near[0], nodes=nodes[0], then="ros2 service list")
         else:
