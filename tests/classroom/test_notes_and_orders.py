@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
-from day6_core.classroom.note import LessonPlace, Note, NoteError, Picture, Trouble
+from day6_core.classroom.note import LessonPlace, Note, NoteError, PupilScreen, Trouble
 from day6_core.classroom.order import Order, OrderError
 
 FULL = Note(
@@ -24,7 +24,7 @@ FULL = Note(
     frozen=True,
     may_type=True,
     refused="class.refused.type",
-    screen=Picture(80, 2, "\x1b[1mone\x1b[0m\ntwo"),
+    screen=PupilScreen(80, 2, "\x1b[1mone\x1b[0m\ntwo"),
 )
 
 
@@ -100,7 +100,7 @@ def test_any_json_is_a_note_or_an_order_or_is_refused(found: dict[str, object]) 
 
 
 def test_a_screen_too_large_stays_behind_and_the_rest_goes() -> None:
-    sent = Note(hand=True, screen=Picture(500, 200, "\x1b[38;2;1;2;3mx" * 20_000))
+    sent = Note(hand=True, screen=PupilScreen(500, 200, "\x1b[38;2;1;2;3mx" * 20_000))
     assert notes.decode(notes.encode(sent)) == Note(hand=True)
 
 

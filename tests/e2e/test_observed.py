@@ -40,7 +40,7 @@ class Observer:
     def __init__(self, path: str) -> None:
         connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         connection.connect(path)
-        self.line = wire.Line(connection)
+        self.line = wire.Connection(connection)
         self.line.send(wire.WATCH)
         self.notes: list[Note] = []
         self.ended = False

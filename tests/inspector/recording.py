@@ -21,7 +21,7 @@ from day6_core.graph.domain import VARIABLE
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.outputs import LAST_LINES, LONGEST, plain
 from day6_core.ros.programs.day6_inspector.rules import findings
-from day6_core.session.overview import Line
+from day6_core.session.overview import RunLine
 
 RECORDED = Path(__file__).with_name("recorded.jsonl")
 """One case a line."""
@@ -188,7 +188,7 @@ def _defaults(kind: type) -> Mapping[str, Any] | None:
 
 
 def _from_json(told: Json, kind: Any) -> Any:
-    if kind is Line:
+    if kind is RunLine:
         kind = Ran
     origin, of = get_origin(kind), get_args(kind)
     if origin in (Union, types.UnionType):

@@ -20,7 +20,7 @@ from day6_core.link import state as state_module
 from day6_core.link.addresses import Address, address_of
 from day6_core.link.file_lock import FileLock
 from day6_core.link.gateway import Gateway
-from day6_core.link.paths import Place
+from day6_core.link.paths import MeetingPlace
 from day6_core.link.secret import secret_of
 from day6_core.link.state import Door, DoorState, read_doors, remove_doors, write_doors
 
@@ -136,8 +136,8 @@ class Links:
 
 
 @pytest.fixture
-def place(tmp_path: Path) -> Place:
-    return Place(tmp_path, False)
+def place(tmp_path: Path) -> MeetingPlace:
+    return MeetingPlace(tmp_path, False)
 
 
 @pytest.fixture
@@ -148,12 +148,12 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 
 def gate_of(
-    place: Place, listen: tuple[str, ...] = (), connect: tuple[str, ...] = (), secret: str | None = None
+    place: MeetingPlace, listen: tuple[str, ...] = (), connect: tuple[str, ...] = (), secret: str | None = None
 ) -> Gateway:
     return Gateway(place, 0, listen, connect, secret, lambda what, error: None, lambda zid: False)
 
 
-def test_a_gate_begins_with_doors_that_open(place: Place) -> None:
+def test_a_gate_begins_with_doors_that_open(place: MeetingPlace) -> None:
     gate = gate_of(place, ("tcp/0.0.0.0:1", "udp/0.0.0.0:2"), ("tcp/a:3",))
     assert gate.doors == (
         Door("tcp/0.0.0.0:1", True, DoorState.OPENING, False),
@@ -163,7 +163,7 @@ def test_a_gate_begins_with_doors_that_open(place: Place) -> None:
     assert [door.secret for door in gate_of(place, ("tcp/0.0.0.0:1",), (), "12345678").doors] == [True]
 
 
-def test_machines_are_counted_once_at_the_door_they_came_in_by(place: Place) -> None:
+def test_machines_are_counted_once_at_the_door_they_came_in_by(place: MeetingPlace) -> None:
     gate = gate_of(place, ("tcp/0.0.0.0:7447", "tcp/0.0.0.0:17447"))
     near = "tcp/10.0.0.1:7447"
     gate._read_links(Links((near, "tcp/a:1"), (near, "tcp/b:2"), (near, "tcp/a:1"), ("tcp/10.0.0.1:17447", "tcp/c:3")))  # type: ignore[arg-type]
@@ -173,7 +173,7 @@ def test_machines_are_counted_once_at_the_door_they_came_in_by(place: Place) -> 
 
 
 def test_a_machine_that_is_not_joined_is_asked_why_every_five_seconds(
-    place: Place, clock: Clock, monkeypatch: pytest.MonkeyPatch
+    place: MeetingPlace, clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[Address] = []
     answer = (DoorState.NOBODY, frozenset({"1.2.3.4:7447", "[::5]:7447"}))
@@ -199,7 +199,7 @@ def test_a_machine_that_is_not_joined_is_asked_why_every_five_seconds(
 
 
 def test_a_machine_that_is_joined_when_its_addresses_become_known_is_not_said_to_be_shut(
-    place: Place, clock: Clock, monkeypatch: pytest.MonkeyPatch
+    place: MeetingPlace, clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(gate_module, "_probe", lambda address: (DoorState.NOT_LET_IN, frozenset({"1.2.3.4:7447"})))
     gate = gate_of(place, connect=("tcp/robot:7447",))
@@ -211,7 +211,7 @@ def test_a_machine_that_is_joined_when_its_addresses_become_known_is_not_said_to
 
 
 def test_a_shut_door_is_tried_when_all_are_free_but_not_more_often_than_every_two_seconds(
-    place: Place, clock: Clock, monkeypatch: pytest.MonkeyPatch
+    place: MeetingPlace, clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     free = {"tcp/0.0.0.0:1": True, "tcp/0.0.0.0:2": False}
     monkeypatch.setattr(gate_module, "_is_free", free.__getitem__)
@@ -231,7 +231,7 @@ def test_a_shut_door_is_tried_when_all_are_free_but_not_more_often_than_every_tw
     assert not only_out._may_listen_now()
 
 
-def test_a_gate_that_another_program_keeps_is_told_at_every_door(place: Place) -> None:
+def test_a_gate_that_another_program_keeps_is_told_at_every_door(place: MeetingPlace) -> None:
     other = FileLock(place.folder / "gate.lock")
     assert other.try_acquire()
     gate = gate_of(place, ("tcp/0.0.0.0:1",), ("tcp/a:3",))
@@ -246,7 +246,7 @@ def test_a_gate_that_another_program_keeps_is_told_at_every_door(place: Place) -
 DOORS = (Door("tcp/a:1", True, DoorState.OPEN, True, 3, ""), Door("tcp/b:2", False, DoorState.FAILED, False, 0, "错"))
 
 
-def test_doors_are_read_by_others_as_they_were_written_and_by_nobody_else(place: Place) -> None:
+def test_doors_are_read_by_others_as_they_were_written_and_by_nobody_else(place: MeetingPlace) -> None:
     write_doors(place, DOORS)
     assert read_doors(place) == DOORS
     (file,) = place.folder.iterdir()
@@ -261,7 +261,7 @@ def test_doors_are_read_by_others_as_they_were_written_and_by_nobody_else(place:
 
 
 @pytest.mark.process
-def test_doors_of_several_processes_are_one_list_and_what_the_dead_left_goes(place: Place) -> None:
+def test_doors_of_several_processes_are_one_list_and_what_the_dead_left_goes(place: MeetingPlace) -> None:
     with subprocess.Popen([sys.executable, "-c", ""]) as ended:
         ended.wait()
     dead = place.folder / f"doors-{ended.pid}"
@@ -275,7 +275,7 @@ def test_doors_of_several_processes_are_one_list_and_what_the_dead_left_goes(pla
 
 
 def test_a_file_that_another_process_removes_first_hides_no_doors(
-    place: Place, monkeypatch: pytest.MonkeyPatch
+    place: MeetingPlace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def ended(pid: int) -> bool:
         if pid == 1:
@@ -289,7 +289,7 @@ def test_a_file_that_another_process_removes_first_hides_no_doors(
 
 
 def test_doors_of_a_place_that_is_gone_are_none(tmp_path: Path) -> None:
-    gone = Place(tmp_path / "gone", False)
+    gone = MeetingPlace(tmp_path / "gone", False)
     assert read_doors(gone) == ()
     remove_doors(gone)
 

@@ -15,7 +15,7 @@ import zenoh
 from day6_core.link import gateway as gate_module
 from day6_core.link.file_lock import FileLock
 from day6_core.link.gateway import Gateway
-from day6_core.link.paths import Place
+from day6_core.link.paths import MeetingPlace
 from day6_core.link.state import Door, DoorState, read_doors
 from tests.link.fake_engine import Clock, FakeSession, StillThread
 
@@ -40,7 +40,7 @@ class FakeBridge:
 class Gates:
     """A gate whose sessions are opened by `opened`; `refused` are the texts with which the next ones are not."""
 
-    def __init__(self, place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    def __init__(self, place: MeetingPlace, monkeypatch: pytest.MonkeyPatch) -> None:
         self.place = place
         self.clock = Clock()
         self.refused: dict[str, str] = {}
@@ -84,7 +84,7 @@ class Gates:
 
 @pytest.fixture
 def it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Gates:
-    return Gates(Place(tmp_path, False), monkeypatch)
+    return Gates(MeetingPlace(tmp_path, False), monkeypatch)
 
 
 def states(gate: Gateway) -> list[tuple[DoorState, str]]:

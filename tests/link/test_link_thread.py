@@ -29,7 +29,7 @@ from day6_core.link.gid import gid_of
 from day6_core.link.keys import endpoint_token, node_token
 from day6_core.link.link import Link
 from day6_core.link.meeting import MeetingPoint
-from day6_core.link.paths import LinkError, Place
+from day6_core.link.paths import LinkError, MeetingPlace
 from day6_core.link.state import Door, LinkState, write_doors
 from tests.link.fake_engine import Clock, FakeSession, StillThread
 
@@ -37,7 +37,7 @@ from tests.link.fake_engine import Clock, FakeSession, StillThread
 class FakeMeeting:
     """A meeting point that somebody else holds, until `held_here` is set."""
 
-    def __init__(self, place: Place, domain_id: int) -> None:
+    def __init__(self, place: MeetingPlace, domain_id: int) -> None:
         self.held_here = False
         self.tried = 0
         self.calls: list[str] = []
@@ -252,7 +252,7 @@ def test_only_so_many_processes_are_noted_but_neighbours_always(make: Make, monk
     assert it.link._presence["here"] == {"a", "b", "abc"} and it.link.refusals.counts == {"processes": 1}
 
 
-def sign_of(zid: str, place: Place | None) -> Path:
+def sign_of(zid: str, place: MeetingPlace | None) -> Path:
     """Leave the socket file of a process that lives (this one) under another session's id."""
     assert place is not None
     path = place.own_socket(zid)
@@ -754,7 +754,7 @@ def test_one_process_holds_the_meeting_point_and_another_takes_over(
     sessions: list[FakeSession] = []
     monkeypatch.setattr(zenoh, "open", lambda config: sessions.append(FakeSession(str(len(sessions)))) or sessions[-1])
     monkeypatch.setattr(meeting_module, "meeting_config", lambda place: None)
-    place = Place(tmp_path, tcp)
+    place = MeetingPlace(tmp_path, tcp)
     one, other = MeetingPoint(place, 4), MeetingPoint(place, 4)
     assert (one.try_to_hold(), one.try_to_hold(), one.held_here) == (True, True, True)
     assert (other.try_to_hold(), other.held_here) == (False, False)
@@ -774,7 +774,7 @@ def test_a_kept_meeting_point_is_held_until_the_process_ends_but_not_by_its_fork
     monkeypatch.setattr(zenoh, "open", lambda config: session)
     monkeypatch.setattr(meeting_module, "meeting_config", lambda place: None)
     monkeypatch.setattr(meeting_module, "_kept", [])
-    place = Place(tmp_path, tcp=False)
+    place = MeetingPlace(tmp_path, tcp=False)
     MeetingPoint(place, 4).keep()
     one = MeetingPoint(place, 4)
     assert one.try_to_hold()
@@ -792,7 +792,7 @@ def test_a_meeting_point_that_cannot_be_opened_is_left_to_others_and_a_taken_por
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, tcp: bool, failures: int, held: bool
 ) -> None:
     ports: list[int] = []
-    place = Place(tmp_path, tcp)
+    place = MeetingPlace(tmp_path, tcp)
     monkeypatch.setattr(meeting_module, "meeting_config", lambda place: ports.append(place.meeting_port))
 
     def opened(config: object) -> FakeSession:

@@ -18,9 +18,9 @@ import pytest
 from day6_core.link import paths
 from day6_core.link.paths import (
     LinkError,
+    MeetingPlace,
     Neighbour,
     Neighbourhood,
-    Place,
     close_inherited_sockets,
     meeting_place,
     neighbours,
@@ -34,13 +34,13 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="there are no Un
 
 
 @pytest.fixture
-def place(short_folder: Path) -> Place:
-    return Place(short_folder, False)
+def place(short_folder: Path) -> MeetingPlace:
+    return MeetingPlace(short_folder, False)
 
 
 @pytest.fixture
-def tcp_place(short_folder: Path) -> Place:
-    return Place(short_folder, True)
+def tcp_place(short_folder: Path) -> MeetingPlace:
+    return MeetingPlace(short_folder, True)
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +70,7 @@ def leave_a_socket(path: Path) -> None:
 # -- names and ports ---------------------------------------------------------------------------------------------------
 
 
-def test_everything_has_its_name_in_the_folder(place: Place, tcp_place: Place) -> None:
+def test_everything_has_its_name_in_the_folder(place: MeetingPlace, tcp_place: MeetingPlace) -> None:
     folder, pid = place.folder, os.getpid()
     assert place.meeting_endpoint == f"unixsock-stream/{folder}/meet"
     assert place.own_endpoint("abc") == f"unixsock-stream/{folder}/p-abc-{pid}"
@@ -80,7 +80,7 @@ def test_everything_has_its_name_in_the_folder(place: Place, tcp_place: Place) -
     assert tcp_place.own_endpoint("abc") == "tcp/127.0.0.1:0"
 
 
-def test_another_port_may_be_chosen_and_is_remembered(tcp_place: Place) -> None:
+def test_another_port_may_be_chosen_and_is_remembered(tcp_place: MeetingPlace) -> None:
     before = tcp_place.meeting_port
     tcp_place.choose_another_port()
     chosen = tcp_place.meeting_port
@@ -167,7 +167,7 @@ def test_a_folder_that_cannot_be_made_is_told_with_the_systems_words(short_folde
 
 
 @pytest.mark.process
-def test_neighbours_are_the_sockets_of_processes_that_live(place: Place, dead: int) -> None:
+def test_neighbours_are_the_sockets_of_processes_that_live(place: MeetingPlace, dead: int) -> None:
     for name in (f"p-abc-{os.getpid()}", f"p-def-{dead}", "p-x-y", "q-abc-1", "meet", f"p-abc-{os.getpid()}.lock"):
         (place.folder / name).touch()
     own = place.own_socket("abc")
@@ -175,7 +175,9 @@ def test_neighbours_are_the_sockets_of_processes_that_live(place: Place, dead: i
 
 
 @pytest.mark.process
-def test_a_neighbourhood_sees_who_comes_and_who_was_killed_though_the_folder_stays_as_it_is(place: Place) -> None:
+def test_a_neighbourhood_sees_who_comes_and_who_was_killed_though_the_folder_stays_as_it_is(
+    place: MeetingPlace,
+) -> None:
     neighbourhood = Neighbourhood(place)
     assert "abc" not in neighbourhood
     with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as process:
@@ -189,7 +191,7 @@ def test_a_neighbourhood_sees_who_comes_and_who_was_killed_though_the_folder_sta
         neighbourhood.__contains__("abc")
 
 
-def test_of_two_who_come_within_one_tick_of_the_clock_both_are_seen(place: Place) -> None:
+def test_of_two_who_come_within_one_tick_of_the_clock_both_are_seen(place: MeetingPlace) -> None:
     neighbourhood = Neighbourhood(place)
     now = time.time_ns()
     for zid in ("abc", "def"):
@@ -199,7 +201,7 @@ def test_of_two_who_come_within_one_tick_of_the_clock_both_are_seen(place: Place
 
 
 @pytest.mark.process
-def test_what_the_dead_left_is_removed_with_its_lock(place: Place, dead: int, listening: Path) -> None:
+def test_what_the_dead_left_is_removed_with_its_lock(place: MeetingPlace, dead: int, listening: Path) -> None:
     gone, here = place.folder / f"p-def-{dead}", place.own_socket("abc")
     for path in (gone, here):
         leave_a_socket(path)
@@ -211,7 +213,7 @@ def test_what_the_dead_left_is_removed_with_its_lock(place: Place, dead: int, li
 
 
 @pytest.mark.process
-def test_signs_of_the_dead_are_removed_where_sockets_are_tcp(tcp_place: Place, dead: int) -> None:
+def test_signs_of_the_dead_are_removed_where_sockets_are_tcp(tcp_place: MeetingPlace, dead: int) -> None:
     gone, here = tcp_place.folder / f"p-def-{dead}", tcp_place.own_socket("abc")
     gone.touch()
     here.touch()
@@ -220,7 +222,7 @@ def test_signs_of_the_dead_are_removed_where_sockets_are_tcp(tcp_place: Place, d
 
 
 @pytest.mark.process
-def test_an_old_socket_on_which_nobody_listens_is_removed(place: Place, listening: Path) -> None:
+def test_an_old_socket_on_which_nobody_listens_is_removed(place: MeetingPlace, listening: Path) -> None:
     def neighbour(path: Path) -> Neighbour:
         return Neighbour("abc", os.getpid(), path)
 
@@ -242,7 +244,7 @@ def test_an_old_socket_on_which_nobody_listens_is_removed(place: Place, listenin
     assert not remove_if_deaf(neighbour(file)) and file.exists()
 
 
-def test_what_another_process_removes_first_is_no_error(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_another_process_removes_first_is_no_error(place: MeetingPlace, monkeypatch: pytest.MonkeyPatch) -> None:
     first, second = place.folder / "p-a-1", place.folder / "p-b-1"
     for path in (first, second):
         leave_a_socket(path)
@@ -275,7 +277,7 @@ def test_a_process_of_another_user_exists(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 @pytest.mark.skipif(not Path("/dev/fd").is_dir(), reason="open files cannot be listed")
-def test_a_child_closes_the_sockets_of_the_place_and_no_others(place: Place) -> None:
+def test_a_child_closes_the_sockets_of_the_place_and_no_others(place: MeetingPlace) -> None:
     own, peer = socket.socket(socket.AF_UNIX), socket.socket(socket.AF_UNIX)
     elsewhere, file = [*socket.socketpair(), socket.create_server(("127.0.0.1", 0))], (place.folder / "file").open("w")
     own.bind(str(place.folder / "meet"))
@@ -294,7 +296,7 @@ def test_a_child_closes_the_sockets_of_the_place_and_no_others(place: Place) -> 
 # -- the password ------------------------------------------------------------------------------------------------------
 
 
-def test_all_processes_read_one_password_from_a_file_of_their_user(tcp_place: Place) -> None:
+def test_all_processes_read_one_password_from_a_file_of_their_user(tcp_place: MeetingPlace) -> None:
     word = password(tcp_place)
     assert len(word) == 32 and int(word, 16) >= 0
     assert password(tcp_place) == word
@@ -308,11 +310,13 @@ def test_two_places_do_not_share_a_password(short_folder: Path) -> None:
     words = []
     for name in ("a", "b"):
         (short_folder / name).mkdir()
-        words.append(password(Place(short_folder / name, True)))
+        words.append(password(MeetingPlace(short_folder / name, True)))
     assert words[0] != words[1]
 
 
-def test_a_file_without_a_password_is_told_after_a_second(tcp_place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_without_a_password_is_told_after_a_second(
+    tcp_place: MeetingPlace, monkeypatch: pytest.MonkeyPatch
+) -> None:
     clock = iter((0.0, 0.5, 0.9, 1.1))
     monkeypatch.setattr(paths.time, "monotonic", lambda: next(clock))
     monkeypatch.setattr(paths.time, "sleep", lambda seconds: None)
@@ -324,7 +328,7 @@ def test_a_file_without_a_password_is_told_after_a_second(tcp_place: Place, monk
 # -- configurations ----------------------------------------------------------------------------------------------------
 
 
-def test_sessions_listen_and_connect_where_their_kind_does(place: Place, tcp_place: Place) -> None:
+def test_sessions_listen_and_connect_where_their_kind_does(place: MeetingPlace, tcp_place: MeetingPlace) -> None:
     import json
 
     from day6_core.link import config

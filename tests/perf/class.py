@@ -69,7 +69,7 @@ class Pupil:
         )
         self.output = bytearray()
         self.received = 0
-        self.line: wire.Line | None = None
+        self.line: wire.Connection | None = None
 
     def started(self) -> float:
         """Wait for the desktop; the seconds since it was asked for."""
@@ -98,7 +98,7 @@ class Pupil:
             self.line.close()
         connection = meeting.connect(self.home)
         assert connection is not None, "the keeper does not answer"
-        self.line = wire.Line(connection)
+        self.line = wire.Connection(connection)
         self.line.send(wire.HELLO, view.hello(SIZE))
 
     def take(self) -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from day6_core.ros.ros2.launch import _host
-from day6_core.ros.ros2.launch._host import ROOM, Host, HostedOutput
+from day6_core.ros.ros2.launch._host import ROOM, HostedOutput, LaunchHost
 from day6_core.session.clock import WorldClock
 from day6_core.session.streams import Captured, TextInput
 from day6_core.session.task import Signal
@@ -37,7 +37,7 @@ class Launch:
         streams = Streams(TextInput(""), Captured(), Captured())
         env = self.shell.environment
         self.command = self.desk.start_program(["ros2"], main, streams, env=env, cwd=home, shell=self.shell)
-        self.host = Host(self.command.session, self.command.session.host)
+        self.host = LaunchHost(self.command.session, self.command.session.host)
         self.end = None
         self.heard = []
         self._rest = b""
@@ -229,7 +229,7 @@ def test_who_does_not_know_the_secret_is_not_obeyed(over_tcp):
 
 
 def test_two_hosts_do_not_share_a_secret(over_tcp):
-    other = Host(over_tcp.command.session, over_tcp.command.session.host)
+    other = LaunchHost(over_tcp.command.session, over_tcp.command.session.host)
     assert other.address.rpartition(":")[2] != over_tcp.host.address.rpartition(":")[2]
     other.close()
 

@@ -11,7 +11,7 @@ from rich.cells import cell_len
 
 from day6_core.graph import Graph
 from day6_core.ros.programs.rqt_action import rqt_action
-from day6_core.ros.programs.rqt_action.model import MOST_GOALS, Action, ActionBrowser, Goal
+from day6_core.ros.programs.rqt_action.model import MOST_GOALS, ActionBrowser, ActionEntry, Goal
 from day6_core.ros.programs.rqt_msg.model import TypeBrowser
 from day6_core.ros.programs.rqt_py_common.message_form import FieldRow
 from day6_core.ros.programs.turtlesim import turtlesim_node
@@ -51,7 +51,7 @@ class _World:
     def wait(self, seconds: float) -> None:
         self.scheduler.advance(seconds)
 
-    def action(self, name: str = ROTATE) -> Action:
+    def action(self, name: str = ROTATE) -> ActionEntry:
         return next(action for action in self.model.shown() if action.name == name)
 
 
@@ -215,9 +215,9 @@ class Model:
         self.state = ""
         self.asked: list[tuple[object, ...]] = []
 
-    def shown(self) -> list[Action]:
+    def shown(self) -> list[ActionEntry]:
         if not self.watched:
-            return [Action(ROTATE, "turtlesim/action/RotateAbsolute", ("/turtlesim",), (), False, [], [], "", "")]
+            return [ActionEntry(ROTATE, "turtlesim/action/RotateAbsolute", ("/turtlesim",), (), False, [], [], "", "")]
         feedback = [FieldRow("/remaining", "remaining", "float", 4, "0.5")]
         goals = [
             Goal("ab" * 16, "EXECUTING", True, feedback, []),
@@ -225,7 +225,7 @@ class Model:
         ]
         request = [FieldRow("/theta", "theta", "float", 2, "0.0")]
         ends = ("/turtlesim",), ("/rqt",)
-        return [Action(ROTATE, "turtlesim/action/RotateAbsolute", *ends, True, request, goals, self.state, "")]
+        return [ActionEntry(ROTATE, "turtlesim/action/RotateAbsolute", *ends, True, request, goals, self.state, "")]
 
     def watch(self, action: str, watched: bool) -> None:
         self.watched = watched

@@ -19,7 +19,7 @@ from day6_core.ros.programs.rqt_graph.model.drawing import (
 )
 from day6_core.ros.programs.rqt_graph.model.fit import fitted, overview
 from day6_core.ros.programs.rqt_graph.model.layout import layout
-from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge, Picture, Rect
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge, LaidOutGraph, Rect
 
 FEEDBACK = "/turtle1/rotate_absolute/_action/feedback"
 LESSON = (
@@ -29,7 +29,7 @@ LESSON = (
 BACK = Edge("/turtlesim", "/teleop_turtle", FEEDBACK, FEEDBACK, 0.1)
 
 
-def text(picture: Picture, glyphs: object = UNICODE) -> list[str]:
+def text(picture: LaidOutGraph, glyphs: object = UNICODE) -> list[str]:
     assert glyphs in (UNICODE, ASCII)
     canvas = draw(picture, UNICODE if glyphs is UNICODE else ASCII)
     return ["".join(run for run, _ in row).rstrip() for row in canvas.rows()]
@@ -54,7 +54,7 @@ def test_without_round_corners_an_ellipse_is_made_of_slashes_that_meet_its_sides
     across = glyphs.across
     for height, sides in ((3, "()"), (4, "/\\ \\/"), (6, "/\\ || || \\/")):
         box = Box("/n", ("/n",), "node")
-        picture = Picture(6, height, {"/n": (box, Rect(0, 0, 6, height))}, ())
+        picture = LaidOutGraph(6, height, {"/n": (box, Rect(0, 0, 6, height))}, ())
         rows = ["".join(run for run, _ in row) for row in draw(picture, glyphs).rows()]
         assert rows[0] == f" /{across * 2}\\ " and rows[-1] == f" \\{across * 2}/ "
         assert [row[0] + row[-1] for row in rows[1:-1]] == sides.split()
@@ -177,7 +177,7 @@ def test_an_empty_graph_is_an_empty_picture() -> None:
     assert fitted([], [], 10, 10).width == 0
 
 
-def clustered(names: list[tuple[str, str]], edges: list[tuple[int, int]]) -> Picture:
+def clustered(names: list[tuple[str, str]], edges: list[tuple[int, int]]) -> LaidOutGraph:
     boxes = [Box(name, (name,), "node", cluster) for name, cluster in names]
     return layout(boxes, [Edge(boxes[a].key, boxes[b].key, "", f"/t{a}{b}") for a, b in edges], measure)
 

@@ -14,7 +14,7 @@ from sensor_msgs.msg import Image
 from std_msgs.msg import String
 
 from day6_core.ros.programs.image_tools.shown_image import ShownImage
-from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 from day6_core.ros.programs.rqt_image_view.decoding import Undecodable, View
 from day6_core.ros.programs.rqt_image_view.model import ImageView
 from day6_core.ros.programs.rqt_image_view.rqt_image_view import ImageViewPlugin
@@ -138,10 +138,10 @@ def test_a_perspective_keeps_how_images_are_shown_and_nonsense_is_passed_over(ma
         "max_range": 2.5,
     }
     session = machine.other("rqt_gui_cpp_node_1").session
-    assert ImageViewPlugin(Place(session, machine.node, settings=kept)).settings() == kept
+    assert ImageViewPlugin(PluginPlace(session, machine.node, settings=kept)).settings() == kept
     nonsense = dict.fromkeys(kept, "\x1b[2J//") | {"rotate": 2**70 + 1, "max_range": float("nan")}
-    plain = ImageViewPlugin(Place(session, machine.node)).settings()
-    assert ImageViewPlugin(Place(session, machine.node, settings=nonsense)).settings() == plain | {"rotate": 1}
+    plain = ImageViewPlugin(PluginPlace(session, machine.node)).settings()
+    assert ImageViewPlugin(PluginPlace(session, machine.node, settings=nonsense)).settings() == plain | {"rotate": 1}
 
 
 class Model:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from rcl_interfaces.srv import GetLoggerLevels
 
-from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 from day6_core.ros.programs.rqt_logger_level.model import Logger
 from day6_core.ros.programs.rqt_logger_level.rqt_logger_level import LoggerLevelPlugin
 from tests.support.rqt_machine import RqtMachine
@@ -90,7 +90,7 @@ def test_another_node_leaves_no_client_behind(machine: RqtMachine) -> None:
 def test_a_kept_perspective_chooses_its_node_and_survives_nonsense(machine: RqtMachine) -> None:
     machine.other("open", enable_logger_service=True)
     for kept, chosen in (("/open", "/open"), ("not a name", ""), (5, "")):
-        place = Place(machine._programs[0].session, machine.node, settings={"node": kept})
+        place = PluginPlace(machine._programs[0].session, machine.node, settings={"node": kept})
         plugin = LoggerLevelPlugin(place)
         plugin.model.refresh()
         assert plugin.settings() == {"node": chosen}

@@ -14,7 +14,7 @@ from test_msgs.msg import BoundedSequences
 
 from day6_core.graph import Graph
 from day6_core.interfaces import type_name
-from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 from day6_core.ros.programs.rqt_publisher import model, rqt_publisher
 from day6_core.session.clock import WorldClock
 from day6_core.session.display import Display
@@ -245,7 +245,7 @@ def test_a_perspective_keeps_the_publishers_as_rqt_writes_them(world) -> None:
     (kept,) = ast.literal_eval(text)
     assert kept["topic_name"] == "/turtle1/cmd_vel" and kept["enabled"] is False
     assert kept["expressions"] == {"/turtle1/cmd_vel/linear/x": "sin(i)"}
-    place = Place(world.ears, world.node, settings={"publishers": text})
+    place = PluginPlace(world.ears, world.node, settings={"publishers": text})
     plugin = rqt_publisher.PublisherPlugin(place)
     (shown,) = plugin.model.shown()
     assert (shown.topic, shown.rate, shown.enabled) == ("/turtle1/cmd_vel", 2.5, False)
@@ -270,7 +270,7 @@ def test_a_perspective_keeps_the_publishers_as_rqt_writes_them(world) -> None:
     ],
 )
 def test_a_perspective_may_be_anything(world, kept: object) -> None:
-    plugin = rqt_publisher.PublisherPlugin(Place(world.ears, world.node, settings={"publishers": kept}))
+    plugin = rqt_publisher.PublisherPlugin(PluginPlace(world.ears, world.node, settings={"publishers": kept}))
     assert all(each.rate == 1.0 for each in plugin.model.shown())
     plugin.close()
 

@@ -10,7 +10,7 @@ import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 
 import rclpy.parameter_service
-from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 from day6_core.ros.programs.rqt_reconfigure.rqt_reconfigure import ReconfigurePlugin
 from rclpy.parameter import Parameter
 from tests.support.rqt_machine import OtherProgram, RqtMachine
@@ -256,7 +256,7 @@ def test_a_node_of_the_command_line_that_is_not_there_is_told_as_in_the_real_one
 def test_a_kept_perspective_opens_the_nodes_that_are_there(machine: Machine, kept: Any, opened: list[str]) -> None:
     simulator(machine)
     program = machine.other("rqt_gui_py_node_1")
-    place = Place(program.session, program.node, settings=kept)
+    place = PluginPlace(program.session, program.node, settings=kept)
     plugin = ReconfigurePlugin(place)
     place.spawn(plugin.run())
     machine.advance(2.0)

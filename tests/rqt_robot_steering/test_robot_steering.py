@@ -11,7 +11,7 @@ from std_msgs.msg import String
 from turtlesim.msg import Pose
 
 from day6_core.ros import distribution as distributions
-from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 from day6_core.ros.programs.rqt_robot_steering.model import ANGULAR, LINEAR, MAXIMUM, MINIMUM, Axis
 from day6_core.ros.programs.rqt_robot_steering.rqt_robot_steering import RobotSteeringPlugin
 from tests.support.rqt_machine import RqtMachine
@@ -127,7 +127,7 @@ def test_a_topic_of_another_type_is_told_as_long_as_it_has_one(machine: RqtMachi
 
 
 def test_a_topic_that_its_own_node_uses_with_another_type_is_told_in_the_words_of_rcl(machine: RqtMachine) -> None:
-    plugin = RobotSteeringPlugin(Place(machine._programs[0].session, machine.node, settings={"topic": "/mine"}))
+    plugin = RobotSteeringPlugin(PluginPlace(machine._programs[0].session, machine.node, settings={"topic": "/mine"}))
     machine.node.create_subscription(Twist, "/mine", print, 10)
     plugin.model.set_stamped(True)
     plugin.model.handle()
@@ -177,7 +177,7 @@ def test_closing_publishes_nothing_as_the_real_one(machine: RqtMachine) -> None:
 )
 def test_a_perspective_brings_topic_type_and_limits_back(machine: RqtMachine, kept: dict, restored: dict) -> None:
     machine.open()
-    plugin = RobotSteeringPlugin(Place(machine._programs[0].session, machine.node, settings=kept))
+    plugin = RobotSteeringPlugin(PluginPlace(machine._programs[0].session, machine.node, settings=kept))
     assert plugin.settings() == restored
     plugin.close()
 

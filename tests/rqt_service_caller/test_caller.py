@@ -194,9 +194,9 @@ def test_services_of_unknown_types_and_parts_of_actions_are_left_out(world) -> N
 
 
 def test_the_service_of_a_perspective_is_chosen_as_soon_as_it_is_there(world) -> None:
-    from day6_core.ros.programs.rqt_gui.plugin import Place
+    from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 
-    place = Place(world.server, world.node, settings={"current_service_name": "/late"})
+    place = PluginPlace(world.server, world.node, settings={"current_service_name": "/late"})
     plugin = rqt_service_caller.ServiceCallerPlugin(place)
     world.server.spawn(plugin.run())
     world.wait(0.2)
@@ -209,9 +209,9 @@ def test_the_service_of_a_perspective_is_chosen_as_soon_as_it_is_there(world) ->
 
 @pytest.mark.parametrize("kept", [None, 5, ["/x"], "/nowhere"])
 def test_a_perspective_may_say_anything(world, kept: object) -> None:
-    from day6_core.ros.programs.rqt_gui.plugin import Place
+    from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 
-    place = Place(world.server, world.node, settings={"current_service_name": kept})
+    place = PluginPlace(world.server, world.node, settings={"current_service_name": kept})
     plugin = rqt_service_caller.ServiceCallerPlugin(place)
     plugin.model.follow()
     assert plugin.model.service

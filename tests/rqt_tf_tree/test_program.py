@@ -12,7 +12,7 @@ from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
 from day6_core.graph import Graph
 from day6_core.ros.program_index import COMMANDS, executables
-from day6_core.ros.programs.rqt_gui.plugin import Place, create_node
+from day6_core.ros.programs.rqt_gui.plugin import PluginPlace, create_node
 from day6_core.ros.programs.rqt_tf_tree import rqt_tf_tree
 from day6_core.session.clock import WorldClock
 from day6_core.session.display import Display
@@ -155,7 +155,7 @@ def test_an_answer_that_is_no_tree_is_told(world: _World, monkeypatch: pytest.Mo
 def test_a_closed_plugin_leaves_nothing_on_the_node_it_shared(world: _World) -> None:
     session = Session(world.scheduler, world.graph, ["rqt"])
     node = create_node(session)
-    place = Place(session, node, settings={"auto_refresh": False})
+    place = PluginPlace(session, node, settings={"auto_refresh": False})
     plugin = rqt_tf_tree.TfTreePlugin(place)
     assert plugin.settings() == {"auto_refresh": False}
     plugin.close()

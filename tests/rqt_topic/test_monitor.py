@@ -10,7 +10,7 @@ import pytest
 from std_msgs.msg import String
 
 from day6_core.graph import Graph
-from day6_core.ros.programs.rqt_gui.plugin import Place
+from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 from day6_core.ros.programs.rqt_topic import rqt_topic
 from day6_core.ros.programs.rqt_topic._measure import SECOND, Measure
 from day6_core.session.clock import WorldClock
@@ -132,7 +132,9 @@ def _publish(world: _World, publisher: Any, text: Callable[[int], str], *, hertz
 def test_the_topics_of_a_kept_perspective_are_listened_to_as_soon_as_they_are_there(world) -> None:
     session = Session(world.scheduler, world.graph, ["rqt"], display=world.display)
     node = session.create_node("rqt_gui_py_node_1")
-    plugin = rqt_topic.TopicMonitorPlugin(Place(session, node, settings={"selected_topics": ["/late", 7, "/never"]}))
+    plugin = rqt_topic.TopicMonitorPlugin(
+        PluginPlace(session, node, settings={"selected_topics": ["/late", 7, "/never"]})
+    )
     model = plugin.model
     assert plugin.settings() == {"selected_topics": ["/late", "/never"]}
     world.node.create_publisher(String, "late", 10)

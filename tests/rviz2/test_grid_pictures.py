@@ -18,7 +18,7 @@ from day6_urdf.kinematics import Transform
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rviz2.model.views import Camera
-    from day6_tui.render.picture import Picture
+    from day6_tui.render.picture import RenderedPicture
     from tests.rviz2.rviz_machine import RVizMachine
 
 GROUND = 48 / 255
@@ -41,7 +41,9 @@ def orbit(distance: float = 10.0, yaw: float = 0.785, pitch: float = 0.785) -> C
     return view.camera()
 
 
-def pictured(grid: Lines, camera: Camera, columns: int, rows: int, mode: str = "half", *shapes: Shape) -> Picture:
+def pictured(
+    grid: Lines, camera: Camera, columns: int, rows: int, mode: str = "half", *shapes: Shape
+) -> RenderedPicture:
     across, down = PIXELS_PER_CELL[mode]
     scene = Scene(lines=[grid], shapes=list(shapes))
     return paint(scene, camera, columns * across, rows * down, pixel_aspect(mode), QUALITIES["High"])

@@ -33,7 +33,7 @@ from day6_tui.appearance.colours import colours
 from day6_tui.render.cells import cells_of, pixel_aspect
 from day6_tui.render.image_file import png, svg
 from day6_tui.render.painter import QUALITIES, paint
-from day6_tui.render.picture import EMPTY, Picture
+from day6_tui.render.picture import EMPTY, RenderedPicture
 from day6_tui.windows.rviz.pixels import PixelView
 from day6_urdf import shipped_model
 from day6_urdf.kinematics import IDENTITY, Transform, about, compose, link_transforms
@@ -62,7 +62,7 @@ def shape(kind: str, size: tuple[float, float, float] = (1, 1, 1), pose: Transfo
     return Shape(kind, pose, size, colour)
 
 
-def painted(*things: object, camera: Camera | None = None, width: int = 60, height: int = 60) -> Picture:
+def painted(*things: object, camera: Camera | None = None, width: int = 60, height: int = 60) -> RenderedPicture:
     return paint(scene(*things), camera or orbit(), width, height, 1.0, HIGH)
 
 
@@ -84,7 +84,7 @@ def car_scene(angle: float) -> Scene:
 # -- goldens -----------------------------------------------------------------------------------------------------------
 
 
-def compare(name: str, picture: Picture) -> None:
+def compare(name: str, picture: RenderedPicture) -> None:
     """Compare with golden/<name>.txt, in which a letter stands for a colour; a pixel on an edge may differ."""
     file = GOLDEN / f"{name}.txt"
     rgb = picture.rgb(32)

@@ -9,7 +9,7 @@ from typing import Any
 
 from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
-from day6_core.classroom.note import Note, Picture
+from day6_core.classroom.note import Note, PupilScreen
 from day6_core.classroom.order import Order
 from day6_core.link.classroom.teacher import Teacher
 from day6_core.link.state import Door, DoorState
@@ -94,9 +94,9 @@ class ClassWindow(ToolWindow):
         await self.step()
 
 
-def screen_of(text: str, columns: int = 80, rows: int = 24) -> Picture:
+def screen_of(text: str, columns: int = 80, rows: int = 24) -> PupilScreen:
     """A screen whose lines begin with a text and their number, and end with an exclamation mark."""
-    return Picture(columns, rows, "\n".join(f"{text}{row}".ljust(columns - 1, ".") + "!" for row in range(rows)))
+    return PupilScreen(columns, rows, "\n".join(f"{text}{row}".ljust(columns - 1, ".") + "!" for row in range(rows)))
 
 
 @asynccontextmanager

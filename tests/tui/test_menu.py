@@ -7,20 +7,20 @@ from textual import events
 
 from day6_tui.app import Day6App
 from day6_tui.options import Options
-from day6_tui.overlays.menu import Entry, Menu, ranked
+from day6_tui.overlays.menu import Menu, MenuEntry, ranked
 from tests.tui.screens import UTF8, make_look, running, step
 
 ENTRIES = (
-    Entry("Quit", "^Q", lambda: None, also=("退出", "Quit"), words="Ends day6-tui and closes everything"),
-    Entry("Enclose in a frame", "", lambda: None),
-    Entry("Do close window", "^W", lambda: None, words="x"),
-    Entry("Close window", "^W", lambda: None, also=("关闭窗口",), words="Ends its program"),
-    Entry("Other", "close", lambda: None),
-    Entry("Clear the old screen", "", lambda: None),
-    Entry("LaserScan", "", lambda: None),
-    Entry("/scan", "by topic", lambda: None),
-    Entry("RobotModel", "", lambda: None),
-    Entry("Odometry", "shows where a robot was", lambda: None),
+    MenuEntry("Quit", "^Q", lambda: None, also=("退出", "Quit"), words="Ends day6-tui and closes everything"),
+    MenuEntry("Enclose in a frame", "", lambda: None),
+    MenuEntry("Do close window", "^W", lambda: None, words="x"),
+    MenuEntry("Close window", "^W", lambda: None, also=("关闭窗口",), words="Ends its program"),
+    MenuEntry("Other", "close", lambda: None),
+    MenuEntry("Clear the old screen", "", lambda: None),
+    MenuEntry("LaserScan", "", lambda: None),
+    MenuEntry("/scan", "by topic", lambda: None),
+    MenuEntry("RobotModel", "", lambda: None),
+    MenuEntry("Odometry", "shows where a robot was", lambda: None),
 )
 
 
@@ -65,4 +65,4 @@ async def test_the_palette_never_takes_a_word_of_an_explanation_for_a_name(
 
 
 def test_a_name_made_to_be_searched_for_ever_is_not() -> None:
-    assert ranked([Entry("/" + "ab" * 120, "", lambda: None)], "a" * 30) == []
+    assert ranked([MenuEntry("/" + "ab" * 120, "", lambda: None)], "a" * 30) == []

@@ -7,7 +7,7 @@ import sys
 import pytest
 from textual import events
 
-from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.message import ErrorModal, LogModal
 from day6_tui.overlays.prompt import Prompt
 from day6_tui.overlays.question import Answer, Question
@@ -82,7 +82,7 @@ async def test_the_pane_that_had_the_keyboard_gets_it_back(desk: FakeDesk, way: 
 async def test_a_click_chooses_and_one_in_the_frame_does_not_close(desk: FakeDesk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         chosen: list[str] = []
-        entries = [Entry(name, "", lambda name=name: chosen.append(name)) for name in ("alpha", "omega")]  # type: ignore[misc]
+        entries = [MenuEntry(name, "", lambda name=name: chosen.append(name)) for name in ("alpha", "omega")]  # type: ignore[misc]
         app.desktop.open_overlay(Menu(app.look, "menu.palette", entries))
         await step(app, pilot)
         row, line = next((row, line) for row, line in enumerate(screen_lines(app)) if "omega" in line)

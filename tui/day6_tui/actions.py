@@ -12,7 +12,7 @@ from typing import NamedTuple
 from day6_core.lessons.scene import scenes
 
 
-class Action(NamedTuple):
+class DesktopAction(NamedTuple):
     """One thing the user can ask for."""
 
     id: str
@@ -28,58 +28,58 @@ class Action(NamedTuple):
 ARROW_OF = {"left": "left", "right": "right", "above": "up", "below": "down"}
 """The arrow key of each direction."""
 
-ACTIONS: tuple[Action, ...] = (
-    Action("terminal", "f2", "F2", weight=5),
-    Action("next", "f3", "F3", weight=7),
-    Action("previous", "shift+f3", "Shift+F3", palette=False),
-    Action("windows", "f4", "F4", weight=4),
-    Action("lessons", "f5", "F5", weight=2),
-    Action("inspector", "f6", "F6", weight=1),
-    Action("enlarge", "f8", "F8", weight=3),
-    Action("pause", "f9", "F9", weight=2),
-    Action("palette", "f7", "F7", weight=6, palette=False),
-    Action("quit", "ctrl+q", "^Q", weight=8),
-    Action("help", "f1", "F1"),
-    Action("pupil"),
-    *(Action(f"scene.{scene.name}") for scene in scenes().values() if scene.is_action),
-    Action("split.right", "alt+backslash", "Alt+\\"),
-    Action("split.below", "alt+minus", "Alt+-"),
-    Action("close"),
-    Action("copy"),
-    Action("paste"),
-    Action("find", "ctrl+shift+f", "^⇧F"),
-    Action("clear"),
-    Action("language"),
-    Action("theme"),
-    Action("distro"),
-    Action("glyphs"),
-    Action("layout.load"),
-    Action("layout.save"),
-    Action("layout.lesson"),
-    Action("layout.four"),
-    Action("layout.presenter"),
-    Action("stack"),
-    *(Action(f"move.{side}") for side in ARROW_OF),
-    Action("step"),
-    Action("faster"),
-    Action("slower"),
-    Action("normal"),
-    Action("motion"),
-    Action("detach"),
-    Action("class"),
-    Action("hand"),
-    Action("sayings"),
-    Action("take_back"),
-    Action("kitchen"),
-    Action("record"),
-    Action("layout.speaker"),
-    *(Action(f"scene.{what}") for what in ("pause", "step", "faster", "slower")),
+ACTIONS: tuple[DesktopAction, ...] = (
+    DesktopAction("terminal", "f2", "F2", weight=5),
+    DesktopAction("next", "f3", "F3", weight=7),
+    DesktopAction("previous", "shift+f3", "Shift+F3", palette=False),
+    DesktopAction("windows", "f4", "F4", weight=4),
+    DesktopAction("lessons", "f5", "F5", weight=2),
+    DesktopAction("inspector", "f6", "F6", weight=1),
+    DesktopAction("enlarge", "f8", "F8", weight=3),
+    DesktopAction("pause", "f9", "F9", weight=2),
+    DesktopAction("palette", "f7", "F7", weight=6, palette=False),
+    DesktopAction("quit", "ctrl+q", "^Q", weight=8),
+    DesktopAction("help", "f1", "F1"),
+    DesktopAction("pupil"),
+    *(DesktopAction(f"scene.{scene.name}") for scene in scenes().values() if scene.is_action),
+    DesktopAction("split.right", "alt+backslash", "Alt+\\"),
+    DesktopAction("split.below", "alt+minus", "Alt+-"),
+    DesktopAction("close"),
+    DesktopAction("copy"),
+    DesktopAction("paste"),
+    DesktopAction("find", "ctrl+shift+f", "^⇧F"),
+    DesktopAction("clear"),
+    DesktopAction("language"),
+    DesktopAction("theme"),
+    DesktopAction("distro"),
+    DesktopAction("glyphs"),
+    DesktopAction("layout.load"),
+    DesktopAction("layout.save"),
+    DesktopAction("layout.lesson"),
+    DesktopAction("layout.four"),
+    DesktopAction("layout.presenter"),
+    DesktopAction("stack"),
+    *(DesktopAction(f"move.{side}") for side in ARROW_OF),
+    DesktopAction("step"),
+    DesktopAction("faster"),
+    DesktopAction("slower"),
+    DesktopAction("normal"),
+    DesktopAction("motion"),
+    DesktopAction("detach"),
+    DesktopAction("class"),
+    DesktopAction("hand"),
+    DesktopAction("sayings"),
+    DesktopAction("take_back"),
+    DesktopAction("kitchen"),
+    DesktopAction("record"),
+    DesktopAction("layout.speaker"),
+    *(DesktopAction(f"scene.{what}") for what in ("pause", "step", "faster", "slower")),
 )
 
 BY_ID = {action.id: action for action in ACTIONS}
 
 
-def bar_actions() -> list[Action]:
+def bar_actions() -> list[DesktopAction]:
     """What the key bar shows, in order."""
     return [action for action in ACTIONS if action.weight]
 

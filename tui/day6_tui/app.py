@@ -52,7 +52,7 @@ from day6_tui.features.guidance import Guidance
 from day6_tui.features.leaving import Leaving
 from day6_tui.features.lessons import LessonAsked, Lessons
 from day6_tui.features.recording import Recording
-from day6_tui.features.saved_desktop import Session
+from day6_tui.features.saved_desktop import SavedDesktop
 from day6_tui.features.scene_play import ScenePlay
 from day6_tui.features.welcome import WelcomePane
 from day6_tui.features.world_time import WorldTime
@@ -180,7 +180,7 @@ class Day6App(TerminalApp):
         self.switching = Switching(parts)
         self.scenes = ScenePlay(parts, options.robot, visibly=fps > 0)
         self.arranging = Arranging(parts)
-        self.session = Session(parts, self.arranging)
+        self.session = SavedDesktop(parts, self.arranging)
         self.lessons = Lessons(parts, options.lessons)
         self.looks = looks = Looks(self, look)
         self.explaining = Explaining(parts)
@@ -402,13 +402,13 @@ class Day6App(TerminalApp):
 
     def choose_distribution(self) -> None:
         """Offer the distributions of ROS 2, and remember the choice for the next start: here programs have messages by now."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         def take(name: str) -> None:
             if self._remember(SETTING, name) and name != distribution.current():
                 self.notices.show(self.look.texts("distro.next_start", name=name), NOTICE_SECONDS)
 
-        entries = [Entry(name.capitalize(), f"/opt/ros/{name}", partial(take, name)) for name in distribution.NAMES]
+        entries = [MenuEntry(name.capitalize(), f"/opt/ros/{name}", partial(take, name)) for name in distribution.NAMES]
         present = distribution.NAMES.index(distribution.current())
         self.desktop.open_overlay(Menu(self.look, "distro.title", entries, chosen=present))
 

@@ -46,7 +46,7 @@ class Trouble:
 
 
 @dataclass(frozen=True)
-class Picture:
+class PupilScreen:
     """The pupil's screen: lines of text with colours (SGR) and no other sequences."""
 
     columns: int
@@ -79,7 +79,7 @@ class Note:
     """Whether the pupil lets the teacher type."""
     refused: Annotated[str, _refusal] = ""
     """Why an order was not followed, if the last one was not: one of REFUSALS, or ''."""
-    screen: Annotated[Picture | None, _picture] = None
+    screen: Annotated[PupilScreen | None, _picture] = None
     """Only while the pupil is watched."""
 
 
@@ -153,13 +153,13 @@ def _trouble(found: object) -> Trouble | None:
     return Trouble(_title(found.get("title")), _text(found.get("line"))) if isinstance(found, dict) else None
 
 
-def _picture(found: object) -> Picture | None:
+def _picture(found: object) -> PupilScreen | None:
     if not isinstance(found, dict):
         return None
     columns, rows, ansi = _count(found["columns"], *COLUMNS), _count(found["rows"], *ROWS), found["ansi"]
     if not isinstance(ansi, str):
         raise TypeError("a screen is text")
-    return Picture(columns, rows, "\n".join(lines(ansi).split("\n")[:rows]))
+    return PupilScreen(columns, rows, "\n".join(lines(ansi).split("\n")[:rows]))
 
 
 def _flag(found: object) -> bool:

@@ -28,7 +28,7 @@ class Carrier(Protocol):
 
 
 @dataclass(frozen=True)
-class Row:
+class PupilRow:
     """One pupil. Times are those of the roster's clock."""
 
     name: str
@@ -87,7 +87,7 @@ class Roster:
         self.carrier = carrier
         self._clock = clock
         self._wall = wall
-        self._rows: dict[str, Row] = {}
+        self._rows: dict[str, PupilRow] = {}
         self.events: deque[Event] = deque(maxlen=MOST_EVENTS)
         """What happened in the lesson, the oldest first."""
         self.version = 0
@@ -103,7 +103,7 @@ class Roster:
         """These pupils belong to the class, whether they come or not."""
         for name in names:
             if name not in self._rows:
-                self._put(Row(name, is_here=False, has_come=False))
+                self._put(PupilRow(name, is_here=False, has_come=False))
 
     def here(self, name: str) -> None:
         """A pupil's desktop is reached. It is told whether a teacher is there, and whether the class is frozen."""
@@ -121,7 +121,7 @@ class Roster:
         raised = _since(row.raised, now, note.hand)
         for what, text in _news(row.note or Note(), note):
             self._note(name, what, text)
-        self._put(Row(name, True, True, note, now, troubled, raised, _further(row.furthest, note)))
+        self._put(PupilRow(name, True, True, note, now, troubled, raised, _further(row.furthest, note)))
         self._tell(name, attended=note.attended, frozen=note.frozen)
 
     def _tell(self, name: str, *, attended: bool, frozen: bool) -> None:
@@ -147,10 +147,10 @@ class Roster:
     def _note(self, name: str, what: str, text: str = "") -> None:
         self.events.append(Event(self._wall(), name, what, text))
 
-    def _row(self, name: str) -> Row:
-        return self._rows.get(name) or Row(name)
+    def _row(self, name: str) -> PupilRow:
+        return self._rows.get(name) or PupilRow(name)
 
-    def _put(self, row: Row) -> None:
+    def _put(self, row: PupilRow) -> None:
         if row.name not in self._rows and len(self._rows) >= MOST_PUPILS:
             return
         self._rows[row.name] = row
@@ -163,11 +163,11 @@ class Roster:
         """The time on the roster's clock."""
         return self._clock()
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[PupilRow]:
         """Return the class: raised hands first, the longest first, then who is stuck, then by name; who is gone comes last."""
         now = self._clock()
 
-        def place(row: Row) -> tuple[object, ...]:
+        def place(row: PupilRow) -> tuple[object, ...]:
             if not row.is_here:
                 return (3 if row.has_come else 4, 0.0, row.name)
             if row.raised is not None:
@@ -176,7 +176,7 @@ class Roster:
 
         return sorted(self._rows.values(), key=place)
 
-    def row(self, name: str) -> Row | None:
+    def row(self, name: str) -> PupilRow | None:
         """Return one pupil."""
         return self._rows.get(name)
 

@@ -32,7 +32,7 @@ COLUMNS = ("pupil", "lesson", "solved", "passed_over", "hints", "refused", "minu
 
 
 @dataclass(frozen=True)
-class Line:
+class ReportLine:
     """One pupil and one lesson (or all drills together). `last`: when a step was solved last, 0: never; `seconds`: in all."""
 
     pupil: str
@@ -47,9 +47,9 @@ class Line:
     last: float
 
 
-def lines_of(pupils: list[Progress], lessons: list[Lesson], faults: list[Lesson]) -> list[Line]:
+def lines_of(pupils: list[Progress], lessons: list[Lesson], faults: list[Lesson]) -> list[ReportLine]:
     """A line for every lesson that a pupil has begun, and one for the drills."""
-    found: list[Line] = []
+    found: list[ReportLine] = []
     drill_names = {drill.name for drill in faults}
     for progress in pupils:
         before = len(found)
@@ -80,8 +80,8 @@ def _both(key: str) -> dict[str, str]:
     return {each: Say(key).text(each) for each in LANGUAGES}
 
 
-def _line(pupil: str, lesson: str, title: dict[str, str], done: list[StepDone], steps: int) -> Line:
-    return Line(
+def _line(pupil: str, lesson: str, title: dict[str, str], done: list[StepDone], steps: int) -> ReportLine:
+    return ReportLine(
         pupil,
         lesson,
         title,
@@ -100,7 +100,7 @@ def heads(language: str) -> list[str]:
     return [Say(f"report.{column}").text(language) for column in COLUMNS]
 
 
-def cells(line: Line, language: str, *, short: bool = False) -> list[object]:
+def cells(line: ReportLine, language: str, *, short: bool = False) -> list[object]:
     """A line's cells; `short` for a terminal of 80 columns: lessons by their names."""
     title = line.lesson if short and line.lesson not in ("", DRILLS) else line.title[language]
     return [
@@ -119,7 +119,7 @@ def moment(seconds: float) -> str:
         return ""
 
 
-def page(found: list[Line], language: str, folder: Path, now: float) -> bytes:
+def page(found: list[ReportLine], language: str, folder: Path, now: float) -> bytes:
     """The HTML page."""
     title = Say("report.title").text(language)
     rows = []

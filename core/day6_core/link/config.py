@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.link.limits import MOST_BYTES, MOST_MACHINES
-from day6_core.link.paths import Place, password
+from day6_core.link.paths import MeetingPlace, password
 from day6_core.link.secret import USER
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ _OTHER_MACHINES = {
 """Settings of the sessions that other machines can reach."""
 
 
-def process_config(place: Place, zid: str) -> zenoh.Config:
+def process_config(place: MeetingPlace, zid: str) -> zenoh.Config:
     """Return the configuration of a process: a peer with its own socket that keeps trying to reach the meeting point."""
     return _config(
         place,
@@ -56,7 +56,7 @@ def process_config(place: Place, zid: str) -> zenoh.Config:
     )
 
 
-def command_config(place: Place, zid: str) -> zenoh.Config:
+def command_config(place: MeetingPlace, zid: str) -> zenoh.Config:
     """Return the configuration of a one-shot command: a client, whose opening fails if there is no meeting point."""
     return _config(
         place,
@@ -68,7 +68,7 @@ def command_config(place: Place, zid: str) -> zenoh.Config:
     )
 
 
-def meeting_config(place: Place) -> zenoh.Config:
+def meeting_config(place: MeetingPlace) -> zenoh.Config:
     """Return the configuration of the meeting point: a router through which the processes find each other."""
     return _config(place, mode='"router"', listen__endpoints=json.dumps([place.meeting_endpoint]))
 
@@ -92,7 +92,7 @@ def outer_config(listen: Sequence[str], connect: Sequence[str], secret: str | No
     return config
 
 
-def inner_config(place: Place) -> zenoh.Config:
+def inner_config(place: MeetingPlace) -> zenoh.Config:
     """Return the configuration of a `Bridge`'s inner session, connected to the processes of this machine."""
     return _config(
         place,
@@ -104,7 +104,7 @@ def inner_config(place: Place) -> zenoh.Config:
     )
 
 
-def _config(place: Place | None, **settings: str) -> zenoh.Config:
+def _config(place: MeetingPlace | None, **settings: str) -> zenoh.Config:
     import zenoh
 
     config: zenoh.Config = zenoh.Config()

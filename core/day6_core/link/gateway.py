@@ -22,7 +22,7 @@ from day6_core.link.config import inner_config, outer_config
 from day6_core.link.file_lock import FileLock
 from day6_core.link.limits import Refusals
 from day6_core.link.naming import Naming
-from day6_core.link.paths import Place
+from day6_core.link.paths import MeetingPlace
 from day6_core.link.secret import USER
 from day6_core.link.state import Door, DoorState, remove_doors, write_doors
 from day6_core.whole_file import PRIVATE, replace_file
@@ -49,7 +49,7 @@ class Gateway:
 
     def __init__(
         self,
-        place: Place,
+        place: MeetingPlace,
         domain_id: int,
         listen: Sequence[str],
         connect: Sequence[str],

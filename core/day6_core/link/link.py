@@ -36,9 +36,9 @@ from day6_core.link.pace import Pace
 from day6_core.link.passing import Passing
 from day6_core.link.paths import (
     LinkError,
+    MeetingPlace,
     Neighbour,
     Neighbourhood,
-    Place,
     close_inherited_sockets,
     meeting_place,
     neighbours,
@@ -101,7 +101,7 @@ class Link:
         self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
         self._neighbourhood: Neighbourhood | None = None
         self._last_retry = 0.0
-        self._place: Place | None = None
+        self._place: MeetingPlace | None = None
         self._meeting: MeetingPoint | None = None
         self._session: zenoh.Session | None = None
         self._gate: Gateway | None = None

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from day6_core.link.config import meeting_config
 from day6_core.link.file_lock import FileLock
 from day6_core.link.keys import presence_token
-from day6_core.link.paths import Place, remove_socket
+from day6_core.link.paths import MeetingPlace, remove_socket
 
 if TYPE_CHECKING:
     import zenoh
@@ -23,7 +23,7 @@ _kept: list[MeetingPoint] = []
 class MeetingPoint:
     """The meeting point of a domain, as far as this process holds it or may come to."""
 
-    def __init__(self, place: Place, domain_id: int) -> None:
+    def __init__(self, place: MeetingPlace, domain_id: int) -> None:
         self._place = place
         self._domain_id = domain_id
         self._lock = FileLock(place.meeting_lock)

@@ -38,7 +38,7 @@ class LinkError(OSError):
     """The processes of this machine cannot be reached; the message gives the reason."""
 
 
-class Place(NamedTuple):
+class MeetingPlace(NamedTuple):
     """The meeting place of one domain: its folder, and the endpoints Zenoh listens on and connects to there."""
 
     folder: Path
@@ -98,7 +98,7 @@ class Neighbour(NamedTuple):
     path: Path
 
 
-def meeting_place(domain_id: int) -> Place:
+def meeting_place(domain_id: int) -> MeetingPlace:
     """Return the place for a domain, with its folder created and checked.
 
     All processes of a user find the same one: the first that is in use, else the first that is safe.
@@ -107,11 +107,11 @@ def meeting_place(domain_id: int) -> Place:
         LinkError: no folder is safe.
     """
     tcp = sys.platform == "win32" or os.environ.get("DAY6_LINK") == "tcp"
-    found: list[Place] = []
+    found: list[MeetingPlace] = []
     refusals: list[str] = []
     for base in _base_folders():
         try:
-            found.append(Place(_domain_folder(base, domain_id, tcp), tcp, tuple(refusals)))
+            found.append(MeetingPlace(_domain_folder(base, domain_id, tcp), tcp, tuple(refusals)))
         except LinkError as error:
             refusals.append(str(error))
     if not found:
@@ -155,7 +155,7 @@ def base_folders() -> list[Path]:
     return found
 
 
-def neighbours(place: Place) -> Iterator[Neighbour]:
+def neighbours(place: MeetingPlace) -> Iterator[Neighbour]:
     """Yield the living processes that have a socket, including this one."""
     for neighbour in _sockets(place):
         if process_exists(neighbour.pid):
@@ -169,7 +169,7 @@ class Neighbourhood:
     clock, which is a coarse one. OSError where it is gone.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: MeetingPlace) -> None:
         self._place = place
         self._read_at = -1
         self._pids: dict[str, int] = {}
@@ -184,7 +184,7 @@ class Neighbourhood:
         return pid is not None and process_exists(pid)  # a killed one leaves its socket
 
 
-def remove_dead_sockets(place: Place) -> None:
+def remove_dead_sockets(place: MeetingPlace) -> None:
     """Remove the sockets and lock files that killed processes left behind."""
     for neighbour in _sockets(place):
         if not process_exists(neighbour.pid) and (place.tcp or _refuses(neighbour.path)):
@@ -209,7 +209,7 @@ def remove_if_deaf(neighbour: Neighbour) -> bool:
     return True
 
 
-def close_inherited_sockets(place: Place) -> None:
+def close_inherited_sockets(place: MeetingPlace) -> None:
     """In a forked child: close the copies of the link's sockets, or the others would not notice when the parent dies."""
     import socket
 
@@ -235,7 +235,7 @@ def _is_in(folder: bytes, address: Callable[[], object]) -> bool:
     return os.fsencode(name).startswith(folder) if isinstance(name, (str, bytes)) else False
 
 
-def password(place: Place) -> str:
+def password(place: MeetingPlace) -> str:
     """Return the password this user's processes present to each other on TCP; created on first use, mode 0600.
 
     Raises:
@@ -296,7 +296,7 @@ def _private_folder(folder: Path) -> None:
         raise LinkError(f"{folder}: {error.strerror or error}") from error
 
 
-def _sockets(place: Place) -> Iterator[Neighbour]:
+def _sockets(place: MeetingPlace) -> Iterator[Neighbour]:
     for name in os.listdir(place.folder):
         kind, _, rest = name.partition("-")
         zid, _, pid = rest.partition("-")

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
-from day6_core.link.paths import Place, process_exists
+from day6_core.link.paths import MeetingPlace, process_exists
 from day6_core.whole_file import PRIVATE, replace_file
 
 _PREFIX = "doors-"
@@ -72,7 +72,7 @@ class LinkState(NamedTuple):
     """The reasons why the processes of this user do not meet in the usual folder."""
 
 
-def write_doors(place: Place, doors: tuple[Door, ...]) -> None:
+def write_doors(place: MeetingPlace, doors: tuple[Door, ...]) -> None:
     """Publish this process's doors to the user's other processes.
 
     Raises:
@@ -82,13 +82,13 @@ def write_doors(place: Place, doors: tuple[Door, ...]) -> None:
     replace_file(_file(place), text.encode("utf-8"), mode=PRIVATE, sync=False, follow=False)
 
 
-def remove_doors(place: Place) -> None:
+def remove_doors(place: MeetingPlace) -> None:
     """Remove the file of `write_doors`."""
     with suppress(OSError):
         _file(place).unlink()
 
 
-def read_doors(place: Place) -> tuple[Door, ...]:
+def read_doors(place: MeetingPlace) -> tuple[Door, ...]:
     """Return the doors of all this user's processes in a domain; files of killed processes are removed."""
     found: list[Door] = []
     with suppress(OSError):
@@ -103,7 +103,7 @@ def read_doors(place: Place) -> tuple[Door, ...]:
     return tuple(found)
 
 
-def _file(place: Place) -> Path:
+def _file(place: MeetingPlace) -> Path:
     return place.folder / f"{_PREFIX}{os.getpid()}"
 
 

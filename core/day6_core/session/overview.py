@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from day6_core.session.display import Window
 
 
-class Line(Protocol):
+class RunLine(Protocol):
     """A line that was run in a terminal, or still runs: then `status` and `ended_ns` are None. Times are epoch nanoseconds."""
 
     number: int
@@ -36,7 +36,7 @@ class TerminalView(NamedTuple):
     cwd: Path
     variables: Mapping[str, str]
     """Those that programs started there get."""
-    lines: Sequence[Line]
+    lines: Sequence[RunLine]
     """What was run, oldest first."""
     running: Sequence[str]
     """The commands that have not ended."""

@@ -44,7 +44,7 @@ class Looks:
 
     def theme_menu(self, chosen: Callable[[str], object]) -> Modal:
         """The list of the themes; `chosen` is told when the user has decided."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         texts = self._look.texts
 
@@ -52,7 +52,7 @@ class Looks:
             self.wear(name)
             chosen(name)
 
-        entries = [Entry(texts(f"theme.{name}"), name, partial(take, name)) for name in NAMES]
+        entries = [MenuEntry(texts(f"theme.{name}"), name, partial(take, name)) for name in NAMES]
         return Menu(self._look, "theme.title", entries, chosen=NAMES.index(self._look.colours.name))
 
     def wear(self, name: str) -> None:

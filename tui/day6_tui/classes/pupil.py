@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
-from day6_core.classroom.note import LessonPlace, Note, Picture, Trouble
+from day6_core.classroom.note import LessonPlace, Note, PupilScreen, Trouble
 from day6_core.classroom.roster import FROZEN_SECONDS
 from day6_core.session.harmless import one_line
 from day6_tui.actions import Handlers
@@ -74,7 +74,7 @@ class Classroom:
         self._refused_at = 0.0
         self._watched_until = 0.0
         self._frozen_until = 0.0
-        self._picture: Picture | None = None
+        self._picture: PupilScreen | None = None
         self._told: Note | None = None
         self._looked: tuple[object, Trouble | None] = (None, None)
         """What was run last when a card was looked for, and how much it had printed; and the card."""
@@ -362,7 +362,7 @@ class Classroom:
             self._looked = (looked, _card_of(last.output, LAST_LINES if last.status is None else None))
         return self._looked[1]
 
-    def _screen(self) -> Picture | None:
+    def _screen(self) -> PupilScreen | None:
         """The screen as it is now, the last one where nothing was drawn since."""
         app = self._app
         if app.detachment.away or not app.screen.size:
@@ -370,7 +370,7 @@ class Classroom:
         if self.has_drawn or self._picture is None:
             self.has_drawn = False
             ansi = "\n".join(strip.render(app.console) for strip in strips_of(app))
-            self._picture = Picture(app.size.width, app.size.height, ansi)
+            self._picture = PupilScreen(app.size.width, app.size.height, ansi)
         return self._picture
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from day6_core.link.paths import LinkError
 from day6_core.session.harmless import one_line
 from day6_tui.detached import wire
-from day6_tui.detached.wire import Line
+from day6_tui.detached.wire import Connection
 from day6_tui.locale import Texts
 
 
@@ -41,7 +41,7 @@ def attach(words: list[str]) -> int:
             return _refuse(one_line(str(error)), 1)
         if connection is None:
             return _refuse(texts("detached.none", command=_command(options.home, "--detach")), 1)
-        status = view.show(Line(connection), texts, _command(options.home, "attach"))
+        status = view.show(Connection(connection), texts, _command(options.home, "attach"))
         if status is not None:
             return status
 
@@ -80,8 +80,8 @@ def start(words: list[str], home: Path | None, texts: Texts) -> int:
     theirs.close()
     held.close()
     if not _has_terminal():
-        return _wait_until_it_runs(Line(ours), view.hello(None), texts, home)
-    status = view.show(Line(ours), texts, _command(home, "attach"))
+        return _wait_until_it_runs(Connection(ours), view.hello(None), texts, home)
+    status = view.show(Connection(ours), texts, _command(home, "attach"))
     return attach(["--home", str(true_home), "--lang", texts.language]) if status is None else status
 
 
@@ -99,7 +99,7 @@ def _command(home: Path | None, word: str) -> str:
     return one_line(shlex.join(["day6-tui", word, *([] if home is None else ["--home", str(home)])]))
 
 
-def _wait_until_it_runs(line: Line, hello: bytes, texts: Texts, home: Path | None) -> int:
+def _wait_until_it_runs(line: Connection, hello: bytes, texts: Texts, home: Path | None) -> int:
     line.send(wire.HELLO, hello)
     output = b""
     while not line.closed:

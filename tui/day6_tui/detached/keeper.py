@@ -18,7 +18,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.detached import meeting, wire
-from day6_tui.detached.wire import Line
+from day6_tui.detached.wire import Connection
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # Windows has none of this
 
@@ -62,20 +62,20 @@ Hello = dict[str, Any]
 class Keeper:
     """The desktop, its terminal, and who looks at it."""
 
-    def __init__(self, held: meeting.Held, first: Line, home: str, folder: str, words: list[str]) -> None:
+    def __init__(self, held: meeting.Held, first: Connection, home: str, folder: str, words: list[str]) -> None:
         self._held = held
         self._path: str = held.listener.getsockname()
         self._home, self._folder, self._words = home, folder, words
         self._arrived = [first]
         """Clients that have not said hello."""
-        self._client: Line | None = None
+        self._client: Connection | None = None
         self._hello: Hello = {}
         """How the terminal of the client is."""
-        self._next: tuple[Line, Hello] | None = None
+        self._next: tuple[Connection, Hello] | None = None
         """The client that gets the desktop as soon as the present one has been left."""
-        self._parting: list[tuple[Line, float]] = []
+        self._parting: list[tuple[Connection, float]] = []
         """Clients that only have to take what was sent, and until when."""
-        self._observers: list[Line] = []
+        self._observers: list[Connection] = []
         """Who hears the desktop's notes."""
         self._note = b""
         """The last one."""
@@ -97,7 +97,7 @@ class Keeper:
         """The desktop, 0 before it was started."""
         self._master = -1
         """Its terminal, -1 when it is closed."""
-        self._desktop: Line
+        self._desktop: Connection
 
     def run(self) -> None:
         """Serve until the desktop has ended."""
@@ -228,7 +228,7 @@ class Keeper:
         os.close(writing)
         theirs.close()
         os.set_blocking(self._master, False)
-        self._desktop = Line(ours)
+        self._desktop = Connection(ours)
         self._is_here = self._reads_keys = True
 
     def _ended(self) -> int | None:
@@ -331,9 +331,9 @@ class Keeper:
                 return
             # Little waits in the system: otherwise keys would be answered late over a slow line.
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNSENT)
-            self._arrived.append(Line(connection))
+            self._arrived.append(Connection(connection))
 
-    def _hear(self, line: Line, kind: bytes, data: bytes) -> None:
+    def _hear(self, line: Connection, kind: bytes, data: bytes) -> None:
         if line in self._arrived and kind == wire.WATCH:
             self._arrived.remove(line)
             self._observe(line)
@@ -359,7 +359,7 @@ class Keeper:
         elif kind == wire.INPUT and line is self._client:
             self._typed += data
 
-    def _greet(self, line: Line, hello: Hello) -> None:
+    def _greet(self, line: Connection, hello: Hello) -> None:
         if not self._pid:
             self._client, self._hello = line, hello
             self._took_at = time.monotonic()
@@ -377,7 +377,7 @@ class Keeper:
         else:
             self._left()
 
-    def _observe(self, line: Line) -> None:
+    def _observe(self, line: Connection) -> None:
         """Let one more hear what the desktop says of itself."""
         if len(self._observers) >= MOST_OBSERVERS:
             line.close()
@@ -387,7 +387,7 @@ class Keeper:
             self._tell_observer(line)
         self._count_observers()
 
-    def _tell_observer(self, line: Line) -> None:
+    def _tell_observer(self, line: Connection) -> None:
         if line.unsent > MOST_NOTES:
             line.closed = True
         else:
@@ -397,13 +397,13 @@ class Keeper:
         if self._has_begun:
             self._desktop.send(wire.OBSERVERS, str(len(self._observers)).encode())
 
-    def _part(self, line: Line) -> None:
+    def _part(self, line: Connection) -> None:
         """Let a client go as soon as it has taken what was sent."""
         if line is self._client:
             self._client, self._is_stuck = None, False
         self._parting.append((line, time.monotonic() + LAST_SECONDS))
 
-    def _unsent_parting(self) -> list[Line]:
+    def _unsent_parting(self) -> list[Connection]:
         return [line for line, _ in self._parting if line.unsent and not line.closed]
 
     def _serve_parting(self, writable: list[Any]) -> None:
@@ -466,7 +466,7 @@ def main() -> None:
     for descriptor in (listener, lock, first):
         os.set_inheritable(descriptor, False)
     held.listener.setblocking(False)
-    Keeper(held, Line(socket.socket(fileno=first)), sys.argv[4], sys.argv[5], sys.argv[6:]).run()
+    Keeper(held, Connection(socket.socket(fileno=first)), sys.argv[4], sys.argv[5], sys.argv[6:]).run()
 
 
 if __name__ == "__main__":

@@ -6,10 +6,10 @@ import asyncio
 import socket
 from collections.abc import Callable
 
-from day6_tui.detached.wire import Line
+from day6_tui.detached.wire import Connection
 
 
-class LoopLine(Line):
+class LoopLine(Connection):
     """Use it in the event loop only."""
 
     def __init__(self, connection: socket.socket) -> None:

@@ -18,7 +18,7 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 from day6_tui.detached import wire
-from day6_tui.detached.wire import Line
+from day6_tui.detached.wire import Connection
 from day6_tui.locale import Texts
 from day6_tui.screen.modes import GIVE_BACK
 
@@ -59,7 +59,7 @@ def hello(size: list[int] | None) -> bytes:
     return json.dumps({"size": size, "environ": environ}).encode()
 
 
-def show(line: Line, texts: Texts, back: str) -> int | None:
+def show(line: Connection, texts: Texts, back: str) -> int | None:
     """Let the desktop have this terminal until one of them leaves; `back` is the command that comes back.
 
     Returns the exit status, or None when this process goes on after it was stopped: then it has to attach again.
@@ -92,7 +92,7 @@ def show(line: Line, texts: Texts, back: str) -> int | None:
 class _View:
     """This terminal, while the desktop has it."""
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: Connection) -> None:
         import termios
 
         self._line = line

@@ -59,7 +59,7 @@ def message(kind: bytes, data: bytes = b"") -> bytes:
     return _HEAD.pack(kind, len(data)) + data
 
 
-class Line:
+class Connection:
     """One end of a connection. A peer that is gone or talks nonsense makes it `closed`."""
 
     def __init__(self, connection: socket.socket) -> None:

@@ -59,7 +59,7 @@ class Guidance(Feature):
 
     def open_palette(self) -> None:
         """Offer every action of the desktop, searchable by its name in either language, and every program."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         texts, entries = self._look.texts, []
         for action in ACTIONS:
@@ -68,8 +68,9 @@ class Guidance(Feature):
                 key = f"action.{action.id}"
                 names = [catalogue(language)[key] for language in LANGUAGES]
                 choose = self._registry[action.id]
-                entries.append(Entry(texts(key), action.label, choose, also=names, words=texts("help." + key)))
+                entries.append(MenuEntry(texts(key), action.label, choose, also=names, words=texts("help." + key)))
         entries += [
-            Entry(name, texts("menu.program"), partial(self._terminals.run, command)) for name, command in programs()
+            MenuEntry(name, texts("menu.program"), partial(self._terminals.run, command))
+            for name, command in programs()
         ]
         self._desktop.open_overlay(Menu(self._look, "menu.palette", entries))

@@ -46,7 +46,7 @@ class Left(NamedTuple):
     """What ran in it: commands in the background first, each with its `&`."""
 
 
-class Session(Feature):
+class SavedDesktop(Feature):
     """Saves the desktop when it is left, and brings it back."""
 
     def __init__(self, parts: Parts, arranging: Arranging) -> None:

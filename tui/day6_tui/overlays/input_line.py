@@ -14,7 +14,7 @@ from day6_tui.textual_private.access import run_binding
 from day6_tui.textual_private.survival import Surviving
 
 
-class Line(Surviving, Input):
+class InputLine(Surviving, Input):
     """An Input whose keys take effect in the order in which they were typed, however many wait.
 
     Textual lets the bindings of a key run after it has travelled from the Input up to the application, while letters are taken

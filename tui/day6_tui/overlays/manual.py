@@ -12,7 +12,7 @@ from textual.binding import Binding
 from day6_core.language import LANGUAGES
 from day6_tui.appearance.look import Look
 from day6_tui.locale import catalogue
-from day6_tui.overlays.menu import Entry, SearchedList
+from day6_tui.overlays.menu import MenuEntry, SearchedList
 from day6_tui.overlays.modal import plain
 from day6_tui.panes.cells import fit, wrap
 from day6_tui.panes.pane import Pane
@@ -82,7 +82,9 @@ class Manual(SearchedList):
         texts = look.texts
         self._pages = pages()
         entries = [
-            Entry(texts(key), "", lambda: None, also=[catalogue(language)[key] for language in LANGUAGES], words=words)
+            MenuEntry(
+                texts(key), "", lambda: None, also=[catalogue(language)[key] for language in LANGUAGES], words=words
+            )
             for key, words in ((f"manual.{page}", texts(f"help.{page}")) for page in self._pages)
         ]
         super().__init__(look, texts("help.title"), texts("help.keys"), entries)
@@ -146,7 +148,7 @@ class Manual(SearchedList):
         super().on_mount()
         self._name_page()
 
-    def _show(self, entries: list[Entry], chosen: int) -> None:
+    def _show(self, entries: list[MenuEntry], chosen: int) -> None:
         self.set_class(bool(self._typed), "-searching")
         super()._show(entries, chosen if self._typed else self._open)
 

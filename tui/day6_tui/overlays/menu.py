@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from textual.widgets import OptionList
 
 
-class Entry(NamedTuple):
+class MenuEntry(NamedTuple):
     """One line: its name, the note to the right of it, what choosing and deleting it do."""
 
     name: str
@@ -41,7 +41,7 @@ MOST_WAYS = 10_000
 """FuzzySearch looks at every way in which letters can stand in a name; that of a topic may be anybody's."""
 
 
-def ranked(entries: Sequence[Entry], typed: str) -> list[Entry]:
+def ranked(entries: Sequence[MenuEntry], typed: str) -> list[MenuEntry]:
     """The entries that what was typed may mean, the likeliest first: those whose name begins so, those with such a word in
     their name, in the note, in the explanation, and last those in whose name the letters occur in this order."""
     words = typed.lower().split()
@@ -59,7 +59,7 @@ def _is_quick(letters: str, name: str) -> bool:
     return letters in name or math.prod(name.count(letter) for letter in letters) <= MOST_WAYS
 
 
-def _rank(entry: Entry, typed: Sequence[str], search: FuzzySearch) -> tuple[int, float] | None:
+def _rank(entry: MenuEntry, typed: Sequence[str], search: FuzzySearch) -> tuple[int, float] | None:
     """How well an entry fits the words that were typed, the lowest best; None if it does not."""
     names = [name.lower() for name in (entry.name, *entry.also)]
     notes = f"{' '.join(names)} {entry.note.lower()}"
@@ -76,10 +76,10 @@ def _rank(entry: Entry, typed: Sequence[str], search: FuzzySearch) -> tuple[int,
     return (fits.index(True), -score) if any(fits) else None
 
 
-class Row(Visual):
+class MenuRow(Visual):
     """An entry as Textual draws it in a list: the name at the left, the note at the right end."""
 
-    def __init__(self, entry: Entry, look: Look, options: OptionList, index: int) -> None:
+    def __init__(self, entry: MenuEntry, look: Look, options: OptionList, index: int) -> None:
         self._entry = entry
         self._look = look
         self._options = options
@@ -111,7 +111,7 @@ class Row(Visual):
 class SearchedList(Modal):
     """A line to type in, and a list of `entries` that it narrows; a subclass lays them out."""
 
-    def __init__(self, look: Look, title: str, keys: str, entries: Sequence[Entry]) -> None:
+    def __init__(self, look: Look, title: str, keys: str, entries: Sequence[MenuEntry]) -> None:
         super().__init__(look, title, keys)
         self._entries = list(entries)
         self._matches = self._entries
@@ -121,9 +121,9 @@ class SearchedList(Modal):
         """Make the line and the list, which gets no keys itself."""
         from textual.widgets import OptionList
 
-        from day6_tui.overlays.input_line import Line
+        from day6_tui.overlays.input_line import InputLine
 
-        self._line = Line(self.look, placeholder=placeholder)
+        self._line = InputLine(self.look, placeholder=placeholder)
         self._list = OptionList(compact=True, markup=False, id=id)
         self._list.can_focus = False
 
@@ -131,16 +131,16 @@ class SearchedList(Modal):
     def keyboard(self) -> Widget:
         return self._line
 
-    def matches(self) -> list[Entry]:
+    def matches(self) -> list[MenuEntry]:
         """The entries that are shown, the likeliest first."""
         if self._line.value != self._typed:  # keys may be quicker than Textual's news of them
             self._typed = self._line.value
             self._show(ranked(self._entries, self._typed), 0)
         return self._matches
 
-    def _show(self, entries: list[Entry], chosen: int) -> None:
+    def _show(self, entries: list[MenuEntry], chosen: int) -> None:
         self._matches = list(entries)
-        self._list.set_options([Row(entry, self.look, self._list, at) for at, entry in enumerate(entries)])
+        self._list.set_options([MenuRow(entry, self.look, self._list, at) for at, entry in enumerate(entries)])
         self._list.highlighted = min(chosen, len(entries) - 1) if entries else None
 
     def on_input_changed(self) -> None:
@@ -163,7 +163,7 @@ class Menu(SearchedList):
     ]
 
     def __init__(
-        self, look: Look, title: str, entries: Sequence[Entry], *, chosen: int = 0, keys: str = "menu.keys.close"
+        self, look: Look, title: str, entries: Sequence[MenuEntry], *, chosen: int = 0, keys: str = "menu.keys.close"
     ) -> None:
         """`keys`: what is said of the keys where entries can be deleted."""
         deletable = any(entry.delete is not None for entry in entries)
@@ -183,7 +183,7 @@ class Menu(SearchedList):
     def on_resize(self) -> None:
         self._list.styles.height = max(1, min(len(self._entries), self.size.height - 5))
 
-    def _show(self, entries: list[Entry], chosen: int) -> None:
+    def _show(self, entries: list[MenuEntry], chosen: int) -> None:
         super()._show(entries, chosen)
         self._list.display, self._nothing.display = bool(entries), not entries
 

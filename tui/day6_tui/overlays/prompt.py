@@ -42,9 +42,9 @@ class Prompt(Modal):
     def inside(self) -> ComposeResult:
         from textual.widgets import Static
 
-        from day6_tui.overlays.input_line import Line
+        from day6_tui.overlays.input_line import InputLine
 
-        self._line = Line(self.look, self._value)
+        self._line = InputLine(self.look, self._value)
         yield self._line
         self._note = Static(plain(self._note_text), classes="note")
         yield self._note

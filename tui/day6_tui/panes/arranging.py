@@ -194,14 +194,14 @@ class Arranging(Feature):
 
     def list_saved(self) -> None:
         """Offer the ready and the saved layouts."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         texts = self._look.texts
         ready = {"layout.lesson": self.tidy, "layout.four": self.four_terminals, "layout.presenter": self.presenter}
         ready["layout.speaker"] = self.speaker
-        entries = [Entry(texts(f"action.{name}"), "", choose) for name, choose in ready.items()]
+        entries = [MenuEntry(texts(f"action.{name}"), "", choose) for name, choose in ready.items()]
         for name, layout in (self._saved_or_told() or {}).items():
-            entries.append(Entry(name, texts("layout.own"), partial(self._load, layout)))
+            entries.append(MenuEntry(name, texts("layout.own"), partial(self._load, layout)))
         self._desktop.open_overlay(Menu(self._look, "menu.layouts", entries))
 
     def _load(self, layout: Description) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from textual import events
 
 from day6_tui.panes.pane import Pane
-from day6_tui.panes.splits import Border, Layout, Place
+from day6_tui.panes.splits import Border, Layout, PanePlace
 
 if TYPE_CHECKING:
     from day6_tui.panes.desktop import Desktop
@@ -101,7 +101,7 @@ def _is_on(border: Border, x: int, y: int) -> bool:
     return y == border.at - 1 and border.first <= x < border.end
 
 
-def _side(place: Place, x: int, y: int) -> str:
+def _side(place: PanePlace, x: int, y: int) -> str:
     across, down = (x - place.x + 0.5) / place.width, (y - place.y + 0.5) / place.height
     distances = {"left": across, "right": 1 - across, "above": down, "below": 1 - down}
     side = min(distances, key=lambda each: distances[each])

@@ -19,7 +19,7 @@ from day6_tui.panes.border_mouse import FrameMouse
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Pane, Piece
 from day6_tui.panes.placement import GUIDE, LESSON, TERMINAL, WIDE, PaneNeeds, put
-from day6_tui.panes.splits import Extent, Place, Tree
+from day6_tui.panes.splits import Extent, PanePlace, Tree
 from day6_tui.panes.tabs import Tab, tab_pieces
 from day6_tui.terminals.pane import TerminalPane
 from day6_tui.windows import BrokenPane, WindowPane, make_window
@@ -112,7 +112,7 @@ class Desktop(PaneHost):
         focused = self.focused_pane
         if self.enlarged and focused is not None and self.holds(focused):
             stack = self.split_tree.stack_of(focused.slot)
-            return splits.Layout({focused.slot: Place(0, 0, width, height)}, {focused.slot: list(stack.keys)})
+            return splits.Layout({focused.slot: PanePlace(0, 0, width, height)}, {focused.slot: list(stack.keys)})
         return self.split_tree.lay_out(width, height, lambda slot: self.needs(slot).good, self.recent)
 
     def plan_now(self) -> splits.Layout:

@@ -10,10 +10,10 @@ from textual.containers import Container
 from textual.screen import Screen
 
 from day6_tui.overlays.modal import Modal
-from day6_tui.panes.pane import Host, Pane
+from day6_tui.panes.pane import Pane, PaneStacks
 
 
-class PaneHost(Container, Host):
+class PaneHost(Container, PaneStacks):
     """Its panes lose the keyboard while a modal screen is open, at most one, and get it back."""
 
     def on_mount(self) -> None:

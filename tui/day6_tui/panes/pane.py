@@ -36,7 +36,7 @@ class Piece(NamedTuple):
     action: Action | None = None
 
 
-class Host:
+class PaneStacks:
     """What lays panes out: knows which of them share a place."""
 
     @abstractmethod
@@ -127,9 +127,9 @@ class Pane(Surviving, Widget, can_focus=True):
         return [*self.host.more(self), Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.close)]
 
     @property
-    def host(self) -> Host | None:
+    def host(self) -> PaneStacks | None:
         """What lays the panes out."""
-        return self.parent if isinstance(self.parent, Host) else None
+        return self.parent if isinstance(self.parent, PaneStacks) else None
 
     def status(self) -> list[Piece]:
         """The pieces on the lower edge, from the left."""

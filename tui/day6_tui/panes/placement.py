@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from day6_tui.panes.splits import Extent, Key, Layout, Place, Tree
+from day6_tui.panes.splits import Extent, Key, Layout, PanePlace, Tree
 
 
 class PaneNeeds(NamedTuple):
@@ -99,7 +99,7 @@ def _is_terminal(key: Key, needs: Callable[[Key], PaneNeeds]) -> bool:
     return needs(key) is TERMINAL
 
 
-def _can_be_used(place: Place, needed: PaneNeeds) -> bool:
+def _can_be_used(place: PanePlace, needed: PaneNeeds) -> bool:
     return place.width >= needed.least.columns and place.height >= needed.least.rows
 
 

@@ -20,7 +20,7 @@ LOWEST = 5
 SIDES = ("left", "right", "above", "below", "tab")
 
 
-class Place(NamedTuple):
+class PanePlace(NamedTuple):
     """A rectangle in cells."""
 
     x: int
@@ -81,7 +81,7 @@ class Border(NamedTuple):
 class Layout:
     """What a tree looks like at one size."""
 
-    places: dict[Key, Place] = field(default_factory=dict)
+    places: dict[Key, PanePlace] = field(default_factory=dict)
     """Of the panes that are seen."""
     stacks: dict[Key, list[Key]] = field(default_factory=dict)
     """For each pane that is seen, all panes of its place, itself included."""
@@ -272,11 +272,11 @@ class Tree:
         """The places at a size. `recent` are the panes used last, the last one first: they stay in sight where others fold."""
         found = Layout()
         if self.root is not None:
-            _lay(self.root, Place(0, 0, max(1, width), max(1, height)), wish, recent, found)
+            _lay(self.root, PanePlace(0, 0, max(1, width), max(1, height)), wish, recent, found)
         return found
 
 
-def _lay(node: Node, place: Place, wish: Wish, recent: Sequence[Key], found: Layout) -> None:
+def _lay(node: Node, place: PanePlace, wish: Wish, recent: Sequence[Key], found: Layout) -> None:
     if isinstance(node, Stack):
         found.places[node.front] = place
         found.stacks[node.front] = list(node.keys)
@@ -291,7 +291,7 @@ def _lay(node: Node, place: Place, wish: Wish, recent: Sequence[Key], found: Lay
     begin = at
     whole = len(parts) == len(node.parts)
     for index, size in enumerate(_lengths(node if whole else Split(node.across, parts), length, wish)):
-        there = Place(at, place.y, size, place.height) if node.across else Place(place.x, at, place.width, size)
+        there = PanePlace(at, place.y, size, place.height) if node.across else PanePlace(place.x, at, place.width, size)
         _lay(parts[index], there, wish, recent, found)
         at += size
         if whole and index + 1 < len(parts):

@@ -15,7 +15,7 @@ from day6_tui.terminals.teleop_keys import keys_of
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
-    from day6_tui.overlays.menu import Entry
+    from day6_tui.overlays.menu import MenuEntry
 
 STEP = Extent(4, 2)
 """Columns and rows a border moves at a key press."""
@@ -150,17 +150,17 @@ class Switching(Feature):
 
     def list_all(self) -> None:
         """Offer all windows and terminals, to go to or to close."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         texts = self._look.texts
-        windows: list[Entry] = []
-        terminals: list[Entry] = []
+        windows: list[MenuEntry] = []
+        terminals: list[MenuEntry] = []
         for slot, pane in sorted(self._desktop.slots.items()):
             if pane is self._desktop.welcome:
                 continue
             kind, found = ("menu.terminal", terminals) if isinstance(pane, TerminalPane) else ("menu.window", windows)
             found.append(
-                Entry(f"{slot} {pane.label}", texts(kind), partial(self._desktop.focus_pane, pane), pane.close)
+                MenuEntry(f"{slot} {pane.label}", texts(kind), partial(self._desktop.focus_pane, pane), pane.close)
             )
         self._desktop.open_overlay(Menu(self._look, "menu.windows", [*windows, *terminals]))
 

@@ -13,7 +13,7 @@ from rich.style import Style
 from day6_tui.appearance.colours import pixel_style
 from day6_tui.panes.canvas import JOIN_GAP, PIXELS_PER_CELL, Span
 from day6_tui.render.label_places import LabelPlaces
-from day6_tui.render.picture import EMPTY, LINE, SURFACE, Array, Picture
+from day6_tui.render.picture import EMPTY, LINE, SURFACE, Array, RenderedPicture
 
 RAMP = ".:-=+*#%@"
 """From dark to bright, for surfaces without colour."""
@@ -125,7 +125,7 @@ def _cut_after(segments: list[Segment], start: int) -> list[Segment]:
 
 
 def cells_of(
-    picture: Picture, mode: str, step: int = 4, *, colourless: bool = False, places: LabelPlaces | None = None
+    picture: RenderedPicture, mode: str, step: int = 4, *, colourless: bool = False, places: LabelPlaces | None = None
 ) -> Cells:
     """Convert a picture with `PIXELS_PER_CELL[mode]` pixels per cell to cells; `places` remembers where texts stood."""
     across, down = PIXELS_PER_CELL[mode]
@@ -162,13 +162,13 @@ def _brightness(colour: int) -> float:
 Parts = tuple[Array, Array, Array]
 
 
-def _half(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+def _half(picture: RenderedPicture, rgb: Array, columns: int, rows: int) -> Parts:
     top, bottom = rgb[0 : 2 * rows : 2], rgb[1 : 2 * rows : 2]
     same = top == bottom
     return np.where(same, ord(" "), ord("▀")), np.where(same, PLAIN, top), bottom
 
 
-def _cell(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+def _cell(picture: RenderedPicture, rgb: Array, columns: int, rows: int) -> Parts:
     return np.full(rgb.shape, ord(" ")), np.full(rgb.shape, PLAIN), rgb
 
 
@@ -184,7 +184,7 @@ def _braille_chars(dots: Array) -> Array:
     return chars
 
 
-def _braille(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+def _braille(picture: RenderedPicture, rgb: Array, columns: int, rows: int) -> Parts:
     lit = _dots_of(picture.kind, columns, rows) != EMPTY
     colours = _dots_of(rgb, columns, rows)
     red, green, blue = picture.background
@@ -209,7 +209,7 @@ def _brighter(colours: Array) -> Array:
     return result
 
 
-def _ascii(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+def _ascii(picture: RenderedPicture, rgb: Array, columns: int, rows: int) -> Parts:
     chars, drawn = _characters(picture)
     red, green, blue = picture.background
     back = np.full(rgb.shape, red << 16 | green << 8 | blue)
@@ -220,7 +220,7 @@ def _ascii(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
     return chars, np.where(drawn, colours, PLAIN), back
 
 
-def _characters(picture: Picture) -> tuple[Array, Array]:
+def _characters(picture: RenderedPicture) -> tuple[Array, Array]:
     """A character for every pixel, and whether anything is there."""
     # A bright thing in the shade is as bright as a dark one in the light, as for the eye.
     tone = picture.shade * (0.45 + 0.55 * picture.colour.max(axis=2))
@@ -232,7 +232,7 @@ def _characters(picture: Picture) -> tuple[Array, Array]:
     return chars, picture.kind != EMPTY
 
 
-def _plain(picture: Picture, mode: str, columns: int, rows: int) -> Parts:
+def _plain(picture: RenderedPicture, mode: str, columns: int, rows: int) -> Parts:
     none = np.full((rows, columns), PLAIN)
     if mode == "braille":
         return _braille_chars(_dots_of(picture.kind, columns, rows) != EMPTY), none, none

@@ -6,7 +6,7 @@ import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Lines
 from day6_tui.render.lines import BIAS, direction, ends_of, numbered, on_screen
-from day6_tui.render.picture import EMPTY, Array, Picture
+from day6_tui.render.picture import EMPTY, Array, RenderedPicture
 
 TOO_CLOSE, FAR_ENOUGH = 4.0, 8.0
 """Pixels between neighbours: at the first a line is gone, at the second it is there in full."""
@@ -18,7 +18,7 @@ SHADES = 4
 """Degrees in which a pixel may be covered: few, so that a picture has few colours."""
 
 
-def paint_lattice(picture: Picture, lines: Lines) -> None:
+def paint_lattice(picture: RenderedPicture, lines: Lines) -> None:
     """Paint a grid; every line covers the two pixels beside it in shares, so that slanted lines are smooth."""
     seen = picture.seen(ends_of(lines).reshape(-1, 3)).reshape(-1, 2, 3)
     found = on_screen(picture, seen) if np.isfinite(seen).all() else None
@@ -54,7 +54,7 @@ def paint_lattice(picture: Picture, lines: Lines) -> None:
 
 
 def _strength(
-    picture: Picture, seen: Array, number: Array, place: tuple[Array, Array, Array], way: tuple[Array, Array]
+    picture: RenderedPicture, seen: Array, number: Array, place: tuple[Array, Array, Array], way: tuple[Array, Array]
 ) -> Array:
     """How much of a line is left at its samples: by the distance to its neighbour there, in pixels."""
     x, y, z = place
@@ -74,7 +74,7 @@ def _strength(
     return strength
 
 
-def _put(picture: Picture, lines: Lines, place: Array, cover: Array, z: Array, kinds: Array) -> None:
+def _put(picture: RenderedPicture, lines: Lines, place: Array, cover: Array, z: Array, kinds: Array) -> None:
     """Put samples that nothing hides into the picture; `place` is -1 for one outside, the kind EMPTY beside the line."""
     buffer = picture.depth.reshape(-1)
     kept = (place >= 0) & (cover > 0) & (z > picture.near)

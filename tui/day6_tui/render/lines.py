@@ -10,7 +10,7 @@ import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Lines, Points
 from day6_core.ros.programs.rviz2.model.turning import matrix
-from day6_tui.render.picture import LINE, SURFACE, Array, Picture
+from day6_tui.render.picture import LINE, SURFACE, Array, RenderedPicture
 
 BIAS = 0.004
 """Lines on a surface are drawn over it: their depth counts as nearer by this fraction of itself."""
@@ -54,7 +54,7 @@ class Segments:
         self._ends.append(ends)
         self._colours.append(pairs)
 
-    def paint(self, picture: Picture) -> None:
+    def paint(self, picture: RenderedPicture) -> None:
         """Put them all into the picture."""
         if not self._ends:
             return
@@ -75,7 +75,7 @@ class OnScreen:
     number: Array
     """Which of the segments that were given these are."""
 
-    def depth(self, picture: Picture, which: Array, t: Array) -> Array:
+    def depth(self, picture: RenderedPicture, which: Array, t: Array) -> Array:
         """The depths of places `t` of the segments `which`."""
         z0, z1 = self.z[0][which], self.z[1][which]
         # Along a projected line 1/z is linear.
@@ -83,7 +83,7 @@ class OnScreen:
         return depth
 
 
-def on_screen(picture: Picture, seen: Array) -> OnScreen | None:
+def on_screen(picture: RenderedPicture, seen: Array) -> OnScreen | None:
     """Project segments (N x 2 x 3 in the camera's axes); None if nothing of them is in the picture."""
     near = picture.near
     depth = seen[..., 2]
@@ -108,7 +108,7 @@ def on_screen(picture: Picture, seen: Array) -> OnScreen | None:
     return OnScreen((x0, x1), (y0, y1), (begin[keep, 2], end[keep, 2]), low, high, number)
 
 
-def _paint(picture: Picture, seen: Array, colours: Array) -> None:
+def _paint(picture: RenderedPicture, seen: Array, colours: Array) -> None:
     found = on_screen(picture, seen)
     if found is None:
         return
@@ -139,7 +139,7 @@ def numbered(counts: Array) -> tuple[Array, Array]:
     return which, np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
-def _on_screen(picture: Picture, x0: Array, y0: Array, x1: Array, y1: Array) -> tuple[Array, Array]:
+def _on_screen(picture: RenderedPicture, x0: Array, y0: Array, x1: Array, y1: Array) -> tuple[Array, Array]:
     """The parts of segments inside the picture, as numbers from 0 to 1 (Liang and Barsky)."""
     low, high = np.zeros(len(x0)), np.ones(len(x0))
     for a, b, size in ((x0, x1, picture.width), (y0, y1, picture.height)):
@@ -162,7 +162,7 @@ def direction(dx: Array, dy: Array) -> Array:
     return result
 
 
-def _write(picture: Picture, flat: Array, z: Array, colour: Array, kind: Any, bias: float) -> None:
+def _write(picture: RenderedPicture, flat: Array, z: Array, colour: Array, kind: Any, bias: float) -> None:
     """Put samples that are in front into the picture, the nearest of every pixel last."""
     buffer = picture.depth.reshape(-1)
     seen = (z * (1 - bias) <= buffer[flat]) & (z > picture.near)
@@ -180,7 +180,7 @@ def _write(picture: Picture, flat: Array, z: Array, colour: Array, kind: Any, bi
     picture.put(flat[chosen], z[chosen] * (1 - bias), tints[:, :3], tints[:, 3], kinds, tints[:, :3].max(axis=1))
 
 
-def paint_points(picture: Picture, points: Points) -> None:
+def paint_points(picture: RenderedPicture, points: Points) -> None:
     """Points as squares, as large as they are at their distance."""
     xyz = np.asarray(points.xyz, np.float64).reshape(-1, 3)
     if not len(xyz):

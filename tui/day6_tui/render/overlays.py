@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Overlay, Scene, Sight
-from day6_tui.render.picture import EMPTY, SURFACE, Array, Picture
+from day6_tui.render.picture import EMPTY, SURFACE, Array, RenderedPicture
 
 SHARE = 0.45
 """Of the view's width and height that one picture may take."""
@@ -15,17 +15,17 @@ NEAREST = 1e-3
 LABEL = (230, 230, 230)
 
 
-PaintScene = Callable[[Picture, Scene], None]
+PaintScene = Callable[[RenderedPicture, Scene], None]
 
 
-def paint_overlays(picture: Picture, scene: Scene, paint: PaintScene) -> None:
+def paint_overlays(picture: RenderedPicture, scene: Scene, paint: PaintScene) -> None:
     """Put the scene's overlays on a picture, above everything that has been painted; `paint` paints what a camera sees."""
     bottom = picture.height
     for overlay in scene.overlays:
         bottom = _paint(picture, overlay, bottom, paint)
 
 
-def _paint(picture: Picture, overlay: Overlay, bottom: int, paint: PaintScene) -> int:
+def _paint(picture: RenderedPicture, overlay: Overlay, bottom: int, paint: PaintScene) -> int:
     """Paint one with its lower edge at `bottom`; returns where the next one ends."""
     rows, columns = overlay.pixels.shape[:2]
     # In pixels of the view, which are not square everywhere.
@@ -53,7 +53,7 @@ def _paint(picture: Picture, overlay: Overlay, bottom: int, paint: PaintScene) -
 
 def _seen(overlay: Overlay, sight: Sight, across: int, down: int, paint: PaintScene) -> Array:
     """The picture of a camera with the scene in it, rows x columns x 3 (0..1)."""
-    inner = Picture(across, down, 1.0, sight.camera, sight.scene.background)
+    inner = RenderedPicture(across, down, 1.0, sight.camera, sight.scene.background)
     inner.across, inner.down = sight.focal[0] * across, sight.focal[1] * down
     inner.offset = sight.middle[0] * across, sight.middle[1] * down
     photo, covered = _zoomed(overlay.pixels, across, down, sight.zoom)

@@ -12,7 +12,7 @@ from day6_core.ros.programs.rviz2.model.views import Camera
 from day6_tui.render.lattice import paint_lattice
 from day6_tui.render.lines import Segments, paint_points
 from day6_tui.render.overlays import paint_overlays
-from day6_tui.render.picture import SURFACE, Array, Picture
+from day6_tui.render.picture import SURFACE, Array, RenderedPicture
 from day6_tui.render.solids import paint_solids
 from day6_tui.render.triangles import paint_triangles
 
@@ -37,16 +37,18 @@ def paint(
     aspect: float,
     quality: Quality,
     offset: tuple[float, float] = (0.0, 0.0),
-) -> Picture:
+) -> RenderedPicture:
     """Paint a scene; `aspect` is the width of a pixel by its height, `offset` moves everything by parts of a pixel."""
     coarse = quality.coarse
-    picture = Picture(max(1, width // coarse), max(1, height // coarse), aspect, camera, scene.background, offset)
+    picture = RenderedPicture(
+        max(1, width // coarse), max(1, height // coarse), aspect, camera, scene.background, offset
+    )
     _paint_parts(picture, scene, quality.levels)
     paint_overlays(picture, scene, lambda inner, seen: _paint_parts(inner, seen, quality.levels))
     return picture if coarse == 1 else _enlarged(picture, width, height)
 
 
-def _paint_parts(picture: Picture, scene: Scene, levels: int) -> None:
+def _paint_parts(picture: RenderedPicture, scene: Scene, levels: int) -> None:
     """Everything of a scene but what lies on the picture."""
     for image in scene.images:
         if image.behind:
@@ -72,7 +74,7 @@ def _paint_parts(picture: Picture, scene: Scene, levels: int) -> None:
     _place_labels(picture, scene)
 
 
-def _enlarged(picture: Picture, width: int, height: int) -> Picture:
+def _enlarged(picture: RenderedPicture, width: int, height: int) -> RenderedPicture:
     """Every pixel becomes a block."""
     rows = np.minimum(np.arange(height) * picture.height // max(1, height), picture.height - 1)
     columns = np.minimum(np.arange(width) * picture.width // max(1, width), picture.width - 1)
@@ -84,7 +86,7 @@ def _enlarged(picture: Picture, width: int, height: int) -> Picture:
     return picture
 
 
-def _place_labels(picture: Picture, scene: Scene) -> None:
+def _place_labels(picture: RenderedPicture, scene: Scene) -> None:
     if not scene.labels:
         return
     seen = picture.seen(np.array([label.position for label in scene.labels], np.float64))
@@ -95,7 +97,7 @@ def _place_labels(picture: Picture, scene: Scene) -> None:
             picture.labels.append((float(column), float(row), label.text, (red, green, blue)))
 
 
-def _paint_image(picture: Picture, image: Image) -> None:
+def _paint_image(picture: RenderedPicture, image: Image) -> None:
     """A map: every pixel's ray meets the plane of the image somewhere."""
     pixels: Array = np.asarray(image.pixels)
     rows, columns = pixels.shape[:2]

@@ -14,7 +14,7 @@ from day6_core.ros.programs.rviz2.model.scene import Mark, Scene
 from day6_core.ros.programs.rviz2.model.tools.tool import Hit, Pointer
 from day6_core.ros.programs.rviz2.model.views import NOMINAL_HEIGHT, Camera
 from day6_tui.render.lines import Segments, paint_points
-from day6_tui.render.picture import FAR, Array, Picture
+from day6_tui.render.picture import FAR, Array, RenderedPicture
 from day6_tui.render.solids import paint_solids
 from day6_tui.render.triangles import paint_triangles
 
@@ -32,9 +32,9 @@ class Screen(NamedTuple):
     columns: int
     rows: int
 
-    def part(self, left: int, top: int, columns: int, rows: int) -> Picture:
+    def part(self, left: int, top: int, columns: int, rows: int) -> RenderedPicture:
         """An empty picture of some of the cells, as they are seen in the whole one."""
-        picture = Picture(columns * ACROSS, rows * DOWN, 1.0, self.camera, (0, 0, 0))
+        picture = RenderedPicture(columns * ACROSS, rows * DOWN, 1.0, self.camera, (0, 0, 0))
         scale = self.rows / rows
         picture.across, picture.down = picture.across * scale, picture.down * scale
         picture.offset = (
@@ -101,7 +101,7 @@ def things_in(
     return tuple(dict.fromkeys((marks[number].owner, marks[number].key) for number in numbers[order].tolist()))
 
 
-def _painted(picture: Picture, scene: Scene) -> Iterator[tuple[Mark, Array]]:
+def _painted(picture: RenderedPicture, scene: Scene) -> Iterator[tuple[Mark, Array]]:
     """Each thing, and in which pixels it is nearer than those before it."""
     for mark, part in scene.parts():
         before = picture.depth.copy()

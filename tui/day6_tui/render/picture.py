@@ -19,7 +19,7 @@ LINE = 2
 FAR = 1e9
 
 
-class Picture:
+class RenderedPicture:
     """`width` x `height` pixels; `aspect` is the width of a pixel by its height."""
 
     def __init__(

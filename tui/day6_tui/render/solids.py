@@ -14,7 +14,7 @@ import numpy as np
 from day6_core.ros.programs.rviz2.model.scene import BOX, CONE, CYLINDER, Shape
 from day6_core.ros.programs.rviz2.model.turning import matrix
 from day6_tui.render.lines import Segments
-from day6_tui.render.picture import SURFACE, Array, Picture
+from day6_tui.render.picture import SURFACE, Array, RenderedPicture
 
 AMBIENT, DIFFUSE = 0.45, 0.6
 
@@ -28,7 +28,7 @@ _MARKS = np.array([1.0, *((0.0, 0.55) * 4)[:7]], np.float32)
 """How much each sector of a wheel is whitened; the first one shows the wheel's angle."""
 
 
-def light_of(picture: Picture) -> Array:
+def light_of(picture: RenderedPicture) -> Array:
     """Where the light comes from: the viewer, a little from the left and above, so that edges show."""
     right, up, forward = picture.axes
     light = -forward - 0.45 * right + 0.35 * up
@@ -36,7 +36,7 @@ def light_of(picture: Picture) -> Array:
     return result
 
 
-def paint_solids(picture: Picture, shapes: Sequence[Shape], levels: int, thin: Segments) -> None:
+def paint_solids(picture: RenderedPicture, shapes: Sequence[Shape], levels: int, thin: Segments) -> None:
     """Paint opaque solids, then the transparent ones from far to near; thin ones are added to `thin`."""
     solids = _measure(picture, shapes)
     light = light_of(picture)
@@ -63,7 +63,7 @@ class _Solid(NamedTuple):
     is_thin: bool
 
 
-def _measure(picture: Picture, shapes: Sequence[Shape]) -> list[_Solid]:
+def _measure(picture: RenderedPicture, shapes: Sequence[Shape]) -> list[_Solid]:
     """Compute for all shapes at once where they are on the screen and how large."""
     shapes = [
         shape
@@ -109,7 +109,7 @@ def _measure(picture: Picture, shapes: Sequence[Shape]) -> list[_Solid]:
     ]
 
 
-def _paint(picture: Picture, solid: _Solid, light: Array, levels: int) -> None:
+def _paint(picture: RenderedPicture, solid: _Solid, light: Array, levels: int) -> None:
     shape, back = solid.shape, solid.back
     left, top, right, bottom = solid.region
     start, along = picture.rays(left, top, right, bottom)

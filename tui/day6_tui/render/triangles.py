@@ -10,7 +10,7 @@ import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Triangles
 from day6_core.ros.programs.rviz2.model.turning import matrix
-from day6_tui.render.picture import SURFACE, Array, Picture
+from day6_tui.render.picture import SURFACE, Array, RenderedPicture
 from day6_tui.render.solids import AMBIENT, DIFFUSE, light_of
 
 CHUNK = 1_500_000
@@ -21,7 +21,7 @@ _normals: OrderedDict[int, tuple[Array, Array]] = OrderedDict()
 """Face normals of meshes by the id of their face array; the array is kept too, so that the id is not reused."""
 
 
-def paint_triangles(picture: Picture, meshes: Sequence[Triangles], levels: int) -> None:
+def paint_triangles(picture: RenderedPicture, meshes: Sequence[Triangles], levels: int) -> None:
     """Paint opaque meshes, then the transparent ones from far to near."""
     light = light_of(picture)
 
@@ -50,7 +50,7 @@ def _face_normals(mesh: Triangles) -> Array:
     return result
 
 
-def _paint(picture: Picture, mesh: Triangles, light: Array, levels: int) -> None:
+def _paint(picture: RenderedPicture, mesh: Triangles, light: Array, levels: int) -> None:
     faces = np.asarray(mesh.faces)
     if not len(faces) or not all(map(math.isfinite, mesh.scale)):
         return
@@ -105,7 +105,7 @@ def _paint(picture: Picture, mesh: Triangles, light: Array, levels: int) -> None
 
 
 def _fill(
-    picture: Picture,
+    picture: RenderedPicture,
     corners: tuple[Array, Array, Array],
     box: tuple[Array, Array, Array, Array],
     shade: Array,

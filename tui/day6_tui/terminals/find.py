@@ -27,9 +27,9 @@ class Find(Modal):
     def inside(self) -> ComposeResult:
         from textual.widgets import Static
 
-        from day6_tui.overlays.input_line import Line
+        from day6_tui.overlays.input_line import InputLine
 
-        self._line = Line(self.look, placeholder=self.look.texts("find.what"))
+        self._line = InputLine(self.look, placeholder=self.look.texts("find.what"))
         yield self._line
         self._note = Static("", classes="note")
         yield self._note

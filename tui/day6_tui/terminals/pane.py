@@ -14,7 +14,7 @@ from textual.geometry import Offset
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, fit
 from day6_tui.panes.pane import Pane, PaneMessage, Piece
-from day6_tui.panes.splits import Place
+from day6_tui.panes.splits import PanePlace
 from day6_tui.terminals.held_keys import HeldKeys
 from day6_tui.terminals.keys import encode
 from day6_tui.terminals.teleop_keys import is_driven_otherwise, keys_of
@@ -109,7 +109,7 @@ class TerminalPane(Pane):
             return 80, 24
         return max(2, self.inner_width), max(1, self.inner_height)
 
-    def take_size(self, place: Place) -> None:
+    def take_size(self, place: PanePlace) -> None:
         """While the pane is behind another: the terminal gets the size it will have in front."""
         self._tell_size(max(2, place.width - 2), max(1, place.height - 2))
 

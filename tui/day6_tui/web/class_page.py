@@ -21,7 +21,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from day6_core.classroom import order as orders
 from day6_core.classroom.order import OrderError
-from day6_core.classroom.roster import Row
+from day6_core.classroom.roster import PupilRow
 from day6_core.lessons.scene import scenes
 from day6_tui.classes import log as class_log
 from day6_tui.locale import Texts
@@ -63,7 +63,7 @@ class ClassPage:
         gate: Gate,
         texts: Callable[[web.Request], Texts],
         feed: RosterFeed,
-        state_of: Callable[[Row], str],
+        state_of: Callable[[PupilRow], str],
         lessons: list[dict[str, Any]],
     ) -> None:
         self._gate = gate
@@ -146,7 +146,7 @@ class ClassPage:
             except asyncio.TimeoutError:
                 continue
 
-    def _told(self, row: Row, now: float, texts: Texts) -> dict[str, Any]:
+    def _told(self, row: PupilRow, now: float, texts: Texts) -> dict[str, Any]:
         note = {} if row.note is None else asdict(row.note)
         if row.note is not None:
             note["refused"] = texts(row.note.refused) if row.note.refused else ""

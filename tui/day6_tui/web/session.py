@@ -33,10 +33,10 @@ def clamped(columns: int, rows: int, width: int = 0, height: int = 0) -> tuple[i
     return columns, rows, width, height
 
 
-class Session:
+class WebSession:
     """One running desktop. `ended` is called once, when the keeper says so or is gone."""
 
-    def __init__(self, name: str, cell: Cell, domain: int, ended: Callable[[Session], None]) -> None:
+    def __init__(self, name: str, cell: Cell, domain: int, ended: Callable[[WebSession], None]) -> None:
         self.name = name
         self.cell = cell
         self.domain = domain

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from day6_core.classroom.order import Order
-from day6_core.classroom.roster import Row
+from day6_core.classroom.roster import PupilRow
 from day6_core.isolation.cell import Cell, IsolationError
 from day6_core.isolation.mode import Mode
 from day6_core.isolation.modes import survey
@@ -25,7 +25,7 @@ from day6_tui.web.names import same_name
 from day6_tui.web.places import Places
 from day6_tui.web.records import Record
 from day6_tui.web.roster_feed import RosterFeed
-from day6_tui.web.session import Session
+from day6_tui.web.session import WebSession
 from day6_tui.web.settings import Settings
 from day6_tui.web.viewer import Viewer
 
@@ -61,7 +61,7 @@ class Sessions:
         self._mode = mode
         self._tell = tell
         self._file = places.server / "sessions.json"
-        self.running: dict[str, Session] = {}
+        self.running: dict[str, WebSession] = {}
         self.feed = RosterFeed()
         """What the teacher is told."""
         self._tabs: dict[str, list[Viewer]] = {}
@@ -74,7 +74,7 @@ class Sessions:
 
     # -- tabs ----------------------------------------------------------------------------------------------------------
 
-    async def show(self, name: str, viewer: Viewer) -> Session | None:
+    async def show(self, name: str, viewer: Viewer) -> WebSession | None:
         """Give the desktop of this pupil to a tab, and start it if it does not run; None if the tab has to go meanwhile.
 
         Raises Full, IsolationError, OSError.
@@ -134,7 +134,7 @@ class Sessions:
     def _lock(self, key: str) -> asyncio.Lock:
         return self._locks.setdefault(key, asyncio.Lock())
 
-    async def _new(self, name: str) -> Session:
+    async def _new(self, name: str) -> WebSession:
         if len(self.running) >= self._settings.most:
             self._turn_away(name)
             raise Full
@@ -161,8 +161,8 @@ class Sessions:
         used = {session.domain for session in self.running.values()}
         return next((number for number in DOMAINS if number not in used), DOMAINS[0])
 
-    async def _session(self, name: str, domain: int) -> Session:
-        return Session(name, await asyncio.to_thread(self._cell, name), domain, self._has_ended)
+    async def _session(self, name: str, domain: int) -> WebSession:
+        return WebSession(name, await asyncio.to_thread(self._cell, name), domain, self._has_ended)
 
     def _cell(self, name: str) -> Cell:
         settings = self._settings
@@ -170,7 +170,7 @@ class Sessions:
             return self._places.own_cell(self._mode, settings.limits, settings.home)
         return self._places.cell(name, self._mode, settings.limits)
 
-    async def _connect(self, session: Session) -> socket.socket:
+    async def _connect(self, session: WebSession) -> socket.socket:
         """A line to the keeper, which is started if there is none."""
         for _ in range(3):
             found = await asyncio.to_thread(self._found, session.cell.home)
@@ -183,7 +183,7 @@ class Sessions:
             await asyncio.sleep(0.3)
         raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
 
-    async def _observe(self, session: Session) -> None:
+    async def _observe(self, session: WebSession) -> None:
         """Let the teacher hear of the desktop; without that it runs as well."""
         if not session.is_observed:
             with contextlib.suppress(OSError):
@@ -193,7 +193,7 @@ class Sessions:
                     self.feed.begin(session.name, found)
         self.feed.tell()
 
-    def state_of(self, row: Row) -> str:
+    def state_of(self, row: PupilRow) -> str:
         """What the teacher sees of a pupil: here, away (without a tab), full (who found no room), gone, absent."""
         session = self.running.get(same_name(row.name))
         if row.is_here:
@@ -209,18 +209,18 @@ class Sessions:
         words = ["--lang", self._settings.lang]
         return words if self._settings.lessons is None else [*words, "--lessons", str(self._settings.lessons)]
 
-    def _has_ended(self, session: Session) -> None:
+    def _has_ended(self, session: WebSession) -> None:
         """The keeper said so, or it is gone."""
         task = asyncio.create_task(self._sweep(session))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    async def _sweep(self, session: Session) -> None:
+    async def _sweep(self, session: WebSession) -> None:
         async with self._lock(same_name(session.name)):
             if self.running.get(same_name(session.name)) is session:
                 await self._clear(session)
 
-    async def _clear(self, session: Session) -> None:
+    async def _clear(self, session: WebSession) -> None:
         """Leave nothing of it but the files."""
         session.is_over = True
         session.let_go()
@@ -230,7 +230,7 @@ class Sessions:
         self.running.pop(same_name(session.name), None)
         await self._remember()
 
-    async def end(self, session: Session, why: str) -> None:
+    async def end(self, session: WebSession, why: str) -> None:
         """End a desktop and tell its tabs why."""
         session.is_over = True
         session.say_bye(why)
@@ -311,7 +311,7 @@ class Sessions:
         except (IsolationError, OSError):
             self._tell("serve.left", name=name)
 
-    def _take_over(self, session: Session, connection: socket.socket) -> None:
+    def _take_over(self, session: WebSession, connection: socket.socket) -> None:
         self.running[same_name(session.name)] = session
         session.is_observed = True
         self.feed.begin(session.name, connection)
@@ -333,10 +333,10 @@ class Sessions:
                 else:
                     await self._look_at_disk(session)
 
-    def _is_idle(self, session: Session) -> bool:
+    def _is_idle(self, session: WebSession) -> bool:
         return 0 < self._settings.idle * 60 <= time.monotonic() - session.typed_at
 
-    async def _look_at_disk(self, session: Session) -> None:
+    async def _look_at_disk(self, session: WebSession) -> None:
         used = await asyncio.to_thread(self._mode.disk_used, session.cell)
         most = session.cell.limits.disk
         was_over, session.is_over_disk = session.is_over_disk, used > most
@@ -352,7 +352,7 @@ class Sessions:
             self.feed.send(session.name, Order("say", text=text))
 
 
-def _seat(session: Session, viewer: Viewer) -> None:
+def _seat(session: WebSession, viewer: Viewer) -> None:
     """Show the desktop to this tab; one that types takes it over."""
     if viewer.read_only:
         session.watchers.append(viewer)

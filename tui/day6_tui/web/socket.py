@@ -10,7 +10,7 @@ from typing import Any
 from aiohttp import WSCloseCode, WSMsgType, web
 
 from day6_core.isolation.cell import IsolationError
-from day6_tui.web.session import Session, clamped
+from day6_tui.web.session import WebSession, clamped
 from day6_tui.web.sessions import Full, Sessions
 from day6_tui.web.tokens import WATCHER, Ticket
 from day6_tui.web.viewer import Viewer
@@ -62,7 +62,7 @@ async def talk(
 
 
 async def _exchange(
-    ws: web.WebSocketResponse, viewer: Viewer, session: Session | None, sending: asyncio.Task[str]
+    ws: web.WebSocketResponse, viewer: Viewer, session: WebSession | None, sending: asyncio.Task[str]
 ) -> tuple[int, str]:
     """Carry to and fro until one of both leaves; return how to close.
 
@@ -101,7 +101,7 @@ def _asked_size(request: web.Request) -> tuple[int, int, int, int]:
     return clamped(*numbers)
 
 
-async def _listen(ws: web.WebSocketResponse, viewer: Viewer, session: Session) -> None:
+async def _listen(ws: web.WebSocketResponse, viewer: Viewer, session: WebSession) -> None:
     async for message in ws:
         if message.type == WSMsgType.BINARY:
             if not viewer.read_only and session.writer is viewer:
@@ -130,7 +130,7 @@ def _number(found: dict[str, Any], key: str) -> int:
     return int(value)
 
 
-async def _obey(found: dict[str, Any], viewer: Viewer, session: Session) -> None:
+async def _obey(found: dict[str, Any], viewer: Viewer, session: WebSession) -> None:
     what = found.get("t")
     if what == "ack":
         viewer.acknowledge(_number(found, "bytes"))

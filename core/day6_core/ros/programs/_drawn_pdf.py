@@ -10,7 +10,7 @@ from pathlib import Path
 from day6_core.ros.programs.rqt_graph.model.image import NO_COLOURS, write_image
 from day6_core.ros.programs.rqt_graph.model.layout import layout
 from day6_core.ros.programs.rqt_graph.model.pdf import written
-from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge, Picture
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge, LaidOutGraph
 from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
 from day6_core.whole_file import replace_file
@@ -43,7 +43,7 @@ async def write_pdf(
         await in_thread(lambda: write_image(laid_out(*graph), target, colours or NO_COLOURS))
 
 
-def laid_out(boxes: list[Box], edges: list[Edge]) -> Picture:
+def laid_out(boxes: list[Box], edges: list[Edge]) -> LaidOutGraph:
     """Return the layout of a tree with everything in full, as wide as its texts are in a PDF."""
     return layout(boxes, edges, lambda text: text_width(written(text)), bundled=True)
 

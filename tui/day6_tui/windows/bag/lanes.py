@@ -42,7 +42,7 @@ THUMB_COLUMNS, THUMB_LINES = 10, 4
 """Cells of a thumbnail, which has a blank column behind it."""
 
 
-class Place(NamedTuple):
+class LanePlace(NamedTuple):
     """Where things are inside: widths of names, timeline and what is right of it, lines of topics, and of what is below them."""
 
     names: int
@@ -118,7 +118,7 @@ class BagLanes:
 
     # -- places --------------------------------------------------------------------------------------------------------
 
-    def place(self, width: int, height: int, *, told: int, least_panel: int) -> Place:
+    def place(self, width: int, height: int, *, told: int, least_panel: int) -> LanePlace:
         """Where things are in a window: below the topics so many lines are told, and there is a panel (0 lines: none) with more
         lines where there is room."""
         names = min(self._names()[1] + TICK, max(14, width * 2 // 5))
@@ -128,13 +128,13 @@ class BagLanes:
         if least_panel:
             needed = sum(map(self._height, range(len(self.topics))))
             panel = rows - max(1, min(needed, rows - max(least_panel, height // 2)))
-        return Place(names, max(1, width - names - 1 - about), about, rows - panel, told, panel)
+        return LanePlace(names, max(1, width - names - 1 - about), about, rows - panel, told, panel)
 
     def _height(self, index: int) -> int:
         """Lines of a topic."""
         return THUMB_LINES if self._model.thumbnails and self._model.topics.get(self.topics[index]) == IMAGE else 1
 
-    def rows(self, place: Place) -> list[tuple[int, int]]:
+    def rows(self, place: LanePlace) -> list[tuple[int, int]]:
         """The topics in sight, each line with the index of its topic and which of its lines it is."""
         count = len(self.topics)
         self._first = max(0, min(self._first, self._chosen, count - 1))
@@ -147,7 +147,7 @@ class BagLanes:
 
     # -- marks ---------------------------------------------------------------------------------------------------------
 
-    def recount(self, view: View, place: Place) -> bool:
+    def recount(self, view: View, place: LanePlace) -> bool:
         """Forget the marks if something has changed; whether it has."""
         counted = (self._model.timeline.version, view, place.columns, self._look.glyphs.bars)
         if counted == self._counted:
@@ -156,7 +156,7 @@ class BagLanes:
         self._marks = {}
         return True
 
-    def _marks_of(self, topic: str, view: View, place: Place) -> list[str]:
+    def _marks_of(self, topic: str, view: View, place: LanePlace) -> list[str]:
         """A mark for each column with messages of a topic."""
         found = self._marks.get(topic)
         if found is None:
@@ -166,14 +166,14 @@ class BagLanes:
 
     # -- lines ---------------------------------------------------------------------------------------------------------
 
-    def labels(self, view: View, place: Place) -> list[Segment]:
+    def labels(self, view: View, place: LanePlace) -> list[Segment]:
         cells = [" "] * (place.left + place.columns)
         for column, text in divisions(view, self._model.timeline.start_ns or 0, place.columns, LABEL_ROOM):
             if column >= 0 and column + len(text) <= place.columns:
                 cells[place.left + column : place.left + column + len(text)] = text
         return [Segment("".join(cells), self._look.colours.muted)]
 
-    def ruler(self, view: View, place: Place) -> list[Segment]:
+    def ruler(self, view: View, place: LanePlace) -> list[Segment]:
         """The axis, with the selected region and the playhead."""
         colours, unicode, player = self._look.colours, self._look.glyphs.unicode, self._model.player
         start = self._model.timeline.start_ns or 0
@@ -191,7 +191,7 @@ class BagLanes:
             cells[at] = (pointer, cells[at][1] if ends and ends[0] <= at <= ends[1] else self._colour(PLAYHEAD))
         return [Segment(" " * place.left, colours.text), *runs(cells)]
 
-    def line(self, index: int, part: int, view: View, place: Place, *, focused: bool) -> list[Segment]:
+    def line(self, index: int, part: int, view: View, place: LanePlace, *, focused: bool) -> list[Segment]:
         """One line of a topic."""
         colours, glyphs, model = self._look.colours, self._look.glyphs, self._model
         topic = self.topics[index]
@@ -224,7 +224,7 @@ class BagLanes:
             segments.append(Segment(fit(about, place.about, glyphs.ellipsis), colours.muted))
         return segments
 
-    def _thumbnails(self, topic: str, part: int, marks: Sequence[str], view: View, place: Place) -> list[Cell]:
+    def _thumbnails(self, topic: str, part: int, marks: Sequence[str], view: View, place: LanePlace) -> list[Cell]:
         """One line of the thumbnails beside each other, each of what is there at its left edge."""
         cells: list[Cell] = [(" ", self._look.colours.text)] * place.columns
         for column in range(0, place.columns - THUMB_COLUMNS + 1, THUMB_COLUMNS + 1):

@@ -21,10 +21,10 @@ class Questions:
 
     def bag(self) -> None:
         """Choose one of the bags in the working folder, or type where it is."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
-        entries = [Entry(name, "", partial(self._pane.model.load, name)) for name in self._pane.model.nearby()]
-        other = Entry(self._pane.look.texts("bag.open.other"), "", self._type_bag)
+        entries = [MenuEntry(name, "", partial(self._pane.model.load, name)) for name in self._pane.model.nearby()]
+        other = MenuEntry(self._pane.look.texts("bag.open.other"), "", self._type_bag)
         if entries:
             self._pane.lay_over(Menu(self._pane.look, "bag.open.title", [*entries, other]))
         else:
@@ -66,23 +66,23 @@ class Questions:
 
     def menu(self) -> None:
         """What rqt_bag offers at a right click (timeline_menu.py)."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         texts, model = self._pane.look.texts, self._pane.model
         publishes = self._pane.chosen in model.player.publishing
         entries = [
-            Entry(
+            MenuEntry(
                 texts("bag.menu.unpublish" if publishes else "bag.menu.publish"),
                 self._pane.chosen,
                 self._pane.toggle_publishing,
             ),
-            Entry(texts("bag.menu.publish_all"), "", lambda: model.publish_all(True)),
-            Entry(texts("bag.menu.publish_none"), "", lambda: model.publish_all(False)),
-            Entry(texts("bag.menu.view"), self._pane.chosen, self._pane.toggle_view),
-            Entry(texts("bag.menu.thumbnails"), "t", self._pane.toggle_thumbnails),
-            Entry(texts("bag.menu.reset"), "", self._pane.reset),
-            Entry(texts("bag.menu.save"), "s", self.export),
-            Entry(texts("bag.menu.open"), "o", self.bag),
-            Entry(texts("bag.menu.record"), "r", self.recording),
+            MenuEntry(texts("bag.menu.publish_all"), "", lambda: model.publish_all(True)),
+            MenuEntry(texts("bag.menu.publish_none"), "", lambda: model.publish_all(False)),
+            MenuEntry(texts("bag.menu.view"), self._pane.chosen, self._pane.toggle_view),
+            MenuEntry(texts("bag.menu.thumbnails"), "t", self._pane.toggle_thumbnails),
+            MenuEntry(texts("bag.menu.reset"), "", self._pane.reset),
+            MenuEntry(texts("bag.menu.save"), "s", self.export),
+            MenuEntry(texts("bag.menu.open"), "o", self.bag),
+            MenuEntry(texts("bag.menu.record"), "r", self.recording),
         ]
         self._pane.lay_over(Menu(self._pane.look, "bag.menu", entries))

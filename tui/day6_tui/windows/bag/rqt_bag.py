@@ -32,7 +32,7 @@ from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.bag.cells import date
-from day6_tui.windows.bag.lanes import HEAD, TICK, BagLanes, Place
+from day6_tui.windows.bag.lanes import HEAD, TICK, BagLanes, LanePlace
 from day6_tui.windows.bag.panel import LEAST_LINES, BagPanel
 from day6_tui.windows.bag.picture import Paintings
 from day6_tui.windows.bag.questions import Questions
@@ -84,7 +84,7 @@ class RqtBagPane(WindowPane["Bags"]):
         """The topic that keys mean, '' without any."""
         return self.lanes.chosen
 
-    def _place(self) -> Place:
+    def _place(self) -> LanePlace:
         panel = LEAST_LINES if self.panel.is_open else 0
         return self.lanes.place(self.inner_width, self.inner_height, told=len(self._told()[0]), least_panel=panel)
 
@@ -121,14 +121,14 @@ class RqtBagPane(WindowPane["Bags"]):
             if moved != view:
                 self.model.view = moved
 
-    def _look(self, place: Place) -> None:
+    def _look(self, place: LanePlace) -> None:
         """Have single messages looked up where something else is seen than before."""
         view, blocks = self.view, self.model.timeline.blocks
         if view is not None and self.lanes.recount(view, place) and self._seen != (view, blocks):
             self._seen = (view, blocks)
             self.model.see(view.left, view.right)
 
-    def _playhead_column(self, place: Place) -> int:
+    def _playhead_column(self, place: LanePlace) -> int:
         view = self.view
         return -1 if view is None else view.column_of(self.model.player.now(), place.columns)
 

@@ -17,7 +17,7 @@ from textual import events
 from textual.widget import Widget
 
 from day6_core.classroom.order import MOST_SECONDS, Order
-from day6_core.classroom.roster import Row
+from day6_core.classroom.roster import PupilRow
 from day6_core.link.state import DoorState
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
@@ -194,7 +194,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
             self._watch(self._seen)
         return False
 
-    def _keep_chosen(self, rows: list[Row]) -> None:
+    def _keep_chosen(self, rows: list[PupilRow]) -> None:
         names = [row.name for row in rows]
         if self._chosen not in names:
             self._chosen, self._is_large = (names[0] if names else ""), False
@@ -209,7 +209,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         return self._lines[y] if y < len(self._lines) else ()
 
-    def _draw(self, rows: list[Row]) -> list[list[Segment]]:
+    def _draw(self, rows: list[PupilRow]) -> list[list[Segment]]:
         width, height = self.inner_width, self.inner_height
         self._seen, self._invitation_at, self._table.row_at = (), range(0), {}
         if not rows:
@@ -272,7 +272,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
         sights = [Sight(row, self._remark(row), row.name == typed_at) for row in rows]
         return self._screens.draw(sights, width, height)
 
-    def _remark(self, row: Row) -> Words | None:
+    def _remark(self, row: PupilRow) -> Words | None:
         """What came of the wish to type, or of the last order."""
         texts, colours = self.look.texts, self.look.colours
         if row.name == self._typing.name:

@@ -12,7 +12,7 @@ from day6_tui.classes.link import TeacherLink
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
-    from day6_tui.overlays.menu import Entry
+    from day6_tui.overlays.menu import MenuEntry
 
 ALL = ""
 """In place of a pupil's name: everybody."""
@@ -83,14 +83,14 @@ class Orders:
 
         self._window.lay_over(Menu(self._look, "teacher.open", self._entries(name)))
 
-    def _entries(self, name: str) -> list[Entry]:
+    def _entries(self, name: str) -> list[MenuEntry]:
         from day6_core.lessons import catalogue
         from day6_core.lessons.scene import scenes
-        from day6_tui.overlays.menu import Entry
+        from day6_tui.overlays.menu import MenuEntry
 
         texts, open_there = self._look.texts, partial(self._send_and_tell, name)
         lessons = [
-            Entry(
+            MenuEntry(
                 f"{each.name}  {each.title[texts.language]}",
                 texts("teacher.open.lesson"),
                 partial(open_there, Order("lesson", text=each.name)),
@@ -98,7 +98,7 @@ class Orders:
             for each in (*catalogue.days(), *catalogue.drills())
         ]
         return lessons + [
-            Entry(each, texts("teacher.open.scene"), partial(open_there, Order("scene", text=each)))
+            MenuEntry(each, texts("teacher.open.scene"), partial(open_there, Order("scene", text=each)))
             for each in scenes()
         ]
 

@@ -14,8 +14,8 @@ from rich.style import Style
 from rich.text import Text
 from textual.strip import Strip
 
-from day6_core.classroom.note import ROWS, Picture
-from day6_core.classroom.roster import Row
+from day6_core.classroom.note import ROWS, PupilScreen
+from day6_core.classroom.roster import PupilRow
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import clip, fit
 from day6_tui.windows.classroom.words import Words
@@ -24,7 +24,7 @@ from day6_tui.windows.classroom.words import Words
 class ScreenPicture:
     """The lines of one picture."""
 
-    def __init__(self, source: Picture, style: Style) -> None:
+    def __init__(self, source: PupilScreen, style: Style) -> None:
         self.source = source
         self._style = style
         self._strips = [_strip(line, style) for line in source.ansi.split("\n")]
@@ -40,7 +40,7 @@ class ScreenPicture:
 class Sight(NamedTuple):
     """What is seen of one pupil: the row of the roster, something to tell above the screen, whether the teacher types there."""
 
-    row: Row
+    row: PupilRow
     remark: Words | None = None
     is_typed_at: bool = False
 
@@ -104,7 +104,7 @@ class Screens:
         lines += self._screen(sight.row, width, height - len(lines))
         return [*lines, *([[Segment(" " * width, colours.text)]] * height)][:height]
 
-    def _facts(self, row: Row) -> list[str]:
+    def _facts(self, row: PupilRow) -> list[str]:
         """What there is to know besides the screen."""
         texts, note, facts = self._look.texts, row.note, [row.name]
         if row.raised is not None:
@@ -118,7 +118,7 @@ class Screens:
             facts.append(note.trouble.line)
         return facts
 
-    def _screen(self, row: Row, width: int, height: int) -> list[list[Segment]]:
+    def _screen(self, row: PupilRow, width: int, height: int) -> list[list[Segment]]:
         texts, colours = self._look.texts, self._look.colours
         screen = row.note.screen if row.note is not None and row.is_here else None
         if screen is None:

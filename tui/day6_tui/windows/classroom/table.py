@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from rich.segment import Segment
 
-from day6_core.classroom.roster import Row
+from day6_core.classroom.roster import PupilRow
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.windows.classroom.words import Words, words_of
@@ -44,7 +44,7 @@ def places_for(rows: int, told: int, height: int, *, preview: bool) -> Places:
     return Places(min(wanted, height - told), 0, told)
 
 
-def lesson_of(row: Row) -> str:
+def lesson_of(row: PupilRow) -> str:
     """The lesson a pupil is in, and the step."""
     lesson = row.note.lesson if row.note is not None else None
     return f"{lesson.name} {lesson.step}/{lesson.all}" if lesson is not None else ""
@@ -54,7 +54,7 @@ class Column(NamedTuple):
     """A column before what is said of a pupil; `teacher.head.<name>` stands above it."""
 
     name: str
-    text: Callable[[Row], str]
+    text: Callable[[PupilRow], str]
     least: int
     """Cells that are not given up for another column."""
     good: int
@@ -122,7 +122,7 @@ class ClassTable:
         self.top, self._reveals = max(0, self.top + rows), False
 
     def draw(
-        self, rows: Sequence[Row], chosen: str, width: int, height: int, now: float, *, is_frozen: bool
+        self, rows: Sequence[PupilRow], chosen: str, width: int, height: int, now: float, *, is_frozen: bool
     ) -> list[list[Segment]]:
         """Return at most `height` lines for a class that is not empty; `now` is the roster's time."""
         room = max(1, height - 1)
@@ -150,7 +150,7 @@ class ClassTable:
         state = texts("teacher.head.frozen" if is_frozen else "teacher.head.state")
         return [Segment(left, colours.muted), Segment(fit(state, rest), colours.hint if is_frozen else colours.muted)]
 
-    def _line(self, row: Row, now: float, widths: Sequence[int], width: int, *, is_chosen: bool) -> list[Segment]:
+    def _line(self, row: PupilRow, now: float, widths: Sequence[int], width: int, *, is_chosen: bool) -> list[Segment]:
         look, colours, ellipsis = self._look, self._look.colours, self._look.glyphs.ellipsis
         base = colours.choice if is_chosen else colours.text if row.is_here else colours.muted
         left = fit(look.glyphs.chevron if is_chosen else "", MARK)

@@ -7,7 +7,7 @@ short, it stays `over` until the teacher has acknowledged it.
 from __future__ import annotations
 
 from day6_core.classroom.order import Order
-from day6_core.classroom.roster import Roster, Row
+from day6_core.classroom.roster import PupilRow, Roster
 
 SETTLE_SECONDS = 3.0
 """After the end of typing, in which a note that still allows it may be an old one."""
@@ -73,11 +73,11 @@ class Typing:
         if self.awaited and self._has_said_no(self._roster.row(self.awaited)):
             self.awaited = ""
 
-    def _has_said_no(self, row: Row | None) -> bool:
+    def _has_said_no(self, row: PupilRow | None) -> bool:
         if row is None or not row.is_here:
             return True
         return row.note is not None and bool(row.note.refused) and row.heard > self._asked_at
 
 
-def _allows(row: Row | None) -> bool:
+def _allows(row: PupilRow | None) -> bool:
     return row is not None and row.is_here and row.note is not None and row.note.may_type

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from rich.style import Style
 
 from day6_core.classroom.note import Note
-from day6_core.classroom.roster import IDLE_SECONDS, Row
+from day6_core.classroom.roster import IDLE_SECONDS, PupilRow
 from day6_tui.appearance.look import Look
 
 
@@ -20,7 +20,7 @@ class Words(NamedTuple):
     short: str = ""
 
 
-def words_of(row: Row, now: float, look: Look, *, is_room: bool) -> Iterator[Words]:
+def words_of(row: PupilRow, now: float, look: Look, *, is_room: bool) -> Iterator[Words]:
     """Yield what the table says of a pupil; `now` is the roster's time.
 
     In a room (`is_room`) all have one graph, of which only what stands below the pupil's name is the pupil's.

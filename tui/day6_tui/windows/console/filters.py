@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from day6_core.ros.programs.rqt_console.filters import KINDS, MANY, SIDES, Filter
 from day6_core.ros.programs.rqt_console.model import SEVERITIES, Console, Record
 from day6_core.session.harmless import one_line
-from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.prompt import Prompt
 from day6_tui.windows.console.table import time_of_day, whole_time
 
@@ -44,15 +44,15 @@ class FilterMenus:
             for each in getattr(choice, side):
                 name = f"{_box(each.enabled)} {texts(f'console.{side}.kind.{each.kind}')}"
                 remove = partial(self._change, side, each, None)
-                entries.append(Entry(name, brief(each), partial(self._edit, side, each, record), remove))
-            entries.append(Entry(texts(f"console.{side}.add"), "", partial(self._add, side, record)))
-        entries.append(Entry(f"{_box(choice.only_highlighted)} {texts('console.only')}", "", self._toggle_only))
+                entries.append(MenuEntry(name, brief(each), partial(self._edit, side, each, record), remove))
+            entries.append(MenuEntry(texts(f"console.{side}.add"), "", partial(self._add, side, record)))
+        entries.append(MenuEntry(f"{_box(choice.only_highlighted)} {texts('console.only')}", "", self._toggle_only))
         if record is not None:
             for side in SIDES:
                 entries += self._of_record(side, record)
         self._lay_over(Menu(self._look, "console.filters.title", entries, chosen=chosen, keys="menu.keys.remove"))
 
-    def _of_record(self, side: str, record: Record) -> Iterator[Entry]:
+    def _of_record(self, side: str, record: Record) -> Iterator[MenuEntry]:
         """What a right click offers in rqt_console."""
         texts = self._look.texts
         for kind, note, changes in (
@@ -60,7 +60,9 @@ class FilterMenus:
             ("severity", record.severity, {"levels": frozenset((record.level,))}),
             ("message", " ".join(record.text[:LONGEST].split()), {"text": record.text[:LONGEST]}),
         ):
-            yield Entry(texts(f"console.{side}.this.{kind}"), one_line(note), partial(self._mean, side, kind, changes))
+            yield MenuEntry(
+                texts(f"console.{side}.this.{kind}"), one_line(note), partial(self._mean, side, kind, changes)
+            )
 
     def _mean(self, side: str, kind: str, changes: dict[str, Any]) -> None:
         """Let a filter mean a message, too: of texts each has one of its own."""
@@ -89,7 +91,7 @@ class FilterMenus:
     def _add(self, side: str, record: Record | None) -> None:
         texts, there = self._look.texts, {each.kind for each in getattr(self._console.choice, side)}
         entries = [
-            Entry(texts(f"console.kind.{kind}"), "", partial(self._begin, side, kind, record))
+            MenuEntry(texts(f"console.kind.{kind}"), "", partial(self._begin, side, kind, record))
             for kind in KINDS
             if kind in MANY or kind not in there
         ]
@@ -128,7 +130,7 @@ class FilterMenus:
                 lines.append((texts(f"console.{part}"), note, partial(self._ask_time, side, each, part, record)))
         switch(texts("console.enabled"), each.enabled, enabled=not each.enabled)
         lines.append((texts("console.remove"), "", partial(self._change, side, each, None)))
-        entries = [Entry(one_line(name), one_line(note), choose) for name, note, choose in lines]
+        entries = [MenuEntry(one_line(name), one_line(note), choose) for name, note, choose in lines]
         self._lay_over(Menu(self._look, f"console.{side}.kind.{each.kind}", entries, chosen=chosen))
 
     def _type(self, side: str, each: Filter) -> None:

@@ -9,7 +9,7 @@ from textual.containers import Horizontal
 from textual.widgets import Static
 
 from day6_tui.appearance.look import Look
-from day6_tui.overlays.input_line import Line
+from day6_tui.overlays.input_line import InputLine
 from day6_tui.overlays.modal import plain
 from day6_tui.textual_private.survival import PersonMessage, Surviving
 
@@ -30,7 +30,7 @@ class ConsoleLine(Surviving, Horizontal):
         def control(self) -> ConsoleLine:
             return self.line
 
-    class Field(Line):
+    class Field(InputLine):
         """Textual's Input; Enter, Tab and Esc are its owner's."""
 
         BINDINGS = [Binding("escape", "leave", show=False), Binding("tab", "switch", show=False)]
@@ -97,7 +97,7 @@ class ConsoleLine(Surviving, Horizontal):
             self.display = False
             self.post_message(self.Typed(self, text, is_regex=self.is_regex, done=True))
 
-    def on_input_changed(self, event: Line.Changed) -> None:
+    def on_input_changed(self, event: InputLine.Changed) -> None:
         event.stop()
         if self.display:
             self.post_message(self.Typed(self, event.value, is_regex=self.is_regex, done=False))

@@ -19,7 +19,7 @@ from day6_core.session.keys import split_keys
 from day6_core.shell.editing.checks import Problem, language_of
 from day6_core.shell.editing.model import CannotEdit, Editor
 from day6_tui.appearance.look import Look
-from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.question import Answer, Question
 from day6_tui.panes.cells import wrap
 from day6_tui.panes.pane import Piece
@@ -402,13 +402,15 @@ class EditorPane(WindowPane[Editor]):
             self.look.wake()
 
         files = self.editor.files()
-        entries = [Entry(path.relative_to(self.editor.folder).as_posix(), "", partial(chosen, path)) for path in files]
-        entries.append(Entry(self.look.texts("editor.new"), "", partial(self._ask_new_file, chosen)))
+        entries = [
+            MenuEntry(path.relative_to(self.editor.folder).as_posix(), "", partial(chosen, path)) for path in files
+        ]
+        entries.append(MenuEntry(self.look.texts("editor.new"), "", partial(self._ask_new_file, chosen)))
         self.lay_over(Menu(self.look, "editor.files", entries))
 
     def offer(self, words: list[str], taken: Callable[[str], object]) -> None:
         """Offer the words of a completion."""
-        self.lay_over(Menu(self.look, "editor.complete", [Entry(word, "", partial(taken, word)) for word in words]))
+        self.lay_over(Menu(self.look, "editor.complete", [MenuEntry(word, "", partial(taken, word)) for word in words]))
 
     def _ask_new_file(self, chosen: Callable[[Path], object]) -> None:
         """Ask for the name of a new file; it is created when it is saved."""

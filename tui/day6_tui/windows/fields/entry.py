@@ -5,12 +5,12 @@ from __future__ import annotations
 from textual import events
 
 from day6_tui.appearance.look import Look
-from day6_tui.overlays.input_line import Line
+from day6_tui.overlays.input_line import InputLine
 from day6_tui.textual_private.survival import PersonMessage
 from day6_tui.windows.fields.field_list import FieldLine
 
 
-class FieldEntry(Line):
+class FieldEntry(InputLine):
     """Enter takes the text over, Tab too and goes on in the next field, Esc leaves the old one; a click elsewhere is Enter."""
 
     DEFAULT_CSS = """

@@ -35,14 +35,14 @@ OPENER, BOX = 2, 4
 """Cells of the mark of what can be opened, and of a check box behind it."""
 
 
-class Needs(NamedTuple):
+class FieldNeeds(NamedTuple):
     """Cells that the longest name with its mark takes, and the longest type without its package."""
 
     name: int = 0
     type: int = 0
 
 
-Columns = Callable[[int, Needs], Sequence[int]]
+Columns = Callable[[int, FieldNeeds], Sequence[int]]
 """The widths of the columns in a list of some width; 0 for one for which there is no room. One cell lies between them."""
 
 
@@ -83,7 +83,7 @@ class FieldList(PaneList):
     def __init__(self, look: Look, columns: Columns) -> None:
         super().__init__(look)
         self._columns = columns
-        self._needs = Needs()
+        self._needs = FieldNeeds()
         self._all: Sequence[FieldLine] = ()
         self.lines_shown: list[FieldLine] = []
         self._toggled: set[str] = set()
@@ -316,7 +316,7 @@ class FieldList(PaneList):
         return lead + ("" if line.ticked is None else "[x] " if line.ticked else "[ ] ")
 
 
-def needs_of(lines: Sequence[FieldLine]) -> Needs:
+def needs_of(lines: Sequence[FieldLine]) -> FieldNeeds:
     """What the columns of these lines need; of the names of topics, services and actions their last parts have to stay."""
     columns = [line for line in lines if len(line.cells) > 1]
     names = (
@@ -326,7 +326,9 @@ def needs_of(lines: Sequence[FieldLine]) -> Needs:
         + min(cell_len(line.cells[0]), cell_len(line.cells[0].rpartition("/")[2]) + 2)
         for line in columns
     )
-    return Needs(max(names, default=0), max((cell_len(without_package(line.cells[1])) for line in columns), default=0))
+    return FieldNeeds(
+        max(names, default=0), max((cell_len(without_package(line.cells[1])) for line in columns), default=0)
+    )
 
 
 def without_package(type_name: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from day6_tui.locale import Texts
-from day6_tui.windows.fields.field_list import FieldLine, Needs
+from day6_tui.windows.fields.field_list import FieldLine, FieldNeeds
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_py_common.message_form import FieldRow
@@ -26,7 +26,7 @@ LEAST_VALUE = 10
 """Cells that values have to keep beside a column of types."""
 
 
-def columns_in(width: int, needs: Needs) -> tuple[int, int, int]:
+def columns_in(width: int, needs: FieldNeeds) -> tuple[int, int, int]:
     """Widths of name, type and value: the value gets half of a wide window, and in a narrow one what is left."""
     if width >= NARROW:
         name, kind = max(16, width * 3 // 10), max(9, width // 4)
@@ -35,7 +35,7 @@ def columns_in(width: int, needs: Needs) -> tuple[int, int, int]:
     return name, kind, max(1, width - name - kind - (2 if kind else 1))
 
 
-def narrow_columns(width: int, needs: Needs) -> tuple[int, int]:
+def narrow_columns(width: int, needs: FieldNeeds) -> tuple[int, int]:
     """Widths of name and type in a narrow window; 0 for the type where there is no room for it."""
     name = min(max(8, needs.name), width * 9 // 20)
     kind = min(needs.type, width * 3 // 10)

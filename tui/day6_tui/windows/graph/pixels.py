@@ -9,7 +9,7 @@ from itertools import pairwise
 from rich.style import Style
 
 from day6_core.ros.programs.rqt_graph.model.drawing import Highlight, measure
-from day6_core.ros.programs.rqt_graph.model.shapes import Box, Picture, Rect, Route
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, LaidOutGraph, Rect, Route
 from day6_tui.appearance.colours import background_of, foreground_of
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import Surface
@@ -35,7 +35,7 @@ class GraphPicture:
 
     def pixels(
         self,
-        picture: Picture,
+        picture: LaidOutGraph,
         offset: tuple[int, int],
         warnings: Iterable[str],
         highlight: Highlight | None,
@@ -57,7 +57,7 @@ class GraphPicture:
             self._box(surface, rect, colour, rounded=box.shape == "node")
         return surface.pixels()
 
-    def texts(self, picture: Picture, warnings: Iterable[str], highlight: Highlight | None) -> list[Text]:
+    def texts(self, picture: LaidOutGraph, warnings: Iterable[str], highlight: Highlight | None) -> list[Text]:
         """All names, for the sheet, where `drawing` has them."""
         marked, found = set(warnings), []
         for box, rect in picture.boxes.values():

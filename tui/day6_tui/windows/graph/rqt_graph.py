@@ -26,7 +26,7 @@ from day6_core.ros.programs.rqt_graph.model.drawing import (
 )
 from day6_core.ros.programs.rqt_graph.model.fit import Forms
 from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
-from day6_core.ros.programs.rqt_graph.model.shapes import Picture, Route
+from day6_core.ros.programs.rqt_graph.model.shapes import LaidOutGraph, Route
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.prompt import before_replacing
@@ -78,7 +78,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         super().__init__(window, look)
         self.graph = window.model
         self._drawn: tuple[object, ...] = ()
-        self._picture = Picture(0, 0, {}, ())
+        self._picture = LaidOutGraph(0, 0, {}, ())
         self._forms = Forms((), ())
         self._forms_of: tuple[object, ...] = ()
         """What `_forms` was made of."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from day6_core.ros.programs.rqt_graph.model.shapes import Picture, Rect
+from day6_core.ros.programs.rqt_graph.model.shapes import LaidOutGraph, Rect
 
 IN_SIGHT = (8, 2)
 """Columns and rows of the picture that stay in the window, however far one pans."""
@@ -33,7 +33,7 @@ class View:
         """The part of the picture that is seen; more than the picture where that is smaller."""
         return Rect(self.x, self.y, self.columns, self.rows)
 
-    def show(self, picture: Picture, columns: int, rows: int) -> None:
+    def show(self, picture: LaidOutGraph, columns: int, rows: int) -> None:
         """Show another picture, or the same one in a window of another size, and stay where that is possible."""
         self.columns, self.rows = columns, rows
         self._width, self._height = picture.width, picture.height
@@ -49,7 +49,7 @@ class View:
         self.x = _between(self.x + columns, self._width, self.columns, IN_SIGHT[0])
         self.y = _between(self.y + rows, self._height, self.rows, IN_SIGHT[1])
 
-    def zoom_to(self, picture: Picture, column: int, row: int) -> None:
+    def zoom_to(self, picture: LaidOutGraph, column: int, row: int) -> None:
         """Show the same graph in another form; what is at this cell of the window stays there, as well as it can."""
         across = (self.x + column) / max(1, self._width)
         down = (self.y + row) / max(1, self._height)

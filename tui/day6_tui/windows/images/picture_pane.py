@@ -14,7 +14,7 @@ from rich.segment import Segment
 from textual import events
 from textual.geometry import Region
 
-from day6_core.ros.programs.rqt_image_view.decoding import Picture, Undecodable, View
+from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, Undecodable, View
 from day6_core.session.display import Window
 from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
@@ -50,7 +50,7 @@ class HasPicture(Protocol):
     def view(self) -> View:
         """How the image is shown."""
 
-    def picture(self, view: View) -> Picture | None:
+    def picture(self, view: View) -> DecodedImage | None:
         """The newest image as it is to be shown; None while there is none. Raises Undecodable."""
 
 
@@ -66,7 +66,7 @@ class PicturePane(WindowPane[Shown]):
 
     def __init__(self, window: Window[Shown], look: Look) -> None:
         super().__init__(window, look)
-        self._picture: Picture | None = None
+        self._picture: DecodedImage | None = None
         self._problem = ""
         self._lines: list[list[Segment]] = []
         self._corner = (0, 0)

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from rich.segment import Segment
 from textual import events
 
-from day6_core.ros.programs.rqt_image_view.decoding import Picture, View
-from day6_tui.overlays.menu import Entry, Menu
+from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, View
+from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.prompt import before_replacing
 from day6_tui.panes.pane import Piece
 from day6_tui.windows.images.picture_pane import PicturePane
@@ -114,7 +114,7 @@ class ImageViewPane(PicturePane["ImageView"]):
         self.look.wake()
         return True
 
-    def _pan(self, x: int, y: int, picture: Picture) -> None:
+    def _pan(self, x: int, y: int, picture: DecodedImage) -> None:
         """Move the part that is seen, not beyond the image."""
         across, down = len(picture.columns), len(picture.rows)
         left = min(max(0, self._view.left + x * max(1, across // PAN_SHARE)), picture.image_width - across)
@@ -123,7 +123,7 @@ class ImageViewPane(PicturePane["ImageView"]):
 
     def _choose_topic(self) -> None:
         entries = [
-            Entry(name, kind.rpartition("/")[2], partial(self.model.choose, name))
+            MenuEntry(name, kind.rpartition("/")[2], partial(self.model.choose, name))
             for name, kind in self.model.topics.items()
         ]
         if entries:
@@ -167,7 +167,7 @@ class ImageViewPane(PicturePane["ImageView"]):
         if event.button == 1 and at is not None and self._picture is not None:
             self.model.click(*self._unturned(*at, self._picture))
 
-    def _unturned(self, x: int, y: int, picture: Picture) -> tuple[int, int]:
+    def _unturned(self, x: int, y: int, picture: DecodedImage) -> tuple[int, int]:
         """The place in the image as it was sent (image_view.cpp, onMouseLeft)."""
         width, height = picture.image_width, picture.image_height
         return ((x, y), (y, width - x), (width - x, height - y), (height - y, x))[self._view.rotation]

@@ -10,7 +10,7 @@ from textual.widgets.option_list import Option
 
 from day6_core.ros.programs.day6_inspector.rules import Finding
 from day6_tui.appearance.look import Look
-from day6_tui.windows.parts.pane_list import PaneList, Row
+from day6_tui.windows.parts.pane_list import ListRow, PaneList
 
 
 class FindingList(PaneList):
@@ -38,18 +38,18 @@ class FindingList(PaneList):
         colours, texts = self.look.colours, self.look.texts
         rows = [self._row(index, finding) for index, finding in enumerate(findings)]
         if quiet:
-            rows = [Row(self, -1, texts(f"inspector.quiet.{quiet}"), "", colours.text)]
+            rows = [ListRow(self, -1, texts(f"inspector.quiet.{quiet}"), "", colours.text)]
         elif not findings:
             well = texts("inspector.well_so_far" if unseen else "inspector.well")
-            rows.append(Row(self, -1, well, "", colours.publisher))
-        rows += [Row(self, -1, texts(f"inspector.unseen.{part}"), "", colours.muted) for part in unseen]
+            rows.append(ListRow(self, -1, well, "", colours.publisher))
+        rows += [ListRow(self, -1, texts(f"inspector.unseen.{part}"), "", colours.muted) for part in unseen]
         self.set_options([Option(row, disabled=index >= len(findings)) for index, row in enumerate(rows)])
         if findings:
             self.scroll_to(y=offset, animate=False)
             last = len(findings) - 1
             self.highlighted = self._findings.index(chosen) if chosen in self._findings else min(at or 0, last)
 
-    def _row(self, index: int, finding: Finding) -> Row:
+    def _row(self, index: int, finding: Finding) -> ListRow:
         colours, glyphs = self.look.colours, self.look.glyphs
         mark, style = {
             "error": (glyphs.warning, colours.warning),
@@ -59,7 +59,7 @@ class FindingList(PaneList):
         texts = self.look.texts
         text = finding.of_card(texts.language) or texts(finding.id, **dict(finding.parameters))
         below = f"$ {finding.next}" if finding.next else ""
-        return Row(self, index, text, mark, style, below, colours.accent)
+        return ListRow(self, index, text, mark, style, below, colours.accent)
 
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
         event.stop()

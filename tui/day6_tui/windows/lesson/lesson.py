@@ -17,7 +17,7 @@ from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.placement import LESSON
 from day6_tui.windows import WindowPane
-from day6_tui.windows.lesson.page import Action, Entry, Row, list_rows, step_rows
+from day6_tui.windows.lesson.page import Action, LessonEntry, PageRow, list_rows, step_rows
 
 if TYPE_CHECKING:
     from day6_core.lessons.course import Course
@@ -49,8 +49,8 @@ class LessonPane(WindowPane["Course"]):
         """Whether the notes for the teacher are shown."""
         self._follow = True
         """Whether the chosen lesson has to be brought into sight."""
-        self._rows: list[Row] = []
-        self._entries: list[Entry] = []
+        self._rows: list[PageRow] = []
+        self._entries: list[LessonEntry] = []
         self._built_for: object = None
         """What the rows were made of."""
         self._touched_for: object = None

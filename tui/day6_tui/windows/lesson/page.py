@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Action = Callable[[], object]
 
 
-class Row(NamedTuple):
+class PageRow(NamedTuple):
     """A line of the page, and what a click on it does."""
 
     line: Line
@@ -34,7 +34,7 @@ class Row(NamedTuple):
     """What has come to be seen here: 'solved', 'hint', 'answer', 'problem', 'notes'."""
 
 
-class Entry(NamedTuple):
+class LessonEntry(NamedTuple):
     """A lesson in the list."""
 
     name: str
@@ -43,16 +43,16 @@ class Entry(NamedTuple):
 
 def list_rows(
     course: Course, look: Look, width: int, chosen: int, open_entry: Callable[[int], object]
-) -> tuple[list[Row], list[Entry]]:
+) -> tuple[list[PageRow], list[LessonEntry]]:
     """The list of lessons and drills with how far the pupil is; also the entries with their lines."""
     texts, colours = look.texts, look.colours
-    rows: list[Row] = []
-    entries: list[Entry] = []
+    rows: list[PageRow] = []
+    entries: list[LessonEntry] = []
 
     def heading(text: str) -> None:
         if rows:
-            rows.append(Row([]))
-        rows.append(Row([Segment(clip(f" {text}", width), colours.strong)]))
+            rows.append(PageRow([]))
+        rows.append(PageRow([Segment(clip(f" {text}", width), colours.strong)]))
 
     def entry(lesson: Lesson, name: str) -> None:
         number = len(entries)
@@ -70,14 +70,14 @@ def list_rows(
         style = colours.choice if on else colours.text
         done = colours.publisher if solved >= all_steps else colours.muted
         line = [Segment(fit(f" {marker} {name}", room), style), Segment(f" {far} ", done)]
-        rows.append(Row(line, lambda: open_entry(number)))
-        entries.append(Entry(lesson.name, len(rows) - 1))
+        rows.append(PageRow(line, lambda: open_entry(number)))
+        entries.append(LessonEntry(lesson.name, len(rows) - 1))
 
     if course.exam is not None and course.exam.over:
         rows += _exam_rows(course.exam, course, look, width)
     if course.unknown:
         rows += [
-            Row([Segment(f" {line}", colours.warning)])
+            PageRow([Segment(f" {line}", colours.warning)])
             for line in wrap(texts("lesson.unknown", name=course.unknown), width - 2)
         ]
     if course.finished is not None:
@@ -86,11 +86,11 @@ def list_rows(
     for lesson in course.lessons:
         entry(lesson, lesson.title[texts.language])
     if not course.lessons:
-        rows.append(Row([Segment(clip(f"   {texts('lesson.none')}", width), colours.muted)]))
+        rows.append(PageRow([Segment(clip(f"   {texts('lesson.none')}", width), colours.muted)]))
     for mistakes in course.broken:
         for each in mistakes.mistakes[:3]:
             words = f"{mistakes.path.name}:{each.line}: {each.text}"
-            rows += [Row([Segment(f"   {line}", colours.warning)]) for line in wrap(words, width - 4)]
+            rows += [PageRow([Segment(f"   {line}", colours.warning)]) for line in wrap(words, width - 4)]
     for key, shipped in (("lesson.drills.own", False), ("lesson.drills", True)):
         drills = [lesson for lesson in course.drills if is_shipped(lesson) == shipped]
         if not drills:
@@ -98,10 +98,10 @@ def list_rows(
         heading(texts(key))
         if drills[0] is course.drills[0]:
             more = wrap(texts("lesson.drills.more"), width - 4)
-            rows += [Row([Segment(f"   {line}", colours.muted)]) for line in more]
+            rows += [PageRow([Segment(f"   {line}", colours.muted)]) for line in more]
         for before, lesson in zip((None, *drills), drills, strict=False):
             if before is None or before.topic != lesson.topic:
-                rows.append(Row([Segment(clip(f"   {_topic(lesson.topic, look)}", width), colours.accent)]))
+                rows.append(PageRow([Segment(clip(f"   {_topic(lesson.topic, look)}", width), colours.accent)]))
             number = f"{lesson.fault:2} " if lesson.fault else ""
             entry(lesson, f"{number}{lesson.title[texts.language]}")
     return rows, entries
@@ -112,7 +112,7 @@ def _topic(topic: str, look: Look) -> str:
     return look.texts(f"lesson.topic.{topic}") if topic in TOPICS else topic
 
 
-def _finished_rows(lesson: Lesson, course: Course, look: Look, width: int) -> list[Row]:
+def _finished_rows(lesson: Lesson, course: Course, look: Look, width: int) -> list[PageRow]:
     """What the pupil has done of the lesson that ends here."""
     done = [course.progress.step(lesson.name, step.name) for step in lesson.steps]
     words = look.texts(
@@ -122,14 +122,14 @@ def _finished_rows(lesson: Lesson, course: Course, look: Look, width: int) -> li
         all=len(done),
         hints=sum(each.hints for each in done),
     )
-    return [Row([Segment(f" {line}", look.colours.publisher)]) for line in wrap(words, width - 2)]
+    return [PageRow([Segment(f" {line}", look.colours.publisher)]) for line in wrap(words, width - 2)]
 
 
-def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[Row]:
+def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[PageRow]:
     """The report of an exam that is over."""
     texts, colours = look.texts, look.colours
     head = texts("lesson.exam.over", solved=exam.solved, all=len(exam.drills))
-    rows = [Row([Segment(clip(f" {head}", width), colours.strong)])]
+    rows = [PageRow([Segment(clip(f" {head}", width), colours.strong)])]
     for result in exam.results:
         drill = course.lesson(result.drill)
         name = drill.title[texts.language] if drill is not None else result.drill
@@ -137,7 +137,7 @@ def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[Row]:
         room = width - cell_len(far) - 6
         style = colours.publisher if result.solved else colours.warning
         rows.append(
-            Row(
+            PageRow(
                 [
                     Segment(f" {fit(_mark(look, result.solved), 3)} ", style),
                     Segment(fit(name, room), style),
@@ -159,7 +159,7 @@ def step_rows(
     here: bool = True,
     picked: str = "",
     short: bool = False,
-) -> list[Row]:
+) -> list[PageRow]:
     """The page of the step: picture, text, what to do, how far the checks are, hints, answers, `notes` for the teacher.
 
     `here`: the keyboard is in this window, so that its keys need no F5 before them. `picked`: the answer that Enter gives.
@@ -168,25 +168,27 @@ def step_rows(
     assert state.step is not None
     page: Page = state.step.pages[look.texts.language]
     rows = _heading(state, page, look, width)
-    body = [Row([Segment(" ", look.colours.text), *line]) for line in _text(page.body, width - 2, look)]
-    parts = [_picture(page, look, width), [*body, Row([])], _do(page, look, width)]
+    body = [PageRow([Segment(" ", look.colours.text), *line]) for line in _text(page.body, width - 2, look)]
+    parts = [_picture(page, look, width), [*body, PageRow([])], _do(page, look, width)]
     if short:
-        parts = [[*parts[2], Row([])], parts[0], parts[1][:-1]]
+        parts = [[*parts[2], PageRow([])], parts[0], parts[1][:-1]]
     rows += [row for part in parts for row in part]
-    rows += [Row([])] if page.answers else []
+    rows += [PageRow([])] if page.answers else []
     for answer in page.answers:
         rows += _answer(answer, state, look, width, doing, picked=answer.letter == picked)
     if page.answers and not state.solved:
         letters = texts_list(look, [answer.letter for answer in page.answers])
         told = look.texts("lesson.answer.here" if here else "lesson.answer", letters=letters)
-        rows += [Row([Segment(f"  {line}", look.colours.accent)], news="question") for line in wrap(told, width - 4)]
-    rows.append(Row([]))
+        rows += [
+            PageRow([Segment(f"  {line}", look.colours.accent)], news="question") for line in wrap(told, width - 4)
+        ]
+    rows.append(PageRow([]))
     rows += _checks(state, look, width, here=here)
     rows += _hints(state, page, look, width, doing)
     rows += _problems(course, state, look, width, doing)
     if notes and page.teacher:
         lines = [[Segment(look.texts("lesson.notes"), look.colours.accent)], *_text(page.teacher, width - 2, look)]
-        rows += [Row([]), *(Row([Segment(" ", look.colours.text), *line], news="notes") for line in lines)]
+        rows += [PageRow([]), *(PageRow([Segment(" ", look.colours.text), *line], news="notes") for line in lines)]
     return rows
 
 
@@ -199,47 +201,50 @@ def texts_list(look: Look, words: list[str]) -> str:
     return look.texts("list.comma").join(words)
 
 
-def _heading(state: State, page: Page, look: Look, width: int) -> list[Row]:
+def _heading(state: State, page: Page, look: Look, width: int) -> list[PageRow]:
     colours = look.colours
     assert state.lesson is not None
-    return [Row([Segment(f" {line}", colours.strong)]) for line in wrap(page.title, width - 2)] + [Row([])]
+    return [PageRow([Segment(f" {line}", colours.strong)]) for line in wrap(page.title, width - 2)] + [PageRow([])]
 
 
-def _picture(page: Page, look: Look, width: int) -> list[Row]:
+def _picture(page: Page, look: Look, width: int) -> list[PageRow]:
     if not page.picture:
         return []
     colours = look.colours
     size = max(map(cell_len, page.picture))
     left = max(0, (width - size) // 2)
     rows = [
-        Row([Segment(" " * left, colours.text), Segment(clip(line, width - left), colours.node)])
+        PageRow([Segment(" " * left, colours.text), Segment(clip(line, width - left), colours.node)])
         for line in page.picture
     ]
-    return [*rows, Row([])]
+    return [*rows, PageRow([])]
 
 
-def _do(page: Page, look: Look, width: int) -> list[Row]:
+def _do(page: Page, look: Look, width: int) -> list[PageRow]:
     colours, glyphs = look.colours, look.glyphs
     lines = _text(page.do, width - 4, look, colours.strong)
     return [
-        Row([Segment(f" {glyphs.marker if not at else ' '} ", colours.accent), *line]) for at, line in enumerate(lines)
+        PageRow([Segment(f" {glyphs.marker if not at else ' '} ", colours.accent), *line])
+        for at, line in enumerate(lines)
     ]
 
 
 def _answer(
     answer: Answer, state: State, look: Look, width: int, doing: Callable[[str], Action], *, picked: bool
-) -> list[Row]:
+) -> list[PageRow]:
     colours, letter, reason = look.colours, answer.letter, answer.reason
     chosen = state.answer == letter
     style = colours.publisher if chosen and state.solved else colours.warning if chosen else colours.text
     style = colours.choice if picked else style
     lines = _text(answer.text, width - 6, look, style)
     rows = [
-        Row([Segment(f"  {letter}) " if not at else "     ", style), *line], doing(f"answer {letter}"))
+        PageRow([Segment(f"  {letter}) " if not at else "     ", style), *line], doing(f"answer {letter}"))
         for at, line in enumerate(lines)
     ]
     if chosen and reason:
-        rows += [Row([Segment("     ", colours.text), *line]) for line in _text(reason, width - 6, look, colours.muted)]
+        rows += [
+            PageRow([Segment("     ", colours.text), *line]) for line in _text(reason, width - 6, look, colours.muted)
+        ]
     return rows
 
 
@@ -249,50 +254,56 @@ def _mark(look: Look, good: bool) -> str:
     return "✓" if good else "·"
 
 
-def _checks(state: State, look: Look, width: int, *, here: bool) -> list[Row]:
+def _checks(state: State, look: Look, width: int, *, here: bool) -> list[PageRow]:
     colours, language = look.colours, look.texts.language
-    rows: list[Row] = []
+    rows: list[PageRow] = []
     if state.lesson is not None and state.lesson.is_drill and not state.hints and not state.solved:
         # What is checked would give the cause away.
-        return [Row([Segment(f" {line}", colours.muted)]) for line in wrap(look.texts("lesson.drill.open"), width - 2)]
+        return [
+            PageRow([Segment(f" {line}", colours.muted)]) for line in wrap(look.texts("lesson.drill.open"), width - 2)
+        ]
     for verdict in state.verdicts:
         mark = _mark(look, verdict.ok)
         style = colours.publisher if verdict.ok else colours.text
         room = width - cell_len(mark) - 3
         for at, line in enumerate(_text(verdict.wanted.text(language), room, look, style)):
-            rows.append(Row([Segment(f" {mark if not at else ' ' * cell_len(mark)} ", style), *line]))
+            rows.append(PageRow([Segment(f" {mark if not at else ' ' * cell_len(mark)} ", style), *line]))
         if not verdict.ok and verdict.saw is not None:
             for line in _text(verdict.saw.text(language), room, look, colours.muted):
-                rows.append(Row([Segment(f" {' ' * cell_len(mark)} ", colours.muted), *line]))
+                rows.append(PageRow([Segment(f" {' ' * cell_len(mark)} ", colours.muted), *line]))
     if state.done_before and not state.solved:
         told = wrap(look.texts("lesson.done_before"), width - 2)
-        rows += [Row([]), *(Row([Segment(f" {line}", colours.publisher)]) for line in told)]
+        rows += [PageRow([]), *(PageRow([Segment(f" {line}", colours.publisher)]) for line in told)]
     if state.solved:
         key = "lesson.already" if state.before_asked else "lesson.solved"
         told = wrap(look.texts(key, key="Enter" if here else "F5"), width - 2)
-        rows += [Row([]), *(Row([Segment(f" {line}", colours.publisher)], news="solved") for line in told)]
+        rows += [PageRow([]), *(PageRow([Segment(f" {line}", colours.publisher)], news="solved") for line in told)]
     return rows
 
 
-def _hints(state: State, page: Page, look: Look, width: int, doing: Callable[[str], Action]) -> list[Row]:
+def _hints(state: State, page: Page, look: Look, width: int, doing: Callable[[str], Action]) -> list[PageRow]:
     colours, texts = look.colours, look.texts
-    rows: list[Row] = []
+    rows: list[PageRow] = []
     for number, hint in enumerate(page.hints[: state.hints], 1):
         head = texts("lesson.hint", number=number, all=HINTS)
-        rows.append(Row([]))
-        rows.append(Row([Segment(f" {head}", colours.accent)]))
-        rows += [Row([Segment(" ", look.colours.text), *line], news="hint") for line in _text(hint, width - 2, look)]
+        rows.append(PageRow([]))
+        rows.append(PageRow([Segment(f" {head}", colours.accent)]))
+        rows += [
+            PageRow([Segment(" ", look.colours.text), *line], news="hint") for line in _text(hint, width - 2, look)
+        ]
     return rows
 
 
-def _problems(course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action]) -> list[Row]:
+def _problems(course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action]) -> list[PageRow]:
     """What stands in the way: missing earlier steps, a file that is wrong, progress that cannot be kept."""
     colours, texts = look.colours, look.texts
-    rows: list[Row] = []
+    rows: list[PageRow] = []
 
     def say(text: str, action: Action | None = None) -> None:
-        rows.append(Row([]))
-        rows.extend(Row([Segment(f" {line}", colours.warning)], action, "problem") for line in wrap(text, width - 2))
+        rows.append(PageRow([]))
+        rows.extend(
+            PageRow([Segment(f" {line}", colours.warning)], action, "problem") for line in wrap(text, width - 2)
+        )
 
     if state.leftovers and not state.working:
         say(texts("lesson.leftovers", names=texts_list(look, list(state.leftovers[:3]))), doing("clear"))

@@ -39,7 +39,7 @@ class PaneList(Surviving, OptionList):
         self.refresh()
 
 
-class Row(Visual):
+class ListRow(Visual):
     """An entry: a mark, and the text beside it, as high as it needs; `below` it a line of its own in another style."""
 
     def __init__(

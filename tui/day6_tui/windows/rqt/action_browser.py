@@ -19,7 +19,7 @@ from day6_tui.windows.rqt.type_browser import BrowsingPane
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from day6_core.ros.programs.rqt_action.model import Action, ActionBrowser, Goal
+    from day6_core.ros.programs.rqt_action.model import ActionBrowser, ActionEntry, Goal
     from day6_core.ros.programs.rqt_msg.model import TypeBrowser
 
 ACTION, GOAL, REQUEST = "@", "!", "?"
@@ -36,7 +36,7 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
 
     def __init__(self, window: Window[ActionBrowser], look: Look) -> None:
         super().__init__(window, look)
-        self._actions: list[Action] = []
+        self._actions: list[ActionEntry] = []
         self.list.wants_open = self._wants_open
 
     @property
@@ -64,7 +64,7 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
             lines.append(self.remark(texts("actions.none")))
         return lines + super().lines()
 
-    def _lines_of(self, action: Action) -> list[FieldLine]:
+    def _lines_of(self, action: ActionEntry) -> list[FieldLine]:
         texts, key = self.look.texts, ACTION + action.name
         ends = texts("actions.ends", servers=len(action.servers), clients=len(action.clients))
         lines = [FieldLine(key, (action.name, action.type, ends), is_branch=True)]
@@ -85,7 +85,7 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
             lines += [FieldLine(f"{key} {part}{node}", (texts(f"actions.{part}"), "", node), 1) for node in nodes]
         return lines
 
-    def _goal(self, action: Action, goal: Goal, key: str) -> list[FieldLine]:
+    def _goal(self, action: ActionEntry, goal: Goal, key: str) -> list[FieldLine]:
         texts = self.look.texts
         whose = texts("actions.own") if goal.is_own else ""
         name = texts("actions.id", id=goal.id[:SHORT])
@@ -143,14 +143,14 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
             return super().used(event)
         return True
 
-    def _action_of(self, line: FieldLine) -> Action | None:
+    def _action_of(self, line: FieldLine) -> ActionEntry | None:
         name = line.key.removeprefix(ACTION) if line.key.startswith(ACTION) else ""
         ends = ("", " ", REQUEST, GOAL)
         return next(
             (each for each in self._actions if name[len(each.name) :][:1] in ends and name.startswith(each.name)), None
         )
 
-    def _chosen(self) -> Action | None:
+    def _chosen(self) -> ActionEntry | None:
         """The action that the cursor is on; the only one that is watched, if it is on none."""
         line = self.list.chosen
         watched = [action for action in self._actions if action.watched]

@@ -12,7 +12,7 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import clip
 from day6_tui.panes.pane import Piece
-from day6_tui.windows.fields.field_list import FieldLine, Needs
+from day6_tui.windows.fields.field_list import FieldLine, FieldNeeds
 from day6_tui.windows.fields.pane import BOOLEAN, FieldPane
 from day6_tui.windows.fields.rows import NARROW, is_long, narrow_columns, problem_of
 from day6_tui.windows.parts.buttons import Button
@@ -24,7 +24,7 @@ RATE, EXPRESSION = 2, 3
 """Columns."""
 
 
-def columns_in(width: int, needs: Needs) -> tuple[int, int, int, int]:
+def columns_in(width: int, needs: FieldNeeds) -> tuple[int, int, int, int]:
     """Widths of topic, type, rate and expression; 0 for the rate in a narrow window, where it is in the column of expressions."""
     if width < NARROW:
         name, kind = narrow_columns(width, needs)
@@ -201,11 +201,11 @@ class PublisherPane(FieldPane["MessagePublisher"]):
 
     def choose_topic(self) -> None:
         """Open the list of topics; its first entry is a topic of another name."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
-        entries = [Entry(self.look.texts("publisher.new_topic"), "", self._type_topic)]
+        entries = [MenuEntry(self.look.texts("publisher.new_topic"), "", self._type_topic)]
         entries += [
-            Entry(name, kind, lambda name=name, kind=kind: self._add(name, kind))  # type: ignore[misc]
+            MenuEntry(name, kind, lambda name=name, kind=kind: self._add(name, kind))  # type: ignore[misc]
             for name, kind in self.model.topics()
         ]
         self.lay_over(Menu(self.look, "publisher.choose_topic", entries, chosen=min(1, len(entries) - 1)))
@@ -228,10 +228,10 @@ class PublisherPane(FieldPane["MessagePublisher"]):
 
     def _choose_type(self, topic: str) -> None:
         from day6_core.interfaces import interface_names, packages
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         kinds = [f"{package}/{name}" for package in packages() for name in interface_names(package, "msg")]
-        entries = [Entry(kind, "", lambda kind=kind: self._add(topic, kind)) for kind in sorted(kinds)]  # type: ignore[misc]
+        entries = [MenuEntry(kind, "", lambda kind=kind: self._add(topic, kind)) for kind in sorted(kinds)]  # type: ignore[misc]
         self.lay_over(Menu(self.look, "publisher.choose_type", entries))
 
     def _add(self, topic: str, kind: str) -> None:

@@ -10,20 +10,19 @@ from textual import events, on
 from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
-from day6_core.ros.programs.rqt_gui.catalogue import Entry
+from day6_core.ros.programs.rqt_gui.catalogue import PluginEntry
 from day6_core.ros.programs.rqt_gui.model import Open, Rqt
 from day6_core.ros.programs.rqt_gui.perspectives import wrong_name
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
-from day6_tui.overlays.menu import Entry as MenuEntry
-from day6_tui.overlays.menu import Menu
+from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.prompt import before_replacing
 from day6_tui.panes.cells import cell_len
 from day6_tui.panes.pane import Piece
-from day6_tui.windows.parts.pane_list import ListPane, PaneList, Row
+from day6_tui.windows.parts.pane_list import ListPane, ListRow, PaneList
 
 
-class PluginRow(Row):
+class PluginRow(ListRow):
     """One line, cut at the right: the group of the plugin, its title, what it is for; from `least` cells on with the group."""
 
     def __init__(self, entries: PaneList, index: int, group: str, text: str, style: Style, least: int) -> None:
@@ -41,7 +40,7 @@ class PluginList(PaneList):
     def __init__(self, model: Rqt, look: Look) -> None:
         super().__init__(look)
         self._model = model
-        self._subjects: list[Entry | Open] = []
+        self._subjects: list[PluginEntry | Open] = []
         """What each line stands for."""
 
     def show(self) -> None:
@@ -54,7 +53,7 @@ class PluginList(PaneList):
         rows: list[PluginRow] = []
         self._subjects, before = [], ""
 
-        def add(subject: Entry | Open, group: str, text: str, style: Style) -> None:
+        def add(subject: PluginEntry | Open, group: str, text: str, style: Style) -> None:
             rows.append(PluginRow(self, len(rows), f"{group:<{groups}}", text, style, least))
             self._subjects.append(subject)
 
@@ -70,7 +69,7 @@ class PluginList(PaneList):
         self.highlighted = self._subjects.index(chosen) if chosen in self._subjects else 0
 
     @property
-    def chosen(self) -> Entry | Open | None:
+    def chosen(self) -> PluginEntry | Open | None:
         """What the cursor is on; None before there is a list."""
         at = self.highlighted
         return self._subjects[at] if at is not None and at < len(self._subjects) else None
@@ -114,7 +113,7 @@ class RqtPane(ListPane[Rqt, PluginList]):
         if self.model.trouble:
             return [Piece(f" {self.model.trouble} ", colours.warning)]
         chosen = self.list.chosen
-        if not isinstance(chosen, Entry):
+        if not isinstance(chosen, PluginEntry):
             return []
         return [Piece(f" {texts(f'rqt.about.{chosen.package}')} ", colours.text)]  # its line may be too short for it
 

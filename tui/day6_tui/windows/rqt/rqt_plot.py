@@ -398,11 +398,11 @@ class RqtPlotPane(WindowPane[Plot]):
         return True
 
     def _choose_field(self) -> None:
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         plotted = {curve.path for curve in self.plot.curves}
         entries = [
-            Entry(path, "", lambda path=path: self.plot.add(path))  # type: ignore[misc]
+            MenuEntry(path, "", lambda path=path: self.plot.add(path))  # type: ignore[misc]
             for path in self.plot.suggestions()
             if path not in plotted
         ]

@@ -22,7 +22,7 @@ from day6_tui.panes.splits import Extent
 from day6_tui.windows.parts.lines_pane import Line, LinesPane
 from day6_tui.windows.parts.list_keys import BEGINS_NUMBER, SLIDER_FINEST, SLIDER_STEPS, first_seen, list_steps
 from day6_tui.windows.parts.node_tree import NodeLine, node_lines
-from day6_tui.windows.rqt.rqt_reconfigure_rows import Editors, Key, Row, rows_of
+from day6_tui.windows.rqt.rqt_reconfigure_rows import Editors, Key, ParameterRow, rows_of
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_reconfigure.model import Reconfigure
@@ -56,7 +56,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         """The slider that the mouse holds, with the value that it will send."""
         self._first_node = self._first_row = 0
         self._tree: list[NodeLine] = []
-        self._rows: list[Row] = []
+        self._rows: list[ParameterRow] = []
 
     # -- places --------------------------------------------------------------------------------------------------------
 
@@ -139,7 +139,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         rule = Segment(self.look.glyphs.border.horizontal * width, colours.frame)
         return [*lines, [rule], *self._details(self._rows[at], width, height - room - 1)]
 
-    def _details(self, row: Row, width: int, height: int) -> list[Line]:
+    def _details(self, row: ParameterRow, width: int, height: int) -> list[Line]:
         """What is known of the chosen parameter."""
         colours, texts, parameter = self.look.colours, self.look.texts, row.parameter
         if parameter is None:
@@ -184,7 +184,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
         return next((index for index, row in enumerate(self._rows) if row.key == self._key), 0)
 
     @property
-    def _row(self) -> Row | None:
+    def _row(self) -> ParameterRow | None:
         return self._rows[self._row_at()] if self._rows else None
 
     def _choose(self, step: int) -> None:

@@ -30,7 +30,7 @@ Key = tuple[str, str]
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class ParameterRow:
     """One line. `key` is None for a remark, which cannot be chosen."""
 
     node: OpenNode
@@ -50,19 +50,19 @@ class Row:
         return self.node.name, self.parameter.name if self.parameter is not None else ""
 
 
-def rows_of(opened: tuple[OpenNode, ...], text: str, look: Look) -> list[Row]:
+def rows_of(opened: tuple[OpenNode, ...], text: str, look: Look) -> list[ParameterRow]:
     """The lines of all opened nodes; of the parameters only those with `text` in their names, in any case."""
     rows = []
     for node in opened:
-        rows.append(Row(node))
+        rows.append(ParameterRow(node))
         remark, warns = _state(node, look)
         if remark:
-            rows.append(Row(node, remark=remark, warns=warns))
+            rows.append(ParameterRow(node, remark=remark, warns=warns))
         for parameter in node.parameters:
             if text.casefold() in parameter.name.casefold():
-                rows.append(Row(node, parameter))
+                rows.append(ParameterRow(node, parameter))
                 if parameter.refusal:
-                    rows.append(Row(node, parameter, parameter.refusal, True))
+                    rows.append(ParameterRow(node, parameter, parameter.refusal, True))
     return rows
 
 
@@ -99,7 +99,7 @@ class Editors:
         self._name = self._room = 0
         self._limits = False
 
-    def begin(self, rows: list[Row], width: int) -> None:
+    def begin(self, rows: list[ParameterRow], width: int) -> None:
         """Divide `width` cells for the lines that are in sight."""
         self.tracks = {}
         longest = max((cell_len(row.parameter.name) for row in rows if row.parameter is not None), default=0)
@@ -121,7 +121,9 @@ class Editors:
         """The column from which a line shows the value."""
         return self._name + 4
 
-    def line(self, row: Row, chosen: bool, focused: bool, dragged: Mapping[Key, Any], width: int) -> list[Segment]:
+    def line(
+        self, row: ParameterRow, chosen: bool, focused: bool, dragged: Mapping[Key, Any], width: int
+    ) -> list[Segment]:
         """The segments of one line; of a parameter that the mouse drags with the value it would get."""
         colours, glyphs = self.look.colours, self.look.glyphs
         mark = Segment(f" {glyphs.marker if chosen else ' '}", colours.accent)
@@ -143,7 +145,7 @@ class Editors:
         style = on or (colours.strong if chosen else colours.topic) if there else on or colours.muted
         return [mark, Segment(" " + name, style), Segment(" ", colours.text), *self._editor(row, dragged)]
 
-    def _editor(self, row: Row, dragged: Mapping[Key, Any]) -> list[Segment]:
+    def _editor(self, row: ParameterRow, dragged: Mapping[Key, Any]) -> list[Segment]:
         parameter, colours, glyphs = row.parameter, self.look.colours, self.look.glyphs
         assert parameter is not None and row.key is not None
         value = dragged.get(row.key, parameter.value)
@@ -165,7 +167,7 @@ class Editors:
         fits = parameter.read_only and cell_len(text) + used <= self._room // 2
         return [Segment(text, self.look.colours.muted)] if fits else []
 
-    def _slider(self, row: Row, value: float, style: Style) -> list[Segment]:
+    def _slider(self, row: ParameterRow, value: float, style: Style) -> list[Segment]:
         parameter, colours, unicode = row.parameter, self.look.colours, self.look.glyphs.unicode
         assert parameter is not None and parameter.range is not None and row.key is not None
         width, column = self._room - VALUE_WIDTH - 1, self.value_column

@@ -10,7 +10,7 @@ from rich.style import Style
 from textual import events
 from textual.strip import Strip
 
-from day6_core.ros.programs.rqt_tf_tree.model import Line, TfTree
+from day6_core.ros.programs.rqt_tf_tree.model import FrameLine, TfTree
 from day6_core.ros.programs.tf2_tools.frame_tree import Frame
 from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
@@ -56,7 +56,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
     def __init__(self, window: Window[TfTree], look: Look) -> None:
         super().__init__(window, look)
         self._drawn: tuple[object, ...] = ()
-        self._lines: tuple[Line, ...] = ()
+        self._lines: tuple[FrameLine, ...] = ()
         self._chosen = 0
         self._top = self._left = 0
         self._widest = 0
@@ -188,7 +188,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
         ]
         return [*names, *cells]
 
-    def _names(self, line: Line, guides: Style, named: Style, blank: Style) -> Strip:
+    def _names(self, line: FrameLine, guides: Style, named: Style, blank: Style) -> Strip:
         """A line of the tree as far as it is in sight; where its name is not, the name at the side where it lies."""
         width, begin = self._names_width, self._before(line)
         name = self._told(line)
@@ -226,22 +226,22 @@ class RqtTfTreePane(WindowPane[TfTree]):
         value = {"age": age, "rate": frame.rate, "buffer": frame.buffer_length}[key]
         return f"{value:.2f}" if abs(value) < 10_000 else f"{value:.2g}"
 
-    def _guides(self, line: Line) -> str:
+    def _guides(self, line: FrameLine) -> str:
         branch, corner, through = ("├─ ", "└─ ", "│  ") if self.look.glyphs.unicode else ("|- ", "`- ", "|  ")
         if not line.ends:
             return ""
         above = "".join("   " if ends else through for ends in line.ends[:-1])
         return above + (corner if line.ends[-1] else branch)
 
-    def _told(self, line: Line) -> str:
+    def _told(self, line: FrameLine) -> str:
         name = one_line(line.name)
         return f"{name} {self.look.texts('tf_tree.again')}" if line.again else name
 
-    def _told_width(self, line: Line) -> int:
+    def _told_width(self, line: FrameLine) -> int:
         return cell_len(self._told(line))
 
     @staticmethod
-    def _before(line: Line) -> int:
+    def _before(line: FrameLine) -> int:
         return 1 + INDENT * len(line.ends)
 
     def _about(self, width: int) -> list[str]:

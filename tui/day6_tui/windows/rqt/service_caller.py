@@ -117,11 +117,11 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
 
     def choose_service(self) -> None:
         """Open the list of services."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         services = self.model.services
         entries = [
-            Entry(name, kind, lambda name=name: self._choose(name))  # type: ignore[misc]
+            MenuEntry(name, kind, lambda name=name: self._choose(name))  # type: ignore[misc]
             for name, kind in services
         ]
         chosen = next((at for at, (name, _) in enumerate(services) if name == self.model.service), 0)

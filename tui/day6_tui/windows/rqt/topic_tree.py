@@ -39,7 +39,7 @@ Path = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TopicRow:
     """What a line of the tree says. `ticked` is None for a line without a check box."""
 
     path: Path
@@ -55,7 +55,7 @@ class Row:
 class Branch(NamedTuple):
     """A line and what opening it shows; None for a line that cannot be opened."""
 
-    row: Row
+    row: TopicRow
     parts: Callable[[], Sequence[Branch]] | None = None
 
 
@@ -88,7 +88,7 @@ def columns_in(width: int, longest: int = 0) -> Columns:
     return Columns(topic, kind, bandwidth, hz, max(0, rest - topic - 1))
 
 
-class TopicTree(DesktopTree[Row]):
+class TopicTree(DesktopTree[TopicRow]):
     """Shows the branches that its pane gives it; which are open and where the cursor is outlasts their coming and going."""
 
     DEFAULT_CSS = """
@@ -151,7 +151,7 @@ class TopicTree(DesktopTree[Row]):
         self._longest = max([LONGEST_PART, *(BEFORE_NAME + cell_len(one_line(name)) for name in names)])
         return self._longest != before
 
-    def _show_parts(self, node: TreeNode[Row]) -> None:
+    def _show_parts(self, node: TreeNode[TopicRow]) -> None:
         """Scroll down as far as is needed to see what is below a line, but not beyond the line itself."""
         last = node
         while last.is_expanded and last.children:
@@ -160,15 +160,15 @@ class TopicTree(DesktopTree[Row]):
         if top > self.scroll_offset.y:
             self.scroll_to(y=top, animate=False, immediate=True)
 
-    def node_at(self, path: Path) -> TreeNode[Row] | None:
+    def node_at(self, path: Path) -> TreeNode[TopicRow] | None:
         """The node of a line, if it is shown."""
-        node: TreeNode[Row] | None = self.root
+        node: TreeNode[TopicRow] | None = self.root
         for depth in range(len(path)):
             found = node.children if node is not None else ()
             node = next((each for each in found if each.data and each.data.path == path[: depth + 1]), None)
         return node
 
-    def _fill(self, node: TreeNode[Row], branches: Sequence[Branch]) -> None:
+    def _fill(self, node: TreeNode[TopicRow], branches: Sequence[Branch]) -> None:
         if [child.data and child.data.path for child in node.children] != [branch.row.path for branch in branches]:
             node.remove_children()
             for row, _ in branches:
@@ -182,19 +182,19 @@ class TopicTree(DesktopTree[Row]):
             if parts is not None and child.is_expanded:
                 self._fill(child, parts())
 
-    def on_tree_node_expanded(self, event: Tree.NodeExpanded[Row]) -> None:
+    def on_tree_node_expanded(self, event: Tree.NodeExpanded[TopicRow]) -> None:
         event.stop()
         if event.node.data is not None:
             self._open.add(event.node.data.path)
             self._opened = event.node.data.path
             self._pane.refill()
 
-    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[Row]) -> None:
+    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[TopicRow]) -> None:
         event.stop()
         if event.node.data is not None:
             self._open.discard(event.node.data.path)
 
-    def on_tree_node_highlighted(self, event: Tree.NodeHighlighted[Row]) -> None:
+    def on_tree_node_highlighted(self, event: Tree.NodeHighlighted[TopicRow]) -> None:
         event.stop()
         self._pane.touch_frame()
 
@@ -207,7 +207,7 @@ class TopicTree(DesktopTree[Row]):
     def get_component_rich_style(self, *names: str, partial: bool = False, default: Style | None = None) -> Style:
         return Style.null() if partial else self.rich_style
 
-    def render_label(self, node: TreeNode[Row], base_style: Style, style: Style) -> Text:
+    def render_label(self, node: TreeNode[TopicRow], base_style: Style, style: Style) -> Text:
         row, look = node.data, self._look
         assert row is not None
         colours, ellipsis = look.colours, look.glyphs.ellipsis
@@ -234,7 +234,7 @@ class TopicTree(DesktopTree[Row]):
                 text.append(" " + (pad + shown if right else shown + pad), on or cell_style)
         return text
 
-    def _opener(self, node: TreeNode[Row]) -> str:
+    def _opener(self, node: TreeNode[TopicRow]) -> str:
         if not node.allow_expand:
             return "  "
         if not self._look.glyphs.chinese:

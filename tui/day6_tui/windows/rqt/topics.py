@@ -18,7 +18,7 @@ from day6_tui.panes.cells import cell_len, clip
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.buttons import Button, button_line
-from day6_tui.windows.rqt.topic_tree import Branch, Path, Row, TopicTree
+from day6_tui.windows.rqt.topic_tree import Branch, Path, TopicRow, TopicTree
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rqt_topic.model import Endpoint, Topic, TopicMonitor
@@ -211,7 +211,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             value = texts("topics.waiting")
         else:
             value, quiet = self._summary(message), False
-        row = Row(
+        row = TopicRow(
             (topic.name,),
             ", ".join(topic.types),
             _bandwidth(topic.bandwidth) if topic.monitored else "",
@@ -228,9 +228,9 @@ class TopicsPane(WindowPane["TopicMonitor"]):
         parts = self._fields(path, topic.types[0] if topic.types else "", message)
         if topic.monitored:
             bars = _sparkline(topic.bars, BARS_WIDTH, self.look.glyphs.bars)
-            parts.append(Branch(Row((*path, texts("topics.history")), value=bars, quiet=True)))
+            parts.append(Branch(TopicRow((*path, texts("topics.history")), value=bars, quiet=True)))
         for key, ends in (("topics.publishers", topic.publishers), ("topics.subscriptions", topic.subscriptions)):
-            row = Row((*path, texts(key)), value=str(len(ends)), quiet=True)
+            row = TopicRow((*path, texts(key)), value=str(len(ends)), quiet=True)
             parts.append(Branch(row, partial(_ends, row.path, ends) if ends else None))
         return parts
 
@@ -243,7 +243,7 @@ class TopicsPane(WindowPane["TopicMonitor"]):
             return []  # a type this machine does not know: listening tells so
         return [
             Branch(
-                Row((*path, field.name), field.type, value=self._summary(field.value)),
+                TopicRow((*path, field.name), field.type, value=self._summary(field.value)),
                 partial(self._fields, (*path, field.name), field.type, field.value)
                 if has_fields(field.type, field.value)
                 else None,
@@ -340,7 +340,7 @@ def _definition(topic: Topic) -> tuple[str, str]:
 
 
 def _ends(path: Path, ends: Sequence[Endpoint]) -> list[Branch]:
-    return [Branch(Row((*path, f"{end.node}"), value=end.qos)) for end in ends]
+    return [Branch(TopicRow((*path, f"{end.node}"), value=end.qos)) for end in ends]
 
 
 def _rate(rate: float | None) -> str:

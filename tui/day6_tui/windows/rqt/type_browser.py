@@ -150,20 +150,20 @@ class BrowsingPane(FieldPane[Model]):
 
     def choose_package(self) -> None:
         """Open the list of packages, then that of the chosen one's types."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         def chosen(package: str) -> None:
             self.browser.choose_package(package)
             self.call_after_refresh(self.choose_type)
 
         names = self.browser.packages()
-        entries = [Entry(name, "", lambda name=name: chosen(name)) for name in names]  # type: ignore[misc]
+        entries = [MenuEntry(name, "", lambda name=name: chosen(name)) for name in names]  # type: ignore[misc]
         at = names.index(self.browser.package) if self.browser.package in names else 0
         self.lay_over(Menu(self.look, "types.package", entries, chosen=at))
 
     def choose_type(self) -> None:
         """Open the list of the package's types."""
-        from day6_tui.overlays.menu import Entry, Menu
+        from day6_tui.overlays.menu import Menu, MenuEntry
 
         def chosen(name: str) -> None:
             before = {tree.number for tree in self.browser.trees}
@@ -171,7 +171,7 @@ class BrowsingPane(FieldPane[Model]):
             self._sought = next((tree.number for tree in self.browser.trees if tree.number not in before), None)
             self.look.wake()
 
-        entries = [Entry(name, "", lambda name=name: chosen(name)) for name in self.browser.types()]  # type: ignore[misc]
+        entries = [MenuEntry(name, "", lambda name=name: chosen(name)) for name in self.browser.types()]  # type: ignore[misc]
         self.lay_over(Menu(self.look, f"types.choose.{self.browser.kind}", entries))
 
 

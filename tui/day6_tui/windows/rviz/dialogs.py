@@ -13,7 +13,7 @@ from day6_core.ros.programs.rviz2.model.displays import TYPES
 from day6_core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
 from day6_core.ros.programs.rviz2.model.views import SavedView
 from day6_core.whole_file import replace_file
-from day6_tui.overlays.menu import Entry, Menu
+from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.prompt import Prompt, before_replacing
 from day6_tui.windows.rviz.tree import MOST_LINES
 
@@ -35,15 +35,15 @@ def edit(pane: RVizPane, prop: Property) -> None:
 
 def show_menu(pane: RVizPane, choices: list[tuple[str, Callable[[], object]]]) -> None:
     """The menu of an interactive marker."""
-    entries = [Entry(title, "", partial(pane.rviz.request, action)) for title, action in choices]
+    entries = [MenuEntry(title, "", partial(pane.rviz.request, action)) for title, action in choices]
     pane.lay_over(Menu(pane.look, "rviz.choose", entries))
 
 
 def _choose(pane: RVizPane, prop: Property, options: list[str]) -> None:
     texts = pane.look.texts
-    entries = [Entry(option, "", partial(pane.set, prop, option)) for option in options]
+    entries = [MenuEntry(option, "", partial(pane.set, prop, option)) for option in options]
     if prop.kind in (FRAME, TOPIC):
-        entries.append(Entry(texts("rviz.type_it"), "", partial(type_value, pane, prop)))
+        entries.append(MenuEntry(texts("rviz.type_it"), "", partial(type_value, pane, prop)))
     chosen = options.index(prop.value) if prop.value in options else 0
     pane.lay_over(Menu(pane.look, "rviz.choose", entries, chosen=chosen))
 
@@ -68,12 +68,12 @@ def type_value(pane: RVizPane, prop: Property) -> None:
 def find(pane: RVizPane) -> None:
     """Search all lines of the panel, also those of closed branches, and go to one."""
     rviz = pane.rviz
-    entries: list[Entry] = []
+    entries: list[MenuEntry] = []
 
     def collect(properties: list[Property], above: str) -> None:
         for prop in properties:
             if len(entries) < MOST_LINES and not prop.hidden:
-                entries.append(Entry(prop.name, above, partial(pane.choose, prop), words=prop.text))
+                entries.append(MenuEntry(prop.name, above, partial(pane.choose, prop), words=prop.text))
                 collect(prop.children, f"{above} / {prop.name}" if above else prop.name)
 
     collect(rviz.panels, "")
@@ -93,13 +93,13 @@ def add(pane: RVizPane) -> None:
 
     by_topic = texts("rviz.add.by_topic")
     entries = [
-        Entry(name, texts(f"rviz.type.{name}"), partial(add_it, name), words=texts("rviz.add.by_type"))
+        MenuEntry(name, texts(f"rviz.type.{name}"), partial(add_it, name), words=texts("rviz.add.by_type"))
         for name in sorted(TYPES, key=lambda name: name not in WANTED_FIRST)
     ]
     for topic, types in rviz.topics():
         for message_type in types:
             for name in rviz.displays_for(message_type):
-                entries.append(Entry(topic, f"{name}  {by_topic}", partial(add_it, name, topic)))
+                entries.append(MenuEntry(topic, f"{name}  {by_topic}", partial(add_it, name, topic)))
     pane.lay_over(Menu(pane.look, "rviz.add.title", entries))
 
 
@@ -176,9 +176,11 @@ def leave(pane: RVizPane) -> None:
     texts, close = pane.look.texts, pane.window.close_by_user
     path = pane.rviz.config_file or pane.rviz.default_file
     entries = [
-        Entry("Save", texts("rviz.leave.save", file=path.name if path is not None else "…"), lambda: save(pane, close)),
-        Entry("Discard", texts("rviz.leave.discard"), close),
-        Entry("Cancel", texts("rviz.leave.cancel"), lambda: None),
+        MenuEntry(
+            "Save", texts("rviz.leave.save", file=path.name if path is not None else "…"), lambda: save(pane, close)
+        ),
+        MenuEntry("Discard", texts("rviz.leave.discard"), close),
+        MenuEntry("Cancel", texts("rviz.leave.cancel"), lambda: None),
     ]
     pane.lay_over(Menu(pane.look, "rviz.leave.title", entries))
 

@@ -19,7 +19,7 @@ NARROWEST_VALUE = 7
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class PropertyLine:
     """One property at its depth."""
 
     prop: Property
@@ -44,7 +44,7 @@ class Zones:
     value: int
 
 
-def zones(line: Line, width: int) -> Zones:
+def zones(line: PropertyLine, width: int) -> Zones:
     """The zones of a line of the panel."""
     indent = line.depth * 2
     is_box = line.prop.kind == BOOL
@@ -52,14 +52,14 @@ def zones(line: Line, width: int) -> Zones:
     return Zones(indent, box, value_column(line, width))
 
 
-def value_column(line: Line, width: int) -> int:
+def value_column(line: PropertyLine, width: int) -> int:
     """Where the right column begins: in the middle, further right if the name needs it and room is left."""
     mark = 2 if (level := level_of(line.prop)) is not None and level > OK else 0
     wanted = line.depth * 2 + 2 + mark + cell_len(line.prop.name) + 1
     return max(10, width // 2, min(wanted, width - NARROWEST_VALUE))
 
 
-def segments_of(line: Line, width: int, look: Look, chosen: bool, focused: bool) -> list[Segment]:
+def segments_of(line: PropertyLine, width: int, look: Look, chosen: bool, focused: bool) -> list[Segment]:
     """One line of the panel in exactly `width` cells."""
     prop, colours = line.prop, look.colours
     unicode = look.glyphs.unicode

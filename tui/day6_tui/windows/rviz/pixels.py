@@ -15,7 +15,7 @@ from day6_tui.pixels.pictures import Pictures
 from day6_tui.pixels.sheet import Sheet, Text
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.painter import QUALITIES, paint
-from day6_tui.render.picture import Array, Picture
+from day6_tui.render.picture import Array, RenderedPicture
 
 DRAFT_PIXELS = 120_000
 """Of a picture of something moving: a robot in so many takes 10 to 20 ms."""
@@ -94,14 +94,14 @@ class PixelView:
     def _size(self) -> tuple[int, int]:
         return self.sheet.columns, self.sheet.rows
 
-    def _paint(self, cell: tuple[int, int], offset: tuple[float, float] = (0.0, 0.0)) -> Picture:
+    def _paint(self, cell: tuple[int, int], offset: tuple[float, float] = (0.0, 0.0)) -> RenderedPicture:
         columns, rows = self._size
         width, height = columns * cell[0], rows * cell[1]
         quality = QUALITIES[self._rviz.quality.value]
         scene = self._rviz.scene.beside(self.focus)
         return paint(scene, self._rviz.view.camera(), width, height, 1.0, quality, offset)
 
-    def _put_labels(self, picture: Picture) -> list[Span]:
+    def _put_labels(self, picture: RenderedPicture) -> list[Span]:
         red, green, blue = picture.background
         ground = red << 16 | green << 8 | blue
         texts: list[Text] = []

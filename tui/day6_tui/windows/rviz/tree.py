@@ -28,7 +28,7 @@ MOST_LINES = 5000
 _NO_LABEL = Text("")
 
 
-class PropertyTree(DesktopTree[panel.Line]):
+class PropertyTree(DesktopTree[panel.PropertyLine]):
     """Shows the properties of an `RViz`. Which branches are open is the program's, the cursor and what is in sight are Textual's.
 
     A branch that was never opened has no nodes.
@@ -52,7 +52,7 @@ class PropertyTree(DesktopTree[panel.Line]):
         self._active = False
         self._room = 0
         """How many more lines there may be."""
-        self._node_by_property: dict[Property, TreeNode[panel.Line]] = {}
+        self._node_by_property: dict[Property, TreeNode[panel.PropertyLine]] = {}
         """The nodes that are lines."""
         self._shown: list[tuple[object, ...]] = []
         """What the rows in sight look like."""
@@ -77,7 +77,7 @@ class PropertyTree(DesktopTree[panel.Line]):
         """Whether the cursor is on the last line."""
         return self.cursor_line >= self.last_line
 
-    def node_of(self, prop: Property) -> TreeNode[panel.Line] | None:
+    def node_of(self, prop: Property) -> TreeNode[panel.PropertyLine] | None:
         """The node of a property, if the branches above it are open."""
         return self._node_by_property.get(prop)
 
@@ -136,16 +136,16 @@ class PropertyTree(DesktopTree[panel.Line]):
     def _is_in_sight(self, line: int) -> bool:
         return 0 <= line - int(self.scroll_offset.y) < self.size.height
 
-    def _fill(self, node: TreeNode[panel.Line], properties: Sequence[Property], depth: int) -> None:
+    def _fill(self, node: TreeNode[panel.PropertyLine], properties: Sequence[Property], depth: int) -> None:
         shown = [prop for prop in properties if not prop.hidden][: self._room]
         self._room -= len(shown)
         if [child.data and child.data.prop for child in node.children] != shown:
             node.remove_children()
             for prop in shown:
-                node.add(_NO_LABEL, panel.Line(prop, depth), expand=prop.expanded)
+                node.add(_NO_LABEL, panel.PropertyLine(prop, depth), expand=prop.expanded)
         for child, prop in zip(node.children, shown, strict=True):
             self._node_by_property[prop] = child
-            child.allow_expand = panel.Line(prop, depth).can_open
+            child.allow_expand = panel.PropertyLine(prop, depth).can_open
             if child.is_expanded != prop.expanded:
                 child.toggle()
             if prop.expanded:
@@ -164,15 +164,15 @@ class PropertyTree(DesktopTree[panel.Line]):
         if (node := self.node_of(prop)) is not None:
             self.move_cursor(node)
 
-    def on_tree_node_expanded(self, event: Tree.NodeExpanded[panel.Line]) -> None:
+    def on_tree_node_expanded(self, event: Tree.NodeExpanded[panel.PropertyLine]) -> None:
         event.stop()
         self._tell(event.node)
 
-    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[panel.Line]) -> None:
+    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[panel.PropertyLine]) -> None:
         event.stop()
         self._tell(event.node)
 
-    def _tell(self, node: TreeNode[panel.Line]) -> None:
+    def _tell(self, node: TreeNode[panel.PropertyLine]) -> None:
         """Textual's own keys opened or closed a branch, or all beside it: the program keeps which are open."""
         if node.data is None or node.data.prop.expanded == node.is_expanded:
             return
@@ -181,7 +181,7 @@ class PropertyTree(DesktopTree[panel.Line]):
                 each.data.prop.expanded = each.is_expanded
         self.refill()
 
-    def on_tree_node_highlighted(self, event: Tree.NodeHighlighted[panel.Line]) -> None:
+    def on_tree_node_highlighted(self, event: Tree.NodeHighlighted[panel.PropertyLine]) -> None:
         event.stop()
         self.post_message(self.Moved())
 

@@ -9,11 +9,11 @@ from textual.widgets import Input
 
 from day6_core.ros.programs.rviz2.model.properties import Property
 from day6_tui.appearance.look import Look
-from day6_tui.overlays.input_line import Line
+from day6_tui.overlays.input_line import InputLine
 from day6_tui.overlays.prompt import Taken
 
 
-class ValueLine(Line):
+class ValueLine(InputLine):
     """Enter, Tab and a click elsewhere take the value over, Esc leaves the old one; `after` is called in each case."""
 
     DEFAULT_CSS = """

@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from day6_core.ros.programs.day6_inspector.facts import Facts
-from day6_core.session.overview import Line, TerminalView
+from day6_core.session.overview import RunLine, TerminalView
 from day6_core.session.plain import without_sequences
 
 LAST_LINES = 3
@@ -24,7 +24,7 @@ class Output(NamedTuple):
     """One line that was run, with what it printed as text."""
 
     terminal: TerminalView
-    line: Line
+    line: RunLine
     text: str
 
     @property

@@ -43,7 +43,7 @@ class Goal(NamedTuple):
     result: list[FieldRow]
 
 
-class Action(NamedTuple):
+class ActionEntry(NamedTuple):
     """An action of the graph, with the full names of the nodes at its ends."""
 
     name: str
@@ -70,17 +70,17 @@ class ActionBrowser(Requests):
         self._watched: dict[str, _Watched] = {}
         self.version = 0
 
-    def shown(self) -> list[Action]:
+    def shown(self) -> list[ActionEntry]:
         """The actions by name."""
         actions = []
         for name, type_name, servers, clients in self._found:
             watched = self._watched.get(name)
             if watched is None:
-                actions.append(Action(name, type_name, servers, clients, False, [], [], "", ""))
+                actions.append(ActionEntry(name, type_name, servers, clients, False, [], [], "", ""))
             else:
                 goals, request = watched.goals(), watched.request()
                 state, message = watched.state, watched.message
-                actions.append(Action(name, type_name, servers, clients, True, request, goals, state, message))
+                actions.append(ActionEntry(name, type_name, servers, clients, True, request, goals, state, message))
         return actions
 
     # -- the window's side ---------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from day6_core.ros.programs.rqt_action.model import ActionBrowser
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.session.session import Session
 
 REFRESH_SECONDS = 0.1
@@ -15,7 +15,7 @@ class ActionPlugin(Plugin[ActionBrowser]):
 
     kind, title = "action_browser", "Action Type Browser"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, ActionBrowser(place.node))
         self.model.on_request = place.wake
         self.model.browser.on_warning = place.session.print_error

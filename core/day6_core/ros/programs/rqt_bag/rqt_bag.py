@@ -11,7 +11,7 @@ from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.rqt_bag.model.bags import Bags
 from day6_core.ros.programs.rqt_bag.model.keeping import read_kept
 from day6_core.ros.programs.rqt_bag.model.loading import is_bag, path_of
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.session.argument_parser import Parser
 from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
@@ -22,7 +22,7 @@ class BagPlugin(Plugin[Bags]):
 
     kind, title = "rqt_bag", "Bag"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, Bags(place.session, place.node, publish_clock=place.option("clock", False)))
         place.defer(self.model.close)
         self._named: list[str] = place.option("bagfiles", [])

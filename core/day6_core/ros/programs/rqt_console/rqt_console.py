@@ -11,7 +11,7 @@ from rcl_interfaces.msg import Log
 
 from day6_core.ros.programs.rqt_console.kept import kept_settings, take_settings
 from day6_core.ros.programs.rqt_console.model import Console
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.session.session import Session
 from day6_core.session.task import Signal
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -25,7 +25,7 @@ class ConsolePlugin(Plugin[Console]):
 
     kind, title = "rqt_console", "Console"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, Console(place.session.cwd))
         self.model.on_load = lambda path: place.spawn(self._load(path))
         take_settings(self.model, place.settings)

@@ -11,7 +11,7 @@ from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.rqt_graph.model.drawing import ASCII, UNICODE, draw
 from day6_core.ros.programs.rqt_graph.model.fit import fitted
 from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.session.session import Session
 
 REFRESH_SECONDS = 0.2
@@ -26,7 +26,7 @@ class RosGraphPlugin(Plugin[RqtGraph]):
 
     kind, title = "rqt_graph", "rqt_graph"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         session = place.session
         assert session.graph is not None
         super().__init__(place, RqtGraph(place.node, session.graph, session.cwd))

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from day6_core.ros.programs.rqt_gui.catalogue import Entry
+from day6_core.ros.programs.rqt_gui.catalogue import PluginEntry
 
 
 class Open(NamedTuple):
     """A plugin that is open: its number among those of the same kind is 1 for the first one."""
 
-    entry: Entry
+    entry: PluginEntry
     serial: int
 
     @property
@@ -30,7 +30,7 @@ class Request(NamedTuple):
 class Rqt:
     """The model. The window reads its attributes and calls its methods, on any thread."""
 
-    def __init__(self, plugins: tuple[Entry, ...], folder: Path, wake: Callable[[], None]) -> None:
+    def __init__(self, plugins: tuple[PluginEntry, ...], folder: Path, wake: Callable[[], None]) -> None:
         self.plugins = plugins
         self.open: tuple[Open, ...] = ()
         """In the order in which they were opened."""
@@ -44,7 +44,7 @@ class Rqt:
         self._folder = folder
         self._wake = wake
 
-    def start(self, entry: Entry) -> None:
+    def start(self, entry: PluginEntry) -> None:
         """Open a plugin, once more if it is open."""
         self._ask("start", entry)
 

@@ -50,7 +50,7 @@ Settings = Mapping[str, Any]
 """What a perspective keeps of a plugin: values that JSON has, by names that rqt's plugin has where it keeps the same."""
 
 
-class Place:
+class PluginPlace:
     """Where one plugin runs: what it gets from its program, and what ends with it."""
 
     def __init__(
@@ -131,7 +131,7 @@ class Plugin(ABC, Generic[Model]):
     in_cpp: ClassVar[bool] = False
     """Whether the real plugin is written in C++: then its node is `/rqt_gui_cpp_node_<pid>`."""
 
-    def __init__(self, place: Place, model: Model) -> None:
+    def __init__(self, place: PluginPlace, model: Model) -> None:
         self.place = place
         self.model = model
 
@@ -170,7 +170,7 @@ class PluginType(Protocol):
 
     def add_arguments(self, parser: Parser, /) -> None: ...
 
-    def __call__(self, place: Place, /) -> Plugin[Any]: ...
+    def __call__(self, place: PluginPlace, /) -> Plugin[Any]: ...
 
 
 def plugin_of(package: str) -> PluginType:
@@ -207,7 +207,7 @@ async def run_alone(session: Session, plugin_type: PluginType) -> int | None:
         except OSError as error:
             session.print_error(f"{error.filename}: {error.strerror}")
     node = create_node(session, in_cpp=plugin_type.in_cpp)
-    place = Place(session, node, options)
+    place = PluginPlace(session, node, options)
     plugin = plugin_type(place)
     session.defer(place.end)
     if session.display is None:

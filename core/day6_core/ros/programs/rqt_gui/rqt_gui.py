@@ -12,11 +12,11 @@ from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.programs.rqt_gui import perspectives
-from day6_core.ros.programs.rqt_gui.catalogue import Entry, matching, plugins
+from day6_core.ros.programs.rqt_gui.catalogue import PluginEntry, matching, plugins
 from day6_core.ros.programs.rqt_gui.command_line import container_parser, own_words
 from day6_core.ros.programs.rqt_gui.model import Open, Rqt
 from day6_core.ros.programs.rqt_gui.perspectives import DEFAULT, Instance, Perspectives, folder_of
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, create_node, open_first, plugin_of
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, create_node, open_first, plugin_of
 from day6_core.session.argument_parser import ParserExit
 from day6_core.session.session import Session, Terminated
 from day6_core.session.task import Signal
@@ -134,7 +134,7 @@ class Container:
 
     # -- requests ------------------------------------------------------------------------------------------------------
 
-    async def start(self, entry: Entry) -> None:
+    async def start(self, entry: PluginEntry) -> None:
         """Open a plugin with the lowest number that is free."""
         taken = {each.serial for each in self._running if each.entry == entry}
         serial = next(number for number in range(1, len(taken) + 2) if number not in taken)
@@ -201,7 +201,7 @@ class Container:
 
     def _begin(self, opened: Open, settings: Settings, *, chosen: bool = False) -> None:
         plugin_type = plugin_of(opened.entry.package)
-        place = Place(self._session, self._node(in_cpp=plugin_type.in_cpp), settings=settings)
+        place = PluginPlace(self._session, self._node(in_cpp=plugin_type.in_cpp), settings=settings)
         plugin: Plugin[Any] = plugin_type(place)
         window = self._display.open(plugin.kind, opened.title, plugin.model, chosen=chosen)
         window.on_close = partial(self.model.stop, opened)

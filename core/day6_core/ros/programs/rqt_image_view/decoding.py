@@ -53,7 +53,7 @@ class View:
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class DecodedImage:
     """Pixels that are shown: height x width x 3 (uint8), and of which ones of the image, after it was turned."""
 
     pixels: Any
@@ -65,7 +65,7 @@ class Picture:
     rows: Any
 
 
-def picture_of(message: Any, view: View) -> Picture:
+def picture_of(message: Any, view: View) -> DecodedImage:
     """The picture of a sensor_msgs/Image or CompressedImage. Raises Undecodable."""
     if hasattr(message, "format"):
         return _compressed(message, view)
@@ -76,7 +76,7 @@ def picture_of(message: Any, view: View) -> Picture:
         raise _failed(message.encoding, str(error)) from error
 
 
-def _sampled(read: Callable[[Any, Any], Any], width: int, height: int, encoding: str, view: View) -> Picture:
+def _sampled(read: Callable[[Any, Any], Any], width: int, height: int, encoding: str, view: View) -> DecodedImage:
     """Read the rows and columns of an image that a view shows, and turn them."""
     import numpy as np
 
@@ -99,7 +99,7 @@ def _sampled(read: Callable[[Any, Any], Any], width: int, height: int, encoding:
     pixels = read(*at)
     if turned:
         pixels = np.swapaxes(pixels, 0, 1)
-    return Picture(np.ascontiguousarray(pixels), across, down, encoding, columns, rows)
+    return DecodedImage(np.ascontiguousarray(pixels), across, down, encoding, columns, rows)
 
 
 def _shown(size: int, room: int, first: int, view: View) -> Any:
@@ -187,7 +187,7 @@ def _measured(message: Any, rows: Any, columns: Any, view: View) -> Any:
     return np.repeat(np.rint(part.clip(0, 1) * 255).astype(np.uint8)[..., None], 3, axis=2)
 
 
-def _compressed(message: Any, view: View) -> Picture:
+def _compressed(message: Any, view: View) -> DecodedImage:
     """A JPEG or PNG; a large JPEG is decoded only as finely as it is shown."""
     import numpy as np
     from PIL import Image

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from geometry_msgs.msg import Point
 
 from day6_core.interfaces import DeserializationError, deserialize, get_message
-from day6_core.ros.programs.rqt_image_view.decoding import Picture, Undecodable, View, picture_of
+from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, Undecodable, View, picture_of
 from day6_core.ros.programs.rqt_py_common.requests import Requests
 from rclpy.qos import qos_profile_sensor_data
 
@@ -71,7 +71,7 @@ class ImageView(Requests):
         """Where clicks are published."""
         return f"{self.topic}_mouse_left" if self.topic else "mouse_left"
 
-    def picture(self, view: View) -> Picture | None:
+    def picture(self, view: View) -> DecodedImage | None:
         """The newest image as it is to be shown; None while there is none. Raises Undecodable."""
         message = self._message()
         return picture_of(message, view) if message is not None else None

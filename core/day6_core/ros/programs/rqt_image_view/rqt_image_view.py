@@ -6,7 +6,7 @@ What it does without a screen is the rule of `programs/_without_screen.py`.
 from __future__ import annotations
 
 from day6_core.graph.names import flaw_of_full_topic_name
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_image_view.decoding import View
 from day6_core.ros.programs.rqt_image_view.model import ImageView
 from day6_core.session.argument_parser import Parser
@@ -25,7 +25,7 @@ class ImageViewPlugin(Plugin[ImageView]):
 
     kind, title, in_cpp = "rqt_image_view", "Image View", True
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, ImageView(place.node, place.session.cwd))
         kept = place.settings.get("topic")
         topic: str = place.option("topic", None) or (kept if isinstance(kept, str) else "")

@@ -5,7 +5,7 @@ What it does without a screen is the rule of `programs/_without_screen.py`.
 
 from __future__ import annotations
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_logger_level.model import LoggerLevels
 from day6_core.session.session import Session
 
@@ -18,7 +18,7 @@ class LoggerLevelPlugin(Plugin[LoggerLevels]):
 
     kind, title = "rqt_logger_level", "Logger Level"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         node = place.settings.get("node")
         chosen = node if isinstance(node, str) else ""
         super().__init__(place, LoggerLevels(place.node, place.session.clock.steady_ns, chosen))

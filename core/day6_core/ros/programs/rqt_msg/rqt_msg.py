@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.ros.programs.rqt_msg.model import TypeBrowser
 from day6_core.session.session import Session
 from day6_core.session.task import Signal
@@ -17,7 +17,7 @@ class MessageTypePlugin(Plugin[TypeBrowser]):
     types: ClassVar[str] = "msg"
     """The kind of types that it browses."""
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, TypeBrowser(self.types))
         self.model.on_warning = place.session.print_error
 

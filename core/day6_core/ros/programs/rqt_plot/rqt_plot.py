@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import argparse
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_plot.model.plot import Plot
 from day6_core.session.argument_parser import Parser
 from day6_core.session.session import Session
@@ -24,7 +24,7 @@ class PlotPlugin(Plugin[Plot]):
 
     kind, title = "rqt_plot", "MatPlot"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, Plot(place.node, place.session.clock.steady_ns))
         self.model.on_request = place.wake
         kept = place.settings.get("topics")

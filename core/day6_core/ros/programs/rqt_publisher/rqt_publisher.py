@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_publisher.model import MessagePublisher
 from day6_core.session.session import Session
 
@@ -15,7 +15,7 @@ class PublisherPlugin(Plugin[MessagePublisher]):
 
     kind, title = "publisher", "Message Publisher"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, MessagePublisher(place.node))
         self.model.on_request = place.wake
         self.model.on_warning = place.session.print_error

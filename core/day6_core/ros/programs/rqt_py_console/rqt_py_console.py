@@ -10,7 +10,7 @@ from __future__ import annotations
 from contextlib import suppress
 from pathlib import Path
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.ros.programs.rqt_py_common.command_lines import Kind, Printed
 from day6_core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
 from day6_core.session.session import Session
@@ -25,7 +25,7 @@ class PyConsolePlugin(Plugin[PyConsole]):
 
     kind, title = "rqt_py_console", "PyConsole"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, PyConsole())
         self._wanted = Signal()
         self.model.on_begin = self._wanted.set

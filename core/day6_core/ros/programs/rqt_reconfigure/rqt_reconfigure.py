@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_reconfigure.model import Reconfigure, read_values
 from day6_core.session.argument_parser import Parser
 from day6_core.session.session import Session
@@ -26,7 +26,7 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
 
     kind, title = "rqt_reconfigure", "Parameter Reconfigure"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, Reconfigure(place.node, place.session.clock.steady_ns, place.session.cwd))
         self.model.on_load = lambda node, path: place.spawn(self._load(node, path))
         self._named: list[str] = place.option("node_name", [])

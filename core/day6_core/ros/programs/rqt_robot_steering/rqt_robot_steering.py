@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros import differences
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_robot_steering.model import PERIOD, RobotSteering
 from day6_core.session.session import Session
 from rclpy.parameter import Parameter
@@ -36,7 +36,7 @@ class RobotSteeringPlugin(Plugin[RobotSteering]):
 
     kind, title = "rqt_robot_steering", "Robot Steering"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         settings: Mapping[str, Any] = place.settings
         if differences.value("rqt_robot_steering.parameters"):
             settings = {**settings, **_given(place.node)}

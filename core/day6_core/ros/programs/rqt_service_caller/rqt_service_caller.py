@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_service_caller.model import ServiceCaller
 from day6_core.session.session import Session
 
@@ -18,7 +18,7 @@ class ServiceCallerPlugin(Plugin[ServiceCaller]):
 
     kind, title = "service_caller", "Service Caller"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         wanted = place.settings.get("current_service_name")
         clock = place.session.clock
         super().__init__(place, ServiceCaller(place.node, clock.steady_ns, wanted if isinstance(wanted, str) else ""))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.ros.programs.rqt_py_common.command_lines import Kind, Printed
 from day6_core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
 from day6_core.session.program import Program
@@ -21,7 +21,7 @@ class ShellPlugin(Plugin[Shell]):
 
     kind, title = "rqt_shell", "SimpleShell"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(place, Shell())
         self._wanted = Signal()
         self._line = ""

@@ -17,7 +17,7 @@ OLD_SECONDS, OLD_PERIODS = 1.0, 3.0
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class FrameLine:
     """A frame in the tree. `frame` is None for a root, of which nothing is known but its name.
 
     `ends` says for each level down to this one whether the branch ends there. `again` marks a frame in a circle that stands
@@ -36,7 +36,7 @@ class Snapshot:
 
     frames: tuple[Frame, ...]
     recorded: float
-    lines: tuple[Line, ...]
+    lines: tuple[FrameLine, ...]
 
     def age(self, frame: Frame) -> float | None:
         """Seconds since the newest transform; None for a static frame, which holds at all times."""
@@ -67,14 +67,14 @@ def snapshot(frames: Iterable[Frame], recorded: float) -> Snapshot:
     children: dict[str, list[str]] = {}
     for name in sorted(about):
         children.setdefault(about[name].parent, []).append(name)
-    lines: list[Line] = []
+    lines: list[FrameLine] = []
     shown: set[str] = set()
     for top in (*sorted(roots(frames)), *sorted(about)):
         waiting: list[tuple[str, tuple[bool, ...]]] = [(top, ())] if top not in shown else []
         while waiting:
             name, ends = waiting.pop()
             again = name in shown
-            lines.append(Line(name, about.get(name), ends, again))
+            lines.append(FrameLine(name, about.get(name), ends, again))
             shown.add(name)
             below = [] if again else children.get(name, [])
             waiting += [(child, (*ends, child == below[-1])) for child in reversed(below)]

@@ -12,8 +12,8 @@ from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, TransformListener
 
 from day6_core.ros.programs._without_screen import stays
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
-from day6_core.ros.programs.rqt_tf_tree.model import Line, Snapshot, TfTree, snapshot
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
+from day6_core.ros.programs.rqt_tf_tree.model import FrameLine, Snapshot, TfTree, snapshot
 from day6_core.ros.programs.tf2_tools.frame_tree import read_frames
 from day6_core.session.harmless import one_line
 from day6_core.session.session import Session
@@ -37,7 +37,7 @@ class TfTreePlugin(Plugin[TfTree]):
 
     kind, title = "rqt_tf_tree", "TF Tree"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         super().__init__(
             place, TfTree(place.session.cwd, auto_refresh=place.settings.get("auto_refresh", True) is not False)
         )
@@ -110,7 +110,7 @@ def _read(answer: Any, recorded: float) -> Snapshot:
     return snapshot(read_frames(answer.frame_yaml), recorded)
 
 
-def _printed(line: Line, shot: Snapshot) -> str:
+def _printed(line: FrameLine, shot: Snapshot) -> str:
     text = "  " * len(line.ends) + one_line(line.name)
     if line.frame is None or line.again:
         return text

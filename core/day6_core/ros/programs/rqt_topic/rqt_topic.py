@@ -6,7 +6,7 @@ What it does without a screen is the rule of `programs/_without_screen.py`.
 from __future__ import annotations
 
 from day6_core.ros.programs._without_screen import stays
-from day6_core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_topic.model import TopicMonitor
 from day6_core.session.session import Session
 
@@ -25,7 +25,7 @@ class TopicMonitorPlugin(Plugin[TopicMonitor]):
 
     kind, title = "topics", "Topic Monitor"
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: PluginPlace) -> None:
         kept = place.settings.get("selected_topics")
         selected = [each for each in kept if isinstance(each, str)] if isinstance(kept, list) else []
         super().__init__(place, TopicMonitor(place.node, place.session.clock.now_ns, selected))

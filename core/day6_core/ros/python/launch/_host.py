@@ -28,13 +28,13 @@ from typing import Any
 VARIABLE = "DAY6_LAUNCH_HOST"
 
 
-def connect(terminals: Container[str]) -> Host | None:
+def connect(terminals: Container[str]) -> HostConnection | None:
     """Connect to the host of this launch, which can open these `terminals`; returns None if there is no host.
 
     The address is removed from the environment: launched programs must not find it.
     """
     address = os.environ.pop(VARIABLE, "")
-    return Host(_open(address), terminals) if address else None
+    return HostConnection(_open(address), terminals) if address else None
 
 
 def _open(address: str) -> socket.socket:
@@ -56,7 +56,7 @@ class HostedProcess:
 
     def __init__(
         self,
-        owner: Host,
+        owner: HostConnection,
         number: int,
         on_started: Callable[[], object],
         on_output: Callable[[int, bytes], object],
@@ -79,7 +79,7 @@ class HostedProcess:
         self.send_signal(9)
 
 
-class Host:
+class HostConnection:
     """The connection to the host. `on_interrupt` is called, on its thread, when the host got a Ctrl-C."""
 
     def __init__(self, connection: socket.socket, terminals: Container[str]) -> None:

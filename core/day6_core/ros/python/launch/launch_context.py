@@ -14,7 +14,7 @@ from launch.event_handler import BaseEventHandler
 from launch.substitution import Substitution
 
 if TYPE_CHECKING:
-    from launch._host import Host
+    from launch._host import HostConnection
 
 
 class Locals:
@@ -53,7 +53,7 @@ class LaunchContext:
         self.__environment_stack: list[Mapping[str, str]] = []
         self.__is_shutdown = False
         self._is_broken = False
-        self._host: Host | None = None
+        self._host: HostConnection | None = None
         """The process that started this launch and runs our programs for it, if there is one."""
         self.__loop: Loop | None = None
         self.__logger = launch.logging.get_logger(__name__)

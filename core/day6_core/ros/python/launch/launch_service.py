@@ -24,7 +24,7 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.utilities import visit_all_entities_and_collect_futures
 
 if TYPE_CHECKING:
-    from launch._host import Host
+    from launch._host import HostConnection
 
 _INTERRUPTED = "user interrupted with ctrl-c (SIGINT)"
 SAME_INTERRUPT = 0.5
@@ -66,7 +66,7 @@ class LaunchService:
     def event_loop(self) -> Loop | None:
         return self.__loop if self.__running else None
 
-    def _run_programs_with(self, host: Host | None) -> None:
+    def _run_programs_with(self, host: HostConnection | None) -> None:
         """Let the host that started this launch run our programs. Call it before `run`."""
         self.__context._host = host
 

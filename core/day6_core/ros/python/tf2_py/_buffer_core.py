@@ -15,7 +15,7 @@ from geometry_msgs.msg import Vector3 as Vector3Msg
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.time import Time
 from tf2_py import _rotation as rot
-from tf2_py._cache import DEFAULT_CACHE_NS, Entry, shown
+from tf2_py._cache import DEFAULT_CACHE_NS, CachedTransform, shown
 from tf2_py._exceptions import TransformException
 from tf2_py._reports import frames_as_dot, frames_as_yaml
 from tf2_py._tree import FrameTree
@@ -94,7 +94,7 @@ class BufferCore:
         if not _acceptable(parent, child, offset, turn, authority):
             return
         with self._tree_lock:
-            known = self._tree.insert(child, Entry(stamp, turn, offset, parent), authority, is_static)
+            known = self._tree.insert(child, CachedTransform(stamp, turn, offset, parent), authority, is_static)
         if not known:
             _logger.warning(
                 f"TF_OLD_DATA ignoring data from the past for frame {child} at time {shown(stamp)} according to"

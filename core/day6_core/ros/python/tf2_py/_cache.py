@@ -29,7 +29,7 @@ def shown(time_ns: int) -> str:
     return f"{seconds(time_ns):.6f}"
 
 
-class Entry(NamedTuple):
+class CachedTransform(NamedTuple):
     """A transform from a frame to its parent at a time."""
 
     stamp: int
@@ -46,7 +46,7 @@ class TimeCache:
     def __init__(self, keep_ns: int) -> None:
         self._keep = keep_ns
         self._stamps: list[int] = []
-        self._entries: list[Entry] = []
+        self._entries: list[CachedTransform] = []
         self._start = 0
         """Index of the first entry that is still valid."""
 
@@ -68,7 +68,7 @@ class TimeCache:
         """The parent in the latest transform, None if there is none."""
         return self._entries[-1].parent if len(self) else None
 
-    def insert(self, entry: Entry) -> bool:
+    def insert(self, entry: CachedTransform) -> bool:
         """Store a transform; returns False if it is too old for this cache."""
         latest = self.latest_stamp
         self._drop_before(latest - self._keep)
@@ -99,7 +99,7 @@ class TimeCache:
         """Remove all transforms."""
         self._stamps, self._entries, self._start = [], [], 0
 
-    def at(self, time_ns: int) -> Entry:
+    def at(self, time_ns: int) -> CachedTransform:
         """Return the transform at a time, interpolated between two known ones. Raises ExtrapolationException."""
         if not len(self):
             raise _only(time_ns, 0)
@@ -127,7 +127,9 @@ class TimeCache:
             return earlier
         ratio = float(time_ns - earlier.stamp) / float(later.stamp - earlier.stamp)
         rotation = slerp(earlier.rotation, later.rotation, ratio)
-        return Entry(earlier.stamp, rotation, between(earlier.translation, later.translation, ratio), earlier.parent)
+        return CachedTransform(
+            earlier.stamp, rotation, between(earlier.translation, later.translation, ratio), earlier.parent
+        )
 
 
 def _only(requested: int, known: int) -> ExtrapolationException:
@@ -143,7 +145,7 @@ class StaticCache:
     latest_stamp = 0
     oldest_stamp = 0
 
-    def __init__(self, entry: Entry) -> None:
+    def __init__(self, entry: CachedTransform) -> None:
         self._entry = entry
 
     def __len__(self) -> int:
@@ -154,7 +156,7 @@ class StaticCache:
         """The parent."""
         return self._entry.parent
 
-    def insert(self, entry: Entry) -> bool:
+    def insert(self, entry: CachedTransform) -> bool:
         """Replace the transform."""
         self._entry = entry
         return True
@@ -162,7 +164,7 @@ class StaticCache:
     def clear(self) -> None:
         """Do nothing: static transforms stay."""
 
-    def at(self, time_ns: int) -> Entry:
+    def at(self, time_ns: int) -> CachedTransform:
         """Return the transform."""
         return self._entry
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tf2_py._cache import DEFAULT_CACHE_NS, Cache, Entry, StaticCache, TimeCache
+from tf2_py._cache import DEFAULT_CACHE_NS, Cache, CachedTransform, StaticCache, TimeCache
 from tf2_py._exceptions import (
     ConnectivityException,
     ExtrapolationException,
@@ -26,8 +26,8 @@ class FramePath:
         self.time_ns = time_ns
         self.is_straight = False
         """One frame is an ancestor of the other, below the root."""
-        self.from_source: list[Entry] = []
-        self.from_target: list[Entry] = []
+        self.from_source: list[CachedTransform] = []
+        self.from_target: list[CachedTransform] = []
         self.frames_from_source: list[str] = []
         self.frames_from_target: list[str] = []
 
@@ -44,7 +44,7 @@ class FramePath:
         return multiply(down, rotation), add(rotate(down, translation), back)
 
 
-def _accumulated(entries: list[Entry]) -> tuple[Quaternion, Vector]:
+def _accumulated(entries: list[CachedTransform]) -> tuple[Quaternion, Vector]:
     rotation, translation = IDENTITY, ORIGIN
     for entry in entries:
         translation = add(rotate(entry.rotation, translation), entry.translation)
@@ -61,7 +61,7 @@ class FrameTree:
         """Every frame that ever appeared; None for one that was never a child."""
         self.authorities: dict[str, str] = {}
 
-    def insert(self, child: str, entry: Entry, authority: str, is_static: bool) -> bool:
+    def insert(self, child: str, entry: CachedTransform, authority: str, is_static: bool) -> bool:
         """Store a transform; returns False if it is too old. A frame may change from static to moving and back."""
         cache = self.frames.get(child)
         if cache is None or cache.is_static is not is_static:

@@ -115,9 +115,9 @@ async def main(session: Session, args: Namespace) -> int:
     if session.host is None and os.name == "posix":
         _become_python(session, _words(options), env)
     if not show and session.host is not None and session.host.starts_programs:
-        from day6_core.ros.ros2.launch._host import VARIABLE, Host
+        from day6_core.ros.ros2.launch._host import VARIABLE, LaunchHost
 
-        host = Host(session, session.host)
+        host = LaunchHost(session, session.host)
         session.defer(host.close)
         env[VARIABLE] = host.address
         options["terminals"] = session.host.terminals

@@ -33,7 +33,7 @@ ROOM = 1024 * 1024
 _log = logging.getLogger(__name__)
 
 
-class Host:
+class LaunchHost:
     """Serves one launch. `close` ends the programs that run for it."""
 
     def __init__(self, session: Session, machine: host.Host) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, Edge, Picture, Rect, Route
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, Edge, LaidOutGraph, Rect, Route
 from day6_core.width import char_width
 
 Run = tuple[str, str]
@@ -117,7 +117,7 @@ def measure(text: str) -> int:
 
 
 def draw(
-    picture: Picture,
+    picture: LaidOutGraph,
     glyphs: Glyphs,
     warnings: Iterable[str] = (),
     highlight: Highlight | None = None,

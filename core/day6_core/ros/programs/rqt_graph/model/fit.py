@@ -10,7 +10,7 @@ from typing import NamedTuple
 from day6_core.elide import elide
 from day6_core.ros.programs.rqt_graph.model.drawing import measure
 from day6_core.ros.programs.rqt_graph.model.layout import layout
-from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, Edge, Picture, Rect, Route
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, Edge, LaidOutGraph, Rect, Route
 
 
 class Form(NamedTuple):
@@ -59,9 +59,9 @@ class Forms:
 
     def __init__(self, boxes: Sequence[Box], edges: Sequence[Edge], ellipsis: str = "…") -> None:
         self._boxes, self._edges, self._ellipsis = boxes, edges, ellipsis
-        self._pictures: dict[int, Picture] = {}
+        self._pictures: dict[int, LaidOutGraph] = {}
 
-    def picture(self, form: int, width: int, height: int) -> Picture:
+    def picture(self, form: int, width: int, height: int) -> LaidOutGraph:
         """The graph in one of FORMS, or in OVERVIEW for a window of `width` x `height` cells."""
         if form == OVERVIEW:
             # Boxes keep their frames while there are rows enough.
@@ -95,18 +95,20 @@ class Forms:
         return picture.width, picture.height
 
 
-def fitted(boxes: Sequence[Box], edges: Sequence[Edge], width: int, height: int, *, ellipsis: str = "…") -> Picture:
+def fitted(
+    boxes: Sequence[Box], edges: Sequence[Edge], width: int, height: int, *, ellipsis: str = "…"
+) -> LaidOutGraph:
     """Lay out a graph in the roomiest form that fits `width` x `height` cells, else in the smallest that can be read."""
     forms = Forms(boxes, edges, ellipsis)
     return forms.picture(min(forms.best(width, height), OVERVIEW - 1), width, height)
 
 
-def unfitted(boxes: Sequence[Box], edges: Sequence[Edge]) -> Picture:
+def unfitted(boxes: Sequence[Box], edges: Sequence[Edge]) -> LaidOutGraph:
     """Lay out a graph with everything in full."""
     return _formed(boxes, edges, FORMS[0], "")
 
 
-def _formed(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> Picture:
+def _formed(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> LaidOutGraph:
     """Lay out a graph in one form; names that are too long for it are shortened in their middle."""
     if form.stacked:
         smaller = FORMS[FORMS.index(form) + 1]
@@ -118,7 +120,7 @@ def _formed(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: s
     return layout(list(boxes), list(edges), measure, roomy=form.roomy)
 
 
-def _stacked(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> Picture | None:
+def _stacked(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> LaidOutGraph | None:
     """Boxes in one row with short lines between neighbours; what flows to the right stands above the line, the rest below.
 
     None where the boxes do not stand so.
@@ -149,7 +151,7 @@ def _stacked(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: 
         replace(route, cells=tuple((x, y + down) for x, y in route.cells), label_at=(label_x, row + down))
         for route, label_x, row in placed
     )
-    return Picture(
+    return LaidOutGraph(
         max(picture.width, *(end - 1 for end in taken.values())),
         down + 1 + max(0, *taken),
         {key: (box, replace(rect, y=rect.y + down)) for key, (box, rect) in picture.boxes.items()},
@@ -157,7 +159,7 @@ def _stacked(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: 
     )
 
 
-def overview(picture: Picture, width: int, height: int, ellipsis: str = "…") -> Picture:
+def overview(picture: LaidOutGraph, width: int, height: int, ellipsis: str = "…") -> LaidOutGraph:
     """The whole picture drawn smaller, into `width` x `height` cells: of the names stays what has room, else a mark.
 
     Where rows must go, boxes are expected to have a single one.
@@ -193,7 +195,7 @@ def overview(picture: Picture, width: int, height: int, ellipsis: str = "…") -
         for route in picture.routes
     )
     clusters = tuple((name, shrunk(rect)) for name, rect in picture.clusters)
-    return Picture(min(width, picture.width), min(height, picture.height), boxes, routes, clusters)
+    return LaidOutGraph(min(width, picture.width), min(height, picture.height), boxes, routes, clusters)
 
 
 def _shrunk(size: int, room: int, *kept: set[int]) -> list[int]:

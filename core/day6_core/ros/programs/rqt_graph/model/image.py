@@ -8,9 +8,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, Line, Point, Stroke, Text
+from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, InkLine, Point, Stroke, Text
 from day6_core.ros.programs.rqt_graph.model.pdf import as_pdf
-from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, Picture, Rect
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, LaidOutGraph, Rect
 from day6_core.session.harmless import one_line
 from day6_core.whole_file import replace_file
 
@@ -30,7 +30,7 @@ MOST_PIXELS = 60_000_000
 NO_COLOURS: Mapping[str, str] = {}
 
 
-def write_image(picture: Picture, path: Path, colours: Mapping[str, str] = NO_COLOURS) -> None:
+def write_image(picture: LaidOutGraph, path: Path, colours: Mapping[str, str] = NO_COLOURS) -> None:
     """Write a picture file; its suffix says which kind. `colours` (#rrggbb) by the keys of boxes that are not black.
 
     Raises OSError, and ValueError for an unknown suffix or a picture too large for pixels.
@@ -55,14 +55,14 @@ def check_suffix(path: Path) -> None:
         raise ValueError(f"'{path.name}': .dot, .svg, .pdf, {', '.join(PILLOW_FORMATS)}")
 
 
-def _strokes(picture: Picture, colours: Mapping[str, str]) -> Iterator[Stroke]:
+def _strokes(picture: LaidOutGraph, colours: Mapping[str, str]) -> Iterator[Stroke]:
     for name, rect in picture.clusters:
         left, top, right, bottom = _corners(rect)
-        yield Line(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), FRAME)
+        yield InkLine(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), FRAME)
         yield Text((left + 4, top + CELL[1] / 2), name, FRAME, False)
     for route in picture.routes:
         if len(route.cells) > 1:
-            yield Line(tuple(_bends(route.cells)), INK)
+            yield InkLine(tuple(_bends(route.cells)), INK)
         if route.cells and picture.boxes[route.edge.end][0].shape != "text":
             yield _arrow(route.cells)
         if route.label_at is not None:
@@ -78,9 +78,9 @@ def _box(box: Box, rect: Rect, colour: str) -> Iterator[Stroke]:
     if box.shape == "node":
         yield Ellipse((left, top), (right, bottom), colour)
     elif box.shape != "text":
-        yield Line(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), colour)
+        yield InkLine(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), colour)
     if box.shape == "group":
-        yield Line(
+        yield InkLine(
             (
                 (left, top),
                 (left + DEPTH, top - DEPTH),
@@ -90,7 +90,7 @@ def _box(box: Box, rect: Rect, colour: str) -> Iterator[Stroke]:
             ),
             colour,
         )
-        yield Line(((right, top), (right + DEPTH, top - DEPTH)), colour)
+        yield InkLine(((right, top), (right + DEPTH, top - DEPTH)), colour)
     for index, line in enumerate(box.lines):
         row = (top + bottom) / 2 + (index - (len(box.lines) - 1) / 2) * CELL[1]
         centred = box.shape != "text"

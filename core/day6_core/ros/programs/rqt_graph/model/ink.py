@@ -18,7 +18,7 @@ class Ellipse(NamedTuple):
     colour: str
 
 
-class Line(NamedTuple):
+class InkLine(NamedTuple):
     """Straight pieces through all points."""
 
     points: tuple[Point, ...]
@@ -40,4 +40,4 @@ class Text(NamedTuple):
     centred: bool
 
 
-Stroke = Ellipse | Line | Arrow | Text
+Stroke = Ellipse | InkLine | Arrow | Text

@@ -22,7 +22,7 @@ from day6_core.ros.programs.rqt_graph.model.layers import (
     order,
 )
 from day6_core.ros.programs.rqt_graph.model.places import assign_columns, assign_rows, grow_for_ports, route
-from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge, Item, Picture, Rect
+from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge, Item, LaidOutGraph, Rect
 
 
 def layout(
@@ -32,7 +32,7 @@ def layout(
     *,
     roomy: bool = True,
     bundled: bool = False,
-) -> Picture:
+) -> LaidOutGraph:
     """Place boxes and edges.
 
     `measure` gives the width of a text in cells. With `roomy` boxes have a frame above and below (3 rows for one line),
@@ -63,7 +63,7 @@ def layout(
     placed = {
         item.box.key: (item.box, Rect(item.x, item.y, item.width, item.height)) for item in items.values() if item.box
     }
-    return Picture(width, height, placed, tuple(route(chain) for chain in chains), frames)
+    return LaidOutGraph(width, height, placed, tuple(route(chain) for chain in chains), frames)
 
 
 def _box_item(box: Box, measure: Callable[[str], int], roomy: bool) -> Item:

@@ -55,7 +55,7 @@ class Route:
 
 
 @dataclass(frozen=True)
-class Picture:
+class LaidOutGraph:
     """A finished layout."""
 
     width: int
