@@ -10,7 +10,7 @@ import pytest
 pytest.importorskip("termios", reason="casts are played in terminals of Linux and macOS")
 
 from day6_core.shell.screen.screen import Screen
-from day6_tui.cast.file import Cast, Event
+from day6_tui.cast.file import Cast, CastEvent
 from day6_tui.cast.film import Film
 from day6_tui.cast.player import Clock, Painter
 from day6_tui.panes.cells import cell_len
@@ -19,7 +19,7 @@ ALLOWED = re.compile(r"\x1b\[[0-9;]*[mHJK]")
 
 
 def film(*events: tuple[float, str], size: tuple[int, int] = (20, 4)) -> Film:
-    return Film(Cast(size, tuple(Event(time, "o", text) for time, text in events)))
+    return Film(Cast(size, tuple(CastEvent(time, "o", text) for time, text in events)))
 
 
 def test_time_goes_at_its_speed_stands_and_jumps() -> None:

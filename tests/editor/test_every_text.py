@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from day6_core.shell.editing.file import CannotEdit, put_together, taken_apart
 from day6_core.shell.editing.model import Editor
-from day6_tui.textual_private.document import ColouredLines, Lines
+from day6_tui.textual_private.document import ColouredLines, PlainDocument
 from tests.editor.editor_bench import Bench
 
 ENDS = [
@@ -50,9 +50,9 @@ SHAPES = [
 ]
 
 
-def a_document(text: str, language: str) -> Lines:
+def a_document(text: str, language: str) -> PlainDocument:
     if not language:
-        return Lines(text)
+        return PlainDocument(text)
     tree_sitter = pytest.importorskip("tree_sitter")
     python = pytest.importorskip("tree_sitter_python")
     return ColouredLines(text, tree_sitter.Language(python.language()))
@@ -91,7 +91,7 @@ def test_a_save_writes_the_bytes_that_were_read_and_the_edit(whole: str, data: s
         path.write_bytes(whole.encode())
         editor = Editor(Path(folder), Path(folder, "state"), "nano")
         editor.open(path)
-        document = Lines(editor.text)
+        document = PlainDocument(editor.text)
         editor.save(document.text)
         assert path.read_bytes() == whole.encode()
         at = data.draw(st.integers(0, len(editor.text)))

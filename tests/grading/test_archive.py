@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.lessons.grading.archive import Refused, unpack
+from day6_core.lessons.grading.archive import SubmissionRefused, unpack
 from tests.grading.article import write
 
 MANIFEST = json.dumps({"version": 1, "pupil": "anna", "answers": {}})
@@ -54,7 +54,7 @@ def test_a_name_that_leads_elsewhere_is_refused(name: str, tmp_path: Path) -> No
     if name.endswith("/"):
         unpack(file, home)  # a folder is nothing
     else:
-        with pytest.raises(Refused):
+        with pytest.raises(SubmissionRefused):
             unpack(file, home)
     assert sorted(path.name for path in tmp_path.rglob("*")) == ["box", "home", "s.zip"]
 
@@ -62,13 +62,13 @@ def test_a_name_that_leads_elsewhere_is_refused(name: str, tmp_path: Path) -> No
 @pytest.mark.parametrize("kind", [stat.S_IFLNK, stat.S_IFIFO, stat.S_IFCHR, stat.S_IFBLK, stat.S_IFSOCK])
 def test_links_and_devices_are_refused(kind: int, tmp_path: Path) -> None:
     file = _zip(tmp_path / "s.zip", _special("src/a.py", kind))
-    with pytest.raises(Refused, match="link or a device"):
+    with pytest.raises(SubmissionRefused, match="link or a device"):
         unpack(file, tmp_path / "home")
 
 
 def test_a_file_below_a_link_is_refused(tmp_path: Path) -> None:
     file = _zip(tmp_path / "s.zip", _special("src/a", stat.S_IFLNK, "/tmp"), ("src/a/evil.py", "x"))
-    with pytest.raises(Refused):
+    with pytest.raises(SubmissionRefused):
         unpack(file, tmp_path / "home")
 
 
@@ -153,7 +153,7 @@ BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
 def test_a_broken_file_is_refused_in_words(what: str, tmp_path: Path) -> None:
     make, reason = BROKEN[what]
     make(tmp_path / "s.zip")
-    with pytest.raises(Refused, match=reason) as refused:
+    with pytest.raises(SubmissionRefused, match=reason) as refused:
         unpack(tmp_path / "s.zip", tmp_path / "home")
     assert refused.value.say.text("zh") != refused.value.say.text("en")
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.lessons.grading.grader import Graded, Grader, Result
+from day6_core.lessons.grading.grader import Grade, Graded, Grader
 from day6_core.lessons.grading.scenarios import gradings
 from tests.grading.article import write
 from tests.grading.forgeries import ALL, GROUPS, Forgery, together
@@ -28,11 +28,11 @@ def _submissions(folder: Path, group: str) -> Iterator[tuple[Path, list[Forgery]
 
 
 @pytest.fixture(scope="module")
-def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Result]:
+def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Grade]:
     """How the spoiled scenario of every forgery went, by the forgery's id."""
     folder = tmp_path_factory.mktemp("forged")
 
-    def graded(group: str) -> dict[str, Result]:
+    def graded(group: str) -> dict[str, Grade]:
         packed = list(_submissions(folder, group))
         chosen = [each for each in gradings() if each.lesson in GROUPS[group][0]]
         done: list[Graded] = Grader(chosen, seconds=150, answers={}).grade([file for file, _ in packed], AT_A_TIME)
@@ -50,7 +50,7 @@ def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Result]:
 
 @pytest.mark.process
 @pytest.mark.parametrize("forgery", ALL, ids=lambda forgery: forgery.id)
-def test_it_is_refused_for_its_reason(forgery: Forgery, seen: dict[str, Result]) -> None:
+def test_it_is_refused_for_its_reason(forgery: Forgery, seen: dict[str, Grade]) -> None:
     result = seen[forgery.id]
     said = " ".join(f"{wanted['en']} {saw['en']}" for wanted, saw in result.problems)
     assert not result.passed

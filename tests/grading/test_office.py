@@ -13,7 +13,7 @@ import pytest
 from day6_core.lessons.catalogue import HERE
 from day6_core.lessons.grading import reports
 from day6_core.lessons.grading.archive import unpack
-from day6_core.lessons.grading.grader import Graded, Grader, Result
+from day6_core.lessons.grading.grader import Grade, Graded, Grader
 from day6_core.lessons.grading.scenarios import gradings, read_grading
 from day6_core.lessons.progress import FOLDER, Progress, StepDone, file_of, load, save
 from day6_core.lessons.reading import read_lesson
@@ -288,6 +288,6 @@ def test_every_text_is_there_in_both_languages() -> None:
 
 def test_the_page_says_what_was_refused(tmp_path: Path) -> None:
     refused = Graded(Path("<i>.zip"), refused={"zh": "坏了", "en": "broken <b>"})
-    passed = Graded(Path("ok.zip"), results=[Result("day4", "builds", {"zh": "编译", "en": "builds"}, True)])
+    passed = Graded(Path("ok.zip"), results=[Grade("day4", "builds", {"zh": "编译", "en": "builds"}, True)])
     page = reports.as_page([refused, passed], "en", "2 submissions").decode()
     assert "broken &lt;b&gt;" in page and "&lt;i&gt;.zip" in page and "✓" in page and "✗" in page

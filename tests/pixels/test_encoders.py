@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from day6_tui.pixels.bands import Piece
+from day6_tui.pixels.bands import BandPiece
 from day6_tui.pixels.iterm import ITerm
 from day6_tui.pixels.kitty import Kitty
 from day6_tui.pixels.sixel import Palette, Sixel, encoded
@@ -21,8 +21,8 @@ def picture(columns: int, rows: int, colours: int = 40, seed: int = 1) -> np.nda
     return table[places]
 
 
-def whole(columns: int, rows: int, column: int = 3, row: int = 2) -> Piece:
-    return Piece(column, row, 0, 0, columns, rows)
+def whole(columns: int, rows: int, column: int = 3, row: int = 2) -> BandPiece:
+    return BandPiece(column, row, 0, 0, columns, rows)
 
 
 def shown(terminal: PixelTerminal, columns: int, rows: int, column: int = 3, row: int = 2) -> np.ndarray:
@@ -52,7 +52,7 @@ def test_a_coarse_picture_fills_the_same_cells(kind: str) -> None:
 def test_only_the_visible_pieces_are_drawn(kind: str) -> None:
     writer = {"kitty": Kitty(), "iterm": ITerm(), "sixel": Sixel(CELL)}[kind]
     terminal, pixels = PixelTerminal(kind, 40, 14), picture(8, 4) | 64
-    terminal.feed(writer.draw(0, pixels, CELL, [Piece(3, 2, 0, 0, 8, 1), Piece(9, 3, 6, 1, 2, 3)], True))
+    terminal.feed(writer.draw(0, pixels, CELL, [BandPiece(3, 2, 0, 0, 8, 1), BandPiece(9, 3, 6, 1, 2, 3)], True))
     place = shown(terminal, 8, 4)
     assert not place[CELL[1] :, : 6 * CELL[0]].any()
     assert np.abs(place[:, 6 * CELL[0] :].astype(int) - pixels[:, 6 * CELL[0] :]).max() <= 4

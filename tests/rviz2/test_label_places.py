@@ -11,12 +11,12 @@ from day6_core.ros.programs.rviz2.model.scene import BOX, Scene, Shape
 from day6_core.ros.programs.rviz2.model.views import Orbit
 from day6_tui.panes.cells import cell_len
 from day6_tui.render.cells import Cells, cells_of, pixel_aspect
-from day6_tui.render.label_places import LabelPlaces, Piece
+from day6_tui.render.label_places import LabelPiece, LabelPlaces
 from day6_tui.render.painter import QUALITIES, paint
 from day6_urdf.kinematics import Transform
 
 
-def _pieces(texts: list[tuple[float, float, str]], columns: int = 60, rows: int = 20) -> list[list[Piece]]:
+def _pieces(texts: list[tuple[float, float, str]], columns: int = 60, rows: int = 20) -> list[list[LabelPiece]]:
     return LabelPlaces().place(texts, columns, rows)
 
 

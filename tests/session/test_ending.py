@@ -13,7 +13,7 @@ import time
 import pytest
 
 from day6_core.session import cores
-from day6_core.session.ending import Ending, Step
+from day6_core.session.ending import Ending, EndingStep
 from tests.support.waiting import communicate, until
 
 NEVER = 1000.0
@@ -21,7 +21,7 @@ NEVER = 1000.0
 
 def test_the_first_wish_takes_the_first_step_and_no_other() -> None:
     first, second = threading.Event(), threading.Event()
-    ending = Ending(Step(first.set, NEVER), Step(second.set, NEVER))
+    ending = Ending(EndingStep(first.set, NEVER), EndingStep(second.set, NEVER))
     ending.begin()
     ending.begin()
     until(first.is_set)
@@ -31,7 +31,7 @@ def test_the_first_wish_takes_the_first_step_and_no_other() -> None:
 
 def test_a_step_that_brings_no_end_in_its_time_is_followed_by_the_next() -> None:
     second = threading.Event()
-    ending = Ending(Step(lambda: None, 0.0), Step(second.set, NEVER))
+    ending = Ending(EndingStep(lambda: None, 0.0), EndingStep(second.set, NEVER))
     ending.begin()
     until(second.is_set)
     ending.over()
@@ -44,7 +44,9 @@ def test_seconds_in_which_the_machine_is_busy_with_others_do_not_count(monkeypat
         return time.monotonic() if next(asked) < 6 else 0.0  # all the time at first
 
     monkeypatch.setattr(cores, "waited_for_a_core", waits)
-    ending = Ending(Step(lambda: None, 0.01), Step(lambda: second.set() if next(asked) > 6 else None, NEVER))
+    ending = Ending(
+        EndingStep(lambda: None, 0.01), EndingStep(lambda: second.set() if next(asked) > 6 else None, NEVER)
+    )
     ending.begin()
     until(second.is_set)
     ending.over()
@@ -56,7 +58,7 @@ def test_a_step_that_fails_does_not_hold_up_the_others() -> None:
     def fail() -> None:
         raise OSError("no")
 
-    ending = Ending(Step(fail, 0.0), Step(second.set, NEVER))
+    ending = Ending(EndingStep(fail, 0.0), EndingStep(second.set, NEVER))
     ending.begin()
     until(second.is_set)
     ending.over()

@@ -14,7 +14,7 @@ import pytest
 
 from day6_core.session import real_streams
 from day6_core.session.clock import WorldClock
-from day6_core.session.ending import Ending, Step
+from day6_core.session.ending import Ending, EndingStep
 from day6_core.session.real_streams import RealInput
 from day6_core.session.scheduler import Scheduler
 from day6_core.session.streams import Captured
@@ -114,7 +114,7 @@ def test_a_reader_of_standard_input_that_fails_is_its_end(monkeypatch: pytest.Mo
 @posix
 def test_a_signal_is_heard_although_waking_the_application_failed() -> None:
     heard = threading.Event()
-    ending = Ending(Step(heard.set, NEVER), Step(breaks, NEVER))
+    ending = Ending(EndingStep(heard.set, NEVER), EndingStep(breaks, NEVER))
     ending.wake_main_thread = breaks
     numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR2)
     before = {number: signal.getsignal(number) for number in numbers}

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from day6_core.ros.programs.turtlesim.model import HEIGHT, WIDTH, Rotation, Step, Trail, Turtle, float32
+from day6_core.ros.programs.turtlesim.model import HEIGHT, WIDTH, Rotation, Trail, Turtle, TurtleStep, float32
 
 MS = 1_000_000
 TICK_NS = 16 * MS
@@ -21,7 +21,7 @@ class World:
         self.trail = Trail()
         self.turtle = Turtle("turtle1", x, y, theta, kind="jazzy", now=0)
 
-    def tick(self) -> Step:
+    def tick(self) -> TurtleStep:
         self.now += TICK_NS
         return self.turtle.step(self.now, self.trail)
 

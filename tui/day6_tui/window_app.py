@@ -76,7 +76,7 @@ class _Stage(Layout):
     name = "stage"
 
     def arrange(self, parent: Widget, children: list[Widget], size: Size, greedy: bool = True) -> ArrangeResult:
-        assert isinstance(parent, Stage)
+        assert isinstance(parent, WindowStage)
         placements = []
         for child in children:
             if child is parent.shown:
@@ -85,7 +85,7 @@ class _Stage(Layout):
         return placements
 
 
-class Stage(PaneHost):
+class WindowStage(PaneHost):
     """Holds the panes of the program's windows (nearly always one)."""
 
     DEFAULT_CSS = "Stage { width: 1fr; height: 1fr; overflow: hidden; }"
@@ -182,7 +182,7 @@ class WindowApp(TerminalApp):
         self.look = look
         self.frames = Frames(self.draw_frame, fps, congested=self.is_congested, failed=self.frame_failed)
         self.look.wake = self.frames.wake
-        self.stage = Stage(look)
+        self.stage = WindowStage(look)
         looks = Looks(self, look)
         self.deeds: dict[str, Callable[[], object]] = {
             "end": self.do_end,

@@ -33,7 +33,7 @@ class Body:
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class TopPlan:
     """The parts of a robot drawn from above, and its bounds at rest: left, bottom, right, top (metres, root frame)."""
 
     robot: Robot
@@ -100,7 +100,7 @@ def spin_of(wheel: Wheel, transforms: Mapping[str, Transform]) -> float:
     return math.remainder(angle, 2 * math.pi)
 
 
-def plan_top(robot: Robot) -> Plan:
+def plan_top(robot: Robot) -> TopPlan:
     """Return the parts of a robot to draw; `render_top` calls it once per robot, not for every frame."""
     rest = link_transforms(robot, {})
     wheels = tuple(find_wheels(robot))
@@ -109,7 +109,7 @@ def plan_top(robot: Robot) -> Plan:
     if bodies:
         largest = max(bodies, key=lambda body: _area(body, rest[body.link]))
         bodies = [_as_chassis(body) if body.link == largest.link and body.style == "body" else body for body in bodies]
-    return Plan(robot, rest, wheels, tuple(bodies), _bounds(wheels, bodies, rest))
+    return TopPlan(robot, rest, wheels, tuple(bodies), _bounds(wheels, bodies, rest))
 
 
 def _bodies(link: Link) -> list[Body]:

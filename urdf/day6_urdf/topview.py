@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from day6_urdf.canvas import Canvas, Row, cell_width
 from day6_urdf.kinematics import Transform
 from day6_urdf.model import Robot
-from day6_urdf.topplan import Body, Plan, Wheel, flat, hull, plan_top, spin_of, stand
+from day6_urdf.topplan import Body, TopPlan, Wheel, flat, hull, plan_top, spin_of, stand
 
 STYLES = ("", "chassis", "body", "wheel", "mark", "caster", "arrow", "axle", "label", "missing", "scale")
 """The styles of a run; the empty one is background."""
@@ -25,7 +25,7 @@ _STRAIGHT = 0.98  # cosine of the steering angle above which a wheel is drawn as
 _LABEL_ROWS = 13  # rows needed for labels above and below
 
 
-_kept: Plan | None = None
+_kept: TopPlan | None = None
 
 
 def render_top(
@@ -59,7 +59,7 @@ class _Drawing:
 
     def __init__(
         self,
-        plan: Plan,
+        plan: TopPlan,
         transforms: Mapping[str, Transform],
         canvas: Canvas,
         lines: str,

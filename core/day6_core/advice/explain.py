@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from day6_core.advice import lookers_files, lookers_graph, lookers_line, lookers_values  # they register themselves
 from day6_core.advice.card_files import Card, topics
 from day6_core.advice.fault import fault_in
-from day6_core.advice.looking import ASK_GRAPH, LOOKERS, Found, Scene
+from day6_core.advice.looking import ASK_GRAPH, LOOKERS, Found, Situation
 from day6_core.advice.matching import Match
 from day6_core.advice.rules import Surroundings
 from day6_core.advice.texts import TEXTS
@@ -50,11 +50,11 @@ def scene_of(
     graph: GraphFacts | None = None,
     commands: Iterable[str] = (),
     letters: str = "",
-) -> Scene:
+) -> Situation:
     """Return what lookers may look at for a line of `output`, which `command` printed."""
     fault = fault_in(output or match.line)
     command = simple_command(command, match.values)
-    return Scene(around, match.values, command, fault, graph, tuple(commands), letters)
+    return Situation(around, match.values, command, fault, graph, tuple(commands), letters)
 
 
 def simple_command(source: str, values: Mapping[str, str]) -> str:
@@ -72,7 +72,7 @@ def simple_command(source: str, values: Mapping[str, str]) -> str:
     return (named or commands or [""])[-1]
 
 
-def explain(match: Match, scene: Scene, language: str) -> Explanation:
+def explain(match: Match, scene: Situation, language: str) -> Explanation:
     """Return a card's words for this line and this place. Reads files: not for the scheduler's thread."""
     card, words = match.card, match.card.words[language]
     here, next_ = "", ""
@@ -98,7 +98,7 @@ def explain(match: Match, scene: Scene, language: str) -> Explanation:
     )
 
 
-def _cause(card: Card, scene: Scene) -> Found | None:
+def _cause(card: Card, scene: Situation) -> Found | None:
     """What the first looker that finds something says; before all others a Chinese sign in the command."""
     if scene.command and (cause := lookers_line.chinese_cause(scene)) is not None:
         return cause

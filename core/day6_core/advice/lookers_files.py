@@ -10,7 +10,7 @@ from pathlib import Path
 
 from day6_core.advice import known
 from day6_core.advice.lookers_line import of_slip
-from day6_core.advice.looking import Found, Scene, found, looker
+from day6_core.advice.looking import Found, Situation, found, looker
 from day6_core.advice.rules import cause_of
 from day6_core.advice.typed import slip_of_command
 from day6_core.facts.folders import files_in, names_in
@@ -34,7 +34,7 @@ MOST_FILES = 2000
 
 
 @looker
-def python(scene: Scene) -> Found | None:
+def python(scene: Situation) -> Found | None:
     """The rules for exceptions: slips in names, modules that are not sourced, Chinese punctuation."""
     if scene.fault is None:
         return None
@@ -44,7 +44,7 @@ def python(scene: Scene) -> Found | None:
 
 
 @looker
-def ros_itself(scene: Scene) -> Found | None:
+def ros_itself(scene: Situation) -> Found | None:
     """Whether ROS itself is sourced in this terminal."""
     if scene.variables.get("ROS_DISTRO") or scene.variables.get("AMENT_PREFIX_PATH"):
         return None
@@ -52,7 +52,7 @@ def ros_itself(scene: Scene) -> Found | None:
 
 
 @looker
-def package(scene: Scene) -> Found | None:
+def package(scene: Situation) -> Found | None:
     """A package that is built and not sourced, or lies in `src`, or has a name that is nearly this one."""
     name = scene.value("name")
     state = _of_the_workspace(name, scene)
@@ -65,7 +65,7 @@ def package(scene: Scene) -> Found | None:
     return found("package.near", _again(scene, name, near), name=name, near=near) if near else None
 
 
-def _of_the_workspace(name: str, scene: Scene) -> Found | None:
+def _of_the_workspace(name: str, scene: Situation) -> Found | None:
     """Whether a package is built and not sourced, or not even built."""
     if not name.isidentifier():
         return None
@@ -80,7 +80,7 @@ def _of_the_workspace(name: str, scene: Scene) -> Found | None:
 
 
 @looker
-def executable(scene: Scene) -> Found | None:
+def executable(scene: Situation) -> Found | None:
     """A program that its package does not have: the name is nearly another's, setup.py does not name it, or it was not built."""
     words = scene.words()
     if words[:2] != ["ros2", "run"]:
@@ -115,20 +115,20 @@ def executable(scene: Scene) -> Found | None:
     return found("executable.none", edit, setup=setup)
 
 
-def _comma(package: Path, line: int, scene: Scene) -> Found:
+def _comma(package: Path, line: int, scene: Situation) -> Found:
     setup = _short(package / "setup.py", scene)
     return found("setup.comma", f"nano {setup}", setup=setup, line=line)
 
 
 @looker
-def setup_comma(scene: Scene) -> Found | None:
+def setup_comma(scene: Situation) -> Found | None:
     """A comma that is missing between two entry points of a setup.py."""
     lacking = next(packages_lacking_comma(workspaces_around(scene.variables, scene.cwd)), None)
     return _comma(*lacking, scene) if lacking is not None else None
 
 
 @looker
-def launch_file(scene: Scene) -> Found | None:
+def launch_file(scene: Situation) -> Found | None:
     """A launch file that lies in `src` but is not installed, or whose name is nearly this one."""
     name, package, share = scene.value("name"), scene.value("package"), Path(scene.value("share"))
     lies = find_package(package, workspaces_around(scene.variables, scene.cwd))
@@ -151,7 +151,7 @@ def launch_file(scene: Scene) -> Found | None:
 
 
 @looker
-def path(scene: Scene) -> Found | None:
+def path(scene: Situation) -> Found | None:
     """A path that is not there: the home of somebody else, another place, nearly another name, a folder that is missing."""
     name = scene.value("name").strip("'\"")
     if scene.command.startswith(name) and not (scene.cwd / name.partition("/")[0]).exists():
@@ -183,7 +183,7 @@ def path(scene: Scene) -> Found | None:
 
 
 @looker
-def not_executable(scene: Scene) -> Found | None:
+def not_executable(scene: Situation) -> Found | None:
     """A file that may not be run."""
     name = scene.value("name")
     whole = scene.cwd / name
@@ -196,7 +196,7 @@ def not_executable(scene: Scene) -> Found | None:
 
 
 @looker
-def prefix_path(scene: Scene) -> Found | None:
+def prefix_path(scene: Situation) -> Found | None:
     """A folder of an environment variable that is not there any more."""
     folder = Path(scene.value("path"))
     if folder.exists():
@@ -208,7 +208,7 @@ def prefix_path(scene: Scene) -> Found | None:
 
 
 @looker
-def build_folder(scene: Scene) -> Found | None:
+def build_folder(scene: Situation) -> Found | None:
     """A build that was started in the folder `src`, or a workspace within a workspace."""
     if scene.cwd.name == "src":
         return found("folder.src", f"cd {_short(scene.cwd.parent, scene)}", workspace=scene.cwd.parent)
@@ -224,7 +224,7 @@ def build_folder(scene: Scene) -> Found | None:
 
 
 @looker
-def message_package(scene: Scene) -> Found | None:
+def message_package(scene: Situation) -> Found | None:
     """A message type whose package is built and not sourced, or whose name is nearly another's."""
     whole = scene.value("type")
     if not whole:
@@ -254,7 +254,7 @@ def message_package(scene: Scene) -> Found | None:
     return found("type.near", _again(scene, whole, near), name=whole, near=near)
 
 
-def _type_of_name(name: str, scene: Scene) -> Found | None:
+def _type_of_name(name: str, scene: Situation) -> Found | None:
     """A type without its package: the one there is, or all of them."""
     exact = known.types_called(name, scene.variables) or known.types_called(
         name[:1].upper() + name[1:], scene.variables
@@ -268,25 +268,25 @@ def _type_of_name(name: str, scene: Scene) -> Found | None:
 # -- what they share -------------------------------------------------------------------------------------------------------
 
 
-def known_packages(scene: Scene) -> list[str]:
+def known_packages(scene: Situation) -> list[str]:
     """Return the packages that this terminal knows."""
     names = {path.parent.name for share in known.shares(scene.variables) for path in share.glob("*/package.xml")}
     return sorted(filter(has_package, names))
 
 
-def _again(scene: Scene, wrong: str, right: str) -> str:
+def _again(scene: Situation, wrong: str, right: str) -> str:
     """The line that was run with one name put right; '' if that cannot be done safely."""
     plain = shlex.quote(right.removeprefix("~")) == right.removeprefix("~") or right == "~"
     return scene.command.replace(wrong, right) if wrong and plain and scene.command.count(wrong) == 1 else ""
 
 
-def _build(workspace: Path, package: str, scene: Scene) -> str:
+def _build(workspace: Path, package: str, scene: Situation) -> str:
     """The line that builds one package and makes it known here."""
     go = "" if workspace == scene.cwd else f"cd {_short(workspace, scene)}; "
     return f"{go}colcon build --packages-select {shlex.quote(package)}; source install/setup.bash"
 
 
-def _short(place: Path, scene: Scene) -> str:
+def _short(place: Path, scene: Situation) -> str:
     """A path as one types it: from here, from home, or whole; quoted where that is needed."""
     for base, beginning in ((scene.cwd, ""), (scene.home, "~/")):
         if place != base and place.is_relative_to(base) and (beginning or base != scene.home):
@@ -295,7 +295,7 @@ def _short(place: Path, scene: Scene) -> str:
     return "~" if place == scene.home else "." if place == scene.cwd else shlex.quote(str(place))
 
 
-def _elsewhere(name: str, scene: Scene) -> Path | None:
+def _elsewhere(name: str, scene: Situation) -> Path | None:
     """The one file of that name below home's workspace or this folder; None if there is none, or several."""
     if len(name) < 3 or "." not in name:
         return None
@@ -311,7 +311,7 @@ def _elsewhere(name: str, scene: Scene) -> Path | None:
     return None
 
 
-def _executables(package: str, scene: Scene) -> list[str]:
+def _executables(package: str, scene: Situation) -> list[str]:
     from day6_core.ros.program_index import executables
 
     installed = (executables_in(prefix, package) for prefix in sourced_prefixes(scene.variables))

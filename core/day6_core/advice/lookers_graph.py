@@ -6,13 +6,13 @@ import shlex
 from collections.abc import Iterable
 
 from day6_core.advice.known import template_of
-from day6_core.advice.looking import Found, Scene, found, graph_looker
+from day6_core.advice.looking import Found, Situation, found, graph_looker
 from day6_core.facts.graph import GraphFacts, node_names
 from day6_core.facts.names import absolute, last_part, nearest
 
 
 @graph_looker
-def node(scene: Scene, graph: GraphFacts) -> Found | None:
+def node(scene: Situation, graph: GraphFacts) -> Found | None:
     """A node that is not there: none is, or one has nearly this name."""
     name = _named(scene)
     nodes = sorted(set(graph.nodes))
@@ -25,7 +25,7 @@ def node(scene: Scene, graph: GraphFacts) -> Found | None:
 
 
 @graph_looker
-def topic(scene: Scene, graph: GraphFacts) -> Found | None:
+def topic(scene: Situation, graph: GraphFacts) -> Found | None:
     """A topic that nobody publishes, or whose name is nearly another's."""
     name = _named(scene)
     if not graph.nodes:
@@ -43,7 +43,7 @@ def topic(scene: Scene, graph: GraphFacts) -> Found | None:
 
 
 @graph_looker
-def service(scene: Scene, graph: GraphFacts) -> Found | None:
+def service(scene: Situation, graph: GraphFacts) -> Found | None:
     """A service that nobody offers, or whose name is nearly another's."""
     name = _named(scene)
     if not graph.nodes:
@@ -60,7 +60,7 @@ def service(scene: Scene, graph: GraphFacts) -> Found | None:
 
 
 @graph_looker
-def action(scene: Scene, graph: GraphFacts) -> Found | None:
+def action(scene: Situation, graph: GraphFacts) -> Found | None:
     """Whether an action has another type or name than was typed."""
     name = _named(scene)
     if not graph.nodes:
@@ -71,7 +71,7 @@ def action(scene: Scene, graph: GraphFacts) -> Found | None:
 
 
 @graph_looker
-def needed(scene: Scene, graph: GraphFacts) -> Found | None:
+def needed(scene: Situation, graph: GraphFacts) -> Found | None:
     """What a command still needs and the graph knows: the type of a service, an action, a topic; the node of a parameter."""
     words = scene.words()
     if words[:1] != ["ros2"] or len(words) < 3:
@@ -94,7 +94,7 @@ _LISTS = {"service_name": "ros2 service list", "action_name": "ros2 action list"
 _TYPES = ("service_type", "action_type", "message_type")
 
 
-def _needed_type(scene: Scene, graph: GraphFacts, command: str, name: str) -> Found | None:
+def _needed_type(scene: Situation, graph: GraphFacts, command: str, name: str) -> Found | None:
     """The type of what is named, from the graph, and the whole line with it."""
     full = absolute(name)
     known_types = {"action": graph.actions, "service": graph.services}.get(command, graph.topics)
@@ -106,7 +106,7 @@ def _needed_type(scene: Scene, graph: GraphFacts, command: str, name: str) -> Fo
     return found("needed.type" if contents else "needed.type_alone", line, name=full, type=kind)
 
 
-def _needed_node(scene: Scene, graph: GraphFacts, words: list[str], operands: list[str]) -> Found | None:
+def _needed_node(scene: Situation, graph: GraphFacts, words: list[str], operands: list[str]) -> Found | None:
     """`ros2 param set NAME VALUE`: the node is missing, not the value; and `NAME=VALUE`."""
     nodes = sorted(set(graph.nodes))
     if not operands or words[2] not in ("set", "get", "describe", "delete"):
@@ -125,7 +125,7 @@ def _needed_node(scene: Scene, graph: GraphFacts, words: list[str], operands: li
 
 
 @graph_looker
-def qos(scene: Scene, graph: GraphFacts) -> Found | None:
+def qos(scene: Situation, graph: GraphFacts) -> Found | None:
     """A publisher and a subscription whose reliability does not fit."""
     name = absolute(scene.value("name"))
     for topic, publisher, subscriber, policy in graph.deaf:
@@ -136,14 +136,14 @@ def qos(scene: Scene, graph: GraphFacts) -> Found | None:
 
 
 @graph_looker
-def twins(scene: Scene, graph: GraphFacts) -> Found | None:
+def twins(scene: Situation, graph: GraphFacts) -> Found | None:
     """Nodes that share a name."""
     twice = sorted(graph.twins)
     return found("graph.twins", name=", ".join(twice), count=graph.twins[twice[0]]) if twice else None
 
 
 @graph_looker
-def frames(scene: Scene, graph: GraphFacts) -> Found | None:
+def frames(scene: Situation, graph: GraphFacts) -> Found | None:
     """Whether anybody publishes transforms, and whether the joints that move have somebody who says how far."""
     moving, fixed = graph.publishers.get("/tf", ()), graph.publishers.get("/tf_static", ())
     described = graph.publishers.get("/robot_description", ())
@@ -161,7 +161,7 @@ def frames(scene: Scene, graph: GraphFacts) -> Found | None:
 
 
 @graph_looker
-def description(scene: Scene, graph: GraphFacts) -> Found | None:
+def description(scene: Situation, graph: GraphFacts) -> Found | None:
     """Whether anybody publishes a robot description."""
     if graph.publishers.get("/robot_description"):
         return None
@@ -170,14 +170,14 @@ def description(scene: Scene, graph: GraphFacts) -> Found | None:
 
 
 @graph_looker
-def clock(scene: Scene, graph: GraphFacts) -> Found | None:
+def clock(scene: Situation, graph: GraphFacts) -> Found | None:
     """Whether anybody publishes /clock."""
     if graph.publishers.get("/clock"):
         return None
     return found("clock.nobody")
 
 
-def _alone(scene: Scene, graph: GraphFacts) -> Found:
+def _alone(scene: Situation, graph: GraphFacts) -> Found:
     """No node runs where this terminal looks; perhaps in another domain."""
     domain = scene.variables.get("ROS_DOMAIN_ID", "") or "0"
     for number, nodes in graph.domains_besides(graph.domain).items():
@@ -186,7 +186,7 @@ def _alone(scene: Scene, graph: GraphFacts) -> Found:
     return found("graph.empty", domain=domain)
 
 
-def _named(scene: Scene) -> str:
+def _named(scene: Situation) -> str:
     """What the message names, else the line that was run."""
     return scene.value("name") or next((word for word in scene.words()[3:] if not word.startswith("-")), "")
 
@@ -197,7 +197,7 @@ def _types(graph: GraphFacts, topic: str, kinds: Iterable[str]) -> Found:
     return found("topic.types", look, name=topic, types=", ".join(kinds), nodes=who)
 
 
-def _near(scene: Scene, name: str, names: list[str], lists: str) -> Found | None:
+def _near(scene: Situation, name: str, names: list[str], lists: str) -> Found | None:
     """The one of the names that is nearly this one, or has the same last part."""
     full = absolute(name)
     last = last_part(full)
@@ -211,5 +211,5 @@ def _near(scene: Scene, name: str, names: list[str], lists: str) -> Found | None
     return None
 
 
-def _with(scene: Scene, wrong: str, right: str) -> str:
+def _with(scene: Situation, wrong: str, right: str) -> str:
     return scene.command.replace(wrong, right) if wrong and scene.command.count(wrong) == 1 else ""

@@ -6,7 +6,7 @@ import re
 import shlex
 
 from day6_core.advice import known
-from day6_core.advice.looking import Found, Scene, found, looker
+from day6_core.advice.looking import Found, Situation, found, looker
 from day6_core.advice.typed import Slip, chinese_sign, near_choice, slip_of_command
 from day6_core.ros.differences import value
 from day6_core.ros.program_index import executables, packages
@@ -18,7 +18,7 @@ _TAKES_ONE = ("-p", "--param", "-r", "--remap", "--params-file", "--log-level", 
 
 
 @looker
-def command(scene: Scene) -> Found | None:
+def command(scene: Situation) -> Found | None:
     """A command that does not exist: a file of this folder, a prompt, a missing blank, an answer, a slip of another name."""
     name = scene.value("name")
     here = scene.cwd / name
@@ -35,7 +35,7 @@ def of_slip(slip: Slip) -> Found:
     return Found(_KEYS.get(slip.key, slip.key), slip.values, slip.right)
 
 
-def chinese_cause(scene: Scene) -> Found | None:
+def chinese_cause(scene: Situation) -> Found | None:
     """Return the Chinese sign in a command that failed; whatever the card, this is why."""
     if scene.command.isascii():
         return None
@@ -45,7 +45,7 @@ def chinese_cause(scene: Scene) -> Found | None:
 
 
 @looker
-def choice(scene: Scene) -> Found | None:
+def choice(scene: Situation) -> Found | None:
     """A verb that is nearly one of those that can stand there."""
     name = scene.value("name")
     near = near_choice(name, re.findall(r"[\w.-]+", scene.value("choices")))
@@ -55,7 +55,7 @@ def choice(scene: Scene) -> Found | None:
 
 
 @looker
-def bag_topics(scene: Scene) -> Found | None:
+def bag_topics(scene: Situation) -> Found | None:
     """`ros2 bag record /a /b`, as until Kilted."""
     words, names = scene.words(), scene.value("names").split()
     unknown = value("bag.positional_topics") != "removed" or any(name.startswith("-") for name in names)
@@ -66,7 +66,7 @@ def bag_topics(scene: Scene) -> Found | None:
 
 
 @looker
-def runnable(scene: Scene) -> Found | None:
+def runnable(scene: Situation) -> Found | None:
     """`ros2 run` with one name only: a program without its package, or a package without its program."""
     words = scene.words()
     if words[:2] != ["ros2", "run"] or len(words) != 3:
@@ -81,7 +81,7 @@ def runnable(scene: Scene) -> Found | None:
 
 
 @looker
-def ros_args(scene: Scene) -> Found | None:
+def ros_args(scene: Situation) -> Found | None:
     """What stands after `--ros-args` without its own -p or -r, or with = for :=."""
     words = scene.words()
     if "--ros-args" not in words:

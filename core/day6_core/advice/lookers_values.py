@@ -7,7 +7,7 @@ import shlex
 from collections.abc import Mapping
 
 from day6_core.advice import known
-from day6_core.advice.looking import Found, Scene, found, looker
+from day6_core.advice.looking import Found, Situation, found, looker
 from day6_core.facts.names import nearest
 
 _TYPE = re.compile(r"\b[a-z]\w*/(?:(?:msg|srv|action)/)?[A-Z]\w*")
@@ -21,7 +21,7 @@ _TURNING = {"geometry_msgs/msg/Twist": {"z": "angular"}}
 
 
 @looker
-def fields(scene: Scene) -> Found | None:
+def fields(scene: Situation) -> Found | None:
     """What does not fit between the contents that were typed and their type, and the line put right."""
     whole, text = sent(scene)
     layout = known.sent_layout(whole, scene.variables) if whole else {}
@@ -55,7 +55,7 @@ def fields(scene: Scene) -> Found | None:
 
 
 @looker
-def unquoted(scene: Scene) -> Found | None:
+def unquoted(scene: Situation) -> Found | None:
     """Contents without quotation marks around them, which the shell takes for several words."""
     line = scene.command
     found_type = _TYPE.search(line)
@@ -67,7 +67,7 @@ def unquoted(scene: Scene) -> Found | None:
     return found("value.unquoted", f'{line[: found_type.end()]} "{rest}"')
 
 
-def sent(scene: Scene) -> tuple[str, str]:
+def sent(scene: Situation) -> tuple[str, str]:
     """Return the type that a command line names, in three parts, and the contents behind it; '' for what is not there."""
     words = scene.words()
     kind = _OF_COMMAND.get(words[1], "") if words[:1] == ["ros2"] and len(words) > 1 else ""
@@ -102,7 +102,7 @@ def _with_blanks(text: str, names: Mapping[str, str]) -> tuple[str, str]:
     return "".join(parts), first
 
 
-def _no_field(scene: Scene, whole: str, text: str, layout: Mapping[str, str], kind: str, name: str) -> Found | None:
+def _no_field(scene: Situation, whole: str, text: str, layout: Mapping[str, str], kind: str, name: str) -> Found | None:
     """A field that is inside another one, or nearly another one."""
     own = kind.removesuffix("_Request").removesuffix("_Goal") == whole.rpartition("/")[2]
     holders = [each for each, base in layout.items() if name in known.layout_of(base, scene.variables)]
@@ -157,7 +157,7 @@ def _listed(whole: str, layout: Mapping[str, str], show: str) -> Found:
     return found("value.fields", show, type=whole, fields=", ".join(layout))
 
 
-def _put_right(scene: Scene, text: str, fixed: str) -> str:
+def _put_right(scene: Situation, text: str, fixed: str) -> str:
     """The line with other contents, within the quotation marks it has or needs; '' if that cannot be done safely."""
     line = scene.command
     if not text or line.count(text) != 1 or re.search(r'["$`\\!]', fixed):

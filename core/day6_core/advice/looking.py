@@ -14,7 +14,7 @@ from day6_core.facts.graph import GraphFacts
 
 
 @dataclass(frozen=True)
-class Scene:
+class Situation:
     """What a looker may look at; `graph` is None where nobody can ask one."""
 
     around: Surroundings
@@ -71,7 +71,7 @@ class Found:
     next: str = ""
 
 
-Looker = Callable[[Scene], Found | None]
+Looker = Callable[[Situation], Found | None]
 
 LOOKERS: dict[str, Looker] = {}
 """By the name that cards call them."""
@@ -86,10 +86,10 @@ def looker(function: Looker) -> Looker:
     return function
 
 
-def graph_looker(function: Callable[[Scene, GraphFacts], Found | None]) -> Looker:
+def graph_looker(function: Callable[[Situation, GraphFacts], Found | None]) -> Looker:
     """Register a function that is not asked where nobody can ask a graph."""
 
-    def look(scene: Scene) -> Found | None:
+    def look(scene: Situation) -> Found | None:
         return function(scene, scene.graph) if scene.graph is not None else None
 
     ASK_GRAPH.add(function.__name__)

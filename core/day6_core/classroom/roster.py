@@ -55,7 +55,7 @@ class PupilRow:
         return self.is_here and self.troubled is not None and now - self.troubled >= STUCK_SECONDS
 
 
-class Event(NamedTuple):
+class ClassEvent(NamedTuple):
     """Something that happened; `time` in seconds since 1970."""
 
     time: float
@@ -88,7 +88,7 @@ class Roster:
         self._clock = clock
         self._wall = wall
         self._rows: dict[str, PupilRow] = {}
-        self.events: deque[Event] = deque(maxlen=MOST_EVENTS)
+        self.events: deque[ClassEvent] = deque(maxlen=MOST_EVENTS)
         """What happened in the lesson, the oldest first."""
         self.version = 0
         """Another number after every change."""
@@ -145,7 +145,7 @@ class Roster:
             self.version += 1
 
     def _note(self, name: str, what: str, text: str = "") -> None:
-        self.events.append(Event(self._wall(), name, what, text))
+        self.events.append(ClassEvent(self._wall(), name, what, text))
 
     def _row(self, name: str) -> PupilRow:
         return self._rows.get(name) or PupilRow(name)

@@ -38,7 +38,7 @@ class Bubblewrap(Mode):
 
     def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
         """Return the command line of bwrap. The limits come inside, where the namespace counts from nothing."""
-        inside = enter.Plan(
+        inside = enter.SandboxPlan(
             folder=str(cell.home),
             environment=self.environment(cell),
             limits=self.rlimits(cell),
@@ -51,7 +51,7 @@ class Bubblewrap(Mode):
         words += ["--", *enter.command(cell, inside, argv)]
         if not self.trees:
             return words
-        outside = enter.Plan(
+        outside = enter.SandboxPlan(
             folder="/",
             environment={},
             groups=[str(tree.group(key(cell)) / "cgroup.procs") for tree in self.trees],

@@ -30,7 +30,7 @@ KEPT_VARIABLES = (
 
 
 @dataclass(frozen=True)
-class Plan:
+class SandboxPlan:
     """What to do on the way in. Everything is optional; on macOS and Windows only `environment` and `folder` are done."""
 
     folder: str
@@ -51,7 +51,7 @@ class Plan:
     """What stays open besides 0, 1 and 2."""
 
 
-def command(cell: Cell, plan: Plan, argv: list[str]) -> list[str]:
+def command(cell: Cell, plan: SandboxPlan, argv: list[str]) -> list[str]:
     """Return the command line that starts `argv` by this plan."""
     filled = {name: value for name, value in asdict(plan).items() if value not in (None, [], {}, 0, False)}
     module = "day6_core.isolation.enter"
@@ -62,14 +62,14 @@ def main(words: list[str]) -> int:
     """Enter; returns only with `supervise` or after an error."""
     _mark, plan, _, *argv = words
     try:
-        return enter(Plan(**json.loads(plan)), argv)
+        return enter(SandboxPlan(**json.loads(plan)), argv)
     except OSError as error:
         name = f"{error.filename}: " if error.filename else ""
         print(f"day6-tui: {name}{error.strerror or error}", file=sys.stderr)
         return 126
 
 
-def enter(plan: Plan, argv: list[str]) -> int:
+def enter(plan: SandboxPlan, argv: list[str]) -> int:
     """Do what the plan says and become `argv`. Raises OSError."""
     environment = _environment(plan)
     if sys.platform == "linux":
@@ -92,7 +92,7 @@ def enter(plan: Plan, argv: list[str]) -> int:
     os.execvpe(argv[0], argv, environment)
 
 
-def _environment(plan: Plan) -> dict[str, str]:
+def _environment(plan: SandboxPlan) -> dict[str, str]:
     kept = {name: value for name, value in os.environ.items() if name in KEPT_VARIABLES or name.startswith("DAY6_")}
     return {**kept, **plan.environment}
 

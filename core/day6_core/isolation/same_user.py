@@ -25,8 +25,8 @@ class Nothing(Mode):
 
     def _plan(
         self, cell: Cell, descriptors: Iterable[int], readable: Iterable[str] = (), writable: Iterable[str] = ()
-    ) -> enter.Plan:
-        return enter.Plan(
+    ) -> enter.SandboxPlan:
+        return enter.SandboxPlan(
             folder=str(cell.home),
             environment=self.environment(cell),
             groups=[str(tree.group(key(cell)) / "cgroup.procs") for tree in self.trees],

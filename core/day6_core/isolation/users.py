@@ -73,7 +73,7 @@ class Users(Mode):
 
     def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
         """Return the command line of the launcher, which gives up the server's rights."""
-        plan = enter.Plan(
+        plan = enter.SandboxPlan(
             folder=str(cell.home),
             environment=self.environment(cell),
             uid=cell.uid,

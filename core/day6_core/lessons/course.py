@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from day6_core.lessons.catalogue import Found, by_topic, days, drills, lessons_in
 from day6_core.lessons.demonstration import Demonstration
 from day6_core.lessons.document import HINTS, Action, Lesson, Step
-from day6_core.lessons.exam import Exam, Result, new_exam
+from day6_core.lessons.exam import Exam, ExamResult, new_exam
 from day6_core.lessons.following import FollowedFile
 from day6_core.lessons.live import Live
 from day6_core.lessons.player import StageError, Steering
@@ -282,7 +282,7 @@ class Course:
         state = self.state
         seconds = round(time.monotonic() - self._began, 1)
         solved = state.solved and not self._shown
-        exam = self.exam = exam.with_result(Result(exam.at, solved, seconds, state.hints))
+        exam = self.exam = exam.with_result(ExamResult(exam.at, solved, seconds, state.hints))
         if not exam.over:
             return self.open(exam.at)
         self.progress.exams.append(exam.kept())

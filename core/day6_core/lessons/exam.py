@@ -14,7 +14,7 @@ DRILLS = 5
 
 
 @dataclass(frozen=True)
-class Result:
+class ExamResult:
     """How one drill of an exam went; seconds."""
 
     drill: str
@@ -30,7 +30,7 @@ class Exam:
     drills: tuple[str, ...]
     began: float = 0.0
     """Seconds since 1970."""
-    results: tuple[Result, ...] = ()
+    results: tuple[ExamResult, ...] = ()
 
     @property
     def over(self) -> bool:
@@ -45,7 +45,7 @@ class Exam:
     def solved(self) -> int:
         return sum(result.solved for result in self.results)
 
-    def with_result(self, result: Result) -> Exam:
+    def with_result(self, result: ExamResult) -> Exam:
         return replace(self, results=(*self.results, result))
 
     def kept(self) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import HINTS, Action, Answer, Lesson, Page, Step, Wrong
 from day6_core.lessons.flaws import MarkedMap, line_of, meant
 from day6_core.lessons.remarks import note_remarks
-from day6_core.lessons.source import NAME, Source
+from day6_core.lessons.source import NAME, LessonSource
 from day6_core.width import text_width
 
 PARTS = ("do", "hints", "answers", "teacher")
@@ -31,12 +31,12 @@ _ANSWER = re.compile(r"-\s+([a-z]):\s+(.*?)(?:\s*\|\s*(.*))?\Z")
 
 def read_lesson(path: Path) -> Lesson:
     """Read a lesson. Raises LessonMistakes, or OSError where there is no such file."""
-    return _Reader(Source(path)).lesson()
+    return _Reader(LessonSource(path)).lesson()
 
 
 def read_scene(path: Path) -> tuple[Action, ...]:
     """What a scene does. Raises LessonMistakes, or OSError where there is no such file."""
-    return _Reader(Source(path), is_scene=True).scene()
+    return _Reader(LessonSource(path), is_scene=True).scene()
 
 
 @dataclass
@@ -48,7 +48,7 @@ class _Text:
 
 
 class _Reader:
-    def __init__(self, source: Source, *, is_scene: bool = False) -> None:
+    def __init__(self, source: LessonSource, *, is_scene: bool = False) -> None:
         self._source = source
         self._wrong = source.wrong
         self._is_scene = is_scene

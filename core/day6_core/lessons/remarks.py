@@ -5,7 +5,7 @@ from __future__ import annotations
 from day6_core.language import LANGUAGES
 from day6_core.lessons.document import Lesson, Step
 from day6_core.lessons.flaws import MarkedMap, line_of, meant
-from day6_core.lessons.source import Source
+from day6_core.lessons.source import LessonSource
 from day6_core.width import text_width
 
 MOST_TITLE = 60
@@ -25,7 +25,7 @@ TOPICS = (
 """The topics of drills, in the order in which they are listed; others come last."""
 
 
-def note_remarks(source: Source, head: MarkedMap, lesson: Lesson) -> None:
+def note_remarks(source: LessonSource, head: MarkedMap, lesson: Lesson) -> None:
     """Judge a lesson that was read as far as it goes; `head` is its front matter."""
     for language, text in lesson.title.items():
         _judge_title(source, line_of(head.get("title"), language) or 1, text)
@@ -39,7 +39,7 @@ def note_remarks(source: Source, head: MarkedMap, lesson: Lesson) -> None:
         _judge_step(source, step, drill=lesson.is_drill)
 
 
-def _judge_drill(source: Source, head: MarkedMap, lesson: Lesson) -> None:
+def _judge_drill(source: LessonSource, head: MarkedMap, lesson: Lesson) -> None:
     if "fault" in head and not 1 <= lesson.fault <= FAULTS:
         told = f"'fault' is a number of the list of faults, 1 to {FAULTS}: leave it out in a drill of your own"
         source.remark(line_of(head, "fault"), told)
@@ -54,7 +54,7 @@ def _judge_drill(source: Source, head: MarkedMap, lesson: Lesson) -> None:
             source.remark(step.lines.get("wrong", step.line), told)
 
 
-def _judge_step(source: Source, step: Step, *, drill: bool) -> None:
+def _judge_step(source: LessonSource, step: Step, *, drill: bool) -> None:
     if not step.broken and not step.lines.get("solve"):
         told = f"step '{step.name}' has no 'solve': it cannot be shown, played or made ready for a later one"
         source.remark(step.line, told)
@@ -73,7 +73,7 @@ def _judge_step(source: Source, step: Step, *, drill: bool) -> None:
             source.remark(step.line, told, warning=True)
 
 
-def _judge_title(source: Source, line: int, title: str) -> None:
+def _judge_title(source: LessonSource, line: int, title: str) -> None:
     wide = text_width(title)
     if wide > MOST_TITLE:
         source.remark(line, f"a title of {wide} columns: the most are {MOST_TITLE}")

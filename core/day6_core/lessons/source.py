@@ -39,7 +39,7 @@ class LessonMistakes(Exception):
         super().__init__("\n".join(f"{path.name}:{each.line}: {each.text}" for each in self.mistakes))
 
 
-class Part(Protocol):
+class LessonPart(Protocol):
     """A step or a scenario."""
 
     @property
@@ -54,7 +54,7 @@ _OURS = Path(__file__).resolve().parent
 """What is below is written for the usual distribution, and told for the present one."""
 
 
-class Source:
+class LessonSource:
     """One file that is being read. Raises LessonMistakes if it is no text, or OSError where there is none."""
 
     def __init__(self, path: Path) -> None:
@@ -161,7 +161,7 @@ class Source:
             return []
         return found
 
-    def judge_parts(self, parts: Iterable[Part], kind: str) -> None:
+    def judge_parts(self, parts: Iterable[LessonPart], kind: str) -> None:
         """Note names that are there twice, and needs of what does not come before."""
         names: list[str] = []
         for part in parts:

@@ -15,7 +15,7 @@ from weakref import WeakKeyDictionary
 
 if TYPE_CHECKING:
     from day6_core.graph import Graph
-    from day6_core.link.classroom.part import Part
+    from day6_core.link.classroom.part import ClassPart
     from day6_core.link.link import Link
     from day6_core.link.passing import Passing
     from day6_core.link.state import Door, LinkState
@@ -38,7 +38,7 @@ def join(
     one_shot: bool = False,
     never_wait: bool = False,
     secret: str | None = None,
-    part: Part | None = None,
+    part: ClassPart | None = None,
 ) -> Link:
     """Join `graph` to the graphs of this user's other processes on this machine and domain; returns its link.
 
@@ -66,7 +66,7 @@ def _joined(
     one_shot: bool,
     never_wait: bool,
     secret: str | None,
-    part: Part | None,
+    part: ClassPart | None,
 ) -> Link:
     from day6_core.graph.discovery import discovery_is_off
     from day6_core.link.link import Link

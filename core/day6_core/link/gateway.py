@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from day6_core.link.addresses import Address, address_of
 from day6_core.link.bridge import Bridge
-from day6_core.link.classroom.part import Part
+from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import inner_config, outer_config
 from day6_core.link.file_lock import FileLock
 from day6_core.link.limits import Refusals
@@ -56,7 +56,7 @@ class Gateway:
         secret: str | None,
         report: Report,
         is_neighbour: Callable[[str], bool],
-        part: Part | None = None,
+        part: ClassPart | None = None,
     ) -> None:
         self._part = part
         self._place = place
@@ -201,7 +201,7 @@ class Gateway:
             inner, self._outer, self._domain_id, self._report, self.refusals, self._is_neighbour, naming
         )
 
-    def _take_part(self, part: Part) -> None:
+    def _take_part(self, part: ClassPart) -> None:
         """Join the graphs as soon as there is a class, and part them when this desktop does not belong to it any more."""
         part.poll()
         naming = part.naming

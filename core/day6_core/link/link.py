@@ -16,7 +16,7 @@ from day6_core.graph.node import Node
 from day6_core.inbox import Inbox
 from day6_core.interrupts import DEFERRED
 from day6_core.link.announcing import Announcements
-from day6_core.link.classroom.part import Part
+from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import command_config, process_config
 from day6_core.link.engine_thread import callback, inside_callback
 from day6_core.link.gateway import Gateway
@@ -86,7 +86,7 @@ class Link:
         one_shot: bool = False,
         never_wait: bool = False,
         secret: str | None = None,
-        part: Part | None = None,
+        part: ClassPart | None = None,
     ) -> None:
         self.graph = graph
         self.zid = new_zid()

@@ -27,7 +27,7 @@ _NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
 _log = logging.getLogger(__name__)
 
 
-class Step(NamedTuple):
+class EndingStep(NamedTuple):
     """One way to request the end: `act` returns at once (it is called on another thread), then up to `seconds` are waited.
 
     Those in which the main thread waits for a core do not count.
@@ -45,7 +45,7 @@ class Ending:
     is closed. `number` is the first signal, 0 if there was none.
     """
 
-    def __init__(self, *steps: Step) -> None:
+    def __init__(self, *steps: EndingStep) -> None:
         self.number = 0
         self.begun = False
         self.restore_terminal: Callable[[], object] | None = None

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from day6_core.session.backlog import Backlog
 from day6_core.session.clock import WorldClock
 from day6_core.session.display import Display
-from day6_core.session.ending import Ending, Step
+from day6_core.session.ending import Ending, EndingStep
 from day6_core.session.folder import working_folder
 from day6_core.session.program import Program
 from day6_core.session.real_streams import RealInput, RealOutput
@@ -124,7 +124,9 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
     session.python = _python_in_place
     program = Program(session, main)
     insisting = 2 if one_shot or display is not None else SIGNALS_TO_INSIST
-    ending = Ending(*[Step(_already_signalled, None)] * (insisting - 1), Step(_already_signalled, INSIST_SECONDS))
+    ending = Ending(
+        *[EndingStep(_already_signalled, None)] * (insisting - 1), EndingStep(_already_signalled, INSIST_SECONDS)
+    )
     ending.restore_terminal = stdin.restore
     restore = _handle_signals(scheduler, program, ending)
     ending.watch_signals()

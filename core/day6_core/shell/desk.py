@@ -29,7 +29,7 @@ from day6_core.shell.overview import DeskOverview
 from day6_core.shell.user import login_name
 
 if TYPE_CHECKING:
-    from day6_core.link.classroom.part import Part
+    from day6_core.link.classroom.part import ClassPart
     from day6_core.shell.terminal import Terminal
 
 _log = logging.getLogger(__name__)
@@ -88,7 +88,7 @@ class Desk:
         listen: str | None = None,
         connect: str | None = None,
         secret: str | None = None,
-        part: Part | None = None,
+        part: ClassPart | None = None,
     ) -> None:
         activate()
         self._listen, self._connect, self._secret, self._part = listen, connect, secret, part

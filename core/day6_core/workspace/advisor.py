@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Mapping
 from pathlib import Path
 
-from day6_core.workspace.events import INTERRUPTED, Console, Event
+from day6_core.workspace.events import INTERRUPTED, BuildEvent, Console
 
 
 class Advisor:
@@ -26,7 +26,7 @@ class Advisor:
         self._printed.append(text)
         self._console.err(text)
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if not self._console.stderr.isatty():
             return

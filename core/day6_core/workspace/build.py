@@ -11,12 +11,12 @@ from day6_core.workspace import build_cmake, build_python
 from day6_core.workspace.files import NotOurOutput
 from day6_core.workspace.jobs import Work
 from day6_core.workspace.packages import Package
-from day6_core.workspace.settings import Settings
+from day6_core.workspace.settings import BuildSettings
 
 BUILD_TOOL = "colcon"
 """The text of `.built_by`: the trees are colcon's, so the real one may go on building in them."""
 
-Task = Callable[[Package, Settings, Work], int]
+Task = Callable[[Package, BuildSettings, Work], int]
 
 _TASKS: dict[str, Task] = {
     "python": build_python.build,
@@ -44,7 +44,7 @@ def find_task(package: Package) -> Task | None:
     return None if task is None else partial(_build_if_possible, task)
 
 
-def _build_if_possible(task: Task, package: Package, settings: Settings, work: Work) -> int:
+def _build_if_possible(task: Task, package: Package, settings: BuildSettings, work: Work) -> int:
     """Build a package unless a workspace package it needs was never built; returns an exit status."""
     missing = {
         name: script
@@ -80,7 +80,7 @@ def refuse_foreign_folder(folder: Path) -> None:
         )
 
 
-def _is_underneath(name: str, settings: Settings) -> bool:
+def _is_underneath(name: str, settings: BuildSettings) -> bool:
     """Return whether a workspace that was sourced before has the package."""
     prefixes = settings.environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
     return any(Path(prefix, "share", name, "package.sh").is_file() for prefix in prefixes if prefix)

@@ -35,7 +35,7 @@ from day6_core.workspace.jobs import Work
 from day6_core.workspace.left_out import LeftOut, write_note
 from day6_core.workspace.left_out import left_out as find_left_out
 from day6_core.workspace.packages import Package
-from day6_core.workspace.settings import Settings
+from day6_core.workspace.settings import BuildSettings
 from day6_core.workspace.setup_scripts import write_hook, write_package_scripts
 
 _TOOLS = ("ament_", "rosidl_", "eigen", "python", "threads", "pkgconfig")
@@ -74,7 +74,7 @@ _COMPILER = {
 """Variables about the compiler that packages read, with the values of Ubuntu 24.04, the platform of ROS 2 Kilted."""
 
 
-def build(package: Package, settings: Settings, work: Work) -> int:
+def build(package: Package, settings: BuildSettings, work: Work) -> int:
     """Build one package; returns an exit status."""
     try:
         return _CMakeBuild(package, settings, work).run()
@@ -101,7 +101,7 @@ def _needs_no_compiler(command: Command) -> bool:
     return not any(folder.split("/")[0] == "include" for folder in command.after("DESTINATION")[:1])
 
 
-def cmake_variables(package: Package, settings: Settings) -> dict[str, str]:
+def cmake_variables(package: Package, settings: BuildSettings) -> dict[str, str]:
     """Return the variables that are set when a package's CMakeLists.txt starts."""
     here, build_folder = str(package.path), str(settings.build_base / package.name)
     prefix = settings.prefix(package.name)
@@ -123,7 +123,7 @@ def cmake_variables(package: Package, settings: Settings) -> dict[str, str]:
 
 
 class _CMakeBuild:
-    def __init__(self, package: Package, settings: Settings, work: Work) -> None:
+    def __init__(self, package: Package, settings: BuildSettings, work: Work) -> None:
         self.package = package
         self.settings = settings
         self.output = settings.output

@@ -20,7 +20,7 @@ from day6_core.workspace.files import NotOurOutput, links_in
 from day6_core.workspace.jobs import JobFailure, Work
 from day6_core.workspace.local_setup_util import Environment, source_package
 from day6_core.workspace.packages import Package
-from day6_core.workspace.settings import Settings
+from day6_core.workspace.settings import BuildSettings
 from day6_core.workspace.setup_child import MARK
 from day6_core.workspace.setup_scripts import write_hook, write_package_scripts
 
@@ -37,7 +37,7 @@ def python_library(prefix: Path) -> Path:
     return Path(sysconfig.get_path("purelib", scheme, vars={"base": str(prefix)}))
 
 
-def build(package: Package, settings: Settings, work: Work) -> int:
+def build(package: Package, settings: BuildSettings, work: Work) -> int:
     """Build and install one package; returns an exit status."""
     return _PythonBuild(package, settings, work).run()
 
@@ -81,7 +81,7 @@ class _Description:
 
 
 class _PythonBuild:
-    def __init__(self, package: Package, settings: Settings, work: Work) -> None:
+    def __init__(self, package: Package, settings: BuildSettings, work: Work) -> None:
         self.package = package
         self.settings = settings
         self.output = settings.output

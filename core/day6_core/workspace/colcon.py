@@ -19,7 +19,7 @@ from pathlib import Path
 from day6_core.workspace import reports
 from day6_core.workspace.advisor import Advisor
 from day6_core.workspace.build import BUILD_TOOL, find_task, refuse_foreign_folder
-from day6_core.workspace.events import INTERRUPTED, Console, Event, Events
+from day6_core.workspace.events import INTERRUPTED, BuildEvent, Console, Events
 from day6_core.workspace.files import Output
 from day6_core.workspace.handlers import chosen_handlers
 from day6_core.workspace.jobs import Executor, Job, OnError, Work
@@ -29,7 +29,7 @@ from day6_core.workspace.package_tests import test
 from day6_core.workspace.packages import Package, find_packages, refuse_sources
 from day6_core.workspace.results import show_results
 from day6_core.workspace.selection import SelectionError, select, without_ignored
-from day6_core.workspace.settings import Settings
+from day6_core.workspace.settings import BuildSettings
 from day6_core.workspace.setup_scripts import write_workspace_scripts
 
 _INTERRUPT_STATUS = 2
@@ -143,7 +143,7 @@ class Colcon:
         settings.needs = {each.package.name: each.needs for each in planned}
         failures: list[str] = []
 
-        def run(package: Package, settings: Settings, work: Work) -> int:
+        def run(package: Package, settings: BuildSettings, work: Work) -> int:
             return test(package, settings, work, failures)
 
         jobs = self._jobs(planned, "test", settings, lambda package: run if find_task(package) else None)
@@ -180,14 +180,14 @@ class Colcon:
 
     # -- running the jobs ----------------------------------------------------------------------------------------------
 
-    def _settings(self) -> Settings:
+    def _settings(self) -> BuildSettings:
         args = self.args
         build, install = ((self.cwd / base).absolute() for base in (args.build_base, args.install_base))
         results = (self.cwd / args.test_result_base).absolute() if args.test_result_base else None
         bases = [build, install, *([results] if results else [])]
         for base in (*bases, *self.log.bases):
             refuse_sources(base)
-        return Settings(
+        return BuildSettings(
             build_base=build,
             install_base=install,
             output=Output(bases),
@@ -204,8 +204,8 @@ class Colcon:
         self,
         planned: list[Planned],
         verb: str,
-        settings: Settings,
-        task_of: Callable[[Package], Callable[[Package, Settings, Work], int] | None],
+        settings: BuildSettings,
+        task_of: Callable[[Package], Callable[[Package, BuildSettings, Work], int] | None],
     ) -> list[Job]:
         jobs = []
         for each in planned:
@@ -232,7 +232,7 @@ class Colcon:
             if self._interrupted:
                 executor.interrupt()
         outcome = executor.run(jobs)
-        events.emit(Event("end"))
+        events.emit(BuildEvent("end"))
         if isinstance(outcome, Exception):
             self.console.err(f"{outcome}\n")
         self._advisor.advise(building=self.args.verb_name == "build")
@@ -256,7 +256,7 @@ class Colcon:
 
 
 def _recorded(
-    task: Callable[[Package, Settings, Work], int], package: Package, settings: Settings, verb: str
+    task: Callable[[Package, BuildSettings, Work], int], package: Package, settings: BuildSettings, verb: str
 ) -> Callable[[Work], int]:
     """Run a task and record its result in the package's build folder, for options like `--packages-skip-build-finished`."""
 
@@ -277,7 +277,7 @@ def _recorded(
     return run
 
 
-def _mark_build_tool(settings: Settings) -> None:
+def _mark_build_tool(settings: BuildSettings) -> None:
     folder = settings.build_base
     marker = folder / ".built_by"
     if marker.is_file():
@@ -291,7 +291,7 @@ def _mark_build_tool(settings: Settings) -> None:
     settings.output.write_text(marker, f"{BUILD_TOOL}\n")
 
 
-def _mark_layout(settings: Settings, args: Namespace) -> None:
+def _mark_layout(settings: BuildSettings, args: Namespace) -> None:
     marker = settings.install_base / ".colcon_install_layout"
     wanted = "merged" if args.merge_install else "isolated"
     if marker.is_file():

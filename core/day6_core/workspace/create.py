@@ -10,7 +10,7 @@ from pathlib import Path
 
 from day6_core.ros.differences import value
 from day6_core.workspace import templates
-from day6_core.workspace.templates import Plan
+from day6_core.workspace.templates import PackagePlan
 
 _LICENSES = Path(__file__).with_name("licenses")
 
@@ -47,7 +47,7 @@ class _Draft:
         self.files[name] = text
 
 
-def create(plan: Plan, destination: Path, shown: str, print_line: Callable[[str], object]) -> None:
+def create(plan: PackagePlan, destination: Path, shown: str, print_line: Callable[[str], object]) -> None:
     """Create the package in `destination` (`shown` as it was typed) and print each step.
 
     Raises:
@@ -73,7 +73,7 @@ def create(plan: Plan, destination: Path, shown: str, print_line: Callable[[str]
         )
 
 
-def _draft_python(draft: _Draft, plan: Plan) -> None:
+def _draft_python(draft: _Draft, plan: PackagePlan) -> None:
     draft.lines.append("creating source folder")
     draft.folder(plan.name)
     draft.file("setup.py", templates.setup_py(plan))
@@ -91,7 +91,7 @@ def _draft_python(draft: _Draft, plan: Plan) -> None:
         draft.file(os.path.join(plan.name, plan.library, "__init__.py"), "")
 
 
-def _draft_cpp(draft: _Draft, plan: Plan) -> None:
+def _draft_cpp(draft: _Draft, plan: PackagePlan) -> None:
     include = os.path.join("include", plan.name)
     draft.lines.append("creating source and include folder")
     draft.folder("src")

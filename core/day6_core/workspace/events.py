@@ -18,7 +18,7 @@ Result = int | str
 
 
 @dataclass(frozen=True)
-class Event:
+class BuildEvent:
     """One event. `kind` is one of queued, started, command, command_ended, stdout, stderr, test_failure, ended, tick, end."""
 
     kind: str
@@ -32,7 +32,7 @@ class Event:
 class Handler(Protocol):
     """Receives every event, in order, one at a time."""
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """Handle one event."""
 
 
@@ -97,7 +97,7 @@ class Events:
         self._handlers = list(handlers)
         self._lock = threading.RLock()
 
-    def emit(self, event: Event) -> None:
+    def emit(self, event: BuildEvent) -> None:
         """Pass one event to every handler."""
         with self._lock:
             for handler in self._handlers:

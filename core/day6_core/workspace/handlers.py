@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from day6_core.session.harmless import one_line
-from day6_core.workspace.events import INTERRUPTED, Console, Event, Handler, Result, duration
+from day6_core.workspace.events import INTERRUPTED, BuildEvent, Console, Handler, Result, duration
 from day6_core.workspace.logs import EventLog, JobLogs, LogFolder
 from day6_core.workspace.style import Style
 
@@ -19,7 +19,7 @@ class ConsoleDirect:
     def __init__(self, console: Console) -> None:
         self._console = console
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind == "stdout":
             self._console.out(event.text)
@@ -34,7 +34,7 @@ class ConsoleCohesion:
         self._console = console
         self._lines: dict[str, list[str]] = defaultdict(list)
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind in ("stdout", "stderr"):
             self._lines[event.job].append(event.text)
@@ -51,7 +51,7 @@ class ConsoleStderr:
         self._console = console
         self._lines: dict[str, list[str]] = defaultdict(list)
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind == "stderr":
             self._lines[event.job].append(event.text)
@@ -71,7 +71,7 @@ class ConsoleStartEnd:
         self._began: dict[str, float] = {}
         self._test_failures: set[str] = set()
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind == "started":
             self._began[event.job] = time.monotonic()
@@ -99,7 +99,7 @@ class ConsolePackageList:
         self._console = console
         self._queued: list[str] = []
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind == "queued":
             self._queued.append(f"- {event.job} ({event.text})\n")
@@ -119,7 +119,7 @@ class Summary:
         self._with_test_failures: set[str] = set()
         self._results: dict[str, Result] = {}
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind == "queued":
             self._queued.add(event.job)
@@ -158,7 +158,7 @@ def _count(number: int) -> str:
     return f"{number} package" if number == 1 else f"{number} packages"
 
 
-class Status:
+class BuildStatus:
     """On a terminal: a status line, updated ten times a second."""
 
     def __init__(self, console: Console) -> None:
@@ -168,7 +168,7 @@ class Status:
         self._running: dict[str, float] = {}
         self._results: list[Result] = []
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind == "queued":
             self._queued += 1
@@ -204,7 +204,7 @@ class TerminalTitle:
         self._verb = verb
         self._counts = {"queued": 0, "started": 0, "ended": 0}
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         if event.kind not in self._counts:
             return
@@ -220,7 +220,7 @@ class TerminalTitle:
 class NoHandler:
     """Stands for handlers of the real colcon that work outside a terminal (desktop notifications) or for C++."""
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         """See Handler."""
         return None
 
@@ -256,7 +256,7 @@ HANDLERS: dict[str, HandlerSpec] = {
     "parallel_status": HandlerSpec(
         "Periodically print a reminder of the currently executing jobs", False, 50, lambda c, v, f: NoHandler()
     ),
-    "status": HandlerSpec("Continuously update a status line", None, 50, lambda c, v, f: Status(c)),
+    "status": HandlerSpec("Continuously update a status line", None, 50, lambda c, v, f: BuildStatus(c)),
     "store_result": HandlerSpec(
         "Persist the result of a job in a file in its build directory", True, 50, lambda c, v, f: NoHandler()
     ),

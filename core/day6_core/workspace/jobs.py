@@ -17,7 +17,7 @@ from typing import IO
 
 from day6_core.guardian import guard, release
 from day6_core.session.cores import join
-from day6_core.workspace.events import INTERRUPTED, Event, Events, Result
+from day6_core.workspace.events import INTERRUPTED, BuildEvent, Events, Result
 
 TICK = 0.1
 """Seconds between two updates of the status line."""
@@ -65,11 +65,11 @@ class Work:
 
     def stdout(self, text: str) -> None:
         """Emit a line of standard output."""
-        self.events.emit(Event("stdout", self.job, text))
+        self.events.emit(BuildEvent("stdout", self.job, text))
 
     def stderr(self, text: str) -> None:
         """Emit a line of standard error."""
-        self.events.emit(Event("stderr", self.job, text))
+        self.events.emit(BuildEvent("stderr", self.job, text))
 
     def run(
         self, command: list[str], cwd: Path, env: Mapping[str, str], *, shown: str = "", one_stream: bool = False
@@ -92,11 +92,11 @@ class Work:
 
     def log_command(self, cwd: Path, shown: str) -> None:
         """Emit the start of a command, for the logs."""
-        self.events.emit(Event("command", self.job, f"Invoking command in '{cwd}': {shown}\n"))
+        self.events.emit(BuildEvent("command", self.job, f"Invoking command in '{cwd}': {shown}\n"))
 
     def report_test_failure(self) -> None:
         """Emit that a test of this package failed."""
-        self.events.emit(Event("test_failure", self.job))
+        self.events.emit(BuildEvent("test_failure", self.job))
 
     def start(self, command: list[str], cwd: Path, env: Mapping[str, str]) -> subprocess.Popen[bytes]:
         """Start a command in its own process group, with pipes."""
@@ -145,7 +145,9 @@ class Work:
     def finish(self, process: subprocess.Popen[bytes], readers: list[threading.Thread], cwd: Path, shown: str) -> int:
         """Wait for a command and its last line, and emit its end; returns its exit status."""
         status = self.reap(process, readers)
-        self.events.emit(Event("command_ended", self.job, f"Invoked command in '{cwd}' returned '{status}': {shown}\n"))
+        self.events.emit(
+            BuildEvent("command_ended", self.job, f"Invoked command in '{cwd}' returned '{status}': {shown}\n")
+        )
         return status
 
     def reap(self, process: subprocess.Popen[bytes], readers: list[threading.Thread]) -> int:
@@ -207,8 +209,8 @@ class Executor:
     def run(self, jobs: list[Job]) -> Result | Exception:
         """Run all and return 0, the first other result, INTERRUPTED, or the exception that ended a job."""
         for job in jobs:
-            self._events.emit(Event("queued", job.name, job.kind))
-        self._events.emit(Event("tick"))
+            self._events.emit(BuildEvent("queued", job.name, job.kind))
+        self._events.emit(BuildEvent("tick"))
         outcome: Result | Exception = 0
         waiting = {job.name: job for job in jobs}
         while waiting or self._running:
@@ -222,7 +224,7 @@ class Executor:
             try:
                 message = self._ended.get(timeout=TICK)
             except queue.Empty:
-                self._events.emit(Event("tick"))
+                self._events.emit(BuildEvent("tick"))
                 continue
             if message is None:
                 continue
@@ -250,7 +252,7 @@ class Executor:
             del waiting[job.name]
             work = self._running[job.name] = Work(job.name, self._events)
             # Emitted here, so that packages start in order whatever the threads do.
-            self._events.emit(Event("started", job.name))
+            self._events.emit(BuildEvent("started", job.name))
             threading.Thread(target=self._run_job, args=(job, work), name=f"day6-{job.name}", daemon=True).start()
 
     def _run_job(self, job: Job, work: Work) -> None:
@@ -274,7 +276,7 @@ class Executor:
             result = INTERRUPTED
         status = result if isinstance(result, (int, str)) else 1
         try:
-            self._events.emit(Event("ended", job.name, result=status))
+            self._events.emit(BuildEvent("ended", job.name, result=status))
         finally:
             self._ended.put((job.name, result))
 

@@ -9,7 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO
 
-from day6_core.workspace.events import Event
+from day6_core.workspace.events import BuildEvent
 from day6_core.workspace.files import Output
 from day6_core.workspace.packages import IGNORE_MARKER, refuse_sources
 
@@ -106,7 +106,7 @@ class _Logging:
         self._folder = folder
         self._given_up = False
 
-    def handle(self, event: Event) -> None:
+    def handle(self, event: BuildEvent) -> None:
         if self._given_up:
             return
         try:
@@ -115,7 +115,7 @@ class _Logging:
             self._given_up = True
             self._folder.give_up(error)
 
-    def _log(self, event: Event) -> None:
+    def _log(self, event: BuildEvent) -> None:
         raise NotImplementedError
 
 
@@ -127,7 +127,7 @@ class EventLog(_Logging):
         self._began = time.monotonic()
         self._file: IO[str] | None = None
 
-    def _log(self, event: Event) -> None:
+    def _log(self, event: BuildEvent) -> None:
         if self._file is None:
             if self._folder.path is None or event.kind == "end":
                 return
@@ -158,7 +158,7 @@ class JobLogs(_Logging):
         self._began: dict[str, float] = {}
         self._files: dict[str, dict[str, IO[str]]] = {}
 
-    def _log(self, event: Event) -> None:
+    def _log(self, event: BuildEvent) -> None:
         if event.kind == "started":
             self._began[event.job] = time.monotonic()
         elif event.kind == "ended":

@@ -19,7 +19,7 @@ from day6_core.workspace.cmake import LISTS, CMakeError, Command, read_commands
 from day6_core.workspace.jobs import Work
 from day6_core.workspace.local_setup_util import Environment, source_package
 from day6_core.workspace.packages import Package
-from day6_core.workspace.settings import Settings
+from day6_core.workspace.settings import BuildSettings
 
 _TESTS_FAILED = 1
 _NO_TESTS = 5
@@ -50,7 +50,7 @@ _OTHERS = frozenset(
 )
 
 
-def test(package: Package, settings: Settings, work: Work, failures: list[str]) -> int:
+def test(package: Package, settings: BuildSettings, work: Work, failures: list[str]) -> int:
     """Run the tests of one package; returns an exit status. Failing tests are not an error: the name is added to `failures`."""
     environment = Environment(settings.environment)
     for name in (*settings.needs.get(package.name, ()), package.name):
@@ -65,7 +65,7 @@ def test(package: Package, settings: Settings, work: Work, failures: list[str]) 
 
 
 class _Run:
-    def __init__(self, package: Package, settings: Settings, work: Work, environment: dict[str, str]) -> None:
+    def __init__(self, package: Package, settings: BuildSettings, work: Work, environment: dict[str, str]) -> None:
         self.package = package
         self.settings = settings
         self.work = work

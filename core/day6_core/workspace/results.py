@@ -25,7 +25,7 @@ class _Tree(TreeBuilder):
 
 
 @dataclass
-class Result:
+class TestResult:
     """The counts of one file, or of all files."""
 
     name: str
@@ -42,7 +42,7 @@ class Result:
         ]
         return f"{self.name}: {', '.join(counts)}, {self.skipped} skipped"
 
-    def add(self, other: Result) -> None:
+    def add(self, other: TestResult) -> None:
         """Add the counts and details of another result."""
         for name in ("tests", "errors", "failures", "skipped"):
             setattr(self, name, getattr(self, name) + getattr(other, name))
@@ -64,7 +64,7 @@ def show_results(cwd: Path, args: Namespace, console: Console) -> int:
     results = [result for path in _files(base) if (result := _read(path, cwd, console)) is not None]
     if args.delete or args.delete_yes:
         return _delete(results, cwd, Output([base]), args, console)
-    total = Result("Summary")
+    total = TestResult("Summary")
     for result in results:
         total.add(result)
     listed = [result for result in results if result.errors or result.failures or args.all]
@@ -79,7 +79,7 @@ def show_results(cwd: Path, args: Namespace, console: Console) -> int:
     return 1 if total.errors or total.failures else 0
 
 
-def _delete(results: list[Result], cwd: Path, output: Output, args: Namespace, console: Console) -> int:
+def _delete(results: list[TestResult], cwd: Path, output: Output, args: Namespace, console: Console) -> int:
     if not results:
         console.out("No result files found to delete\n")
         return 0
@@ -101,7 +101,7 @@ def _files(base: Path) -> list[Path]:
     return sorted(found)
 
 
-def _read(path: Path, cwd: Path, console: Console) -> Result | None:
+def _read(path: Path, cwd: Path, console: Console) -> TestResult | None:
     name = path.relative_to(cwd).as_posix() if cwd in path.parents else str(path)
     try:
         root = fromstring(path.read_bytes(), XMLParser(target=_Tree()))
@@ -109,10 +109,10 @@ def _read(path: Path, cwd: Path, console: Console) -> Result | None:
         console.warn("colcon.colcon_test_result.test_result.xunit", f"Skipping '{name}': {error}")
         return None
     suites = [root] if root.tag == "testsuite" else list(root.findall("testsuite")) if root.tag == "testsuites" else []
-    result = Result(name)
+    result = TestResult(name)
     for suite in suites:
         try:
-            part = Result(
+            part = TestResult(
                 "",
                 int(suite.attrib["tests"]),
                 int(suite.get("errors", "0")),

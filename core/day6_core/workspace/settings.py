@@ -10,7 +10,7 @@ from day6_core.workspace.files import Output
 
 
 @dataclass
-class Settings:
+class BuildSettings:
     """Folders are absolute. `warn(logger, text[, level])` prints a line of colcon's log, `print_error(text)` plain text."""
 
     build_base: Path

@@ -70,7 +70,7 @@ TESTS = {
 
 
 @dataclass
-class Plan:
+class PackagePlan:
     """The arguments of `ros2 pkg create`."""
 
     name: str
@@ -85,7 +85,7 @@ class Plan:
     library: str | None = None
 
 
-def package_xml(plan: Plan) -> str:
+def package_xml(plan: PackagePlan) -> str:
     """Return package.xml. As in the original nothing is escaped, so an argument can make it malformed XML."""
     tools = {"ament_cmake": ["ament_cmake_ros" if plan.library else "ament_cmake"]}.get(plan.build_type, [])
     tests = {
@@ -114,7 +114,7 @@ def package_xml(plan: Plan) -> str:
 """
 
 
-def setup_py(plan: Plan) -> str:
+def setup_py(plan: PackagePlan) -> str:
     """Return setup.py of an ament_python package."""
     script = f"            '{plan.node} = {plan.name}.{plan.node}:main'\n" if plan.node else ""
     return f"""from setuptools import find_packages, setup
@@ -145,12 +145,12 @@ setup(
 """
 
 
-def setup_cfg(plan: Plan) -> str:
+def setup_cfg(plan: PackagePlan) -> str:
     """Return setup.cfg of an ament_python package: where its executables go."""
     return f"[develop]\nscript_dir=$base/lib/{plan.name}\n[install]\ninstall_scripts=$base/lib/{plan.name}\n"
 
 
-def python_node(plan: Plan) -> str:
+def python_node(plan: PackagePlan) -> str:
     """Return the Python module of `--node-name`."""
     return f"def main():\n    print('Hi from {plan.name}.')\n\n\nif __name__ == '__main__':\n    main()\n"
 
@@ -195,12 +195,12 @@ def _includes(target: str, installed: str) -> str:
     )
 
 
-def _ament_dependencies(target: str, plan: Plan) -> str:
+def _ament_dependencies(target: str, plan: PackagePlan) -> str:
     names = "".join(f'  "{name}"\n' for name in plan.dependencies)
     return f"ament_target_dependencies(\n  {target}\n{names})\n" if names else ""
 
 
-def _install_library(plan: Plan, folder: str, export: str) -> str:
+def _install_library(plan: PackagePlan, folder: str, export: str) -> str:
     return (
         f"\n# on Windows the library exports what its users import\n"
         f'target_compile_definitions({plan.library} PRIVATE "{plan.name.upper()}_BUILDING_LIBRARY")\n\n'
@@ -210,7 +210,7 @@ def _install_library(plan: Plan, folder: str, export: str) -> str:
     )
 
 
-def ament_cmake_lists(plan: Plan) -> str:
+def ament_cmake_lists(plan: PackagePlan) -> str:
     """Return CMakeLists.txt of an ament_cmake package."""
     found = "".join(f"find_package({name} REQUIRED)\n" for name in plan.dependencies) or _NO_DEPENDENCIES
     parts = [
@@ -248,7 +248,7 @@ def ament_cmake_lists(plan: Plan) -> str:
     return "".join(parts)
 
 
-def cmake_lists(plan: Plan) -> str:
+def cmake_lists(plan: PackagePlan) -> str:
     """Return CMakeLists.txt of a plain CMake package."""
     version = "".join(f"set({plan.name}_{part}_VERSION 0)\n" for part in ("MAJOR", "MINOR", "PATCH"))
     joined = ".".join(f"${{{plan.name}_{part}_VERSION}}" for part in ("MAJOR", "MINOR", "PATCH"))
@@ -278,7 +278,7 @@ def cmake_lists(plan: Plan) -> str:
     return "".join(parts)
 
 
-def _cmake_export(plan: Plan) -> str:
+def _cmake_export(plan: PackagePlan) -> str:
     name = plan.name
     return f"""
 # what other packages find with find_package({name})
@@ -300,7 +300,7 @@ install(EXPORT export_{name}
 """
 
 
-def cmake_config(plan: Plan) -> str:
+def cmake_config(plan: PackagePlan) -> str:
     """Return the file that `find_package` reads of a plain CMake package."""
     name = plan.name
     lines = [f"# tells find_package({name}) where its parts are\n"]
@@ -310,7 +310,7 @@ def cmake_config(plan: Plan) -> str:
     return "".join(lines)
 
 
-def cmake_config_version(plan: Plan) -> str:
+def cmake_config_version(plan: PackagePlan) -> str:
     """Return the version file, for `find_package(… VERSION)`."""
     return f"""set(PACKAGE_VERSION "@{plan.name}_VERSION@")
 
@@ -325,7 +325,7 @@ endif()
 """
 
 
-def cpp_node(plan: Plan) -> str:
+def cpp_node(plan: PackagePlan) -> str:
     """Return the C++ source of `--node-name`."""
     return f"""#include <cstdio>
 
@@ -344,7 +344,7 @@ def _class_name(library: str) -> str:
     return library.replace("_", " ").title().replace(" ", "")
 
 
-def cpp_header(plan: Plan) -> str:
+def cpp_header(plan: PackagePlan) -> str:
     """Return the header of `--library-name`."""
     assert plan.library is not None
     guard, name = f"{plan.name.upper()}__{plan.library.upper()}_HPP_", _class_name(plan.library)
@@ -370,7 +370,7 @@ public:
 """
 
 
-def cpp_library(plan: Plan) -> str:
+def cpp_library(plan: PackagePlan) -> str:
     """Return the source of `--library-name`."""
     assert plan.library is not None
     name = _class_name(plan.library)
@@ -391,7 +391,7 @@ namespace {plan.name}
 """
 
 
-def cpp_visibility(plan: Plan) -> str:
+def cpp_visibility(plan: PackagePlan) -> str:
     """Return the header with the export macros of a library."""
     name = plan.name.upper()
     return f"""#ifndef {name}__VISIBILITY_CONTROL_H_

@@ -30,7 +30,7 @@ class CastError(Exception):
         self.key, self.line, self.values = key, line, values
 
 
-class Event(NamedTuple):
+class CastEvent(NamedTuple):
     """At `time` (s) after the beginning: `text` was shown ("o"), or the screen got another size ("r")."""
 
     time: float
@@ -43,7 +43,7 @@ class Cast(NamedTuple):
     """A recording: columns and rows at the beginning, and its events in order of time."""
 
     size: tuple[int, int]
-    events: tuple[Event, ...]
+    events: tuple[CastEvent, ...]
 
     @property
     def seconds(self) -> float:
@@ -83,7 +83,7 @@ def _is_size(value: object) -> TypeGuard[int]:
     return isinstance(value, int) and not isinstance(value, bool) and 1 <= value <= LARGEST_SCREEN
 
 
-def _events(lines: list[str]) -> Iterator[Event]:
+def _events(lines: list[str]) -> Iterator[CastEvent]:
     before = 0.0
     last = len(lines)
     for number, line in enumerate(lines[1:], 2):
@@ -106,13 +106,13 @@ def _events(lines: list[str]) -> Iterator[Event]:
             raise CastError("event", number)
         before = float(time)
         if kind == "o":
-            yield Event(before, kind, text)
+            yield CastEvent(before, kind, text)
         elif kind == "r":
             match = _SIZE.fullmatch(text)
             size = (int(match[1]), int(match[2])) if match else (0, 0)
             if not (_is_size(size[0]) and _is_size(size[1])):
                 raise CastError("size", number, most=LARGEST_SCREEN)
-            yield Event(before, kind, "", size)
+            yield CastEvent(before, kind, "", size)
 
 
 def _json(line: str, number: int) -> object:

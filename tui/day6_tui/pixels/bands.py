@@ -13,7 +13,7 @@ Array = NDArray[Any]
 """Pixels: height x width x 3, red, green and blue as bytes."""
 
 
-class Piece(NamedTuple):
+class BandPiece(NamedTuple):
     """Cells of a band that can be seen: where on the screen, and where in the band."""
 
     column: int
@@ -30,18 +30,20 @@ class Writer(Protocol):
     keeps: bool
     seams: bool
 
-    def draw(self, band: int, pixels: Array, cell: tuple[int, int], pieces: list[Piece], changed: bool) -> str: ...
+    def draw(self, band: int, pixels: Array, cell: tuple[int, int], pieces: list[BandPiece], changed: bool) -> str: ...
 
     def erase(self, bands: Iterable[int]) -> str: ...
 
     def erase_all(self) -> str: ...
 
 
-def pieces_of(region: Region, visible: Iterable[Region]) -> list[Piece]:
+def pieces_of(region: Region, visible: Iterable[Region]) -> list[BandPiece]:
     """The visible parts of a band that is at `region` of the screen."""
     shared = (region.intersection(each) for each in visible)
     return [
-        Piece(each.x, each.y, each.x - region.x, each.y - region.y, each.width, each.height) for each in shared if each
+        BandPiece(each.x, each.y, each.x - region.x, each.y - region.y, each.width, each.height)
+        for each in shared
+        if each
     ]
 
 

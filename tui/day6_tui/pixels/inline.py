@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 
-from day6_tui.pixels.bands import Array, Piece
+from day6_tui.pixels.bands import Array, BandPiece
 
 
 class Inline(ABC):
@@ -21,7 +21,7 @@ class Inline(ABC):
     def encoded(self, pixels: Array, columns: int, rows: int) -> str:
         """The sequence that draws pixels into so many cells."""
 
-    def draw(self, band: int, pixels: Array, cell: tuple[int, int], pieces: Iterable[Piece], changed: bool) -> str:
+    def draw(self, band: int, pixels: Array, cell: tuple[int, int], pieces: Iterable[BandPiece], changed: bool) -> str:
         """Show the pieces of a band; `cell` is how many of its pixels make a cell."""
         across, down = cell
         texts = []

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from day6_tui.pixels.bands import Array, Piece
+from day6_tui.pixels.bands import Array, BandPiece
 
 FIRST_ID = 0x64617900
 """Images of ours have numbers from here on: another program's, left in the same terminal, are not touched."""
@@ -34,7 +34,7 @@ class Kitty:
         self._images: dict[int, int] = {}
         """The image that shows a band."""
 
-    def draw(self, band: int, pixels: Array, cell: tuple[int, int], pieces: Sequence[Piece], changed: bool) -> str:
+    def draw(self, band: int, pixels: Array, cell: tuple[int, int], pieces: Sequence[BandPiece], changed: bool) -> str:
         """Show the pieces of a band; `changed` says that its pixels are new, `cell` how many of them make a cell."""
         old = self._images.get(band)
         if old is not None and not changed:
@@ -70,7 +70,7 @@ def deleted(number: int) -> str:
     return f"\x1b_Ga=d,d=I,i={number},q=2\x1b\\"
 
 
-def _placed(number: int, cell: tuple[int, int], pieces: Sequence[Piece]) -> str:
+def _placed(number: int, cell: tuple[int, int], pieces: Sequence[BandPiece]) -> str:
     across, down = cell
     return "".join(
         f"\x1b[{piece.row + 1};{piece.column + 1}H"

@@ -26,7 +26,7 @@ from day6_tui.textual_private.access import SYNC_END, SYNC_START
 if TYPE_CHECKING:
     from textual.strip import Strip
 
-    from day6_tui.pixels.bands import Array, Piece, Writer
+    from day6_tui.pixels.bands import Array, BandPiece, Writer
 
 MOST_PIXELS = 700_000
 """Of one picture; a larger pane has coarser ones."""
@@ -61,7 +61,7 @@ class _Picture:
     sent: Array | None = None
     region: Region = _NOWHERE
     """On the screen, as it was sent."""
-    pieces: dict[int, list[Piece]] = field(default_factory=dict)
+    pieces: dict[int, list[BandPiece]] = field(default_factory=dict)
     """The visible pieces of every band, as sent."""
     damaged: list[Region] = field(default_factory=list)
     """Cells of the screen that text has overwritten since."""

@@ -21,7 +21,7 @@ _UNICODE = {"down": "│", "aside": "─", (RIGHT, 1): "╰", (RIGHT, -1): "╭"
 _ASCII = {"down": "|", "aside": "-", (RIGHT, 1): "`", (RIGHT, -1): ",", (LEFT, 1): "'", (LEFT, -1): "."}
 
 
-class Piece(NamedTuple):
+class LabelPiece(NamedTuple):
     """A text, or a part of its leader: its first cell."""
 
     column: int
@@ -60,7 +60,7 @@ class LabelPlaces:
         self._size = (0, 0)
         self._kept: dict[tuple[str, int], _Label] = {}
 
-    def place(self, texts: Sequence[tuple[float, float, str]], columns: int, rows: int) -> list[list[Piece]]:
+    def place(self, texts: Sequence[tuple[float, float, str]], columns: int, rows: int) -> list[list[LabelPiece]]:
         """The pieces of texts that shall stand above the cells (x, y); none of one that there is no room for.
 
         The earlier text has the better place. A text is centred, or as near to that as the edges allow. Of all rows close by the
@@ -71,7 +71,7 @@ class LabelPlaces:
             self._size, self._kept = (columns, rows), {}
         taken = _Taken(columns, rows)
         kept: dict[tuple[str, int], _Label] = {}
-        found: list[tuple[_Label, list[Piece]] | None] = []
+        found: list[tuple[_Label, list[LabelPiece]] | None] = []
         numbers: Counter[str] = Counter()
         for x, y, words in texts:
             key = words, numbers[words]
@@ -86,7 +86,7 @@ class LabelPlaces:
 
     def _placed(
         self, x: float, y: float, words: str, before: _Label | None, taken: _Taken
-    ) -> tuple[_Label, list[Piece]] | None:
+    ) -> tuple[_Label, list[LabelPiece]] | None:
         if words.count("\n") >= taken.rows:
             return None
         column, row = (_steady(x, before.x), _steady(y, before.y)) if before is not None else (int(x), int(y))
@@ -102,7 +102,7 @@ class LabelPlaces:
                 return label, lines
         return None
 
-    def _lines(self, label: _Label, taken: _Taken) -> list[Piece]:
+    def _lines(self, label: _Label, taken: _Taken) -> list[LabelPiece]:
         """The lines of a text, and what of its leader is beside the one nearest to the point."""
         x, y, words, (side, down) = label
         lines = words.split("\n")
@@ -113,11 +113,11 @@ class LabelPlaces:
             width = cell_len(text)
             beside = row == y + down
             if side == CENTRED:
-                piece = Piece(max(0, min(x - width // 2, taken.columns - width)), row, text)
+                piece = LabelPiece(max(0, min(x - width // 2, taken.columns - width)), row, text)
             elif side == RIGHT:
-                piece = Piece(x + 2 - (len(hook) if beside else 0), row, hook + text if beside else text)
+                piece = LabelPiece(x + 2 - (len(hook) if beside else 0), row, hook + text if beside else text)
             else:
-                piece = Piece(x - 1 - width, row, text + hook if beside else text)
+                piece = LabelPiece(x - 1 - width, row, text + hook if beside else text)
             if text:
                 pieces.append(piece)
         return pieces
@@ -132,11 +132,11 @@ class LabelPlaces:
         corner = self._signs[side, 1 if down > 0 else -1]
         return corner + aside if side == RIGHT else aside + corner
 
-    def _strokes(self, label: _Label, taken: _Taken) -> Iterator[Piece]:
+    def _strokes(self, label: _Label, taken: _Taken) -> Iterator[LabelPiece]:
         """The upright part of the leader, where nothing stands."""
         step = 1 if label.spot.down > 0 else -1
         for row in range(label.y + step, label.y + label.spot.down, step):
-            stroke = Piece(label.x, row, self._signs["down"])
+            stroke = LabelPiece(label.x, row, self._signs["down"])
             if taken.is_free(stroke):
                 yield stroke
 
@@ -148,15 +148,15 @@ class _Taken:
         self.columns, self.rows = columns, rows
         self._spans: dict[int, list[tuple[int, int]]] = {}
 
-    def add(self, pieces: Sequence[Piece]) -> None:
+    def add(self, pieces: Sequence[LabelPiece]) -> None:
         for piece in pieces:
             self._spans.setdefault(piece.row, []).append((piece.column, piece.column + cell_len(piece.text)))
 
-    def are_free(self, pieces: Sequence[Piece], margin: int = 0) -> bool:
+    def are_free(self, pieces: Sequence[LabelPiece], margin: int = 0) -> bool:
         """Whether there are pieces, and each is free."""
         return bool(pieces) and all(self.is_free(piece, margin) for piece in pieces)
 
-    def is_free(self, piece: Piece, margin: int = 0) -> bool:
+    def is_free(self, piece: LabelPiece, margin: int = 0) -> bool:
         """Whether it is inside and touches nothing, nor anything in `margin` rows above and below it."""
         left, width = piece.column, cell_len(piece.text)
         if not (width and 0 <= left <= self.columns - width and 0 <= piece.row < self.rows):

@@ -13,7 +13,7 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from day6_core.session.ending import Ending, Step
+from day6_core.session.ending import Ending, EndingStep
 from day6_tui.pixels.app import PictureApp
 from day6_tui.screen.modes import GIVE_BACK
 from day6_tui.textual_private import output
@@ -32,7 +32,7 @@ HURRY_SECONDS = 1.5
 
 def ending_of(app: Day6App) -> Ending:
     """Return the object that ends the desktop; it handles no signal yet."""
-    ending = Ending(Step(lambda: _leave(app), LEAVE_SECONDS), Step(app.machine.hurry, HURRY_SECONDS))
+    ending = Ending(EndingStep(lambda: _leave(app), LEAVE_SECONDS), EndingStep(app.machine.hurry, HURRY_SECONDS))
     ending.restore_terminal = lambda: give_back(app)
     return ending
 

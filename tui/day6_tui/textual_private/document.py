@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from tree_sitter import Language
 
 
-class Lines(Document):
+class PlainDocument(Document):
     """A text without highlighting. `text` is exactly what it was made from."""
 
     def __init__(self, text: str) -> None:
@@ -36,10 +36,10 @@ class Lines(Document):
         return EditResult(place, replaced)
 
 
-class ColouredLines(SyntaxAwareDocument, Lines):
+class ColouredLines(SyntaxAwareDocument, PlainDocument):
     """A text in a language; the order of its base classes makes `Lines` define the lines."""
 
 
-def document_of(text: str, language: Language | None) -> Lines:
+def document_of(text: str, language: Language | None) -> PlainDocument:
     """Return the document of `text`, with a syntax tree where there is a language."""
-    return Lines(text) if language is None else ColouredLines(text, language)
+    return PlainDocument(text) if language is None else ColouredLines(text, language)

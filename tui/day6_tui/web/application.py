@@ -16,7 +16,7 @@ from day6_tui.web.gate import Gate
 from day6_tui.web.links import Links
 from day6_tui.web.names import BadName, clean
 from day6_tui.web.sessions import Sessions, Tell
-from day6_tui.web.settings import Settings
+from day6_tui.web.settings import ServerSettings
 from day6_tui.web.tokens import PUPIL, TEACHER, WATCHER, Ticket, Tokens
 
 STATIC = Path(__file__).parent / "static"
@@ -29,7 +29,7 @@ class Application:
 
     def __init__(
         self,
-        settings: Settings,
+        settings: ServerSettings,
         tokens: Tokens,
         links: Links,
         sessions: Sessions,

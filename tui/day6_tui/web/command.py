@@ -18,10 +18,10 @@ from day6_core.session.harmless import one_line
 from day6_tui.locale import Texts
 from day6_tui.web.options import is_loopback, parse
 from day6_tui.web.places import isolation_before
-from day6_tui.web.settings import Settings
+from day6_tui.web.settings import ServerSettings
 
 
-class Refused(Exception):
+class ServeRefused(Exception):
     """The server does not start; `words` say why."""
 
     def __init__(self, key: str, **values: str) -> None:
@@ -37,12 +37,12 @@ def main(words: list[str]) -> int:
     tell = _teller(texts)
     try:
         if sys.platform == "win32":
-            raise Refused("serve.windows")
+            raise ServeRefused("serve.windows")
         _look_for_packages()
         offer = _offer(settings, texts, tell)
         _refuse_strangers(settings, offer)
         return asyncio.run(_run(settings, offer, tell))
-    except Refused as error:
+    except ServeRefused as error:
         return _fail(texts(error.words.key, **error.words.values), 2)
     except IsolationError as error:
         return _fail(texts(error.words.key, **error.words.values), 1)
@@ -61,11 +61,11 @@ def _look_for_packages() -> None:
         import aiohttp
         import segno
     except ImportError:
-        raise Refused("serve.no_packages") from None
+        raise ServeRefused("serve.no_packages") from None
     del aiohttp, segno
 
 
-def _offer(settings: Settings, texts: Texts, tell: Callable[..., None]) -> Offer:
+def _offer(settings: ServerSettings, texts: Texts, tell: Callable[..., None]) -> Offer:
     """How pupils will be kept apart; why not better is told. Raises Refused where that is not to be had."""
     name = settings.isolation
     if name == "auto" and settings.proxied:
@@ -79,7 +79,7 @@ def _offer(settings: Settings, texts: Texts, tell: Callable[..., None]) -> Offer
     if name != "auto":
         (offer,) = modes.survey((name,))
         if offer.mode is None:
-            raise Refused("serve.no_mode", name=name, reason=_reason(offer, texts))
+            raise ServeRefused("serve.no_mode", name=name, reason=_reason(offer, texts))
         return offer
     offers: list[Offer] = []
     for each in modes.NAMES:
@@ -95,14 +95,14 @@ def _reason(offer: Offer, texts: Texts) -> str:
     return "" if offer.reason is None else texts(offer.reason.key, **offer.reason.values)
 
 
-def _refuse_strangers(settings: Settings, offer: Offer) -> None:
+def _refuse_strangers(settings: ServerSettings, offer: Offer) -> None:
     """Others get in only where pupils are kept apart, or where the user says that they may do all this user may."""
     separates = offer.mode is not None and offer.mode.separates
     if not (separates or settings.trust_pupils or settings.unix is not None or is_loopback(settings.host)):
-        raise Refused("serve.not_apart", name=offer.name, host=settings.host)
+        raise ServeRefused("serve.not_apart", name=offer.name, host=settings.host)
 
 
-async def _run(settings: Settings, offer: Offer, tell: Callable[..., None]) -> int:
+async def _run(settings: ServerSettings, offer: Offer, tell: Callable[..., None]) -> int:
     from day6_tui.web.class_list import BadList
     from day6_tui.web.server import InUse, Server
     from day6_tui.web.tokens import BadTokens
@@ -118,11 +118,11 @@ async def _run(settings: Settings, offer: Offer, tell: Callable[..., None]) -> i
     try:
         await server.open()
     except BadList as error:
-        raise Refused(error.words.key, **error.words.values) from None
+        raise ServeRefused(error.words.key, **error.words.values) from None
     except BadTokens as error:
-        raise Refused("serve.bad_tokens", file=str(error)) from None
+        raise ServeRefused("serve.bad_tokens", file=str(error)) from None
     except InUse as error:
-        raise Refused("serve.in_use", folder=str(error)) from None
+        raise ServeRefused("serve.in_use", folder=str(error)) from None
     await told.wait()
     await server.close()
     return 0

@@ -14,7 +14,7 @@ from aiohttp import web
 from day6_tui.locale import Texts
 from day6_tui.web import pages
 from day6_tui.web.places import login_name
-from day6_tui.web.settings import Settings
+from day6_tui.web.settings import ServerSettings
 from day6_tui.web.tokens import PUPIL, Ticket, Tokens
 from day6_tui.web.tries import Tries
 
@@ -39,7 +39,7 @@ LOOPBACK_NAMES = ("localhost", "127.0.0.1", "::1")
 class Gate:
     """Judges requests. Nothing is told to who has no token."""
 
-    def __init__(self, settings: Settings, tokens: Tokens) -> None:
+    def __init__(self, settings: ServerSettings, tokens: Tokens) -> None:
         self._settings = settings
         self._tokens = tokens
         self.tries = Tries()

@@ -16,7 +16,7 @@ from day6_core.language import LANGUAGES
 from day6_core.places import default_home
 from day6_tui.command_line import folder, parser_with_options
 from day6_tui.locale import Texts
-from day6_tui.web.settings import Settings
+from day6_tui.web.settings import ServerSettings
 
 SHORTEST_WORD = 4
 """Characters of the class word: two tries a second are all anybody gets."""
@@ -57,7 +57,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     return parser
 
 
-def parse(words: list[str], language: str) -> Settings:
+def parse(words: list[str], language: str) -> ServerSettings:
     """The settings; a wrong word ends the program with status 2, as argparse does."""
     parser = build_parser(language)
     found = vars(parser.parse_args(words))
@@ -82,7 +82,7 @@ def parse(words: list[str], language: str) -> Settings:
     found["data"] = _data(found["data"])
     found["base_url"] = found["base_url"] or ""
     found["lang"] = found["lang"] or language
-    return Settings(**found)
+    return ServerSettings(**found)
 
 
 def is_loopback(host: str) -> bool:

@@ -24,7 +24,7 @@ from day6_tui.web.application import Application
 from day6_tui.web.links import Links
 from day6_tui.web.places import Places, login_name, own_home
 from day6_tui.web.sessions import Sessions, Tell
-from day6_tui.web.settings import Settings
+from day6_tui.web.settings import ServerSettings
 from day6_tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
 
 CLOSE_SECONDS = 3.0
@@ -41,7 +41,7 @@ class InUse(Exception):
 class Server:
     """What `day6-tui serve` runs."""
 
-    def __init__(self, settings: Settings, offer: Offer, tell: Tell) -> None:
+    def __init__(self, settings: ServerSettings, offer: Offer, tell: Tell) -> None:
         assert offer.mode is not None
         self._settings = settings
         self._tell = tell

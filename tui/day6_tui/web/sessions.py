@@ -26,7 +26,7 @@ from day6_tui.web.places import Places
 from day6_tui.web.records import Record
 from day6_tui.web.roster_feed import RosterFeed
 from day6_tui.web.session import WebSession
-from day6_tui.web.settings import Settings
+from day6_tui.web.settings import ServerSettings
 from day6_tui.web.viewer import Viewer
 
 MOST_TABS = 4
@@ -55,7 +55,7 @@ class Full(Exception):
 class Sessions:
     """The desktops by the names of the pupils."""
 
-    def __init__(self, settings: Settings, places: Places, mode: Mode, tell: Tell) -> None:
+    def __init__(self, settings: ServerSettings, places: Places, mode: Mode, tell: Tell) -> None:
         self._settings = settings
         self._places = places
         self._mode = mode

@@ -9,7 +9,7 @@ from day6_core.isolation.cell import Limits
 
 
 @dataclass(frozen=True)
-class Settings:
+class ServerSettings:
     """The options of the command line, checked."""
 
     data: Path

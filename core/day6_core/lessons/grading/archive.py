@@ -40,7 +40,7 @@ _TEXTS = (".py", ".xml", ".urdf", ".xacro", ".yaml", ".yml", ".rviz", ".cfg", ".
 _PIECE = 1 << 16
 
 
-class Refused(Exception):
+class SubmissionRefused(Exception):
     """A submission that is not looked at; `say` is why."""
 
     def __init__(self, say: Say) -> None:
@@ -61,17 +61,17 @@ def unpack(path: Path, home: Path) -> Submission:
     """Unpack into a home folder, which is empty. Raises Refused."""
     try:
         if path.stat().st_size > LARGEST:
-            raise Refused(Say("grade.zip.large", megabytes=LARGEST // 1_000_000))
+            raise SubmissionRefused(Say("grade.zip.large", megabytes=LARGEST // 1_000_000))
         with zipfile.ZipFile(path) as archive:
             entries = _judged(archive)
             submission = _manifest(archive)
             left = MOST_BYTES
             for info, inside in entries:
                 left -= _write(archive, info, home / inside, left)
-    except Refused:
+    except SubmissionRefused:
         raise
     except OSError as error:
-        raise Refused(Say("grade.zip.unread", reason=error.strerror or str(error))) from None
+        raise SubmissionRefused(Say("grade.zip.unread", reason=error.strerror or str(error))) from None
     except (
         zipfile.BadZipFile,
         zlib.error,
@@ -81,7 +81,7 @@ def unpack(path: Path, home: Path) -> Submission:
         ValueError,
         OverflowError,
     ) as e:
-        raise Refused(Say("grade.zip.broken", reason=str(e)[:100] or type(e).__name__)) from None
+        raise SubmissionRefused(Say("grade.zip.broken", reason=str(e)[:100] or type(e).__name__)) from None
     _translate(submission.home, home, [home / inside for _, inside in entries])
     return submission
 
@@ -90,29 +90,29 @@ def _judged(archive: zipfile.ZipFile) -> list[tuple[zipfile.ZipInfo, PurePosixPa
     """The files and where each goes; all names are judged before anything is written."""
     infos = archive.infolist()
     if len(infos) > MOST_FILES:
-        raise Refused(Say("grade.zip.many", count=len(infos), most=MOST_FILES))
+        raise SubmissionRefused(Say("grade.zip.many", count=len(infos), most=MOST_FILES))
     if sum(info.file_size for info in infos) > MOST_BYTES:
-        raise Refused(Say("grade.zip.bomb", megabytes=MOST_BYTES // 1_000_000))
+        raise SubmissionRefused(Say("grade.zip.bomb", megabytes=MOST_BYTES // 1_000_000))
     found: list[tuple[zipfile.ZipInfo, PurePosixPath]] = []
     places: dict[str, str] = {}
     for info in infos:
         name = info.filename
         kind = stat.S_IFMT(info.external_attr >> 16)
         if kind and not (stat.S_ISREG(kind) or stat.S_ISDIR(kind)):
-            raise Refused(Say("grade.zip.link", name=name[:80]))
+            raise SubmissionRefused(Say("grade.zip.link", name=name[:80]))
         if info.flag_bits & _ENCRYPTED:
-            raise Refused(Say("grade.zip.locked", name=name[:80]))
+            raise SubmissionRefused(Say("grade.zip.locked", name=name[:80]))
         if info.is_dir() or name == MANIFEST:
             continue
         inside = _inside(name)
         if info.file_size > LARGEST_FILE:
-            raise Refused(Say("grade.zip.file_large", name=name[:80], megabytes=LARGEST_FILE // 1_000_000))
+            raise SubmissionRefused(Say("grade.zip.file_large", name=name[:80], megabytes=LARGEST_FILE // 1_000_000))
         for part in (inside, *inside.parents):
             before = places.setdefault(str(part), "file" if part == inside else "folder")
             if part == inside and (before == "folder" or any(str(part) == str(each) for _, each in found)):
-                raise Refused(Say("grade.zip.twice", name=name[:80]))
+                raise SubmissionRefused(Say("grade.zip.twice", name=name[:80]))
             if part != inside and before == "file":
-                raise Refused(Say("grade.zip.twice", name=name[:80]))
+                raise SubmissionRefused(Say("grade.zip.twice", name=name[:80]))
         found.append((info, inside))
     return found
 
@@ -122,12 +122,12 @@ def _inside(name: str) -> PurePosixPath:
     parts = name.split("/")
     strange = "\\" in name or ":" in parts[0] or any(ord(char) < 32 or 0xD800 <= ord(char) < 0xE000 for char in name)
     if name.startswith("/") or strange or any(part in ("", ".", "..") for part in parts):
-        raise Refused(Say("grade.zip.path", name=name[:80]))
+        raise SubmissionRefused(Say("grade.zip.path", name=name[:80]))
     if len(name.encode()) > LONGEST_PATH or len(parts) > DEEPEST:
-        raise Refused(Say("grade.zip.path", name=name[:80]))
+        raise SubmissionRefused(Say("grade.zip.path", name=name[:80]))
     # What shells and Python read by themselves is no pupil's program; `home` and `loose` hold single files.
     if parts[0] not in TOPS or len(parts) < 2 or (parts[0] != "src" and (len(parts) > 2 or parts[1].startswith("."))):
-        raise Refused(Say("grade.zip.place", name=name[:80]))
+        raise SubmissionRefused(Say("grade.zip.place", name=name[:80]))
     return PurePosixPath(TOPS[parts[0]], *parts[1:])
 
 
@@ -139,7 +139,7 @@ def _write(archive: zipfile.ZipFile, info: zipfile.ZipInfo, target: Path, left: 
         while piece := source.read(_PIECE):
             size += len(piece)
             if size > min(left, LARGEST_FILE):
-                raise Refused(Say("grade.zip.bomb", megabytes=MOST_BYTES // 1_000_000))
+                raise SubmissionRefused(Say("grade.zip.bomb", megabytes=MOST_BYTES // 1_000_000))
             file.write(piece)
     if (info.external_attr >> 16) & stat.S_IXUSR:
         target.chmod(0o755)
@@ -150,19 +150,19 @@ def _manifest(archive: zipfile.ZipFile) -> Submission:
     try:
         info = archive.getinfo(MANIFEST)
     except KeyError:
-        raise Refused(Say("grade.zip.no_manifest", name=MANIFEST)) from None
+        raise SubmissionRefused(Say("grade.zip.no_manifest", name=MANIFEST)) from None
     with archive.open(info) as file:
         text = file.read(LARGEST_MANIFEST + 1)
     if len(text) > LARGEST_MANIFEST:
-        raise Refused(Say("grade.zip.manifest", reason=f"> {LARGEST_MANIFEST} bytes"))
+        raise SubmissionRefused(Say("grade.zip.manifest", reason=f"> {LARGEST_MANIFEST} bytes"))
     try:
         data = json.loads(text.decode("utf-8"))
     except (UnicodeDecodeError, json.JSONDecodeError, RecursionError, ValueError) as error:
-        raise Refused(Say("grade.zip.manifest", reason=str(error)[:80])) from None
+        raise SubmissionRefused(Say("grade.zip.manifest", reason=str(error)[:80])) from None
     if not isinstance(data, dict) or not isinstance(data.get("version"), int):
-        raise Refused(Say("grade.zip.manifest", reason="version?"))
+        raise SubmissionRefused(Say("grade.zip.manifest", reason="version?"))
     if data["version"] > VERSION:
-        raise Refused(Say("grade.zip.newer", version=data["version"]))
+        raise SubmissionRefused(Say("grade.zip.newer", version=data["version"]))
     return Submission(_text(data.get("pupil")), _text(data.get("home")), _answers(data.get("answers")))
 
 

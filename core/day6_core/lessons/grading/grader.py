@@ -34,7 +34,7 @@ ANSWERS = "answers"
 
 
 @dataclass
-class Result:
+class Grade:
     """How one scenario went: `problems` are what was wanted and what was seen instead, each as {language: text}."""
 
     lesson: str
@@ -52,7 +52,7 @@ class Graded:
     file: Path
     pupil: str = ""
     refused: dict[str, str] | None = None
-    results: list[Result] = field(default_factory=list)
+    results: list[Grade] = field(default_factory=list)
     ended: str = ""
     problem: str = ""
     """What failed in the grader itself."""
@@ -143,9 +143,9 @@ class Grader:
         self._conclude(graded)
         return graded
 
-    def _empty(self) -> list[Result]:
+    def _empty(self) -> list[Grade]:
         return [
-            Result(grading.lesson, scenario.name, scenario.title)
+            Grade(grading.lesson, scenario.name, scenario.title)
             for grading in self._gradings
             for scenario in grading.scenarios
         ]
@@ -198,7 +198,7 @@ class Grader:
         for lesson, letters in self._answers.items():
             wrong = [name for name, letter in letters.items() if given.get(lesson, {}).get(name, "")[-1:] != letter]
             title = _both(Say("grade.answers_title"))
-            result = Result(lesson, ANSWERS, title, not wrong)
+            result = Grade(lesson, ANSWERS, title, not wrong)
             if wrong:
                 wanted = Say("grade.answers", names=tuple(letters))
                 saw = Say(

@@ -44,12 +44,12 @@ def main() -> int:
     shield.hide()
     job = json.loads(sys.stdin.read())
     report = Report()
-    from day6_core.lessons.grading.archive import Refused, unpack
+    from day6_core.lessons.grading.archive import SubmissionRefused, unpack
 
     home = Path(job["work"]) / "home"
     try:
         submission = unpack(Path(job["archive"]), home)
-    except Refused as refused:
+    except SubmissionRefused as refused:
         report.say(refused=both(refused.say))
         return 0
     report.say(pupil=submission.pupil, answers=submission.answers)

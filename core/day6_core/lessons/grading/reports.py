@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from day6_core.language import LANGUAGES
-from day6_core.lessons.grading.grader import Graded, Result
+from day6_core.lessons.grading.grader import Grade, Graded
 from day6_core.lessons.tables import Cell, csv_bytes, html_page, html_table, html_text
 from day6_core.lessons.texts import Say
 from day6_core.session.harmless import one_line
@@ -56,7 +56,7 @@ def _each(texts: object) -> list[str]:
     return [str(texts[language]) for language in LANGUAGES]
 
 
-def _joined(result: Result) -> tuple[dict[str, str], dict[str, str]]:
+def _joined(result: Grade) -> tuple[dict[str, str], dict[str, str]]:
     """All that was wanted and not seen, and what was seen instead."""
     wanted = {each: "; ".join(problem[0][each] for problem in result.problems) for each in LANGUAGES}
     saw = {each: " ".join(filter(None, (problem[1][each] for problem in result.problems))) for each in LANGUAGES}

@@ -17,7 +17,7 @@ from day6_core.lessons.actions import action_mistake, filled
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import Action
 from day6_core.lessons.flaws import line_of
-from day6_core.lessons.source import NAME, Source
+from day6_core.lessons.source import NAME, LessonSource
 
 HERE = Path(__file__).parent / "hidden"
 WITHIN, MOST_WITHIN = 15.0, 60.0
@@ -82,11 +82,11 @@ def gradings(folder: Path | None = None) -> list[Grading]:
 
 def read_grading(path: Path) -> Grading:
     """Read one file. Raises LessonMistakes, or OSError where there is none."""
-    return _Reader(Source(path)).grading()
+    return _Reader(LessonSource(path)).grading()
 
 
 class _Reader:
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: LessonSource) -> None:
         self._source = source
         self._wrong = source.wrong
 

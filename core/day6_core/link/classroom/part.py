@@ -17,7 +17,7 @@ MOST_WAITING = 500
 """Notes and orders in the queue; more are dropped, as on a slow network."""
 
 
-class Part(Protocol):
+class ClassPart(Protocol):
     """Everything is called on the gateway's thread."""
 
     @property

@@ -36,7 +36,7 @@ class Line(dict[int, Char]):
         return self.blank
 
 
-class Lines(dict[int, Line]):
+class ScreenLines(dict[int, Line]):
     """The lines of a screen that were drawn in, by their row; an empty one is made where another one is asked for."""
 
     def __init__(self) -> None:

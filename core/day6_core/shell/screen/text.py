@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Sequence
 from weakref import WeakSet
 
-from day6_core.shell.screen.cells import Cells, Char, Line, Lines
+from day6_core.shell.screen.cells import Cells, Char, Line, ScreenLines
 from day6_core.shell.screen.reflow import Marker
 from day6_core.shell.screen.rows import (
     PLAIN_STYLE,
@@ -42,7 +42,7 @@ class Text(Vt):
         self.keeps_history = True
         self.markers: WeakSet[Marker] = WeakSet()
         """Places that follow their text when it is wrapped anew."""
-        self._buffer = Lines()
+        self._buffer = ScreenLines()
         self._scrollback: deque[Row] = deque(maxlen=SCROLLBACK)
         self._scrolled = 0
         self._arriving: list[Row | Line | None] = []
@@ -56,7 +56,7 @@ class Text(Vt):
     # -- reading -------------------------------------------------------------------------------------------------------
 
     @property
-    def buffer(self) -> Lines:
+    def buffer(self) -> ScreenLines:
         """The lines of cells on the screen, by their row."""
         if self._arriving or self._pen:
             self._settle()

@@ -24,7 +24,7 @@ from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.kitchen.picture import (
     GLYPHS,
-    Plan,
+    KitchenPlan,
     Way,
     dish_places,
     draw_belts,
@@ -58,7 +58,7 @@ class KitchenPane(WindowPane[Kitchen]):
     def __init__(self, window: Window[Kitchen], look: Look) -> None:
         super().__init__(window, look)
         self._words = Words(look)
-        self._plan = Plan(Content(), 1, 1)
+        self._plan = KitchenPlan(Content(), 1, 1)
         self._drawn: tuple[object, ...] = ()
         self._rates: dict[str, float | None] = {}
         """As they are shown."""
@@ -188,7 +188,7 @@ class KitchenPane(WindowPane[Kitchen]):
             self._cook = ""
         self._lines = self._explanation()
         below = len(self._lines) + bool(self._lines)
-        plan = self._plan = Plan(content, self.inner_width, self.inner_height)
+        plan = self._plan = KitchenPlan(content, self.inner_width, self.inner_height)
         room = max(1, self.inner_height - plan.head - below)
         self._x = max(0, min(self._x, plan.width - self.inner_width))
         self._y = max(0, min(self._y, plan.height - room))

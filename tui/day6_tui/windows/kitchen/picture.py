@@ -58,7 +58,7 @@ GLYPHS = {"half": UNICODE, "braille": UNICODE, "cell": CONSOLE, "ascii": ASCII}
 """By the canvas of a set of glyphs."""
 
 
-class Plan:
+class KitchenPlan:
     """Where everybody stands in a window of `columns` x `lines` cells."""
 
     def __init__(self, content: Content, columns: int, lines: int) -> None:
@@ -111,7 +111,7 @@ class Plan:
         return first, last
 
 
-def draw_cooks(canvas: Canvas, plan: Plan, glyphs: Glyphs, chosen: str, ellipsis: str) -> None:
+def draw_cooks(canvas: Canvas, plan: KitchenPlan, glyphs: Glyphs, chosen: str, ellipsis: str) -> None:
     """The cooks, in the lines above the belts."""
     for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         lane = plan.lane(cook.name)
@@ -136,7 +136,7 @@ Label = Callable[[Belt], Sequence[tuple[str, str]]]
 """The words above a belt as runs of text and style, for any room."""
 
 
-def draw_belts(canvas: Canvas, plan: Plan, glyphs: Glyphs, dishes: Dishes, label: Label) -> None:
+def draw_belts(canvas: Canvas, plan: KitchenPlan, glyphs: Glyphs, dishes: Dishes, label: Label) -> None:
     """The lines of all cooks, and the belts across them."""
     for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         for row in range(canvas.top, canvas.top + canvas.height):
@@ -146,7 +146,7 @@ def draw_belts(canvas: Canvas, plan: Plan, glyphs: Glyphs, dishes: Dishes, label
         _draw_belt(canvas, plan, belt, row + 1, glyphs, dishes)
 
 
-def _draw_label(canvas: Canvas, plan: Plan, belt: Belt, row: int, runs: Sequence[tuple[str, str]]) -> None:
+def _draw_label(canvas: Canvas, plan: KitchenPlan, belt: Belt, row: int, runs: Sequence[tuple[str, str]]) -> None:
     room = sum(cell_len(text) for text, _ in runs)
     x = max(canvas.left, min(plan.ends(belt)[0] + 2, canvas.left + canvas.width - room))
     for text, style in runs:
@@ -154,7 +154,7 @@ def _draw_label(canvas: Canvas, plan: Plan, belt: Belt, row: int, runs: Sequence
         x += cell_len(text)
 
 
-def _draw_belt(canvas: Canvas, plan: Plan, belt: Belt, row: int, glyphs: Glyphs, dishes: Dishes) -> None:
+def _draw_belt(canvas: Canvas, plan: KitchenPlan, belt: Belt, row: int, glyphs: Glyphs, dishes: Dishes) -> None:
     first, last = plan.ends(belt)
     empty = not belt.givers and not belt.unseen_givers
     line = glyphs.gap if empty else glyphs.belt
@@ -179,7 +179,7 @@ def _draw_belt(canvas: Canvas, plan: Plan, belt: Belt, row: int, glyphs: Glyphs,
         canvas.put(lanes[giver.cook], row, glyphs.gives, "gives")
 
 
-def _sides(plan: Plan, belt: Belt, taker: Hand) -> list[bool]:
+def _sides(plan: KitchenPlan, belt: Belt, taker: Hand) -> list[bool]:
     """From which sides dishes come to a taker: True for the left."""
     lane = plan.lane(taker.cook)
     others = [plan.lane(giver.cook) for giver in belt.givers]
@@ -208,7 +208,7 @@ class Way(NamedTuple):
     end: int
 
 
-def ways(plan: Plan, belt: Belt) -> Iterator[Way]:
+def ways(plan: KitchenPlan, belt: Belt) -> Iterator[Way]:
     """The ways of all dishes on a belt: from each giver to the farthest taker on either side, or off the end."""
     places = []
     """Of each taker: the column of its line, and how many cells before it a dish stops."""

@@ -17,7 +17,7 @@ from day6_tui.windows.robot.robot_pixels import paint_robot
 from day6_tui.windows.world.picture import CASTER, NOSE, look_of
 from day6_urdf.kinematics import Transform
 from day6_urdf.model import Robot
-from day6_urdf.topplan import Plan, plan_top, stand
+from day6_urdf.topplan import TopPlan, plan_top, stand
 
 ARROW_CELLS = 6
 """Columns in front of the car, for the arrow."""
@@ -31,7 +31,7 @@ class CarPicture:
         self.sheet = Sheet(columns, rows, colours.text)
         self._colours = colours
         self._table = look_of(colours)
-        self._plan: Plan | None = None
+        self._plan: TopPlan | None = None
         self._scale = 1.0
         self._zero = self._middle = (0.0, 0.0)
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from day6_tui.pixels.raster import Surface
 from day6_tui.windows.world.picture import FIRM, FIRST_TREAD, TREAD, WHEEL, bodies_of
 from day6_urdf.kinematics import Transform
-from day6_urdf.topplan import Body, Plan, Wheel, flat, hull, spin_of, stand
+from day6_urdf.topplan import Body, TopPlan, Wheel, flat, hull, spin_of, stand
 from day6_urdf.topview import tread_marks
 
 TREAD_PIXELS = 3.0
@@ -19,7 +19,7 @@ Spot = tuple[float, float]
 
 def paint_robot(
     surface: Surface,
-    plan: Plan,
+    plan: TopPlan,
     given: Mapping[str, Transform],
     place: Callable[[Spot], Spot],
     scale: float,

@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 from rich.style import Style
 
-from day6_core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH, Scene, Trail
+from day6_core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH, Trail, TurtleScene
 from day6_tui.appearance.colours import background_of, contrasting, pixel_style
 from day6_tui.panes.cells import cell_len
 from day6_tui.pixels.bands import Array
@@ -48,7 +48,7 @@ class TurtlePicture:
         self._background: tuple[int, int, int] | None = None
         self._generation = self._drawn = -1
 
-    def pixels(self, scene: Scene, trail: Trail, coats: dict[str, Coat]) -> Array:
+    def pixels(self, scene: TurtleScene, trail: Trail, coats: dict[str, Coat]) -> Array:
         """The world now: height x width x 3 bytes."""
         self._take_trail(scene.background, trail)
         picture = self._ground.copy()
@@ -60,7 +60,7 @@ class TurtlePicture:
             picture.paste(turtle_image, (left, top), turtle_image)
         return np.asarray(picture)
 
-    def names(self, scene: Scene) -> list[tuple[int, int, str, Style]]:
+    def names(self, scene: TurtleScene) -> list[tuple[int, int, str, Style]]:
         """The turtles' names, above them, for the sheet."""
         red, green, blue = scene.background
         ground = red << 16 | green << 8 | blue

@@ -27,8 +27,8 @@ from day6_tui.windows.turtlesim.card import Line, Pupil, side_lines
 from day6_tui.windows.turtlesim.shapes import COATS, FLAGS, REAL_SIZE, Coat, characters, heading_step, pixels
 
 if TYPE_CHECKING:
-    from day6_core.ros.programs.turtlesim.model import Scene, Simulation, Trail, TurtleTopics
     from day6_core.ros.programs.turtlesim.model import Segment as Stroke
+    from day6_core.ros.programs.turtlesim.model import Simulation, Trail, TurtleScene, TurtleTopics
     from day6_tui.pixels.pictures import Pictures
     from day6_tui.windows.turtlesim.pixels import TurtlePicture
 
@@ -53,7 +53,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
     def __init__(self, window: Window[Simulation], look: Look) -> None:
         super().__init__(window, look)
         self._canvas: Canvas | None = None
-        self._scene: Scene | None = None
+        self._scene: TurtleScene | None = None
         self._generation = -1
         self._drawn = -1
         self._coats: dict[str, Coat] = {}
@@ -180,7 +180,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
             self._side = self._side_now()
         return canvas
 
-    def _up_to_date(self, scene: Scene, trail: Trail) -> Canvas:
+    def _up_to_date(self, scene: TurtleScene, trail: Trail) -> Canvas:
         """The canvas with the trail as it is now."""
         red, green, blue = scene.background
         background = red << 16 | green << 8 | blue
@@ -204,7 +204,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
         self._generation, self._drawn = generation, drawn
         return canvas
 
-    def _follow(self, scene: Scene) -> None:
+    def _follow(self, scene: TurtleScene) -> None:
         before = {turtle.name: turtle for turtle in self._scene.turtles} if self._scene is not None else {}
         names = [turtle.name for turtle in scene.turtles]
         moved = [turtle.name for turtle in scene.turtles if before and before.get(turtle.name) != turtle]
@@ -218,7 +218,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
                 free = [coat for coat in COATS if coat not in worn]
                 self._coats[name] = free[0] if free else COATS[len(self._coats) % len(COATS)]
 
-    def _put_turtles(self, canvas: Canvas, scene: Scene) -> None:
+    def _put_turtles(self, canvas: Canvas, scene: TurtleScene) -> None:
         sprites: dict[int, int] = {}
         marks: dict[tuple[int, int], Mark] = {}
         labelled = self._names or len(scene.turtles) > 1

@@ -16,7 +16,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from day6_tui.appearance.colours import Colours, background_of, pixel_style
-from day6_urdf.topplan import Body, Plan, Wheel, flat, hull, plan_top, spin_of, stand
+from day6_urdf.topplan import Body, TopPlan, Wheel, flat, hull, plan_top, spin_of, stand
 from day6_urdf.topview import tread_marks
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ class WorldPicture:
         self._base = self._paint_scenery(scenery)
         self._trail: Rows | None = None
         self._trail_key = (-1, 0)
-        self._plan: Plan | None = None
+        self._plan: TopPlan | None = None
 
     # -- what stands still ---------------------------------------------------------------------------------------------
 
@@ -274,14 +274,14 @@ def placing(pose: tuple[float, float, float]) -> Placing:
     return lambda points: [(x + px * cosine - py * sine, y + px * sine + py * cosine) for px, py in points]
 
 
-def bodies_of(plan: Plan) -> list[tuple[Body, int]]:
+def bodies_of(plan: TopPlan) -> list[tuple[Body, int]]:
     """The bodies in the order in which they are drawn, the chassis below all others, and their kinds."""
     kinds = {"chassis": CHASSIS, "caster": CASTER}
     bodies = sorted(plan.bodies, key=lambda body: body.style != "chassis")
     return [(body, kinds.get(body.style, BODY)) for body in bodies]
 
 
-def nose_of(plan: Plan) -> Points:
+def nose_of(plan: TopPlan) -> Points:
     """The triangle that shows where the robot's front is; its tip is the point in the middle."""
     left, low, right, high = plan.bounds
     size, middle = (right - left) * 0.18, (low + high) / 2

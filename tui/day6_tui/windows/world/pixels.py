@@ -25,7 +25,7 @@ from day6_tui.windows.world.picture import (
     nose_of,
     placing,
 )
-from day6_urdf.topplan import Plan, plan_top
+from day6_urdf.topplan import TopPlan, plan_top
 
 if TYPE_CHECKING:
     from rich.style import Style
@@ -55,7 +55,7 @@ class WorldPixels:
         self._ground = self._scenery(scenery)
         self._trail_seen = (-1, 0)
         self._bare = self._ground.image.copy()
-        self._plan: Plan | None = None
+        self._plan: TopPlan | None = None
 
     def pixels(self, snapshot: WorldSnapshot, trail: Trail) -> Array:
         """A moment: height x width x 3 bytes."""

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from day6_core.ros.programs.remark import Remark
 
 
-class Status(Remark):
+class CarStatus(Remark):
     """One line beside the car."""
 
 
-status = Status.of
+status = CarStatus.of
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ SILENT_S = 1.5
 NAMED_LINKS = 4
 
 
-def status_lines(facts: Facts) -> tuple[Status, ...]:
+def status_lines(facts: Facts) -> tuple[CarStatus, ...]:
     """Return the lines, the cause before its effects."""
     if facts.problem:
         return (status("error", "car.bad_description", text=facts.problem),)
@@ -60,7 +60,7 @@ def status_lines(facts: Facts) -> tuple[Status, ...]:
     return tuple(lines)
 
 
-def _transform_lines(facts: Facts) -> list[Status]:
+def _transform_lines(facts: Facts) -> list[CarStatus]:
     named, more = facts.missing[:NAMED_LINKS], len(facts.missing) - NAMED_LINKS
     lines = [status("error", "car.no_transform", link=link, frame=facts.root) for link in named]
     if more > 0:
@@ -68,7 +68,7 @@ def _transform_lines(facts: Facts) -> list[Status]:
     return lines
 
 
-def _publisher_lines(facts: Facts) -> list[Status]:
+def _publisher_lines(facts: Facts) -> list[CarStatus]:
     lines = []
     for kind in sorted({kind for _, kind in facts.publishers if kind != JOINT_STATE}):
         lines.append(status("error", "car.wrong_type", topic=facts.topic, type=kind))
@@ -86,7 +86,7 @@ def _publisher_lines(facts: Facts) -> list[Status]:
     return lines
 
 
-def _unknown_joint(joint: str, joints: frozenset[str]) -> Status:
+def _unknown_joint(joint: str, joints: frozenset[str]) -> CarStatus:
     near = nearest_name(joint, sorted(joints))
     if near is None:
         return status("error", "car.unknown_joint", joint=joint)

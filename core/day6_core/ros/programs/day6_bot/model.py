@@ -18,7 +18,7 @@ from tf2_msgs.msg import TFMessage
 
 from day6_core.ros.programs.day6_bot._frames import Frames
 from day6_core.ros.programs.day6_bot._joints import JointReading, JointReadings, Moment
-from day6_core.ros.programs.day6_bot._status import SILENT_S, Facts, Status, status_lines
+from day6_core.ros.programs.day6_bot._status import SILENT_S, CarStatus, Facts, status_lines
 from day6_urdf.kinematics import Transform
 from day6_urdf.model import MOVING_TYPES, Robot
 from day6_urdf.topplan import find_wheels, steering_of
@@ -42,7 +42,7 @@ class CarSnapshot:
     joints: tuple[JointReading, ...] = ()
     rate: float | None = None
     """Messages a second on /joint_states; None when there are none."""
-    status: tuple[Status, ...] = ()
+    status: tuple[CarStatus, ...] = ()
 
     def labels(self, degree: str = " deg") -> dict[str, str]:
         """Return by link what stands beside a wheel: its name, the angle (0 to 360 degrees) and speed of its joint.

@@ -11,14 +11,14 @@ from day6_core.ros.programs.remark import Remark
 from day6_urdf.model import Robot
 
 
-class Status(Remark):
+class AdmissionStatus(Remark):
     """One line below the world."""
 
 
-status = Status.of
+status = AdmissionStatus.of
 
 
-def refusals(robot: Robot, drive: Drive | None) -> list[Status]:
+def refusals(robot: Robot, drive: Drive | None) -> list[AdmissionStatus]:
     """Return why a robot may not enter; empty if it may.
 
     A link with nothing to see and nothing to touch is only a frame and needs no mass (as a base_footprint).
@@ -43,7 +43,7 @@ def refusals(robot: Robot, drive: Drive | None) -> list[Status]:
     return found
 
 
-def warnings(robot: Robot, drive: Drive) -> list[Status]:
+def warnings(robot: Robot, drive: Drive) -> list[AdmissionStatus]:
     """Return the warnings about a robot that may enter."""
     found = []
     loose = [robot.joint(wheel.joint).child for wheel in drive.wheels if not wheel.grips]

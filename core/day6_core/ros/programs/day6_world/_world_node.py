@@ -15,7 +15,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from std_srvs.srv import Empty, SetBool
 
-from day6_core.ros.programs.day6_world._admission import Status, refusals, status, warnings
+from day6_core.ros.programs.day6_world._admission import AdmissionStatus, refusals, status, warnings
 from day6_core.ros.programs.day6_world._drive import find_drive
 from day6_core.ros.programs.day6_world._sensors import Sensors
 from day6_core.ros.programs.day6_world._simulation import LostGround, Simulation
@@ -65,8 +65,8 @@ class WorldNode:
         parameter("speed", 1.0)
         self._paused = False
         self._due = 0.0
-        self._admission: tuple[Status, ...] = ()
-        self._remarks: tuple[Status, ...] = ()
+        self._admission: tuple[AdmissionStatus, ...] = ()
+        self._remarks: tuple[AdmissionStatus, ...] = ()
         self._sideways = False
         self._bumped_until = -1
         self._aligned: dict[str, tuple[float, int]] = {}
@@ -112,7 +112,7 @@ class WorldNode:
         self.waiting_description = None
         self._simulation.robot = None
         name = robot.name if robot is not None else "robot"
-        lines: list[Status] = []
+        lines: list[AdmissionStatus] = []
         if robot is None:
             lines = [status("error", "world.bad_description", text=problem)]
         else:
@@ -280,7 +280,7 @@ class WorldNode:
             lines += self._traffic()
         self._remarks = tuple(lines)
 
-    def _traffic(self) -> list[Status]:
+    def _traffic(self) -> list[AdmissionStatus]:
         lines = []
         node = self._node
         topic, wanted = node.resolve_topic_name("cmd_vel"), "TwistStamped" if self._stamped else "Twist"

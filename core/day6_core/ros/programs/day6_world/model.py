@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from day6_core.ros.programs.day6_world._admission import Status
+from day6_core.ros.programs.day6_world._admission import AdmissionStatus
 from day6_core.ros.programs.day6_world.scenery import Scenery
 from day6_urdf.kinematics import Transform, link_transforms
 from day6_urdf.model import Robot
@@ -42,7 +42,7 @@ class WorldSnapshot:
     bumped: bool = False
     line: tuple[float, ...] = ()
     scan: Scan | None = None
-    status: tuple[Status, ...] = ()
+    status: tuple[AdmissionStatus, ...] = ()
     paused: bool = False
     speed: float = 1.0
     """What was asked for: steps for every period of the machine's own clock, whose speed is another matter."""

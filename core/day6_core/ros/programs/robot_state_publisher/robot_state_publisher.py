@@ -46,7 +46,7 @@ SHORT = 100_000
 """Characters of a description that may be read (in some hundredths of a second) without a thread."""
 
 
-class Refused(Exception):
+class DescriptionRefused(Exception):
     """A description that cannot be used, in robot_state_publisher's words."""
 
 
@@ -73,7 +73,7 @@ class RobotStatePublisher:
         """Publish the description and the fixed transforms, then listen. Raises CppException."""
         try:
             robot = self._accept(report)
-        except Refused as error:
+        except DescriptionRefused as error:
             raise CppException(str(error)) from error
         self._setup(description, robot)
         node = self._node
@@ -95,12 +95,12 @@ class RobotStatePublisher:
             self._print_error(report.text.rstrip("\n"))
         if report.robot is None:
             self._print_error("Failed to parse robot description using: urdf_xml_parser/URDFXMLParser")
-            raise Refused("Unable to initialize urdf::model from robot description")
+            raise DescriptionRefused("Unable to initialize urdf::model from robot description")
         loop = report.robot.loop
         if loop:
             # The original recurses until its stack overflows; here the error is reported instead.
             self._print_error(f"The links form a loop: {' -> '.join(loop)}")
-            raise Refused("Failed to extract kdl tree from robot description")
+            raise DescriptionRefused("Failed to extract kdl tree from robot description")
         self._warn_as_kdl(report.robot)
         return report.robot
 
@@ -176,7 +176,7 @@ class RobotStatePublisher:
                     return SetParametersResult(successful=False, reason="Empty URDF is not allowed")
                 try:
                     self._accept(check_text(parameter.value))
-                except Refused as error:
+                except DescriptionRefused as error:
                     self._node.get_logger().warning(str(error))
                     return SetParametersResult(successful=False, reason=str(error))
             elif parameter.name == "publish_frequency" and not 0.0 <= parameter.value <= 1000.0:
@@ -191,7 +191,7 @@ class RobotStatePublisher:
                 description = parameter.value.string_value
                 try:
                     robot = self._accept(check_text(description))
-                except Refused as error:
+                except DescriptionRefused as error:
                     self._node.get_logger().warning(f"Failed to parse new URDF: {error}")
                 else:
                     self._setup(description, robot)

@@ -23,7 +23,7 @@ from rclpy.task import Future
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from day6_core.ros.programs.turtlesim.model import Rotation, Step, Turtle
+    from day6_core.ros.programs.turtlesim.model import Rotation, Turtle, TurtleStep
     from rclpy.action.server import ServerGoalHandle
     from rclpy.node import Node
 
@@ -88,7 +88,7 @@ class TurtleInterface:
         if rotation is not None and self._goal is not None and self._goal.is_cancel_requested:
             rotation.canceling = True
 
-    def publish(self, step: Step) -> None:
+    def publish(self, step: TurtleStep) -> None:
         """Report a step: the rotation's progress, the wall, then pose and colour."""
         if step.rotation is not None:
             self._report_rotation(step.rotation)

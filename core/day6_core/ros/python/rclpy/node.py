@@ -17,7 +17,7 @@ from rclpy._day6.logging_settings import LoggingSettings
 from rclpy._day6.node_entities import NodeEntities, profile_of
 from rclpy._day6.node_graph import NamesAndTypes, NodeGraph
 from rclpy._day6.node_names import checked_namespace, require_remapped, resolved_name
-from rclpy._day6.node_parts import Owned, Part
+from rclpy._day6.node_parts import NodePart, Owned
 from rclpy._day6.own_services import HASHES, LOG
 from rclpy._day6.parameter_events import ParameterEvents, parameter_event_publisher
 from rclpy._day6.parameter_store import ParameterStore
@@ -123,9 +123,9 @@ class Node:
     _rclpy_type_description: ClassVar[type[TypeDescriptionService]] = TypeDescriptionService
 
     # The parts have names that no attribute of a program's own node class is likely to hide.
-    _rclpy_entities = Part[NodeEntities]("_default_callback_group")
-    _rclpy_parameters = Part[ParameterStore]("_parameters")
-    _rclpy_graph = Part[NodeGraph]("_Node__node")
+    _rclpy_entities = NodePart[NodeEntities]("_default_callback_group")
+    _rclpy_parameters = NodePart[ParameterStore]("_parameters")
+    _rclpy_graph = NodePart[NodeGraph]("_Node__node")
 
     _publishers = Owned("_rclpy_entities", "publishers")
     _subscriptions = Owned("_rclpy_entities", "subscriptions")

@@ -11,7 +11,7 @@ from day6_core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
-    from day6_core.workspace.templates import Plan
+    from day6_core.workspace.templates import PackagePlan
 
 SUMMARY = "Create a new ROS 2 package"
 
@@ -49,7 +49,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 async def main(session: Session, args: Namespace) -> str | None:
     from day6_core.session.folder import LOST
     from day6_core.workspace.create import LICENSES, create
-    from day6_core.workspace.templates import Plan
+    from day6_core.workspace.templates import PackagePlan
 
     if args.license == "?":
         session.print("Supported licenses:", *LICENSES, sep="\n")
@@ -69,7 +69,7 @@ async def main(session: Session, args: Namespace) -> str | None:
             "directory or package name"
         )
     name = args.maintainer_name or _user(session)
-    plan = Plan(
+    plan = PackagePlan(
         args.package_name,
         args.build_type,
         args.description,
@@ -94,7 +94,7 @@ def _user(session: Session) -> str:
     return next((session.env[name] for name in names if session.env.get(name)), "root")
 
 
-def _announce(session: Session, plan: Plan, destination: str) -> None:
+def _announce(session: Session, plan: PackagePlan, destination: str) -> None:
     session.print("going to create a new package")
     session.print("package name:", plan.name)
     session.print("destination directory:", destination)

@@ -17,7 +17,7 @@ from rosbag2_py._metadata import FILE_NAME, MetadataIo
 from rosbag2_py._reader import last_moment
 from rosbag2_py._storage import MessageDefinition, TopicMetadata, nanoseconds_of
 
-from day6_core.ros.programs.rqt_bag.model.timeline import Source, Timeline
+from day6_core.ros.programs.rqt_bag.model.timeline import BagSource, Timeline
 
 
 @dataclass(eq=False)
@@ -31,7 +31,7 @@ class OpenBag:
     end_ns: int | None = None
     topics: dict[str, TopicMetadata] = field(default_factory=dict)
     definitions: dict[str, MessageDefinition] = field(default_factory=dict)
-    sources: list[Source] = field(default_factory=list)
+    sources: list[BagSource] = field(default_factory=list)
     is_complete: bool = True
     _files: list[Path] = field(default_factory=list)
     _storage: str = ""
@@ -103,7 +103,7 @@ def index_bag(bag: OpenBag, timeline: Timeline, cancelled: Callable[[], bool]) -
         if cancelled():
             return
         plain = _unpack(bag, path, cancelled) if mode == "FILE" and path.suffix == ".zstd" else path
-        source = Source(open_blocks(plain, bag._storage), format_ if mode == "MESSAGE" else "")
+        source = BagSource(open_blocks(plain, bag._storage), format_ if mode == "MESSAGE" else "")
         bag.sources.append(source)
         _add_topics(bag, source.topics())
         for block in source.blocks():

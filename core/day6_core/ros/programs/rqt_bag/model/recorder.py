@@ -14,7 +14,7 @@ from rosbag2_py._options import RecordOptions
 from rosbag2_py._recording import Recording
 from rosbag2_py._storage import Message, MessageDefinition, StorageOptions, TopicMetadata
 
-from day6_core.ros.programs.rqt_bag.model.timeline import Source, Timeline
+from day6_core.ros.programs.rqt_bag.model.timeline import BagSource, Timeline
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -35,7 +35,7 @@ class Recorder:
         """Of the topics that it listens to, by name."""
         self.failure: OSError | None = None
         self._timeline = timeline
-        self._source = Source(_Written())
+        self._source = BagSource(_Written())
         self._counts: Counter[str] = Counter()
         self._span: tuple[int, int] | None = None
         options = RecordOptions(

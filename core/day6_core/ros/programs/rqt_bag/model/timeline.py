@@ -35,7 +35,7 @@ With more of them a block is narrower than a column on most screens.
 """
 
 
-class Source:
+class BagSource:
     """One file of a bag. Threads take turns at it; `compression` is what each message is compressed with."""
 
     def __init__(self, file: BlockFile, compression: str = "") -> None:
@@ -103,7 +103,7 @@ class Found(NamedTuple):
     topic: str
     key: int
     block: Block
-    source: Source
+    source: BagSource
 
     def read(self) -> Message:
         """Read it. Raises RuntimeError."""
@@ -120,10 +120,10 @@ class Passed(NamedTuple):
 class _Lane:
     """The blocks with messages of one topic, by their beginning. It only grows; a block in between makes a new one."""
 
-    def __init__(self, places: Iterable[tuple[Source, Block]] = (), topic: str = "") -> None:
+    def __init__(self, places: Iterable[tuple[BagSource, Block]] = (), topic: str = "") -> None:
         self.topic = topic
         self.starts: list[int] = []
-        self.places: list[tuple[Source, Block]] = []
+        self.places: list[tuple[BagSource, Block]] = []
         self.latest: list[int] = []
         """The last end of the blocks so far: blocks may overlap."""
         self.upto: list[int] = []
@@ -131,13 +131,13 @@ class _Lane:
         for source, block in places:
             self._append(source, block)
 
-    def _append(self, source: Source, block: Block) -> None:
+    def _append(self, source: BagSource, block: Block) -> None:
         self.places.append((source, block))
         self.latest.append(max(block.end_ns, self.latest[-1] if self.latest else block.end_ns))
         self.upto.append(block.counts[self.topic] + (self.upto[-1] if self.upto else 0))
         self.starts.append(block.start_ns)  # the last, because other threads go by its length
 
-    def with_block(self, source: Source, block: Block) -> _Lane:
+    def with_block(self, source: BagSource, block: Block) -> _Lane:
         """The lane with one more block: this one if it is the last."""
         if not self.starts or block.start_ns >= self.starts[-1]:
             self._append(source, block)
@@ -185,7 +185,7 @@ class Timeline:
         self.end_ns = end_ns if self.end_ns is None else max(self.end_ns, end_ns)
         self.version += 1
 
-    def add(self, source: Source, block: Block) -> None:
+    def add(self, source: BagSource, block: Block) -> None:
         """Add a block; one thread at a time."""
         self.blocks += 1
         block.number = self.blocks
@@ -221,7 +221,7 @@ class Timeline:
 
     def look_at(self, left_ns: int, right_ns: int) -> bool:
         """Read the times of the messages in sight, unless there are too many blocks; whether anything was read."""
-        places: dict[Block, Source] = {}
+        places: dict[Block, BagSource] = {}
         for lane in list(self._lanes.values()):
             first, end = bisect_right(lane.latest, left_ns - 1), bisect_right(lane.starts, right_ns)
             if end - first > MOST_IN_SIGHT:
@@ -310,10 +310,10 @@ class Timeline:
             size += len(passed[-1].message.data)
         return passed, until_ns
 
-    def _of(self, source: Source, block: Block, topic: str) -> Entries:
+    def _of(self, source: BagSource, block: Block, topic: str) -> Entries:
         return self._entries(source, block).get(topic) or _NOTHING
 
-    def _entries(self, source: Source, block: Block) -> dict[str, Entries]:
+    def _entries(self, source: BagSource, block: Block) -> dict[str, Entries]:
         found = block.entries
         if found is None:
             found = source.entries(block)

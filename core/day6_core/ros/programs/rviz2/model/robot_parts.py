@@ -23,7 +23,7 @@ MOST_MESH_TEXT = 256
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class RobotPart:
     """One solid of a link, in the link's frame; `mesh` has the data of kind 'mesh'."""
 
     kind: str
@@ -36,10 +36,10 @@ class Part:
 
 @dataclass(slots=True)
 class LinkParts:
-    visual: list[Part] = field(default_factory=list)
-    collision: list[Part] = field(default_factory=list)
-    mass: Part | None = None
-    inertia: Part | None = None
+    visual: list[RobotPart] = field(default_factory=list)
+    collision: list[RobotPart] = field(default_factory=list)
+    mass: RobotPart | None = None
+    inertia: RobotPart | None = None
     errors: list[str] = field(default_factory=list)
 
 
@@ -102,7 +102,7 @@ def _link_parts(link: Link, turns: bool, read_mesh: MeshReader) -> LinkParts:
 
 
 def _add(
-    into: list[Part],
+    into: list[RobotPart],
     geometry: Any,
     pose: Transform,
     colour: Colour,
@@ -111,14 +111,14 @@ def _add(
     errors: list[str],
     given: Colour | None,
 ) -> None:
-    part: Part | None = None
+    part: RobotPart | None = None
     if isinstance(geometry, Box):
-        part = Part(BOX, pose, geometry.size, colour)
+        part = RobotPart(BOX, pose, geometry.size, colour)
     elif isinstance(geometry, Sphere):
-        part = Part(SPHERE, pose, (2 * geometry.radius,) * 3, colour)
+        part = RobotPart(SPHERE, pose, (2 * geometry.radius,) * 3, colour)
     elif isinstance(geometry, Cylinder):
         size = (2 * geometry.radius, 2 * geometry.radius, geometry.length)
-        part = Part(CYLINDER, pose, size, colour, turns)
+        part = RobotPart(CYLINDER, pose, size, colour, turns)
     elif isinstance(geometry, Mesh) and geometry.filename:
         try:
             mesh = read_mesh(geometry.filename)
@@ -126,19 +126,19 @@ def _add(
             errors.append(f"Could not load mesh resource '{geometry.filename}'"[: MOST_MESH_TEXT - 1])
             return
         # A mesh without material in the URDF has its own colours, grey if it has none.
-        part = Part("mesh", pose, geometry.scale, given or (0.7, 0.7, 0.7, 1.0), turns, mesh)
+        part = RobotPart("mesh", pose, geometry.scale, given or (0.7, 0.7, 0.7, 1.0), turns, mesh)
     if part is not None and all(map(math.isfinite, (*part.size, *part.pose.xyz, *part.pose.rotation))):
         into.append(part)
 
 
-def _mass(inertial: Inertial) -> Part | None:
+def _mass(inertial: Inertial) -> RobotPart | None:
     if not math.isfinite(inertial.mass) or inertial.mass <= 0:
         return None
     diameter = 2 * (0.75 * inertial.mass / (math.pi * LEAD)) ** (1 / 3)
-    return Part(SPHERE, Transform(inertial.origin.xyz), (diameter,) * 3, RED)
+    return RobotPart(SPHERE, Transform(inertial.origin.xyz), (diameter,) * 3, RED)
 
 
-def _inertia(inertial: Inertial) -> Part | None:
+def _inertia(inertial: Inertial) -> RobotPart | None:
     """The box of even density with this mass and inertia; None where there can be none."""
     import numpy as np
 
@@ -156,4 +156,4 @@ def _inertia(inertial: Inertial) -> Part | None:
 
     x, y, z = (square**0.5 for square in squares)
     place = compose(inertial.origin, Transform(IDENTITY.xyz, quaternion(turn.tolist())))
-    return Part(BOX, place, (x, y, z), RED)
+    return RobotPart(BOX, place, (x, y, z), RED)

@@ -7,14 +7,23 @@ from day6_core.ros.programs.turtlesim.model.simulation import (
     CENTRE,
     DEFAULT_BACKGROUND,
     KINDS,
-    Scene,
     Simulation,
+    TurtleScene,
     TurtleTopics,
     TurtleView,
 )
 from day6_core.ros.programs.turtlesim.model.square import Square
 from day6_core.ros.programs.turtlesim.model.trail import PIXELS_PER_METRE, SIZE, Segment, Trail
-from day6_core.ros.programs.turtlesim.model.turtle import HEIGHT, TICK, WIDTH, Pose, Rotation, Step, Turtle, float32
+from day6_core.ros.programs.turtlesim.model.turtle import (
+    HEIGHT,
+    TICK,
+    WIDTH,
+    Pose,
+    Rotation,
+    Turtle,
+    TurtleStep,
+    float32,
+)
 
 __all__ = [
     "CENTRE",
@@ -27,13 +36,13 @@ __all__ = [
     "WIDTH",
     "Pose",
     "Rotation",
-    "Scene",
     "Segment",
     "Simulation",
     "Square",
-    "Step",
     "Trail",
     "Turtle",
+    "TurtleScene",
+    "TurtleStep",
     "TurtleTopics",
     "TurtleView",
     "float32",

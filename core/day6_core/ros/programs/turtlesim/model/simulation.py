@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from day6_core.ros.programs.turtlesim.model.trail import Trail
-from day6_core.ros.programs.turtlesim.model.turtle import HEIGHT, WIDTH, Step, Turtle
+from day6_core.ros.programs.turtlesim.model.turtle import HEIGHT, WIDTH, Turtle, TurtleStep
 
 KINDS = (
     "ardent",
@@ -49,7 +49,7 @@ class TurtleTopics(NamedTuple):
     senders: tuple[str, ...]
 
 
-class Scene(NamedTuple):
+class TurtleScene(NamedTuple):
     """One whole picture but for the trail: the turtles in drawing order, and red, green, blue of the background."""
 
     turtles: tuple[TurtleView, ...]
@@ -68,7 +68,7 @@ class Simulation:
         self.trail = Trail()
         self.turtles: dict[str, Turtle] = {}  # kept in the order of names: std::map's, in which turtles move and draw
         self.background = DEFAULT_BACKGROUND
-        self.scene = Scene((), DEFAULT_BACKGROUND)
+        self.scene = TurtleScene((), DEFAULT_BACKGROUND)
         self.topics: dict[str, TurtleTopics] = {}
         """By the turtles' names; replaced by a new one when it changes."""
         self.rests = False
@@ -122,7 +122,7 @@ class Simulation:
         """Whether so many ticks only move turtles: none hits a wall, or turns to a goal whose client wants news."""
         return all(turtle.glides(ticks) for turtle in self.turtles.values())
 
-    def tick(self, now: int) -> list[tuple[Turtle, Step]]:
+    def tick(self, now: int) -> list[tuple[Turtle, TurtleStep]]:
         """Let every turtle live through one tick, in the order of their names. The very first tick does nothing."""
         if not self._started:
             self._started = True
@@ -135,7 +135,7 @@ class Simulation:
         return steps
 
     def _refresh(self) -> None:
-        self.scene = Scene(
+        self.scene = TurtleScene(
             tuple(TurtleView(turtle.name, turtle.kind, *turtle.pose) for turtle in self.turtles.values()),
             self.background,
         )

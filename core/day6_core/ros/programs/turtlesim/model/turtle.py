@@ -47,7 +47,7 @@ class Pose(NamedTuple):
     angular_velocity: float
 
 
-class Step(NamedTuple):
+class TurtleStep(NamedTuple):
     """What one tick did to a turtle."""
 
     pose: Pose
@@ -164,7 +164,7 @@ class Turtle:
         inside = way < self.x < WIDTH - way and way < self.y < HEIGHT - way
         return inside and self.rotation is None and not self._teleports
 
-    def step(self, now: int, trail: Trail) -> Step:
+    def step(self, now: int, trail: Trail) -> TurtleStep:
         """Live through one tick that ends at `now` (nanoseconds), drawing on `trail`."""
         changed = bool(self._teleports)
         if changed:
@@ -190,7 +190,7 @@ class Turtle:
         colour = trail.colour_at(x * PIXELS_PER_METRE, y * PIXELS_PER_METRE)
         if abs(x - old_x) > 1e-12 or abs(y - old_y) > 1e-12:  # Qt compares points with that much tolerance
             self._draw(trail, old_x, old_y)
-        return Step(pose, colour, wall, rotation, changed or pose != before)
+        return TurtleStep(pose, colour, wall, rotation, changed or pose != before)
 
     def _teleport(self, trail: Trail) -> None:
         for request in self._teleports:

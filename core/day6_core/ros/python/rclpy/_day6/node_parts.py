@@ -49,7 +49,7 @@ def _missing(node: object, name: str) -> NoReturn:
     raise error
 
 
-class Part(Generic[_T]):
+class NodePart(Generic[_T]):
     """A part that `Node.__init__` sets; reading it before that fails as in real rclpy."""
 
     def __init__(self, known_by: str) -> None:

@@ -15,7 +15,7 @@ from day6_core.ros.programs.rviz2.model.properties import (
     floats,
     pose_lines,
 )
-from day6_core.ros.programs.rviz2.model.robot_parts import Part, RobotParts
+from day6_core.ros.programs.rviz2.model.robot_parts import RobotPart, RobotParts
 from day6_core.ros.programs.rviz2.model.scene import Colour, Scene, Shape, Triangles
 from day6_core.ros.programs.rviz2.model.status import ERROR, OK
 from day6_core.ros.programs.rviz2.model.topics import TopicDisplay
@@ -183,7 +183,7 @@ class RobotModelDisplay(TopicDisplay):
             scene.begin(self, name)
             pose, alpha = self.pose(name), self.alpha.value * self.links.alpha(name)
             lost = name in self.lost
-            shown: list[Part] = [*parts.visual] if self.visual.value else []
+            shown: list[RobotPart] = [*parts.visual] if self.visual.value else []
             if self.collision.value:
                 shown += parts.collision
             for part in shown:
@@ -209,7 +209,7 @@ class RobotModelDisplay(TopicDisplay):
         self._source_changed()
 
 
-def _draw_part(scene: Scene, part: Part, pose: Transform, name: str, alpha: float, lost: bool) -> None:
+def _draw_part(scene: Scene, part: RobotPart, pose: Transform, name: str, alpha: float, lost: bool) -> None:
     red, green, blue, opacity = WHITE if lost else part.colour
     colour = (red, green, blue, opacity * alpha)
     place = compose(pose, part.pose)
