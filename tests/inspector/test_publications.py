@@ -6,7 +6,7 @@ import pytest
 
 from day6_core.graph import Graph
 from day6_core.graph.qos import QoS
-from day6_core.ros.programs.day6_inspector.insides import Inside, Process
+from day6_core.ros.programs.day6_inspector.process_reports import Inside, Process
 from day6_core.ros.programs.day6_inspector.publications import Publications
 
 

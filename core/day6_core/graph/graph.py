@@ -69,8 +69,8 @@ class Graph:
         self.now_ns: Callable[[], int] = time.time_ns
         self.transport: Transport | None = None
         self.identify: Callable[[Endpoint], bytes] = lambda _: self.new_gid()
-        self.tell_insides: Callable[[], bytes] | None = None
-        """Tells another process of this user about this one, if somebody asks (`day6_core/link/insides`); rclpy sets it."""
+        self.report_process: Callable[[], bytes] | None = None
+        """What this process tells another one of this user that asks (`day6_core/link/process_reports`); rclpy sets it."""
         self._lock = threading.RLock()
         self._nodes: tuple[Node, ...] = ()
         self._observers: tuple[Node, ...] = ()

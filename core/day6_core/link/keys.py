@@ -73,8 +73,8 @@ def presence_token(domain_id: int, kind: str, zid: str) -> str:
     return f"{PRESENCE_PREFIX}{domain_id}/{kind}/{zid}"
 
 
-def insides_key(domain_id: int, zid: str) -> str:
-    """Return the key under which a process answers about its insides; `*` as `zid` means all of them."""
+def report_key(domain_id: int, zid: str) -> str:
+    """Return the key under which a process answers with its report; `*` as `zid` means all of them."""
     return f"{PRESENCE_PREFIX}{domain_id}/insides/{zid}"
 
 

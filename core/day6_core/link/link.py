@@ -21,7 +21,6 @@ from day6_core.link.config import command_config, process_config
 from day6_core.link.engine_thread import callback, inside_callback
 from day6_core.link.gateway import Gateway
 from day6_core.link.gid import gid_of
-from day6_core.link.insides import Question, answer, offer
 from day6_core.link.keys import (
     PRESENCE_PREFIX,
     all_presence_tokens,
@@ -45,6 +44,7 @@ from day6_core.link.paths import (
     remove_dead_sockets,
     remove_if_deaf,
 )
+from day6_core.link.process_reports import Question, answer, offer
 from day6_core.link.remote import RemoteGraph
 from day6_core.link.services import Services
 from day6_core.link.state import Door, LinkState, read_doors
@@ -111,7 +111,7 @@ class Link:
         self._listeners: list[Passing] = []
         self._token_subscribers: list[zenoh.Subscriber[None]] = []
         self._presence_token: zenoh.LivelinessToken | None = None
-        self._insides: zenoh.Queryable[None] | None = None
+        self._reports: zenoh.Queryable[None] | None = None
         self._remove_listener: Callable[[], None] | None = None
         # Zenoh's threads never touch the graph's structure, they only put entries here: they may hold locks of Zenoh's.
         self._inbox: Inbox[_Entry] = Inbox()
@@ -210,7 +210,7 @@ class Link:
         if announcements is not None:
             announcements.clear()
         self._token_subscribers.clear()
-        self._presence_token = self._insides = None
+        self._presence_token = self._reports = None
         for carrier in (self._topics, self._services):
             if carrier is not None:
                 carrier.close()
@@ -342,8 +342,8 @@ class Link:
         if not self._one_shot:
             if self._place.tcp:
                 self._place.own_socket(self.zid).touch()
-            if self.graph.tell_insides is not None:
-                self._insides = offer(session, self.graph, self.zid, self._inbox.put)
+            if self.graph.report_process is not None:
+                self._reports = offer(session, self.graph, self.zid, self._inbox.put)
             self._presence_token = session.liveliness().declare_token(presence_token(domain_id, "here", self.zid))
 
     def _subscribe_tokens(self, session: zenoh.Session) -> None:
@@ -486,10 +486,10 @@ class Link:
             self._last_retry = now
             self._remote.admit_waiting()
 
-    # -- the insides of other processes --------------------------------------------------------------------------------
+    # -- the reports of other processes --------------------------------------------------------------------------------
 
-    def ask_insides(self) -> Question | None:
-        """Ask all processes of this machine about their insides; None while there is no session."""
+    def ask_for_reports(self) -> Question | None:
+        """Ask all processes of this machine for their reports; None while there is no session."""
         session = self._session
         return Question(session, self.graph.domain_id) if session is not None and not self._closed else None
 

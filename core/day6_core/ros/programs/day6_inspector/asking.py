@@ -1,4 +1,4 @@
-"""Asks the other processes about their insides, again and again, without ever waiting."""
+"""Asks the other processes for their reports, again and again, without ever waiting."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from day6_core.link import link_of
-from day6_core.ros.programs.day6_inspector.insides import Process, read_process
+from day6_core.ros.programs.day6_inspector.process_reports import Process, read_process
 
 if TYPE_CHECKING:
     from day6_core.graph.graph import Graph
-    from day6_core.link.insides import Question
+    from day6_core.link.process_reports import Question
 
 OPEN = 4
 """Questions whose answers are still read: a busy process may take its time."""
@@ -33,7 +33,7 @@ class Asking:
     def ask(self) -> None:
         """Ask all processes, without waiting for the answers."""
         link = link_of(self._graph)
-        if link is not None and (asked := link.ask_insides()) is not None:
+        if link is not None and (asked := link.ask_for_reports()) is not None:
             self._questions.append(asked)
 
     def hear(self) -> None:
@@ -54,7 +54,7 @@ class Asking:
         self.processes = tuple(each for zid, each in told.items() if now - self._answered.get(zid, -DEAF_S) < DEAF_S)
 
     def silent(self) -> tuple[str, ...]:
-        """Return nodes of processes that once told about their insides and do not answer any more: stopped, for instance."""
+        """Return nodes of processes that once sent reports and do not answer any more: stopped, for instance."""
         now = time.monotonic()
         link = link_of(self._graph)
         if link is None:

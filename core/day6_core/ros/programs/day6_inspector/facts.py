@@ -9,7 +9,7 @@ from day6_core.facts.graph import GraphFacts
 from day6_core.facts.workspaces import Package, Workspace
 from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.files import Files
-from day6_core.ros.programs.day6_inspector.insides import Process
+from day6_core.ros.programs.day6_inspector.process_reports import Process
 from day6_core.session.overview import TerminalView
 
 
@@ -76,9 +76,9 @@ class Facts(GraphFacts):
     files: Files | None = None
     """None before they were looked at."""
     processes: tuple[Process, ...] = ()
-    """The insides of Python programs that run as processes."""
+    """The reports of Python programs that run as processes."""
     silent_processes: tuple[str, ...] = ()
-    """Nodes of programs on this machine that do not tell about their insides."""
+    """Nodes of programs on this machine that send no reports."""
 
     def package(self, name: str) -> tuple[Workspace, Package] | None:
         """Return a package of a workspace with this; None if there is none, or nobody has looked."""

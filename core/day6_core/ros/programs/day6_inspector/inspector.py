@@ -25,7 +25,7 @@ async def main(session: Session) -> int | None:
     graph = session.graph
     assert graph is not None  # a node is in it
     model = Inspector(
-        node, session.clock, graph, lambda: state_of(graph), overview=session.overview, insides=Asking(graph)
+        node, session.clock, graph, lambda: state_of(graph), overview=session.overview, reports=Asking(graph)
     )
     session.defer(model.close)
     session.spawn(session.spin(node))

@@ -1,7 +1,7 @@
 """Gathers the facts and keeps the findings: the model of the window.
 
 The graph is looked at through a node that only looks on; terminals, windows and files through what the session has of the
-machine; the insides of other processes by asking them.
+machine; what happens inside other processes by asking them.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.files import Files, Typed, Where
 from day6_core.ros.programs.day6_inspector.finding import Finding
 from day6_core.ros.programs.day6_inspector.frame_rules import complains_of_frames
-from day6_core.ros.programs.day6_inspector.insides import Process
 from day6_core.ros.programs.day6_inspector.listening import JOINT_STATES, Listening
 from day6_core.ros.programs.day6_inspector.pace import Pace
+from day6_core.ros.programs.day6_inspector.process_reports import Process
 from day6_core.ros.programs.day6_inspector.program_rules import home_of, script_of, typed_as
 from day6_core.ros.programs.day6_inspector.publications import Publications
 from day6_core.ros.programs.day6_inspector.rules import findings
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 
-class Insides(Protocol):
+class ProcessReports(Protocol):
     """Asks the other processes (`asking.Asking`)."""
 
     @property
@@ -55,13 +55,13 @@ class Inspector:
         link: Callable[[], LinkState] = LinkState,
         *,
         overview: Overview | None = None,
-        insides: Insides | None = None,
+        reports: ProcessReports | None = None,
     ) -> None:
         self._clock = clock
         self._link = link
         self._graph = graph
         self._overview = overview
-        self._insides = insides
+        self._reports = reports
         self._files: Files | None = None
         self._clock_pace = Pace(clock)
         self._pace = clock.speed
@@ -82,14 +82,14 @@ class Inspector:
         """Look again (on the program's thread)."""
         self._pace = self._clock_pace.now()
         self._listening.listen()
-        if self._insides is not None:
-            self._insides.ask()
+        if self._reports is not None:
+            self._reports.ask()
         self.judge()
 
     def judge(self) -> None:
         """Judge again what is known; other processes' answers to the last question are taken first."""
-        if self._insides is not None:
-            self._insides.hear()
+        if self._reports is not None:
+            self._reports.hear()
         quiet = self._overview.searching if self._overview is not None else ""
         facts = self.facts()
         self._listening.wants_frames = complains_of_frames(facts)
@@ -103,7 +103,7 @@ class Inspector:
         missing = {
             "terminals": self._overview is None,
             "files": self._files is None,
-            "programs": self._insides is None,
+            "programs": self._reports is None,
         }
         return tuple(key for key, is_missing in missing.items() if is_missing)
 
@@ -117,8 +117,8 @@ class Inspector:
         typed = [(each, source) for each in terminals for source in each.running]
         typed += [(each, line.source) for each in terminals for line in each.lines if line.status is None]
         lines = [typed_as(each, source) for each, source in typed]
-        if self._insides is not None:
-            lines += [Typed(" ".join(each.arguments), (), self._overview.home) for each in self._insides.processes]
+        if self._reports is not None:
+            lines += [Typed(" ".join(each.arguments), (), self._overview.home) for each in self._reports.processes]
         last = [(each.lines[-1], home_of(each)) for each in terminals if each.lines]
         scripts = [script_of(line.source, line.cwd, home) for line, home in last if line.status == 0]
         return Where(
@@ -140,7 +140,7 @@ class Inspector:
         overview, windows = self._overview, self._overview.windows() if self._overview is not None else ()
         seen = facts_of(self._graph, overview.domains() if overview is not None else None)
         published = JOINT_STATES in seen.publishers
-        processes = self._insides.processes if self._insides is not None else ()
+        processes = self._reports.processes if self._reports is not None else ()
         rate = heard.rate()
         return Facts(
             **vars(seen),
@@ -161,7 +161,7 @@ class Inspector:
             now_ns=self._clock.now_ns(),
             files=self._files,
             processes=processes,
-            silent_processes=self._insides.silent() if self._insides is not None else (),
+            silent_processes=self._reports.silent() if self._reports is not None else (),
         )
 
     def _terminals(self) -> tuple[TerminalView, ...] | None:

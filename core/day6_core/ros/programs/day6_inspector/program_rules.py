@@ -15,7 +15,7 @@ from day6_core.graph.domain import VARIABLE, DomainError, domain_from_text
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.files import Typed, in_home
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
-from day6_core.ros.programs.day6_inspector.insides import Busy, Place, Process, Standing
+from day6_core.ros.programs.day6_inspector.process_reports import Busy, Place, Process, Standing
 from day6_core.session.overview import TerminalView
 
 LONG = 0.7

@@ -11,7 +11,7 @@ from day6_core.facts.graph import is_shown
 from day6_core.graph.endpoints import EndpointKind, Publisher, Subscription
 from day6_core.graph.graph import Change, GraphEvent
 from day6_core.graph.qos import Durability
-from day6_core.ros.programs.day6_inspector.insides import Process
+from day6_core.ros.programs.day6_inspector.process_reports import Process
 
 if TYPE_CHECKING:
     from day6_core.graph.graph import Graph

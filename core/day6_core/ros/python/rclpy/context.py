@@ -302,7 +302,7 @@ class Context:
         try:
             from day6_core.link import join
 
-            graph.tell_insides = _tell_insides
+            graph.report_process = _report_process
             join(graph)
         except Exception as error:
             # The program matters more than the connection: it runs alone and logs that.
@@ -330,8 +330,8 @@ class Context:
 _living = weakref.WeakSet()
 
 
-def _tell_insides() -> bytes:
-    from rclpy._day6.insides import tell
+def _report_process() -> bytes:
+    from rclpy._day6.process_report import tell
 
     return tell()
 

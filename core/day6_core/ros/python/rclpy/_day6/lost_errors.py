@@ -1,4 +1,4 @@
-"""Exceptions of callbacks that real rclpy shows to nobody; only day6-tui's inspector asks for them (`_insides`)."""
+"""Exceptions of callbacks that real rclpy shows to nobody; only day6-tui's inspector asks for them (`_reports`)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What this process tells day6-tui's inspector about its insides: who spins, which callback runs and where, what is overdue.
+"""What this process tells day6-tui's inspector about its reports: who spins, which callback runs and where, what is overdue.
 
 Imported at the first question only, and answered on a thread of the link, so that it works while all threads of the program are
 blocked. Nothing is counted or noted meanwhile: the answer comes from the threads' stacks and from what the entities know. How
@@ -66,7 +66,7 @@ class _Progress(NamedTuple):
 
 
 def tell() -> bytes:
-    """Return the answer as JSON; `day6_inspector.insides.read_process` reads it."""
+    """Return the answer as JSON; `day6_inspector.process_reports.read_process` reads it."""
     now = time.monotonic()
     contexts = _valid_contexts()
     nodes = [node for context in contexts for each in list(context._nodes) if (node := each()) is not None][:MOST]

@@ -1,4 +1,4 @@
-"""Processes of this user ask each other about their insides: who spins, which callback does not come back.
+"""Processes of this user ask each other about their reports: who spins, which callback does not come back.
 
 A question is a query to all sessions of a domain, which no gate to other machines forwards. It is answered on the link's thread,
 so that a process answers while its own threads are blocked.
@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from day6_core.link.engine_thread import callback
-from day6_core.link.keys import insides_key
+from day6_core.link.keys import report_key
 
 if TYPE_CHECKING:
     import zenoh
@@ -32,15 +32,15 @@ def offer(session: zenoh.Session, graph: Graph, zid: str, put: Callable[[zenoh.Q
 
     handler = zenoh.handlers.Callback(put, indirect=False)
     return session.declare_queryable(
-        insides_key(graph.domain_id, zid), handler, complete=True, allowed_origin=zenoh.Locality.REMOTE
+        report_key(graph.domain_id, zid), handler, complete=True, allowed_origin=zenoh.Locality.REMOTE
     )
 
 
 def answer(query: zenoh.Query, graph: Graph, zid: str) -> None:
     """Answer a question, on the link's thread."""
     with query:
-        if graph.tell_insides is not None:
-            query.reply(insides_key(graph.domain_id, zid), graph.tell_insides())
+        if graph.report_process is not None:
+            query.reply(report_key(graph.domain_id, zid), graph.report_process())
 
 
 class Question:
@@ -62,7 +62,7 @@ class Question:
                 self.answers[str(sample.key_expr).rpartition("/")[2]] = payload
 
         session.get(
-            insides_key(domain_id, "*"),
+            report_key(domain_id, "*"),
             zenoh.handlers.Callback(callback(receive), callback(self._over.set), indirect=False),
             target=zenoh.QueryTarget.ALL,
             consolidation=zenoh.ConsolidationMode.NONE,

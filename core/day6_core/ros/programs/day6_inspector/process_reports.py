@@ -1,4 +1,4 @@
-"""What a Python program tells about its insides (`rclpy._day6.insides` makes the answer, the link carries it)."""
+"""What a Python program tells about its insides (`rclpy._day6.process_report` makes the answer, the link carries it)."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class Process(NamedTuple):
 
 
 def read_process(zid: str, answer: bytes) -> Process | None:
-    """Read an answer; None for one that is not as `rclpy._day6.insides` makes them."""
+    """Read an answer; None for one that is not as `rclpy._day6.process_report` makes them."""
     try:
         told = json.loads(answer)
         return Process(

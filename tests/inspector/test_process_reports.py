@@ -1,4 +1,4 @@
-"""Programs that tell about their insides: what is asked of whom, and what is done with odd answers."""
+"""Programs that tell about their reports: what is asked of whom, and what is done with odd answers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 from day6_core.graph.endpoints import EndpointKind
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import finding
-from day6_core.ros.programs.day6_inspector.insides import LONGEST_TEXT, read_process
+from day6_core.ros.programs.day6_inspector.process_reports import LONGEST_TEXT, read_process
 from day6_core.ros.programs.day6_inspector.rules import findings
 from tests.inspector.drills import HEAD, LISTENER
 from tests.inspector.lab import Lab
@@ -87,8 +87,8 @@ def test_a_stopped_program_is_named_and_no_longer_judged(lab: Lab) -> None:
     )
     lab.start("python3 program.py")
     lab.wait_node("/mine")
-    lab.wait(lambda: lab.inspector._insides is not None and lab.inspector._insides.processes)
-    pid = lab.inspector._insides.processes[0].pid  # type: ignore[union-attr]
+    lab.wait(lambda: lab.inspector._reports is not None and lab.inspector._reports.processes)
+    pid = lab.inspector._reports.processes[0].pid  # type: ignore[union-attr]
     os.kill(pid, signal.SIGSTOP)
     try:
         found, _ = lab.finds("tells_nothing")
