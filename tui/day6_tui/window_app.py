@@ -88,7 +88,7 @@ class _Stage(Layout):
 class WindowStage(PaneHost):
     """Holds the panes of the program's windows (nearly always one)."""
 
-    DEFAULT_CSS = "Stage { width: 1fr; height: 1fr; overflow: hidden; }"
+    DEFAULT_CSS = "WindowStage { width: 1fr; height: 1fr; overflow: hidden; }"
     BLANK = True
 
     def __init__(self, look: Look) -> None:

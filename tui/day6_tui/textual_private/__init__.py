@@ -1,4 +1,4 @@
-"""What relies on Textual's private names: nothing else of day6-tui touches them (`tests/tui/test_textual_private.py` looks).
+"""What relies on Textual's private names: nothing else of day6-tui touches them (a test looks).
 
 A new release of Textual may change any of them without notice. So pyproject pins the releases that this was tested with, and the
 desktop refuses to start with another one rather than fail in the middle of something.

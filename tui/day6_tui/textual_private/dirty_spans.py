@@ -2,7 +2,7 @@
 
 `ChopsUpdate.render_segments` of Textual 8.2 sends a line from the left edge of its widget to the right end of the dirty
 span, which is about six times the bytes for everything that moves. The corrected method crops both ends;
-`tests/tui/test_dirty_spans.py` compares it cell by cell with the original.
+`tests/tui/textual_private/test_dirty_spans.py` compares it cell by cell with the original.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ tasks and one more wake-up for each frame. It then asks every widget in the area
 wherever any widget begins. Here, what panes mark during a frame is drawn when the frame ends: for each changed span, the
 widgets that are seen there are asked for that line.
 
-`tests/tui/test_frame_screen.py` compares it cell by cell with Textual's own way.
+`tests/tui/textual_private/test_frame_screen.py` compares it cell by cell with Textual's own way.
 """
 
 from __future__ import annotations

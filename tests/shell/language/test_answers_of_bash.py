@@ -1,6 +1,6 @@
 """What bash 5.2 and GNU's tools answered to command lines, recorded in `answers_of_bash.jsonl`: ours say the same.
 
-More lines are recorded with `python -m tests.shell.test_answers_of_bash 'LINE' …`, which appends bash's answers to that file.
+`python -m tests.shell.language.test_answers_of_bash 'LINE' …` appends bash's answers to more lines to that file.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What is on the screen after keys: lines being edited, history, Tab, prompts, pages, lists. The scenes are in `scenes.jsonl`.
 
-`python -m tests.shell.test_scenes` plays them all and writes what it sees; look at the difference before you keep it.
+`python -m tests.shell.line.test_scenes` plays them all and writes what it sees; look at the difference before you keep it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What a terminal shows after a program's bytes: every sequence at several places, colours, wide characters, sizes.
 
-The pictures are in `pictures.jsonl`. `python -m tests.shell.test_pictures` draws them all anew; look at the difference before you
-keep it (they were compared with plain pyte's where that knows the sequence).
+The pictures are in `pictures.jsonl`. `python -m tests.shell.screen.test_pictures` draws them all anew; look at the difference
+before you keep it (they were compared with plain pyte's where that knows the sequence).
 """
 
 from __future__ import annotations
