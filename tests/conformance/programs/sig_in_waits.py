@@ -23,7 +23,7 @@ def ctrl_c_while(name, wait):
         print(name, "returned", wait(node))
     except BaseException as error:
         frames = [Path(frame.filename) for frame in traceback.extract_tb(error.__traceback__)]
-        print(name, type(error).__name__, [path.name for path in frames if path.parent.name != "rclpy"])
+        print(name, type(error).__name__, [path.name for path in frames if "rclpy" not in path.parts])
     ctrl_c.join()
     rclpy.try_shutdown()
 
