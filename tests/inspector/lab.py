@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import shutil
-import sys
-import threading
 import time
-import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from stacks import stacks
 from waiting import PATIENCE, Deadline, until
 
 from day6_tui.core.ros.programs import load
@@ -169,17 +167,13 @@ class Lab:
 
     def _how_it_stands(self) -> str:
         """For a failure: whether the inspector has ended, or what it hangs in."""
-        clock, names = self.desk.clock, {thread.ident: thread.name for thread in threading.enumerate()}
-        stacks = [
-            f"{names.get(number, number)}\n{''.join(traceback.format_stack(frame))}"
-            for number, frame in sys._current_frames().items()
-        ]
+        clock = self.desk.clock
         return "\n".join(
             [
                 f"{self._looks} looks, a change at {self._changed_at}; world {clock.steady_ns() / 1e9:.1f} s, {clock.paused=}",
                 f"programs {[program.session.argv for program in self.desk.programs.values()]}",
                 f"the inspector printed {''.join(self._printed._chunks)!r}",
-                *stacks,
+                *stacks(),
             ]
         )
 
