@@ -25,7 +25,7 @@ def press(ahead, turn):
     order.linear.x = ahead
     order.angular.z = turn
     keys.publish(order)
-    time.sleep(1.2)
+    time.sleep(1.5)
 
 
 for side in range(5):

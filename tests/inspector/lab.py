@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import shutil
-import sys
-import threading
 import time
-import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -18,6 +15,7 @@ from day6_core.session.streams import InputStream, Pipe
 from day6_core.shell.desk import Desk
 from day6_core.shell.language.redirection import Streams
 from day6_core.shell.terminal import Terminal
+from tests.support.stacks import stacks
 from tests.support.waiting import PATIENCE, Deadline, until
 
 SETTLING = 2
@@ -168,17 +166,13 @@ class Lab:
 
     def _how_it_stands(self) -> str:
         """For a failure: whether the inspector has ended, or what it hangs in."""
-        clock, names = self.desk.clock, {thread.ident: thread.name for thread in threading.enumerate()}
-        stacks = [
-            f"{names.get(number, number)}\n{''.join(traceback.format_stack(frame))}"
-            for number, frame in sys._current_frames().items()
-        ]
+        clock = self.desk.clock
         return "\n".join(
             [
                 f"{self._looks} looks, a change at {self._changed_at}; world {clock.steady_ns() / 1e9:.1f} s, {clock.paused=}",
                 f"programs {[program.session.argv for program in self.desk.programs.values()]}",
                 f"the inspector printed {''.join(self._printed._chunks)!r}",
-                *stacks,
+                *stacks(),
             ]
         )
 

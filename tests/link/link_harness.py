@@ -8,13 +8,13 @@ import signal
 import subprocess
 import sys
 import threading
-import traceback
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from tests.link.link_peer import Peer
+from tests.support.stacks import stacks
 from tests.support.waiting import until
 
 LEASE = "transport/link/tx/lease"
@@ -101,13 +101,8 @@ class World:
         from day6_core.link import state_of
 
         said = [f"this process: {Peer(graph).knowledge()}, {state_of(graph)}" for graph in self._graphs]
-        for peer in self._processes:
-            said.append(f"process {peer.process.pid}: {_knowledge_of(peer)}")
-        stacks = [
-            f"thread {thread}:\n{''.join(traceback.format_stack(frame)[-3:])}"
-            for thread, frame in sys._current_frames().items()
-        ]
-        return "\n".join([*said, *stacks])
+        said += [f"process {peer.process.pid}: {_knowledge_of(peer)}" for peer in self._processes]
+        return "\n".join([*said, *stacks()])
 
     def close(self) -> None:
         from day6_core.link import leave

@@ -134,8 +134,7 @@ class Peer:
         return str(self.things[handle].gid.hex())
 
     def matched(self, handle: int) -> int:
-        thing = self.things[handle]
-        return thing.subscription_count if isinstance(thing, Publisher) else len(thing.matched)
+        return _matched(self.things[handle])
 
     def incompatible(self, handle: int) -> int:
         thing: Endpoint = self.things[handle]
@@ -167,14 +166,15 @@ class Peer:
         return list(link.problems) if link is not None else []
 
     def knowledge(self) -> str:
-        """Return nodes, endpoints with how many match, errors and links: for people to read."""
+        """Return nodes, endpoints (those of its own with how many match), errors and links: for people to read."""
         link: Any = self.graph.transport
         session = link._session if link is not None else None
         links = [str(each.zid) for each in session.info.links()] if session is not None else []
-        endpoints = [f"{each.kind.value} {each.topic} {each.gid.hex()}" for each in self.graph.endpoints(*EndpointKind)]
-        matched = [self.matched(handle) for handle, thing in enumerate(self.things) if isinstance(thing, Endpoint)]
+        there = self.graph.endpoints(*EndpointKind)
+        matches = {each: f" matches {_matched(each)}" for each in there if each.origin is None}
+        endpoints = [f"{each.kind.value} {each.topic} {each.gid.hex()}{matches.get(each, '')}" for each in there]
         zid = link.zid if link is not None else "none"
-        return f"{zid} linked to {links}; {self.nodes()} {endpoints}, own match {matched}; {self.problems()}"
+        return f"{zid} linked to {links}; {self.nodes()} {endpoints}; {self.problems()}"
 
     def leave(self, *, ending: bool = False) -> None:
         from day6_core.link import leave
@@ -187,6 +187,10 @@ class Peer:
     def keeps_meeting_point(self) -> bool:
         link: Any = self.graph.transport
         return bool(link._meeting.held_here)
+
+
+def _matched(endpoint: Publisher | Subscription | Service | Client) -> int:
+    return endpoint.subscription_count if isinstance(endpoint, Publisher) else len(endpoint.matched)
 
 
 def _hash(type_name: str) -> str:

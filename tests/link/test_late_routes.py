@@ -1,11 +1,11 @@
-"""Who was announced may not be reachable yet: on a slow machine, and between machines, a route can come after the token."""
+"""Whoever was announced may not be reachable yet: on a slow machine, and between machines, a route can come after the token."""
 
 from __future__ import annotations
 
 import threading
 import time
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -19,21 +19,25 @@ from tests.link.link_harness import World
 from tests.link.link_peer import Peer
 from tests.support.waiting import until
 
+if TYPE_CHECKING:
+    import zenoh
+
 pytestmark = pytest.mark.process
 
-AFTER_THE_FIRST_MESSAGE = 0.4
+AFTER_THE_FIRST_MESSAGE = 0.3
 AFTER_SOME_REQUESTS = 2.5
-"""Seconds until there is a route."""
+"""Seconds until there is a route. A message is waited with for two, a request repeated for half a minute (`test_carriers`)."""
 
 
 @pytest.fixture
-def publisher_side(world: World) -> Any:
+def program(world: World) -> Any:
+    """Publishes and asks."""
     return world.process()
 
 
 @pytest.fixture
-def session(world: World, publisher_side: Any) -> Iterator[Any]:
-    """A session of the meeting place that declares by hand what a link declares by itself."""
+def session(program: Any) -> Iterator[zenoh.Session]:
+    """A session of the meeting place, in which a test declares by hand what a link declares by itself."""
     import zenoh
 
     with zenoh.open(command_config(meeting_place(0), new_zid())) as opened:
@@ -46,54 +50,47 @@ def unheard_of() -> Peer:
     return Peer(Graph())
 
 
-def announce(session: Any, peer: Peer, *handles: int) -> list[Any]:
-    zid = str(session.zid())
-    tokens = [endpoint_token(peer.things[handle], zid) for handle in handles]
-    return [session.liveliness().declare_token(token) for token in tokens]
+def announce(session: zenoh.Session, peer: Peer, handle: int) -> zenoh.LivelinessToken:
+    """Declare an endpoint's token, which lasts as long as it is kept."""
+    return session.liveliness().declare_token(endpoint_token(peer.things[handle], str(session.zid())))
 
 
 def test_the_first_message_waits_for_a_subscription_that_was_announced(
-    publisher_side: Any, session: Any, unheard_of: Peer
+    program: Any, session: zenoh.Session, unheard_of: Peer
 ) -> None:
     subscription = unheard_of.subscription(unheard_of.node("listener"), "/chatter")
+    key, String = data_key(unheard_of.things[subscription]), get_message("std_msgs/msg/String")
     heard: list[str] = []
-    String = get_message("std_msgs/msg/String")
-    declared: list[Any] = []
+    subscribers: list[zenoh.Subscriber[None]] = []
 
-    def declare() -> None:
-        time.sleep(AFTER_THE_FIRST_MESSAGE)
-        declared.append(
-            session.declare_subscriber(
-                data_key(unheard_of.things[subscription]),
-                lambda sample: heard.append(deserialize(sample.payload.to_bytes(), String).data),
-            )
-        )
+    def hear(sample: zenoh.Sample) -> None:
+        heard.append(deserialize(sample.payload.to_bytes(), String).data)
 
-    publisher = publisher_side.publisher(publisher_side.node("talker"), "/chatter")
-    _tokens = announce(session, unheard_of, subscription)
-    assert until(lambda: publisher_side.matched(publisher) == 1)
-    declaring = threading.Thread(target=declare)
-    declaring.start()
-    publisher_side.publish_numbers(publisher, 1, 3)
-    declaring.join()
+    publisher = program.publisher(program.node("talker"), "/chatter")
+    _token = announce(session, unheard_of, subscription)
+    assert until(lambda: program.matched(publisher) == 1)
+    late = threading.Timer(AFTER_THE_FIRST_MESSAGE, lambda: subscribers.append(session.declare_subscriber(key, hear)))
+    late.start()
+    program.publish_numbers(publisher, 1, 3)
+    late.join()
     assert until(lambda: len(heard) >= 3, told=lambda: heard) and heard == ["1", "2", "3"]
 
 
 def test_a_request_is_sent_again_until_there_is_a_route_to_the_server(
-    publisher_side: Any, session: Any, unheard_of: Peer
+    program: Any, session: zenoh.Session, unheard_of: Peer
 ) -> None:
     service = unheard_of.service(unheard_of.node("server"), "/add")
     key = data_key(unheard_of.things[service])
     response = serialize(get_service("example_interfaces/srv/AddTwoInts").Response(sum=3))
 
-    def answer(query: Any) -> None:
+    def answer(query: zenoh.Query) -> None:
         with query:
             query.reply(key, response, attachment=pack(1, 1, query.attachment.to_bytes()[-16:]))
 
-    client = publisher_side.client(publisher_side.node("asker"), "/add")
-    _tokens = announce(session, unheard_of, service)
-    assert until(lambda: publisher_side.matched(client) == 1)
-    number = publisher_side.call(client, 1, 2)
+    client = program.client(program.node("asker"), "/add")
+    _token = announce(session, unheard_of, service)
+    assert until(lambda: program.matched(client) == 1)
+    number = program.call(client, 1, 2)
     time.sleep(AFTER_SOME_REQUESTS)
     _server = session.declare_queryable(key, answer, complete=True)
-    assert number == 1 and until(lambda: publisher_side.responses(client) == [[1, 3]])
+    assert number == 1 and until(lambda: program.responses(client) == [[1, 3]])

@@ -6,8 +6,9 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Protocol
 
 import pytest
 
@@ -146,7 +147,11 @@ print("made")
 """
 """Ctrl-C in the worst moments: while Zenoh calls back in the main thread, and while it has just declared something."""
 
-Run = Callable[..., subprocess.Popen[str]]
+
+class Run(Protocol):
+    """Starts a program, with `words` as its arguments."""
+
+    def __call__(self, source: str, *words: str, stderr: int | None = None) -> subprocess.Popen[str]: ...
 
 
 @pytest.fixture
