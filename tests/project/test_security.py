@@ -56,17 +56,15 @@ REASONS = {
         "day6_core/ros/programs/joint_state_publisher/joints.py",
         "xml",
     ): "expat only says what is no XML; every entity definition is refused; tried in tests/joint_state_publisher",
-    ("day6_core/ros/programs/rviz2/model/collada.py", "xml"): "a document type is refused; tried in tests/rviz2",
     (
         "day6_core/ros/programs/xacro/limits.py",
         "xml",
     ): "for xacro, in a process with limits; tests/workspace/test_xacro_limits",
     ("day6_core/shell/editing/checks.py", "xml"): "expat only says what is no XML; entity definitions are refused",
     ("day6_core/shell/editing/checks.py", "compile"): "finds mistakes in the text of an editor; nothing is run",
-    ("day6_core/workspace/results.py", "xml"): "a document type is refused; tried in tests/workspace",
+    ("day6_core/plain_xml.py", "xml"): "a document type is refused; tried in tests/rviz2 and tests/workspace",
     ("day6_core/workspace/sourcing.py", "exec"): "two lines of our own with the name of a package, which was checked",
     ("day6_core/ros/ros2/pkg/xml.py", "xml"): "expat opens nothing and stops entities that grow; tried below",
-    ("day6_core/ros/ros2/launch/_declared.py", "xml"): "a text that defines entities is passed over",
     ("day6_tui/notebook/ros2_line.py", "shell=True"): "the line of a cell, which may run anything anyway, as after `!`",
     (
         "day6_core/ros/ros2/doctor/__init__.py",

@@ -136,7 +136,15 @@ def test_broken_obj_files(tmp_path: Path, content: str) -> None:
 BOMB = "<!DOCTYPE x [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;&a;'>]><COLLADA>&b;</COLLADA>"
 
 
-@pytest.mark.parametrize("content", ["", "<COLLADA/>", BOMB, "<COLLADA><library_geometries/></COLLADA>", "<a><b></a>"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_a_collada_file_defines_no_entities(tmp_path: Path, encoding: str) -> None:
+    file = tmp_path / "bomb.dae"
+    file.write_text(BOMB, encoding=encoding)
+    with pytest.raises(ValueError, match=r"^bomb\.dae: a document type is not allowed$"):
+        read_dae(file, quiet)
+
+
+@pytest.mark.parametrize("content", ["", "<COLLADA/>", "<COLLADA><library_geometries/></COLLADA>", "<a><b></a>"])
 def test_broken_collada_files(tmp_path: Path, content: str) -> None:
     file = tmp_path / "broken.dae"
     file.write_text(content)

@@ -6,22 +6,17 @@ import os
 from argparse import Namespace
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NoReturn
-from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser, fromstring
+from typing import TYPE_CHECKING
 
+from day6_core.plain_xml import plain_xml
 from day6_core.workspace.events import Console
 from day6_core.workspace.files import Output
 
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
 _COUNTED = {"test": "tests", "error": "errors", "failure": "failures"}
 _SKIPPED = ("skip", "skipped", "disabled")
-
-
-class _Tree(TreeBuilder):
-    """The elements of a file that defines no entities, which could expand without end."""
-
-    def doctype(self, name: str, public: str | None, system: str | None) -> NoReturn:
-        """Refuse the place of their definitions."""
-        raise ValueError("a document type is not allowed")
 
 
 @dataclass
@@ -104,8 +99,8 @@ def _files(base: Path) -> list[Path]:
 def _read(path: Path, cwd: Path, console: Console) -> TestResult | None:
     name = path.relative_to(cwd).as_posix() if cwd in path.parents else str(path)
     try:
-        root = fromstring(path.read_bytes(), XMLParser(target=_Tree()))
-    except (ParseError, ValueError, LookupError, OSError) as error:
+        root = plain_xml(path.read_bytes())
+    except (ValueError, OSError) as error:
         console.warn("colcon.colcon_test_result.test_result.xunit", f"Skipping '{name}': {error}")
         return None
     suites = [root] if root.tag == "testsuite" else list(root.findall("testsuite")) if root.tag == "testsuites" else []
