@@ -188,8 +188,6 @@ class Day6App(TerminalApp):
         self.class_link = class_link = _class_link(options)
         is_pupil = class_link is not None and not class_link.teaches
         self.classroom = Classroom(self, self._tell, is_possible=self.detachment.is_possible or is_pupil)
-        self.detachment.observed = partial(self.classroom.observe, "keeper")
-        self.detachment.ordered = self.classroom.hear
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(parts, self, detach, class_link.joined if class_link is not None else lambda: 0)
         self.recording = Recording(parts, self, looks)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import socket
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from day6_tui.detached import wire
@@ -28,9 +28,6 @@ class Detachment:
         self._line = None if descriptor is None else LoopLine(socket.socket(fileno=descriptor))
         self.away = False
         """Whether there is no terminal."""
-        self.observed: Callable[[int], None] | None = None
-        self.ordered: Callable[[bytes], None] | None = None
-        """Called with the number of those who observe the desktop, and with what one of them asks of it."""
         if descriptor is not None:
             from day6_tui.screen.adaptation import Adaptation
 
@@ -89,9 +86,9 @@ class Detachment:
                 elif kind == wire.COME:
                     self._come(json.loads(data))
                     self._line.send(wire.HERE)
-                elif kind == wire.OBSERVERS and self.observed is not None:
-                    self.observed(int(data))
-                elif kind == wire.ORDER and self.ordered is not None:
-                    self.ordered(data)
+                elif kind == wire.OBSERVERS:
+                    self._app.classroom.observe("keeper", int(data))
+                elif kind == wire.ORDER:
+                    self._app.classroom.hear(data)
         if self._line.closed:  # the keeper was killed, and the terminal hangs up
             self._line.let_go()
