@@ -357,7 +357,7 @@ async def test_terminals_are_as_large_as_their_pane(desk) -> None:
             await pilot.resize_terminal(*size)
             await step(app, pilot)
             for pane in app.terminals.panes:
-                front = app.desktop.plan_now().front_of(pane.slot)
+                front = next(top for top, keys in app.desktop.plan_now().stacks.items() if pane.slot in keys)
                 place = app.desktop.plan_now().places[front]
                 screen = pane.view.terminal.screen
                 assert (screen.columns, screen.lines) == (place.width - 2, place.height - 2)

@@ -87,10 +87,6 @@ class Layout:
     """For each pane that is seen, all panes of its place, itself included."""
     borders: list[Border] = field(default_factory=list)
 
-    def front_of(self, key: Key) -> Key | None:
-        """The pane that is seen where `key` is."""
-        return next((front for front, keys in self.stacks.items() if key in keys), None)
-
     def neighbour(self, key: Key, side: str, recent: Sequence[Key] = ()) -> Key | None:
         """The pane beside `key` on a side; of several the one used last."""
         here = self.places.get(key)

@@ -158,6 +158,9 @@ class WebSession:
         for viewer in (self.writer, *self.watchers):
             if viewer is not None:
                 viewer.put(data)
+        for watcher in self.watchers:
+            if watcher.is_lost:
+                watcher.bye("lost")  # its page comes again, and sees the screen as it is then
         if self.writer is not None and self.writer.is_full:
             self._read(False)
 
