@@ -509,7 +509,7 @@ import os, signal, socket, sys
 from day6_tui.detached import view, wire
 
 ours, theirs = socket.socketpair()
-keeper, write = wire.Line(theirs), os.write
+keeper, write = wire.Connection(theirs), os.write
 keeper.send(wire.OUTPUT, b"\\x1b[?1049h" + b"." * 500 + b"\\x1b_Ga=t,f=24,i=7,s=1,v=1;AAAA\\x1b\\\\")
 
 def write_and_be_terminated(descriptor, data):
@@ -520,7 +520,7 @@ def write_and_be_terminated(descriptor, data):
     return count
 
 os.write = write_and_be_terminated
-sys.exit(view.show(wire.Line(ours), lambda key, **words: key, "day6-tui attach"))
+sys.exit(view.show(wire.Connection(ours), lambda key, **words: key, "day6-tui attach"))
 """
 
 

@@ -67,8 +67,9 @@ def test_a_step_that_fails_does_not_hold_up_the_others() -> None:
 PROGRAM = """\
 import os, signal, threading
 from day6_core.session import cores
-from day6_core.session.ending import Ending, Step
-ending = Ending(Step(lambda: print("first", flush=True), 1000), Step(lambda: print("second", flush=True), {last}))
+from day6_core.session.ending import Ending, EndingStep
+first = EndingStep(lambda: print("first", flush=True), 1000)
+ending = Ending(first, EndingStep(lambda: print("second", flush=True), {last}))
 ending.restore_terminal = lambda: (print("given back", flush=True), threading.Event().wait())
 ending.handle_signals()
 print("ready", flush=True)
