@@ -526,6 +526,21 @@ def test_a_demonstration_is_held_and_stopped(room: Classroom) -> None:
     assert room.at() == "touch"
 
 
+def test_a_demonstration_ends_with_its_lesson(room: Classroom) -> None:
+    room.open()
+    room.ask(lambda: room.course.demonstrate("en"))
+    room.wait(lambda: room.course.demonstration is not None)
+    demonstration = room.course.demonstration
+    assert demonstration is not None
+    room.ask(room.course.close)
+    room.wait(lambda: room.course.state.lesson is None)
+    assert room.course.demonstration is None
+    demonstration.go_on()
+    room.open()
+    room.go(1.0)
+    assert not any(terminal.runs.all for terminal in room.desk.terminals)
+
+
 def test_what_is_demonstrated_is_not_the_pupils_work(room: Classroom) -> None:
     room.open()
     room.ask(room.course.show_solution)

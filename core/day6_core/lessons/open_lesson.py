@@ -51,8 +51,10 @@ class OpenLesson:
         self._closed = False
 
     def close(self) -> None:
-        """Stop looking; a drill's home folder is no longer the terminals'."""
+        """Stop looking and playing; a drill's home folder is no longer the terminals'."""
         self._closed = True
+        if self.demonstration is not None:
+            self.demonstration.stop()
         self.live.close()
         desk = self.live.desk
         desk.searching = lambda: ""
