@@ -311,6 +311,18 @@ def test_a_drill_waits_until_nothing_else_runs(room: Classroom) -> None:
     assert not room.solved()
 
 
+def test_a_drill_that_is_closed_while_it_waits_makes_no_fault(room: Classroom) -> None:
+    drills(room, 1)
+    room.desk.graph.create_node("mine")
+    room.open("slip0")
+    room.wait(lambda: room.course.state.working)
+    room.ask(room.course.close)
+    room.wait(lambda: room.course.state.lesson is None)
+    room.desk.graph.nodes[0].destroy()
+    room.go(1.0)
+    assert not (room.home / "drills").exists() and room.desk.room is None
+
+
 def test_the_shipped_lessons_and_drills_are_offered(tmp_path: Path) -> None:
     room = Classroom(tmp_path / "home", catalogue.HERE / "days")
     try:
