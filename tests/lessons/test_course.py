@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from day6_core.lessons import catalogue
-from day6_core.lessons.course import Course
+from day6_core.lessons.course import Course, new_course
 from day6_core.lessons.progress import StepDone, file_of, load
 from day6_core.session.session import Session
 from day6_core.session.streams import InputStream, OutputStream
@@ -83,14 +84,13 @@ class Classroom:
         made: list[Course] = []
 
         async def main(session: Session) -> int:
-            made.append(Course(self.desk, session, pupil, self.folder))
-            await made[0].load()
+            made.append(await new_course(self.desk, session, pupil, self.folder))
             await made[0].run()
             return 0
 
         streams = Streams(InputStream(), OutputStream(), OutputStream())
         self.program = self.desk.start_program(["lesson"], main, streams, env=self.desk.environment(), cwd=self.home)
-        self.wait(lambda: bool(made) and made[0].ready)
+        self.wait(lambda: made)
         return made[0]
 
     def wait(self, condition: Callable[[], object]) -> None:
@@ -100,7 +100,7 @@ class Classroom:
         return repr(self.course.state) if hasattr(self, "course") else ""
 
     def ask(self, action: Callable[[], object]) -> None:
-        self.course.request(action)  # type: ignore[arg-type]
+        self.course.request(action)
 
     def go(self, seconds: float = 0.4) -> None:
         self.desk.scheduler.run(lambda: False, seconds)
@@ -229,7 +229,7 @@ def test_progress_of_another_version_is_left_alone_and_told(room: Classroom) -> 
     room.course = room.begin()
     room.open()
     (room.home / "one.txt").touch()
-    room.wait(lambda: room.solved() and "version 99" in room.course.saving_failed)
+    room.wait(lambda: room.solved() and "version 99" in room.course.kept.failed)
     assert path.read_text() == '{"version": 99}'
 
 
@@ -251,7 +251,7 @@ def test_a_check_that_fails_is_told_and_the_step_can_be_passed_over(room: Classr
     room.program.kill()
     room.course = room.begin()
     room.open()
-    room.ask(lambda: room.desk.display and room.desk.display.open("turtlesim", "T", object()) and None)
+    room.ask(lambda: room.desk.display and room.desk.display.open("turtlesim", "T", object()))
     room.wait(lambda: any(verdict.broken for verdict in room.course.state.verdicts))
     assert "itself failed" in room.course.state.verdicts[0].text("en")
     assert not room.solved()
@@ -263,8 +263,8 @@ def test_a_folder_with_broken_lessons_shows_the_others(room: Classroom) -> None:
     (room.folder / "bad.md").write_text("no lesson")
     room.program.kill()
     room.course = room.begin()
-    assert [lesson.name for lesson in room.course.lessons] == ["small"]
-    assert [mistakes.path.name for mistakes in room.course.broken] == ["bad.md"]
+    assert [lesson.name for lesson in room.course.offer.lessons] == ["small"]
+    assert [mistakes.path.name for mistakes in room.course.offer.broken] == ["bad.md"]
 
 
 DRILL = "check:\n  - file: {path: ~/a.txt, has: right}\nbefore:\n  - write: {file: ~/a.txt, text: wrong}\nsolve: []\n"
@@ -311,11 +311,23 @@ def test_a_drill_waits_until_nothing_else_runs(room: Classroom) -> None:
     assert not room.solved()
 
 
+def test_a_drill_that_is_closed_while_it_waits_makes_no_fault(room: Classroom) -> None:
+    drills(room, 1)
+    room.desk.graph.create_node("mine")
+    room.open("slip0")
+    room.wait(lambda: room.course.state.working)
+    room.ask(room.course.close)
+    room.wait(lambda: room.course.state.lesson is None)
+    room.desk.graph.nodes[0].destroy()
+    room.go(1.0)
+    assert not (room.home / "drills").exists() and room.desk.room is None
+
+
 def test_the_shipped_lessons_and_drills_are_offered(tmp_path: Path) -> None:
     room = Classroom(tmp_path / "home", catalogue.HERE / "days")
     try:
-        assert len(room.course.lessons) == len(list((catalogue.HERE / "days").glob("*.md")))
-        assert len(room.course.drills) == len(list((catalogue.HERE / "drills").glob("*.md")))
+        assert len(room.course.offer.lessons) == len(list((catalogue.HERE / "days").glob("*.md")))
+        assert len(room.course.offer.drills) == len(list((catalogue.HERE / "drills").glob("*.md")))
     finally:
         room.desk.hurry()
         room.desk.close()
@@ -410,7 +422,13 @@ def drills(room: Classroom, count: int) -> None:
         write_lesson(room.folder / f"slip{number}.md", {"slip": DRILL}, head)
     room.program.kill()
     room.course = room.begin()
-    room.course.drills = tuple(drill for drill in room.course.drills if drill.name.startswith("slip"))
+    only_drills(room, "slip")
+
+
+def only_drills(room: Classroom, start: str) -> None:
+    """Let chance choose only of the drills whose name begins so."""
+    offer = room.course.offer
+    room.course.offer = replace(offer, drills=tuple(drill for drill in offer.drills if drill.name.startswith(start)))
 
 
 def test_an_exam_is_five_drills_with_time_and_hints_counted(room: Classroom) -> None:
@@ -452,20 +470,22 @@ def test_hints_of_earlier_practice_are_not_shown_in_an_exam_and_do_not_count_the
 
 def test_in_an_exam_a_solution_that_was_shown_is_no_solved_drill_and_time_does_not_begin_again(room: Classroom) -> None:
     drills(room, 1)
-    (drill,) = room.course.drills
+    (drill,) = room.course.offer.drills
     path = drill.path
     path.write_text(path.read_text().replace("solve: []", "solve:\n  - write: {file: ~/a.txt, text: right}"))
     room.program.kill()
     room.course = room.begin()
-    room.course.drills = tuple(each for each in room.course.drills if each.name == drill.name)
+    only_drills(room, drill.name)
     room.ask(room.course.start_exam)
     room.wait(lambda: room.course.state.verdicts and not room.course.state.working)
-    began = room.course._began
+    opened = room.course.opened
+    assert opened is not None
+    began = opened.began
     room.ask(room.course.show_solution)
     room.wait(lambda: room.solved() and not room.course.state.working)
     room.ask(room.course.again)
     room.go(0.6)
-    assert room.solved() and room.course._began == began
+    assert room.solved() and opened.began == began
     room.ask(room.course.next)
     room.wait(lambda: room.course.exam is not None and room.course.exam.over)
     assert room.course.exam is not None and [each.solved for each in room.course.exam.results] == [False]
@@ -516,6 +536,21 @@ def test_a_demonstration_is_held_and_stopped(room: Classroom) -> None:
     room.wait(lambda: room.course.demonstration is None)
     room.go(0.5)
     assert room.at() == "touch"
+
+
+def test_a_demonstration_ends_with_its_lesson(room: Classroom) -> None:
+    room.open()
+    room.ask(lambda: room.course.demonstrate("en"))
+    room.wait(lambda: room.course.demonstration is not None)
+    demonstration = room.course.demonstration
+    assert demonstration is not None
+    room.ask(room.course.close)
+    room.wait(lambda: room.course.state.lesson is None)
+    assert room.course.demonstration is None
+    demonstration.go_on()
+    room.open()
+    room.go(1.0)
+    assert not any(terminal.runs.all for terminal in room.desk.terminals)
 
 
 def test_what_is_demonstrated_is_not_the_pupils_work(room: Classroom) -> None:

@@ -121,6 +121,6 @@ def test_two_steps_of_one_name_are_refused(tmp_path: Path) -> None:
 def test_every_shipped_file_can_be_read() -> None:
     for folder in ("days", "drills"):
         found = catalogue.lessons_in(catalogue.HERE / folder)
-        assert [str(each) for each in found.mistakes] == []
-        names = [lesson.name for lesson in found.lessons]
+        assert [str(each) for each in found.broken] == []
+        names = [lesson.name for lesson in found.all]
         assert len(names) == len(set(names))

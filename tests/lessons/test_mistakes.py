@@ -164,7 +164,7 @@ def test_what_a_drill_needs(tmp_path: Path, old: str, new: str, told: str, warni
 
 def test_shipped_files_have_nothing_but_wide_code_against_them() -> None:
     for folder in ("days", "drills"):
-        for lesson in catalogue.lessons_in(catalogue.HERE / folder).lessons:
+        for lesson in catalogue.lessons_in(catalogue.HERE / folder).all:
             assert [each for each in lesson.remarks if "columns of code" not in each.text] == [], lesson.name
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -52,7 +53,7 @@ async def drill(tmp_path: Path, *, exam: bool = False, **options: Any) -> AsyncI
         await until(app, pilot, lambda: app.lessons.pane is not None)
         course = app.lessons.pane.course
         if exam:
-            course.drills = tuple(each for each in course.drills if each.name == "slip")
+            course.offer = replace(course.offer, drills=(course.offer.named("slip"),))
             await until(app, pilot, _shows(app, app.look.texts("lesson.drills")))
             app.desktop.go_to_pane(app.lessons.pane)
             await pilot.press("X")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import islice
 from pathlib import Path
@@ -20,25 +20,42 @@ MOST_FILES = 500
 _NAMED = re.compile(r"(?:lesson|drill): *([\w-]+)")
 
 
-@dataclass
-class Found:
-    """The lessons of a folder in their order, and what is wrong with the others."""
+@dataclass(frozen=True)
+class Offer:
+    """Lessons and drills in their order, and what is wrong with the files that cannot be used."""
 
     lessons: tuple[Lesson, ...]
-    mistakes: list[LessonMistakes]
+    drills: tuple[Lesson, ...] = ()
+    broken: tuple[LessonMistakes, ...] = ()
+
+    @property
+    def all(self) -> tuple[Lesson, ...]:
+        return (*self.lessons, *self.drills)
+
+    def named(self, name: str) -> Lesson | None:
+        return next((each for each in self.all if each.name == name), None)
+
+    def with_file_of(self, new: Lesson) -> Offer:
+        """With a lesson as its file is now."""
+        lessons, drills = (
+            [new if each.path == new.path else each for each in some] for some in (self.lessons, self.drills)
+        )
+        return Offer(tuple(lessons), tuple(drills), self.broken)
 
 
-def lessons_in(folder: Path) -> Found:
+def lessons_in(folder: Path) -> Offer:
     """Read all lessons (`*.md`) of a folder."""
-    lessons, mistakes = [], []
+    lessons, broken = [], []
     for path in sorted(folder.glob("*.md"))[:MOST_FILES]:
         if path.name.lower() == "readme.md":
             continue
         try:
             lessons.append(read_lesson(path))
         except LessonMistakes as error:
-            mistakes.append(error)
-    return Found(tuple(sorted(lessons, key=lambda each: (each.is_drill, each.order, each.name))), mistakes)
+            broken.append(error)
+    lessons.sort(key=lambda each: (each.order, each.name))
+    drills = tuple(each for each in lessons if each.is_drill)
+    return Offer(tuple(each for each in lessons if not each.is_drill), drills, tuple(broken))
 
 
 def shipped_names() -> set[str]:
@@ -59,7 +76,13 @@ def days() -> tuple[Lesson, ...]:
 @cache
 def drills() -> tuple[Lesson, ...]:
     """The drills, by topic and the number of their fault, read once in a process."""
-    return tuple(by_topic(lessons_in(HERE / "drills").lessons))
+    return tuple(by_topic(lessons_in(HERE / "drills").drills))
+
+
+def offer(folder: Path | None) -> Offer:
+    """The lessons and drills of a teacher's folder, else the six days; and the drills that come with the program."""
+    own = lessons_in(folder) if folder is not None else Offer(days())
+    return replace(own, drills=(*by_topic(own.drills), *drills()))
 
 
 def is_shipped(lesson: Lesson) -> bool:

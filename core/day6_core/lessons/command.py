@@ -95,13 +95,13 @@ def _with(options: argparse.Namespace, file: Path) -> int:
             _print_mistakes(file, mistakes.mistakes)
             return 1
     found = lessons_in(file)
-    for broken in found.mistakes:
+    for broken in found.broken:
         _print_mistakes(file / broken.path.name, broken.mistakes)
-    status = max((_one(options, lesson, found.lessons) for lesson in found.lessons), default=0)
-    if not found.lessons and not found.mistakes:
+    status = max((_one(options, lesson, found.all) for lesson in found.all), default=0)
+    if not found.all and not found.broken:
         print(one_line(f"day6-tui lessons: {file}: there is no lesson (*.md) in this folder"), file=sys.stderr)
         return 1
-    return 1 if found.mistakes else status
+    return 1 if found.broken else status
 
 
 def _print_mistakes(path: Path, mistakes: Iterable[Mistake]) -> None:

@@ -45,8 +45,9 @@ class Exam:
     def solved(self) -> int:
         return sum(result.solved for result in self.results)
 
-    def with_result(self, result: ExamResult) -> Exam:
-        return replace(self, results=(*self.results, result))
+    def with_result(self, solved: bool, seconds: float, hints: int) -> Exam:
+        """With how the drill that is next went."""
+        return replace(self, results=(*self.results, ExamResult(self.at, solved, round(seconds, 1), hints)))
 
     def kept(self) -> dict[str, Any]:
         """As the progress file keeps it."""

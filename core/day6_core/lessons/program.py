@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_core.lessons.course import Course
+from day6_core.lessons.course import new_course
 
 if TYPE_CHECKING:
     from day6_core.session.session import Main, Session
@@ -19,12 +19,13 @@ def lessons_of(desk: Desk, pupil: str, folder: Path | None, first: str = "", dem
     """
 
     async def main(session: Session) -> int:
-        course = Course(desk, session, pupil, folder)
-        await course.load()
-        course.request(lambda: course.open(first, "*" if demo else "") if first else course.open_last())
+        course = await new_course(desk, session, pupil, folder)
+        if first:
+            course.open(first, "*" if demo else "")
+        else:
+            course.open_last()
         if demo:
-            course.request(lambda: course.demonstrate(demo))
-        course.handle_requests()
+            course.demonstrate(demo)
         if session.display is not None:  # only now: a list needs the keyboard, a step leaves it to the terminal
             session.display.open("lesson", "Lessons", course)
         await course.run()

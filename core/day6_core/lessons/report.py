@@ -5,11 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from day6_core.language import LANGUAGES
-from day6_core.lessons.catalogue import days, drills, lessons_in
+from day6_core.lessons.catalogue import Offer, days, drills, lessons_in
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.progress import FOLDER, Progress, ProgressError, StepDone, load
 from day6_core.lessons.tables import (
@@ -47,7 +48,7 @@ class ReportLine:
     last: float
 
 
-def lines_of(pupils: list[Progress], lessons: list[Lesson], faults: list[Lesson]) -> list[ReportLine]:
+def lines_of(pupils: list[Progress], lessons: Sequence[Lesson], faults: Sequence[Lesson]) -> list[ReportLine]:
     """A line for every lesson that a pupil has begun, and one for the drills."""
     found: list[ReportLine] = []
     drill_names = {drill.name for drill in faults}
@@ -173,9 +174,8 @@ def main(arguments: list[str], language: str) -> int:
         tell("report.broken", file=path, reason=reason)
     if not pupils:
         return tell("report.none", folder=folder)
-    own = lessons_in(options.lessons).lessons if options.lessons is not None else days()
-    faults = [*(lesson for lesson in own if lesson.is_drill), *drills()]
-    found = lines_of(pupils, [lesson for lesson in own if not lesson.is_drill], faults)
+    own = lessons_in(options.lessons) if options.lessons is not None else Offer(days())
+    found = lines_of(pupils, own.lessons, [*own.drills, *drills()])
     try:
         must_be_new([options.csv, options.html], options.force)
         if options.csv is not None:

@@ -35,6 +35,10 @@ class State:
     """Why something could not be done, in the words of what failed."""
     mistakes: LessonMistakes | None = None
     """The lesson's file was changed and is wrong now; the old text is shown."""
+    finished: Lesson | None = None
+    """In the list: the lesson whose last step was left just now."""
+    unknown: str = ""
+    """In the list: the name of a lesson that was asked for and is not there."""
 
     @property
     def step(self) -> Step | None:

@@ -108,7 +108,7 @@ class Lessons(Feature):
         if pane is None:
             self.open(name)
             return True
-        if pane.course.lesson(name) is None:
+        if pane.course.offer.named(name) is None:
             return False
         pane.course.request(lambda: pane.course.open(name))
         return True

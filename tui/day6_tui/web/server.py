@@ -165,7 +165,7 @@ def _lessons(folder: Path | None) -> list[dict[str, Any]]:
     """What a teacher can start for all: the days, or the lessons of the folder, and the drills."""
     from day6_core.lessons import catalogue
 
-    lessons = catalogue.days() if folder is None else catalogue.lessons_in(folder).lessons
+    lessons = catalogue.days() if folder is None else catalogue.lessons_in(folder).all
     return [{"name": each.name, "title": dict(each.title)} for each in (*lessons, *catalogue.drills())]
 
 

@@ -116,12 +116,12 @@ class LessonPane(WindowPane["Course"]):
         )
 
     def _choose_last(self) -> None:
-        course = self.course
-        names = [lesson.name for lesson in (*course.lessons, *course.drills)]
-        last = course.finished.name if course.finished is not None else course.progress.last
+        finished = self.course.state.finished
+        names = [lesson.name for lesson in self.course.offer.all]
+        last = finished.name if finished is not None else self.course.progress.last
         if last in names:
             self.chosen = names.index(last)
-            if course.finished is not None and self.chosen + 1 < len(names):
+            if finished is not None and self.chosen + 1 < len(names):
                 self.chosen += 1
         self._follow = True
 
@@ -229,10 +229,10 @@ class LessonPane(WindowPane["Course"]):
         return pieces
 
     def key_hints(self) -> list[tuple[str, str]]:
-        texts, state = self.look.texts, self.course.state
+        texts, state, drills = self.look.texts, self.course.state, self.course.offer.drills
         if state.step is None:
-            drills = [("R", texts("lesson.key.random")), ("X", texts("lesson.key.exam"))] if self.course.drills else []
-            return [("↑↓", texts("lesson.key.choose")), ("Enter", texts("lesson.key.open")), *drills]
+            chance = [("R", texts("lesson.key.random")), ("X", texts("lesson.key.exam"))] if drills else []
+            return [("↑↓", texts("lesson.key.choose")), ("Enter", texts("lesson.key.open")), *chance]
         if self.course.demonstration is not None:
             return [
                 ("Space", texts("lesson.key.hold")),
@@ -283,7 +283,7 @@ class LessonPane(WindowPane["Course"]):
             "clear": course.clear_up,
             "exam": course.start_exam,
         }
-        return lambda: course.request(table[word])  # type: ignore[arg-type]
+        return lambda: course.request(table[word])
 
     def _next(self) -> None:
         self.course.request(self.course.next)

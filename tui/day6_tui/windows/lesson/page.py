@@ -45,7 +45,7 @@ def list_rows(
     course: Course, look: Look, width: int, chosen: int, open_entry: Callable[[int], object]
 ) -> tuple[list[PageRow], list[LessonEntry]]:
     """The list of lessons and drills with how far the pupil is; also the entries with their lines."""
-    texts, colours = look.texts, look.colours
+    texts, colours, state, offer = look.texts, look.colours, course.state, course.offer
     rows: list[PageRow] = []
     entries: list[LessonEntry] = []
 
@@ -75,28 +75,28 @@ def list_rows(
 
     if course.exam is not None and course.exam.over:
         rows += _exam_rows(course.exam, course, look, width)
-    if course.unknown:
+    if state.unknown:
         rows += [
             PageRow([Segment(f" {line}", colours.warning)])
-            for line in wrap(texts("lesson.unknown", name=course.unknown), width - 2)
+            for line in wrap(texts("lesson.unknown", name=state.unknown), width - 2)
         ]
-    if course.finished is not None:
-        rows += _finished_rows(course.finished, course, look, width)
-    heading(texts("lesson.days" if all(map(is_shipped, course.lessons)) else "lesson.own"))
-    for lesson in course.lessons:
+    if state.finished is not None:
+        rows += _finished_rows(state.finished, course, look, width)
+    heading(texts("lesson.days" if all(map(is_shipped, offer.lessons)) else "lesson.own"))
+    for lesson in offer.lessons:
         entry(lesson, lesson.title[texts.language])
-    if not course.lessons:
+    if not offer.lessons:
         rows.append(PageRow([Segment(clip(f"   {texts('lesson.none')}", width), colours.muted)]))
-    for mistakes in course.broken:
+    for mistakes in offer.broken:
         for each in mistakes.mistakes[:3]:
             words = f"{mistakes.path.name}:{each.line}: {each.text}"
             rows += [PageRow([Segment(f"   {line}", colours.warning)]) for line in wrap(words, width - 4)]
     for key, shipped in (("lesson.drills.own", False), ("lesson.drills", True)):
-        drills = [lesson for lesson in course.drills if is_shipped(lesson) == shipped]
+        drills = [lesson for lesson in offer.drills if is_shipped(lesson) == shipped]
         if not drills:
             continue
         heading(texts(key))
-        if drills[0] is course.drills[0]:
+        if drills[0] is offer.drills[0]:
             more = wrap(texts("lesson.drills.more"), width - 4)
             rows += [PageRow([Segment(f"   {line}", colours.muted)]) for line in more]
         for before, lesson in zip((None, *drills), drills, strict=False):
@@ -131,7 +131,7 @@ def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[PageR
     head = texts("lesson.exam.over", solved=exam.solved, all=len(exam.drills))
     rows = [PageRow([Segment(clip(f" {head}", width), colours.strong)])]
     for result in exam.results:
-        drill = course.lesson(result.drill)
+        drill = course.offer.named(result.drill)
         name = drill.title[texts.language] if drill is not None else result.drill
         far = texts("lesson.exam.result", seconds=f"{result.seconds:.0f}", hints=result.hints)
         room = width - cell_len(far) - 6
@@ -317,6 +317,6 @@ def _problems(course: Course, state: State, look: Look, width: int, doing: Calla
     if state.mistakes is not None:
         for each in state.mistakes.mistakes[:5]:
             say(f"{state.mistakes.path.name}:{each.line}: {each.text}")
-    if course.saving_failed:
-        say(texts("lesson.not_saved", reason=course.saving_failed))
+    if course.kept.failed:
+        say(texts("lesson.not_saved", reason=course.kept.failed))
     return rows

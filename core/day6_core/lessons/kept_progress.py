@@ -1,0 +1,48 @@
+"""Keeps a pupil's progress while lessons are open: reads its file, and writes it after every change."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from day6_core.lessons.progress import Progress, ProgressError, file_of, load, save
+from day6_core.session.threads import in_thread
+
+
+class KeptProgress:
+    """One pupil's progress and its file, which is written in a thread."""
+
+    def __init__(self, home: Path, pupil: str) -> None:
+        self.progress = Progress(pupil)
+        self.unsaved = False
+        """Whether the progress was changed since it was last written."""
+        self.failed = ""
+        """Why the progress could not be kept."""
+        self._file = file_of(home, pupil)
+        self._saving = False
+
+    @property
+    def is_due(self) -> bool:
+        """Whether it is time to write: one writing after the other."""
+        return self.unsaved and not self._saving
+
+    async def load(self) -> None:
+        """Read how far the pupil is; the beginning where the file cannot be used."""
+        try:
+            progress = await in_thread(lambda: load(self._file))
+        except (ProgressError, OSError) as error:
+            self.failed = str(error)
+        else:
+            progress.pupil = self.progress.pupil
+            self.progress = progress
+
+    async def save(self) -> None:
+        """Write what is known now."""
+        self.unsaved, self._saving = False, True
+        progress = self.progress.copy()
+        try:
+            await in_thread(lambda: save(self._file, progress))
+            self.failed = ""
+        except (ProgressError, OSError) as error:
+            self.failed = str(error)
+        finally:
+            self._saving = False
