@@ -146,20 +146,12 @@ class TopicEndpointInfo:
             f"Endpoint type: {self._endpoint_type.name}",
             f"GID: {'.'.join(format(each, '02x') for each in self._endpoint_gid)}",
             "QoS profile:",
-            *_policy_lines(qos, history, "  "),
+            f"  Reliability: {qos.reliability.name}",
+            f"  History (Depth): {history}",
+            f"  Durability: {qos.durability.name}",
+            f"  Lifespan: {qos.lifespan}",
+            f"  Deadline: {qos.deadline}",
+            f"  Liveliness: {qos.liveliness.name}",
+            f"  Liveliness lease duration: {qos.liveliness_lease_duration}",
         )
         return "\n".join(lines)
-
-
-def _policy_lines(qos: QoSProfile, history: str, indent: str) -> list[str]:
-    """The lines about the policies; `history` is the text about history and depth."""
-    policies = {
-        "Reliability": qos.reliability.name,
-        "History (Depth)": history,
-        "Durability": qos.durability.name,
-        "Lifespan": qos.lifespan,
-        "Deadline": qos.deadline,
-        "Liveliness": qos.liveliness.name,
-        "Liveliness lease duration": qos.liveliness_lease_duration,
-    }
-    return [f"{indent}{name}: {value}" for name, value in policies.items()]

@@ -60,7 +60,6 @@ class _Half(NamedTuple):
 def _details(endpoint: Endpoint, kind: str, *halves: _Half) -> str:
     """Return what is known of a client or server, as rclpy's ServiceEndpointInfo prints it."""
     from rclpy.qos import QoSProfile
-    from rclpy.topic_endpoint_info import _policy_lines
 
     profile = QoSProfile._from_graph(endpoint.qos, known_history=True)
     lines = [
@@ -75,8 +74,16 @@ def _details(endpoint: Endpoint, kind: str, *halves: _Half) -> str:
         "QoS profiles:",
     ]
     for half in halves:
-        lines.append(f"- {half.name} :")
-        lines += _policy_lines(profile, f"{profile.history.name} ({profile.depth})", "      ")
+        lines += [
+            f"- {half.name} :",
+            f"      Reliability: {profile.reliability.name}",
+            f"      History (Depth): {profile.history.name} ({profile.depth})",
+            f"      Durability: {profile.durability.name}",
+            f"      Lifespan: {profile.lifespan}",
+            f"      Deadline: {profile.deadline}",
+            f"      Liveliness: {profile.liveliness.name}",
+            f"      Liveliness lease duration: {profile.liveliness_lease_duration}",
+        ]
     return "\n".join(lines)
 
 
