@@ -9,6 +9,8 @@ from day6_core.graph.endpoints import EventKind
 from day6_core.graph.open_policies import is_open, resolved_for_publisher, resolved_for_subscription
 from day6_core.graph.qos import (
     BEST_AVAILABLE_NS,
+    CHOICES,
+    POLICIES,
     Durability,
     History,
     Liveliness,
@@ -128,9 +130,7 @@ def test_what_a_program_has_said_is_kept() -> None:
     others = [QoS(deadline=9, liveliness_lease_duration=9)]
     assert resolved_for_publisher(said, others) == said
     assert resolved_for_subscription(said, others) == said
-    assert (
-        resolved_for_subscription(QoS(durability=Durability.SYSTEM_DEFAULT), []).durability == Durability.SYSTEM_DEFAULT
-    )
+    assert resolved_for_subscription(QoS(durability=Durability.SYSTEM_DEFAULT), []).durability == Durability.VOLATILE
 
 
 @pytest.mark.parametrize(
@@ -178,6 +178,11 @@ def test_a_queue_holds_what_its_profile_says(profile: QoS, capacity: int) -> Non
 )
 def test_a_duration_is_a_limit_or_none(duration: int, finite: bool) -> None:
     assert is_finite(duration) is finite
+
+
+def test_the_table_has_a_row_for_each_policy_of_a_profile() -> None:
+    assert set(POLICIES) == set(QoS._fields) == {kind.name.lower() for kind in PolicyKind if kind != PolicyKind.INVALID}
+    assert all(isinstance(getattr(QoS(), choice.name), choice.values) for choice in CHOICES)
 
 
 def test_the_kinds_of_policies_have_rmws_numbers() -> None:

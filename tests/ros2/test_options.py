@@ -113,10 +113,10 @@ if __name__ == "__main__":
 
 
 def test_the_choices_of_qos_options_are_rclpys() -> None:
+    from day6_core.graph.qos import CHOICES
     from day6_core.ros.ros2.cli import options
     from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSPresetProfiles, ReliabilityPolicy
 
     policies = (HistoryPolicy, ReliabilityPolicy, DurabilityPolicy, LivelinessPolicy, QoSPresetProfiles)
-    assert [tuple(policy.short_keys()) for policy in policies] == [
-        *(options.HISTORIES, options.RELIABILITIES, options.DURABILITIES, options.LIVELINESSES, options.PROFILES)
-    ]
+    words = [*(policy.words for policy in CHOICES), options.PROFILES]
+    assert [tuple(policy.short_keys()) for policy in policies] == words

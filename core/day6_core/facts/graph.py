@@ -10,13 +10,10 @@ from typing import NamedTuple
 from day6_core.graph.endpoints import Endpoint as GraphEndpoint
 from day6_core.graph.endpoints import EndpointKind
 from day6_core.graph.graph import Graph
-from day6_core.graph.qos import incompatible_policies
+from day6_core.graph.qos import COMPARED, incompatible_policies
 
 ACTION = "/_action/send_goal"
 """An action is the service of that name below its own."""
-
-_POLICIES = ("RELIABILITY", "DURABILITY", "DEADLINE", "LIVELINESS")
-"""Which of several incompatible policies is named."""
 
 
 class Endpoint(NamedTuple):
@@ -133,9 +130,9 @@ def _ends(endpoints: Mapping[str, list[GraphEndpoint]]) -> dict[str, tuple[Endpo
 
 
 def _incompatible_policy(offer: GraphEndpoint, request: GraphEndpoint) -> str:
-    """The policy for which two endpoints do not fit, '' if they do."""
-    kinds = {kind.name.partition("_")[0] for kind in incompatible_policies(offer.qos, request.qos)}
-    return next((policy.lower() for policy in _POLICIES if policy in kinds), "")
+    """The first policy for which two endpoints do not fit, '' if they do."""
+    kinds = incompatible_policies(offer.qos, request.qos)
+    return next((policy.name for policy in COMPARED if policy.kind in kinds), "")
 
 
 def _participants(graph: Graph, kind: EndpointKind) -> dict[str, tuple[str, ...]]:

@@ -7,16 +7,17 @@ subscriber/qos). BEST_AVAILABLE is resolved once, when the endpoint is created, 
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Iterable
+from typing import Any
 
 from day6_core.graph.qos import (
-    BEST_AVAILABLE_NS,
+    COMPARED,
     DURATION_UNSPECIFIED,
     INFINITE_NS,
-    Durability,
-    Liveliness,
+    SYSTEM_DEFAULT,
+    Choice,
+    Limit,
     QoS,
-    Reliability,
     limit_of,
 )
 
@@ -26,17 +27,7 @@ def resolved_for_publisher(qos: QoS, requests: Collection[QoS]) -> QoS:
 
     The best a publisher can offer suits every subscription, so only its durations and liveliness depend on them.
     """
-    reliability, durability, liveliness = qos.reliability, qos.durability, qos.liveliness
-    if reliability in (Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE):
-        reliability = Reliability.RELIABLE
-    if durability in (Durability.SYSTEM_DEFAULT, Durability.BEST_AVAILABLE):
-        durability = Durability.TRANSIENT_LOCAL
-    if liveliness == Liveliness.BEST_AVAILABLE:
-        manual = any(each.liveliness == Liveliness.MANUAL_BY_TOPIC for each in requests)
-        liveliness = Liveliness.MANUAL_BY_TOPIC if manual else Liveliness.AUTOMATIC
-    deadline = min((limit_of(each.deadline) for each in requests), default=INFINITE_NS)
-    lease = min((limit_of(each.liveliness_lease_duration) for each in requests), default=INFINITE_NS)
-    return _with(qos, reliability, durability, liveliness, deadline, lease)
+    return _resolved(qos, requests, lambda choice: choice.publisher, any, min)
 
 
 def resolved_for_subscription(qos: QoS, offers: Collection[QoS]) -> QoS:
@@ -44,43 +35,33 @@ def resolved_for_subscription(qos: QoS, offers: Collection[QoS]) -> QoS:
 
     The best available is what all publishers offer; without publishers, the highest policies and no limits.
     """
-    reliability, durability, liveliness = qos.reliability, qos.durability, qos.liveliness
-    if reliability == Reliability.SYSTEM_DEFAULT:
-        reliability = Reliability.BEST_EFFORT
-    elif reliability == Reliability.BEST_AVAILABLE:
-        reliable = all(each.reliability == Reliability.RELIABLE for each in offers)
-        reliability = Reliability.RELIABLE if reliable else Reliability.BEST_EFFORT
-    if durability == Durability.BEST_AVAILABLE:
-        kept = all(each.durability == Durability.TRANSIENT_LOCAL for each in offers)
-        durability = Durability.TRANSIENT_LOCAL if kept else Durability.VOLATILE
-    if liveliness == Liveliness.BEST_AVAILABLE:
-        manual = all(each.liveliness == Liveliness.MANUAL_BY_TOPIC for each in offers)
-        liveliness = Liveliness.MANUAL_BY_TOPIC if manual else Liveliness.AUTOMATIC
-    deadline = max((limit_of(each.deadline) for each in offers), default=INFINITE_NS)
-    lease = max((limit_of(each.liveliness_lease_duration) for each in offers), default=INFINITE_NS)
-    return _with(qos, reliability, durability, liveliness, deadline, lease)
+    return _resolved(qos, offers, lambda choice: choice.subscription, all, max)
 
 
 def is_open(qos: QoS) -> bool:
     """Return whether a profile leaves a policy open that depends on the kind of endpoint or on the other endpoints."""
-    return (
-        qos.reliability in (Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE)
-        or qos.durability in (Durability.SYSTEM_DEFAULT, Durability.BEST_AVAILABLE)
-        or qos.liveliness == Liveliness.BEST_AVAILABLE
-        or BEST_AVAILABLE_NS in (qos.deadline, qos.liveliness_lease_duration)
-    )
+    return any(getattr(qos, each.name) in each.open for each in COMPARED)
 
 
-def _with(
-    qos: QoS, reliability: Reliability, durability: Durability, liveliness: Liveliness, deadline: int, lease: int
+def _resolved(
+    qos: QoS,
+    others: Collection[QoS],
+    own: Callable[[Choice], object],
+    is_strong: Callable[[Iterable[bool]], bool],
+    limit: Callable[[Iterable[int]], int],
 ) -> QoS:
-    changes = qos._replace(reliability=reliability, durability=durability, liveliness=liveliness)
-    if qos.deadline == BEST_AVAILABLE_NS:
-        changes = changes._replace(deadline=_specified(deadline))
-    if qos.liveliness_lease_duration == BEST_AVAILABLE_NS:
-        changes = changes._replace(liveliness_lease_duration=_specified(lease))
-    return changes
-
-
-def _specified(limit: int) -> int:
-    return DURATION_UNSPECIFIED if limit == INFINITE_NS else limit
+    """Resolve by the endpoint's own defaults, and by whether any or all others are strong and their least or greatest limit."""
+    found: dict[str, Any] = {}
+    for policy in COMPARED:
+        value = getattr(qos, policy.name)
+        if value not in policy.open:
+            continue
+        theirs = [getattr(each, policy.name) for each in others]
+        if isinstance(policy, Limit):
+            strictest = limit(map(limit_of, theirs)) if theirs else INFINITE_NS
+            found[policy.name] = DURATION_UNSPECIFIED if strictest == INFINITE_NS else strictest
+        elif value != SYSTEM_DEFAULT and is_strong(each == policy.strong for each in theirs):
+            found[policy.name] = policy.strong
+        else:
+            found[policy.name] = own(policy)
+    return qos._replace(**found)

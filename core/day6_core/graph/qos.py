@@ -7,7 +7,7 @@ Numbers are those of rmw/qos_policy_kind.h and rmw/types.h; the matching rules t
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 DURATION_UNSPECIFIED = 0
 """0 ns in a profile means "not specified", which DDS takes as infinite."""
@@ -17,6 +17,8 @@ BEST_AVAILABLE_NS = INFINITE_NS - 1
 
 KEEP_ALL_LIMIT = 5000
 """Fast DDS's default resource limit: the messages KEEP_ALL really keeps."""
+SYSTEM_DEFAULT = 0
+"""The member of every enumeration below that leaves the choice to the middleware."""
 
 
 class Reliability(IntEnum):
@@ -73,6 +75,105 @@ class PolicyKind(IntEnum):
     AVOID_ROS_NAMESPACE_CONVENTIONS = 512
 
 
+class Choice(NamedTuple):
+    """A policy with a few values."""
+
+    name: str
+    kind: PolicyKind
+    values: type[IntEnum]
+    default: IntEnum
+    """What is meant where neither the kind of endpoint nor the other endpoints decide, and where rmw_zenoh writes nothing."""
+    publisher: IntEnum | None = None
+    subscription: IntEnum | None = None
+    """Fast DDS's own defaults."""
+    strong: IntEnum | None = None
+    weak: tuple[IntEnum, ...] = ()
+    """The offers that do not satisfy a request for `strong`."""
+    open: tuple[int, ...] = ()
+    """The values that the kind of endpoint or the other endpoints decide."""
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """The values as command lines and bags name them."""
+        return tuple(name.lower() for name in self.values.__members__)
+
+    def refuses(self, offered: int, requested: int) -> bool:
+        """Return whether an offer does not satisfy a request."""
+        return requested == self.strong and offered in self.weak
+
+
+class Limit(NamedTuple):
+    """A policy that is a duration. `open` as for a Choice."""
+
+    name: str
+    kind: PolicyKind
+    open: tuple[int, ...] = ()
+
+    def refuses(self, offered: int, requested: int) -> bool:
+        """Return whether an offer does not satisfy a request."""
+        return limit_of(offered) > limit_of(requested)
+
+
+class Plain(NamedTuple):
+    """A policy that is a number or a truth value."""
+
+    name: str
+    values: type[int]
+
+
+POLICIES: dict[str, Choice | Limit | Plain] = {
+    each.name: each
+    for each in (
+        Choice("history", PolicyKind.HISTORY, History, History.KEEP_LAST),
+        Plain("depth", int),
+        Choice(
+            "reliability",
+            PolicyKind.RELIABILITY,
+            Reliability,
+            default=Reliability.RELIABLE,
+            publisher=Reliability.RELIABLE,
+            subscription=Reliability.BEST_EFFORT,
+            strong=Reliability.RELIABLE,
+            weak=(Reliability.BEST_EFFORT,),
+            open=(Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE),
+        ),
+        Choice(
+            "durability",
+            PolicyKind.DURABILITY,
+            Durability,
+            default=Durability.VOLATILE,
+            publisher=Durability.TRANSIENT_LOCAL,
+            subscription=Durability.VOLATILE,
+            strong=Durability.TRANSIENT_LOCAL,
+            weak=(Durability.VOLATILE,),
+            open=(Durability.SYSTEM_DEFAULT, Durability.BEST_AVAILABLE),
+        ),
+        Limit("deadline", PolicyKind.DEADLINE, open=(BEST_AVAILABLE_NS,)),
+        Limit("lifespan", PolicyKind.LIFESPAN),
+        Choice(
+            "liveliness",
+            PolicyKind.LIVELINESS,
+            Liveliness,
+            default=Liveliness.AUTOMATIC,
+            publisher=Liveliness.AUTOMATIC,
+            subscription=Liveliness.AUTOMATIC,
+            strong=Liveliness.MANUAL_BY_TOPIC,
+            weak=(Liveliness.AUTOMATIC, Liveliness.UNKNOWN),
+            open=(Liveliness.BEST_AVAILABLE,),
+        ),
+        # In DDS the lease is a part of liveliness.
+        Limit("liveliness_lease_duration", PolicyKind.LIVELINESS, open=(BEST_AVAILABLE_NS,)),
+        Plain("avoid_ros_namespace_conventions", bool),
+    )
+}
+"""All policies by their names in profiles, in the order of rmw_qos_profile_t."""
+
+CHOICES = tuple(each for each in POLICIES.values() if isinstance(each, Choice))
+
+COMPARED = tuple(each for each in POLICIES.values() if not isinstance(each, Plain) and each.open)
+"""The policies of which an offer has to satisfy the request; BEST_AVAILABLE exists for these alone."""
+
+
 class QoS(NamedTuple):
     """One endpoint's profile. Durations are nanoseconds, 0 means infinite."""
 
@@ -91,16 +192,11 @@ class QoS(NamedTuple):
 
         For publishers and subscriptions the kind matters: `open_policies` is applied first.
         """
-        reliable = self.reliability in (Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE)
-        volatile = self.durability in (Durability.SYSTEM_DEFAULT, Durability.BEST_AVAILABLE)
-        automatic = self.liveliness in (Liveliness.SYSTEM_DEFAULT, Liveliness.BEST_AVAILABLE)
-        return self._replace(
-            history=History.KEEP_LAST if self.history == History.SYSTEM_DEFAULT else self.history,
-            depth=self.depth if self.depth > 0 else 1,
-            reliability=Reliability.RELIABLE if reliable else self.reliability,
-            durability=Durability.VOLATILE if volatile else self.durability,
-            liveliness=Liveliness.AUTOMATIC if automatic else self.liveliness,
-        )
+        found: dict[str, Any] = {"depth": max(1, self.depth)}
+        for each in CHOICES:
+            if getattr(self, each.name) in (SYSTEM_DEFAULT, *each.open):
+                found[each.name] = each.default
+        return self._replace(**found)
 
     @property
     def capacity(self) -> int:
@@ -123,15 +219,6 @@ def incompatible_policies(offered: QoS, requested: QoS) -> list[PolicyKind]:
 
     Both profiles must be resolved. The last one is the "last policy kind" of the event.
     """
-    found: list[PolicyKind] = []
-    if requested.durability == Durability.TRANSIENT_LOCAL and offered.durability == Durability.VOLATILE:
-        found.append(PolicyKind.DURABILITY)
-    if limit_of(offered.deadline) > limit_of(requested.deadline):
-        found.append(PolicyKind.DEADLINE)
-    manual_wanted = requested.liveliness == Liveliness.MANUAL_BY_TOPIC
-    lease_too_long = limit_of(offered.liveliness_lease_duration) > limit_of(requested.liveliness_lease_duration)
-    if (manual_wanted and offered.liveliness != Liveliness.MANUAL_BY_TOPIC) or lease_too_long:
-        found.append(PolicyKind.LIVELINESS)
-    if requested.reliability == Reliability.RELIABLE and offered.reliability == Reliability.BEST_EFFORT:
-        found.append(PolicyKind.RELIABILITY)
-    return found
+    return sorted(
+        {each.kind for each in COMPARED if each.refuses(getattr(offered, each.name), getattr(requested, each.name))}
+    )

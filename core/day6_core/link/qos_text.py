@@ -1,45 +1,36 @@
 """A QoS profile as the text rmw_zenoh puts at the end of an endpoint's liveliness token.
 
-`reliability:durability:history,depth:deadline s,ns:lifespan s,ns:liveliness,lease s,ns`, where an empty field stands
-for rmw_zenoh's default (reliable, volatile, keep last 42, infinite durations, automatic). Numbers are rmw's.
+An empty field stands for rmw_zenoh's default (reliable, volatile, keep last 42, infinite durations, automatic). Numbers are
+rmw's, durations `seconds,nanoseconds`.
 """
 
 from __future__ import annotations
 
 import re
-from enum import IntEnum
-from typing import TypeVar
+from typing import Any
 
-from day6_core.graph.qos import (
-    DURATION_UNSPECIFIED,
-    INFINITE_NS,
-    Durability,
-    History,
-    Liveliness,
-    QoS,
-    Reliability,
-)
+from day6_core.graph.qos import DURATION_UNSPECIFIED, INFINITE_NS, POLICIES, Choice, Limit, QoS
 
+_LAYOUT = "reliability:durability:history,depth:deadline:lifespan:liveliness,liveliness_lease_duration"
 DEFAULT_DEPTH = 42
 _SECOND = 1_000_000_000
 _LARGEST_DEPTH = 0xFFFF_FFFF_FFFF_FFFF
 """rmw's depth is a size_t."""
-_WRITTEN = re.compile(r"[0-9]{0,20}(?:[:,][0-9]{0,20}){10}", re.ASCII)
-"""Eleven numbers, each of which may be omitted. Python's `int` alone would also accept signs, blanks and non-ASCII digits."""
+_NUMBER = "[0-9]{0,20}"
+"""Any number may be omitted. Python's `int` alone would also accept signs, blanks and non-ASCII digits."""
 
-Policy = TypeVar("Policy", bound=IntEnum)
+
+def _pattern(name: re.Match[str]) -> str:
+    value = f"{_NUMBER},{_NUMBER}" if isinstance(POLICIES[name[0]], Limit) else _NUMBER
+    return f"(?P<{name[0]}>{value})"
+
+
+_WRITTEN = re.compile(re.sub(r"\w+", _pattern, _LAYOUT), re.ASCII)
 
 
 def qos_to_text(qos: QoS) -> str:
     """Return the text of a resolved profile. The depth is always written, because other implementations' default differs."""
-    reliability = _unless(qos.reliability, Reliability.RELIABLE)
-    durability = _unless(qos.durability, Durability.VOLATILE)
-    history = _unless(qos.history, History.KEEP_LAST)
-    liveliness = _unless(qos.liveliness, Liveliness.AUTOMATIC)
-    return (
-        f"{reliability}:{durability}:{history},{qos.depth}:{_duration(qos.deadline)}:{_duration(qos.lifespan)}"
-        f":{liveliness},{_duration(qos.liveliness_lease_duration)}"
-    )
+    return re.sub(r"\w+", lambda name: _written(name[0], getattr(qos, name[0])), _LAYOUT)
 
 
 def qos_from_text(text: str) -> QoS:
@@ -48,26 +39,26 @@ def qos_from_text(text: str) -> QoS:
     Raises:
         ValueError: the text is not a profile.
     """
-    fields = [field.split(",") for field in text.split(":")]
-    if not _WRITTEN.fullmatch(text) or [len(field) for field in fields] != [1, 1, 2, 2, 2, 3]:
+    written = _WRITTEN.fullmatch(text)
+    values = {name: _value(name, each) for name, each in written.groupdict().items()} if written else {}
+    if not values or values["depth"] > _LARGEST_DEPTH:
         raise ValueError(f"not a QoS profile: {text!r}")
-    (reliability,), (durability,), (history, depth), deadline, lifespan, (liveliness, *lease) = fields
-    if depth and int(depth) > _LARGEST_DEPTH:
-        raise ValueError(f"not a QoS profile: {text!r}")
-    return QoS(
-        depth=int(depth) if depth else DEFAULT_DEPTH,
-        history=_policy(history, History.KEEP_LAST),
-        reliability=_policy(reliability, Reliability.RELIABLE),
-        durability=_policy(durability, Durability.VOLATILE),
-        deadline=_nanoseconds(deadline),
-        lifespan=_nanoseconds(lifespan),
-        liveliness=_policy(liveliness, Liveliness.AUTOMATIC),
-        liveliness_lease_duration=_nanoseconds(lease),
-    )
+    return QoS(**values)
 
 
-def _unless(policy: IntEnum, default: IntEnum) -> str:
-    return "" if policy == default else str(int(policy))
+def _written(name: str, value: int) -> str:
+    policy = POLICIES[name]
+    if isinstance(policy, Limit):
+        return _duration(value)
+    return "" if isinstance(policy, Choice) and value == policy.default else str(int(value))
+
+
+def _value(name: str, text: str) -> Any:
+    policy = POLICIES[name]
+    if isinstance(policy, Limit):
+        return _nanoseconds(text)
+    default = policy.default if isinstance(policy, Choice) else DEFAULT_DEPTH
+    return policy.values(int(text)) if text else default
 
 
 def _duration(nanoseconds: int) -> str:
@@ -77,12 +68,8 @@ def _duration(nanoseconds: int) -> str:
     return f"{seconds},{rest}"
 
 
-def _policy(text: str, default: Policy) -> Policy:
-    return type(default)(int(text)) if text else default
-
-
-def _nanoseconds(parts: list[str]) -> int:
-    seconds, rest = parts
+def _nanoseconds(text: str) -> int:
+    seconds, _, rest = text.partition(",")
     if not seconds and not rest:
         return DURATION_UNSPECIFIED
     total = int(seconds or 0) * _SECOND + int(rest or 0)

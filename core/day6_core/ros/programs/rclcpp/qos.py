@@ -25,17 +25,7 @@ if TYPE_CHECKING:
 
 _Kind = QoSPolicyKind
 
-_ORDER = (
-    _Kind.AVOID_ROS_NAMESPACE_CONVENTIONS,
-    _Kind.DEADLINE,
-    _Kind.DURABILITY,
-    _Kind.HISTORY,
-    _Kind.DEPTH,
-    _Kind.LIFESPAN,
-    _Kind.LIVELINESS,
-    _Kind.LIVELINESS_LEASE_DURATION,
-    _Kind.RELIABILITY,
-)
+_ORDER = sorted(set(_Kind) - {_Kind.INVALID}, key=lambda kind: "HISTORY_DEPTH" if kind == _Kind.DEPTH else kind.name)
 """In which they are declared, however the program names them."""
 
 ALL_FOUR = (_Kind.DEPTH, _Kind.DURABILITY, _Kind.HISTORY, _Kind.RELIABILITY)

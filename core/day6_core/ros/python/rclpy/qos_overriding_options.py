@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from rclpy import qos as qos_module
 from rclpy._day6.incidental import also
 from rclpy.duration import Duration
 from rclpy.exceptions import ParameterAlreadyDeclaredException
@@ -16,9 +15,6 @@ from rclpy.subscription import Subscription
 if TYPE_CHECKING:
     from rclpy._day6.parameter_store import ParameterStore
     from rclpy.node import Node
-
-_CHOICES = (QoSPolicyKind.LIVELINESS, QoSPolicyKind.RELIABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.DURABILITY)
-_DURATIONS = (QoSPolicyKind.LIFESPAN, QoSPolicyKind.DEADLINE, QoSPolicyKind.LIVELINESS_LEASE_DURATION)
 
 __all__ = [
     "InvalidQosOverridesError",
@@ -138,12 +134,12 @@ def _get_qos_policy_parameter(qos: QoSProfile, policy: QoSPolicyKind) -> str | i
 def _override_qos_policy_with_param(qos: QoSProfile, policy: QoSPolicyKind, param: Any) -> None:
     value = param.value
     policy_name = policy.name.lower()
-    if policy in _CHOICES:
-        choices = getattr(qos_module, f"{policy_name.capitalize()}Policy")
+    present = getattr(qos, policy_name)
+    if isinstance(present, QoSPolicyEnum):
         try:
-            value = choices[value.upper()]
+            value = type(present)[value.upper()]
         except KeyError:
             raise RuntimeError(f"Unexpected QoS override for policy `{policy_name}`: `{value}`") from None
-    elif policy in _DURATIONS:
+    elif isinstance(present, Duration):
         value = Duration(nanoseconds=value)
     setattr(qos, policy_name, value)

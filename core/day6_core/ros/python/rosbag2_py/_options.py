@@ -7,6 +7,7 @@ from datetime import timedelta
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
+from day6_core.graph.qos import POLICIES, Choice, Limit
 from day6_core.ros import differences
 from rosbag2_py._storage import Bound
 
@@ -95,10 +96,6 @@ class PlayOptions(Bound):
     message_order: str = "received"
 
 
-_DURATIONS = ("deadline", "lifespan", "liveliness_lease_duration")
-_NUMBERS = ("depth", "avoid_ros_namespace_conventions")
-
-
 def qos_overrides(content: Any) -> dict[str, QoSProfile]:
     """Return the profiles of a loaded YAML file by topic. Raises ValueError or InvalidQoSProfileException."""
     if not isinstance(content, dict):
@@ -107,28 +104,23 @@ def qos_overrides(content: Any) -> dict[str, QoSProfile]:
 
 
 def _override(profile: Any) -> QoSProfile:
-    from rclpy.qos import HistoryPolicy, QoSDurabilityPolicy, QoSLivelinessPolicy, QoSProfile, QoSReliabilityPolicy
+    from rclpy.qos import QoSProfile
 
-    policies: dict[str, Any] = {
-        "history": HistoryPolicy,
-        "reliability": QoSReliabilityPolicy,
-        "durability": QoSDurabilityPolicy,
-        "liveliness": QoSLivelinessPolicy,
-    }
     if not isinstance(profile, dict):
         raise ValueError("The QoS profile of a topic must be a map from policies to values.")
     values: dict[str, Any] = {}
     for key, value in profile.items():
-        if key in _DURATIONS:
-            values[key] = _duration(value)
-        elif key in policies:
-            values[key] = policies[key].get_from_short_key(value)
-        elif key in _NUMBERS:
-            if value < 0:
-                raise ValueError(f"`{key}` may not be a negative value.")
-            values[key] = value
-        else:
+        policy = POLICIES.get(key)
+        if policy is None:
             raise ValueError(f"Unexpected key `{key}` for QoS profile.")
+        if isinstance(policy, Limit):
+            values[key] = _duration(value)
+        elif isinstance(policy, Choice):
+            values[key] = int(policy.values[value.upper()])
+        elif value < 0:
+            raise ValueError(f"`{key}` may not be a negative value.")
+        else:
+            values[key] = value
     return QoSProfile(**values)
 
 

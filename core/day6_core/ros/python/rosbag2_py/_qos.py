@@ -6,7 +6,18 @@ from collections.abc import Callable, Iterable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
-from day6_core.graph.qos import INFINITE_NS, Durability, History, Liveliness, Reliability
+from day6_core.graph.qos import (
+    COMPARED,
+    INFINITE_NS,
+    POLICIES,
+    Choice,
+    Durability,
+    History,
+    Limit,
+    Liveliness,
+    Plain,
+    Reliability,
+)
 from day6_core.graph.qos import QoS as Profile
 
 if TYPE_CHECKING:
@@ -139,13 +150,9 @@ def convert_rclcpp_qos_to_rclpy_qos(qos: QoS) -> QoSProfile:
 def from_rclpy(profile: QoSProfile) -> QoS:
     """Return rclpy's profile as a bag stores it; policies that discovery does not transmit stay unknown."""
     found = profile.get_c_qos_profile()
-    return QoS(
-        profile=found._replace(
-            deadline=_finite(found.deadline),
-            lifespan=_finite(found.lifespan),
-            liveliness_lease_duration=_finite(found.liveliness_lease_duration),
-        )
-    )
+    limits = (each.name for each in POLICIES.values() if isinstance(each, Limit))
+    finite: dict[str, Any] = {name: _finite(getattr(found, name)) for name in limits}
+    return QoS(profile=found._replace(**finite))
 
 
 def offer_for(recorded: list[QoS]) -> tuple[QoS, bool]:
@@ -162,8 +169,7 @@ def offer_for(recorded: list[QoS]) -> tuple[QoS, bool]:
 
 
 def _compatibility(profile: Profile) -> tuple[Any, ...]:
-    lease = profile.liveliness_lease_duration
-    return (profile.reliability, profile.durability, profile.deadline, profile.liveliness, lease)
+    return tuple(getattr(profile, each.name) for each in COMPARED)
 
 
 # -- text --------------------------------------------------------------------------------------------------------------
@@ -177,18 +183,7 @@ def yaml_lines(profiles: Iterable[QoS], indent: str = "", *, word: Callable[[Any
     word = word or _word
     lines: list[str] = []
     for qos in profiles:
-        profile = qos.profile
-        entry = [
-            f"history: {word(profile.history)}",
-            f"depth: {profile.depth}",
-            f"reliability: {word(profile.reliability)}",
-            f"durability: {word(profile.durability)}",
-            *_time("deadline", profile.deadline),
-            *_time("lifespan", profile.lifespan),
-            f"liveliness: {word(profile.liveliness)}",
-            *_time("liveliness_lease_duration", profile.liveliness_lease_duration),
-            f"avoid_ros_namespace_conventions: {str(profile.avoid_ros_namespace_conventions).lower()}",
-        ]
+        entry = [line for each in POLICIES.values() for line in _lines(each, getattr(qos.profile, each.name), word)]
         lines += [f"{indent}{'- ' if number == 0 else '  '}{line}" for number, line in enumerate(entry)]
     return lines
 
@@ -197,9 +192,11 @@ def _word(policy: IntEnum) -> str:
     return policy.name.lower()
 
 
-def _time(name: str, nanoseconds: int) -> list[str]:
-    seconds, rest = divmod(nanoseconds, _SECOND) if nanoseconds else _INFINITE
-    return [f"{name}:", f"  sec: {seconds}", f"  nsec: {rest}"]
+def _lines(policy: Choice | Limit | Plain, value: Any, word: Callable[[Any], str]) -> list[str]:
+    if isinstance(policy, Limit):
+        seconds, rest = divmod(value, _SECOND) if value else _INFINITE
+        return [f"{policy.name}:", f"  sec: {seconds}", f"  nsec: {rest}"]
+    return [f"{policy.name}: {word(value) if isinstance(policy, Choice) else str(value).lower()}"]
 
 
 def from_yaml(text: Any) -> list[QoS]:
@@ -232,19 +229,13 @@ def to_rclcpp_qos_vector(text: str, version: int) -> list[QoS]:
 
 
 def _profile(entry: dict[str, Any]) -> QoS:
-    return QoS(
-        profile=Profile(
-            depth=int(entry.get("depth", 0)),
-            history=_policy(History, entry.get("history", 0)),
-            reliability=_policy(Reliability, entry.get("reliability", 0)),
-            durability=_policy(Durability, entry.get("durability", 0)),
-            deadline=_duration(entry.get("deadline")),
-            lifespan=_duration(entry.get("lifespan")),
-            liveliness=_policy(Liveliness, entry.get("liveliness", 0)),
-            liveliness_lease_duration=_duration(entry.get("liveliness_lease_duration")),
-            avoid_ros_namespace_conventions=bool(entry.get("avoid_ros_namespace_conventions", False)),
-        )
-    )
+    return QoS(profile=Profile(**{each.name: _value(each, entry.get(each.name, 0)) for each in POLICIES.values()}))
+
+
+def _value(policy: Choice | Limit | Plain, written: Any) -> Any:
+    if isinstance(policy, Limit):
+        return _duration(written)
+    return _policy(policy.values, written) if isinstance(policy, Choice) else policy.values(written)
 
 
 def _policy(kind: type[IntEnum], value: Any) -> Any:

@@ -6,7 +6,7 @@ from argparse import Action, ArgumentParser, ArgumentTypeError
 from collections.abc import Callable
 from typing import Any
 
-from day6_core.graph.qos import Durability, History, Liveliness, Reliability
+from day6_core.graph.qos import CHOICES
 from day6_core.ros.ros2.cli.completion import Completer
 
 PROFILES = (
@@ -20,9 +20,6 @@ PROFILES = (
     "action_status_default",
     "best_available",
     "rosout_default",
-)
-HISTORIES, RELIABILITIES, DURABILITIES, LIVELINESSES = (
-    tuple(name.lower() for name in policy.__members__) for policy in (History, Reliability, Durability, Liveliness)
 )
 
 TRUNCATE_LENGTH = 128
@@ -61,7 +58,6 @@ def add_qos_options(parser: ArgumentParser, doing: str, profile: str) -> None:
     def overriding(what: str, key: str, rest: str) -> str:
         return f"{what} setting to {doing} with (overrides {key} value of --qos-profile option{rest}"
 
-    adapted = ", default: Compatible profile with running endpoints )"
     parser.add_argument(
         "--qos-profile",
         choices=PROFILES,
@@ -69,24 +65,19 @@ def add_qos_options(parser: ArgumentParser, doing: str, profile: str) -> None:
         help=f"Quality of service preset profile to {doing} with (default: {profile})",
     )
     parser.add_argument("--qos-depth", metavar="N", type=int, help=overriding("Queue size", "depth", ")"))
-    parser.add_argument(
-        "--qos-history",
-        choices=HISTORIES,
-        help=overriding("History of samples", "history", ", default: keep_last)"),
-    )
     quality = "Quality of service"
-    parser.add_argument(
-        "--qos-reliability",
-        choices=RELIABILITIES,
-        help=overriding(f"{quality} reliability", "reliability", adapted),
-    )
-    parser.add_argument(
-        "--qos-durability", choices=DURABILITIES, help=overriding(f"{quality} durability", "durability", adapted)
-    )
-    # In the real tool the next two lack their closing bracket.
-    parser.add_argument(
-        "--qos-liveliness", choices=LIVELINESSES, help=overriding(f"{quality} liveliness", "liveliness", "")
-    )
+    # In the real tool those of liveliness and its lease lack their closing bracket.
+    ends = {"history": ", default: keep_last)", "liveliness": ""}
+    for policy in CHOICES:
+        parser.add_argument(
+            f"--qos-{policy.name}",
+            choices=policy.words,
+            help=overriding(
+                "History of samples" if policy.name == "history" else f"{quality} {policy.name}",
+                policy.name,
+                ends.get(policy.name, ", default: Compatible profile with running endpoints )"),
+            ),
+        )
     parser.add_argument(
         "--qos-liveliness-lease-duration-seconds",
         type=float,

@@ -6,41 +6,24 @@ from argparse import Namespace
 from copy import deepcopy
 from typing import TYPE_CHECKING
 
+from day6_core.graph.qos import CHOICES
 from rclpy.duration import Duration
-from rclpy.qos import (
-    QoSDurabilityPolicy,
-    QoSHistoryPolicy,
-    QoSLivelinessPolicy,
-    QoSPresetProfiles,
-    QoSProfile,
-    QoSReliabilityPolicy,
-)
+from rclpy.qos import QoSDurabilityPolicy, QoSPresetProfiles, QoSProfile, QoSReliabilityPolicy
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
     from rclpy.node import Node
 
-_OVERRIDES = (
-    "qos_reliability",
-    "qos_durability",
-    "qos_depth",
-    "qos_history",
-    "qos_liveliness",
-    "qos_liveliness_lease_duration_seconds",
-)
+_OVERRIDES = ("qos_depth", "qos_liveliness_lease_duration_seconds", *(f"qos_{policy.name}" for policy in CHOICES))
 
 
 def profile_from_options(args: Namespace) -> QoSProfile:
     """Return the preset of `--qos-profile`, overridden by the other options."""
     profile = _preset(args)
-    if args.qos_history:
-        profile.history = QoSHistoryPolicy.get_from_short_key(args.qos_history)
-    if args.qos_durability:
-        profile.durability = QoSDurabilityPolicy.get_from_short_key(args.qos_durability)
-    if args.qos_reliability:
-        profile.reliability = QoSReliabilityPolicy.get_from_short_key(args.qos_reliability)
-    if args.qos_liveliness:
-        profile.liveliness = QoSLivelinessPolicy.get_from_short_key(args.qos_liveliness)
+    for policy in CHOICES:
+        word = getattr(args, f"qos_{policy.name}")
+        if word:
+            setattr(profile, policy.name, int(policy.values[word.upper()]))
     lease = args.qos_liveliness_lease_duration_seconds
     if lease and lease >= 0:
         profile.liveliness_lease_duration = Duration(seconds=lease)
@@ -59,18 +42,14 @@ def profile_for_echo(session: Session, node: Node, args: Namespace) -> QoSProfil
     offered = [info.qos_profile for info in node.get_publishers_info_by_topic(args.topic_name)]
     if not offered:
         return profile
-    reliable = [each for each in offered if each.reliability == QoSReliabilityPolicy.RELIABLE]
-    latched = [each for each in offered if each.durability == QoSDurabilityPolicy.TRANSIENT_LOCAL]
-    profile.reliability = QoSReliabilityPolicy.RELIABLE
-    if len(reliable) < len(offered):
-        profile.reliability = QoSReliabilityPolicy.BEST_EFFORT
-        if reliable:
-            session.print(_fallback("QoSReliabilityPolicy", "RELIABLE", "BEST_EFFORT"))
-    profile.durability = QoSDurabilityPolicy.TRANSIENT_LOCAL
-    if len(latched) < len(offered):
-        profile.durability = QoSDurabilityPolicy.VOLATILE
-        if latched:
-            session.print(_fallback("QoSDurabilityPolicy", "TRANSIENT_LOCAL", "VOLATILE"))
+    for name, strong, weak in (
+        ("reliability", QoSReliabilityPolicy.RELIABLE, QoSReliabilityPolicy.BEST_EFFORT),
+        ("durability", QoSDurabilityPolicy.TRANSIENT_LOCAL, QoSDurabilityPolicy.VOLATILE),
+    ):
+        count = sum(getattr(each, name) == strong for each in offered)
+        setattr(profile, name, strong if count == len(offered) else weak)
+        if 0 < count < len(offered):
+            session.print(_fallback(f"QoS{type(strong).__name__}", strong.name, weak.name))
     return profile
 
 

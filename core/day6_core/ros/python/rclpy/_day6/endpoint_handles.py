@@ -40,15 +40,8 @@ def _type_of(interface: type[Any]) -> tuple[str, str]:
 
 def _refuse_unknown(qos: QoS, kind: str, line: int) -> None:
     """Raise RCLError if a policy is UNKNOWN, which is valid only for discovered endpoints (rmw_fastrtps, qos.cpp)."""
-    from day6_core.graph.qos import Durability, History, Liveliness, Reliability
-
-    for policy, unknown, name, place in (
-        (qos.history, History.UNKNOWN, "history", 68),
-        (qos.durability, Durability.UNKNOWN, "durability", 82),
-        (qos.reliability, Reliability.UNKNOWN, "reliability", 96),
-        (qos.liveliness, Liveliness.UNKNOWN, "Liveliness", 134),
-    ):
-        if policy == unknown:
+    for name, place in (("history", 68), ("durability", 82), ("reliability", 96), ("Liveliness", 134)):
+        if getattr(qos, name.lower()).name == "UNKNOWN":
             raise RCLError(
                 f"Failed to create {kind}: Unknown QoS {name} policy, at /project/src/qos.cpp:{place}, "
                 f"at /project/src/rcl/{kind}.c:{line}"

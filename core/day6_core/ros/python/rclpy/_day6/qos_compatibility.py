@@ -3,15 +3,63 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
+from day6_core.graph.qos import COMPARED, Choice
 from rclpy._rclpy_pybind11 import QoSCompatibility
-from rclpy.qos import DurabilityPolicy, LivelinessPolicy, ReliabilityPolicy
 
 if TYPE_CHECKING:
-    from rclpy.qos import QoSPolicyEnum, QoSProfile
+    from rclpy.qos import QoSProfile
 
 _OPEN = ("SYSTEM_DEFAULT", "UNKNOWN")
+
+
+class _ChoiceTexts(NamedTuple):
+    """What is said of a weak offer to a strong request, and where a policy is still open."""
+
+    refused: str
+    both_open: str
+    weak_offered: str
+    strong_requested: str
+
+
+class _LimitTexts(NamedTuple):
+    """What is said of an offer without a limit, and of one with a greater limit than requested."""
+
+    unlimited: str
+    greater: str
+
+
+# "durabilty" is how real ROS spells it.
+_CHOICES = {
+    "reliability": _ChoiceTexts(
+        "Best effort publisher and reliable subscription",
+        "Publisher reliability is {} and subscription reliability is {}",
+        "Best effort publisher, but subscription is {}",
+        "Reliable subscription, but publisher is {}",
+    ),
+    "durability": _ChoiceTexts(
+        "Volatile publisher and transient local subscription",
+        "Publisher durabilty is {} and subscription durability is {}",
+        "Volatile publisher, but subscription is {}",
+        "Transient local subscription, but publisher is {}",
+    ),
+    "liveliness": _ChoiceTexts(
+        "Publisher's liveliness is automatic and subscription's is manual by topic",
+        "Publisher liveliness is {} and subscription liveliness is {}",
+        "Publisher's liveliness is automatic, but subscription's is {}",
+        "Subscription's liveliness is manual by topic, but publisher's is {}",
+    ),
+}
+_LIMITS = {
+    "deadline": _LimitTexts(
+        "Subscription has a deadline, but publisher does not", "Subscription deadline is less than publisher deadline"
+    ),
+    "liveliness_lease_duration": _LimitTexts(
+        "Subscription has a liveliness lease duration, but publisher does not",
+        "Subscription liveliness lease duration is less than publisher",
+    ),
+}
 
 
 def check(publisher: QoSProfile, subscription: QoSProfile) -> tuple[QoSCompatibility, str]:
@@ -26,74 +74,26 @@ def check(publisher: QoSProfile, subscription: QoSProfile) -> tuple[QoSCompatibi
 
 
 def _errors(publisher: QoSProfile, subscription: QoSProfile) -> Iterator[str]:
-    if (
-        publisher.reliability == ReliabilityPolicy.BEST_EFFORT
-        and subscription.reliability == ReliabilityPolicy.RELIABLE
-    ):
-        yield "Best effort publisher and reliable subscription"
-    volatile = publisher.durability == DurabilityPolicy.VOLATILE
-    if volatile and subscription.durability == DurabilityPolicy.TRANSIENT_LOCAL:
-        yield "Volatile publisher and transient local subscription"
-    offered, wanted = publisher.deadline.nanoseconds, subscription.deadline.nanoseconds
-    if wanted and not offered:
-        yield "Subscription has a deadline, but publisher does not"
-    elif wanted and wanted < offered:
-        yield "Subscription deadline is less than publisher deadline"
-    automatic = publisher.liveliness == LivelinessPolicy.AUTOMATIC
-    if automatic and subscription.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC:
-        yield "Publisher's liveliness is automatic and subscription's is manual by topic"
-    offered = publisher.liveliness_lease_duration.nanoseconds
-    wanted = subscription.liveliness_lease_duration.nanoseconds
-    if wanted and not offered:
-        yield "Subscription has a liveliness lease duration, but publisher does not"
-    elif wanted and wanted < offered:
-        yield "Subscription liveliness lease duration is less than publisher"
+    for policy in COMPARED:
+        offered, requested = getattr(publisher, policy.name), getattr(subscription, policy.name)
+        if isinstance(policy, Choice):
+            if offered.name not in _OPEN and policy.refuses(offered, requested):
+                yield _CHOICES[policy.name].refused
+        elif requested.nanoseconds and not offered.nanoseconds:
+            yield _LIMITS[policy.name].unlimited
+        elif requested.nanoseconds and requested < offered:
+            yield _LIMITS[policy.name].greater
 
 
 def _warnings(publisher: QoSProfile, subscription: QoSProfile) -> Iterator[str]:
-    # Per policy: the weaker offer, the stronger request, and the texts for a side whose policy is still open.
-    # "durabilty" is how real ROS spells it.
-    yield from _open(
-        publisher.reliability,
-        subscription.reliability,
-        "BEST_EFFORT",
-        "RELIABLE",
-        "Publisher reliability is {} and subscription reliability is {}",
-        "Best effort publisher, but subscription is {}",
-        "Reliable subscription, but publisher is {}",
-    )
-    yield from _open(
-        publisher.durability,
-        subscription.durability,
-        "VOLATILE",
-        "TRANSIENT_LOCAL",
-        "Publisher durabilty is {} and subscription durability is {}",
-        "Volatile publisher, but subscription is {}",
-        "Transient local subscription, but publisher is {}",
-    )
-    yield from _open(
-        publisher.liveliness,
-        subscription.liveliness,
-        "AUTOMATIC",
-        "MANUAL_BY_TOPIC",
-        "Publisher liveliness is {} and subscription liveliness is {}",
-        "Publisher's liveliness is automatic, but subscription's is {}",
-        "Subscription's liveliness is manual by topic, but publisher's is {}",
-    )
-
-
-def _open(
-    offered: QoSPolicyEnum,
-    requested: QoSPolicyEnum,
-    weak: str,
-    strong: str,
-    both_open: str,
-    weak_offered: str,
-    strong_requested: str,
-) -> Iterator[str]:
-    if offered.name in _OPEN and requested.name in _OPEN:
-        yield both_open.format(offered.short_key, requested.short_key)
-    elif offered.name == weak and requested.name in _OPEN:
-        yield weak_offered.format(requested.short_key)
-    elif offered.name in _OPEN and requested.name == strong:
-        yield strong_requested.format(offered.short_key)
+    for policy in COMPARED:
+        if not isinstance(policy, Choice):
+            continue
+        offered, requested = getattr(publisher, policy.name), getattr(subscription, policy.name)
+        texts = _CHOICES[policy.name]
+        if offered.name in _OPEN and requested.name in _OPEN:
+            yield texts.both_open.format(offered.short_key, requested.short_key)
+        elif offered in policy.weak and requested.name in _OPEN:
+            yield texts.weak_offered.format(requested.short_key)
+        elif offered.name in _OPEN and requested == policy.strong:
+            yield texts.strong_requested.format(offered.short_key)
