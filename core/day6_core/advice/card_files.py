@@ -294,13 +294,15 @@ class _Reader:
         self._said, self._language = {}, ""
         if not card.patterns:
             raise self._wrong(f"the card {card.id} matches nothing", self._begun)
-        said = {(len(each.checks), bool(each.robot), frozenset(names_of(each.finding))) for each in card.words.values()}
-        if len(said) > 1:
+        shapes = {
+            (len(each.checks), bool(each.robot), frozenset(names_of(each.finding))) for each in card.words.values()
+        }
+        if len(shapes) > 1:
             raise self._wrong(f"the card {card.id} says less in one language", self._begun)
-        ((checks, robot, _),) = said
-        if robot == card.same:
+        ((count, has_robot, _),) = shapes
+        if has_robot == card.same:
             raise self._wrong(f"the card {card.id} needs either '> …' about a real robot or '- same'", self._begun)
-        if card.look and not checks:
+        if card.look and not count:
             raise self._wrong(
                 f"the card {card.id} looks around, so it needs checks for when it finds nothing", self._begun
             )
