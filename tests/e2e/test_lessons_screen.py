@@ -12,6 +12,7 @@ import pytest
 
 from day6_core.lessons import catalogue
 from day6_core.lessons.progress import pupils
+from day6_core.lessons.scene import scenes
 from day6_tui.locale import Texts
 from tests.e2e.mouse import Mouse
 from tests.support.waiting import until
@@ -23,6 +24,9 @@ pytestmark = pytest.mark.person
 
 EXAMPLE = (Path(catalogue.__file__).parent / "example.md").read_text(encoding="utf-8")
 COMMAND = "ros2 run turtlesim turtlesim_node"
+LESSONS = str(1 + sum(scene.is_action for scene in scenes().values()))
+"""The number of their choice at the start: the scenes come before it."""
+
 everybody = pytest.mark.parametrize(
     ("lang", "size"),
     [
@@ -98,7 +102,7 @@ def test_the_welcome_choice_goes_on_where_one_stopped(place: Place) -> None:
     texts = Texts("zh")
     with place.desktop(lang="zh") as screen:
         screen.wait(texts("welcome.lessons"))
-        screen.press("4")
+        screen.press(LESSONS)
         screen.wait(texts("lesson.days"), keyboard_at(texts("lesson.title")))
         screen.press("Enter")
         screen.wait(lambda seen: re.search(r"第 1/\d+ 步", seen))
@@ -108,7 +112,7 @@ def test_the_welcome_choice_goes_on_where_one_stopped(place: Place) -> None:
         screen.kill()
     with place.desktop(lang="zh") as screen:
         screen.wait("接着上次：第 1 天")
-        screen.press("4")
+        screen.press(LESSONS)
         screen.wait(lambda seen: re.search(r"第 2/\d+ 步", seen))
         screen.press("F5", "L")
         screen.wait(texts("lesson.days"))

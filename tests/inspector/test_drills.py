@@ -1,4 +1,4 @@
-"""The 46 faults of beginners: each is named, and says what to type next. How soon it is, `table.py` measures."""
+"""The faults of beginners: each is named, and says what to type next. How soon it is, `table.py` measures."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.lessons.remarks import FAULTS
 from tests.inspector.drills import DRILLS, Drill
 from tests.inspector.lab import Lab
 
@@ -25,4 +26,5 @@ def test_the_fault_is_named_with_what_to_type_next(lab: Lab, drill: Drill) -> No
 
 
 def test_every_fault_of_the_list_has_a_drill() -> None:
-    assert {int("".join(filter(str.isdigit, drill.number))) for drill in DRILLS} == set(range(1, 47))
+    numbers = {int("".join(filter(str.isdigit, drill.number))) for drill in DRILLS}
+    assert numbers >= set(range(1, FAULTS + 1))

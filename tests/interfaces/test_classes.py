@@ -7,15 +7,11 @@ import pickle
 import subprocess
 import sys
 from array import array
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from day6_core.interfaces import copy_message, get_message, registry, serialize, type_name
-from day6_core.interfaces.package import package_files
-from day6_core.ros import distribution
-from day6_core.ros.differences import has_interface
 from day6_core.ros.environment import PYTHON_PATH
 
 
@@ -261,17 +257,3 @@ def test_an_assigned_array_is_kept_and_a_list_becomes_one() -> None:
     assert state.position is mine
     state.velocity = [2.0]
     assert state.velocity == array("d", [2.0])
-
-
-@pytest.mark.parametrize("name", distribution.NAMES)
-def test_every_package_with_interfaces_can_be_imported(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(distribution, "_current", name)
-    own = Path(distribution.python_folder(name))
-    for share in sorted(Path(registry.OWN_SHARE).iterdir()):
-        kinds = [kind for kind in registry.KINDS if (share / kind).is_dir()]
-        there = (PYTHON_PATH if (PYTHON_PATH / share.name).is_dir() else own) / share.name
-        if not kinds or not has_interface(share.name):
-            assert not (own / share.name).is_dir(), share.name
-            continue
-        for path, text in package_files(share.name, kinds).items():
-            assert (there.parent / path).read_text(encoding="utf-8") == text, path

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from day6_urdf import shipped_model
+from day6_urdf import shipped_model, shipped_models
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -25,7 +25,7 @@ def run(machine: Machine, *args: str) -> Any:
 
 
 def test_without_a_name_it_says_which_there_are(machine: Machine) -> None:
-    assert run(machine).output == "day6_bot\nday6_bot_gazebo\n"
+    assert run(machine).output.split("\n") == [*shipped_models(), ""]
 
 
 def test_it_writes_a_copy_and_never_over_one_s_work(machine: Machine, here: Path) -> None:
@@ -40,5 +40,5 @@ def test_it_writes_a_copy_and_never_over_one_s_work(machine: Machine, here: Path
 def test_an_unknown_robot_is_refused(machine: Machine, here: Path) -> None:
     running = run(machine, "../../etc/passwd")
     assert running.program.status == 1
-    assert running.errors == "there is no robot '../../etc/passwd'; there are day6_bot, day6_bot_gazebo\n"
+    assert running.errors == f"there is no robot '../../etc/passwd'; there are {', '.join(shipped_models())}\n"
     assert list(here.iterdir()) == []

@@ -256,12 +256,6 @@ def test_text_is_readable_on_its_background(theme) -> None:
     assert _contrast(Style(color=found["panel-muted"], bgcolor=found["panel"])) >= 3.0
 
 
-def test_the_command_line_knows_every_theme() -> None:
-    from day6_tui.command_line import build_parser
-
-    assert [build_parser().parse_args(["--theme", name]).theme for name in NAMES] == [*NAMES]
-
-
 def test_high_contrast_is_high() -> None:
     found = palette("contrast")
     for text in ("foreground", "muted", "title", "node", "topic", "publisher", "warning", "bar-text", "panel-muted"):

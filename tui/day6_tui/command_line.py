@@ -10,6 +10,7 @@ from pathlib import Path
 from day6_core.language import LANGUAGES
 from day6_core.lessons.scene import scenes
 from day6_core.ros.distribution import NAMES
+from day6_tui.appearance import themes
 from day6_tui.locale import Texts
 
 
@@ -23,7 +24,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("--distro", choices=NAMES, help=texts("cli.distro"))
     options.add_argument("--lang", choices=LANGUAGES, help=texts("cli.lang"))
     options.add_argument("--glyphs", choices=("pixels", "half", "braille", "cell", "ascii"), help=texts("cli.glyphs"))
-    options.add_argument("--theme", choices=("dark", "light", "contrast", "colourblind"), help=texts("cli.theme"))
+    options.add_argument("--theme", choices=themes.NAMES, help=texts("cli.theme"))
     options.add_argument("--fps", type=_frame_rate, metavar="N", help=texts("cli.fps"))
     options.add_argument("--reduced-motion", action="store_true", help=texts("cli.reduced_motion"))
     options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.home"))

@@ -174,7 +174,7 @@ def read_topic(path: Path) -> tuple[dict[str, str], list[Card]]:
     """Return the titles of a topic by language, and its cards. Raises CardError with the line, OSError."""
     lines = retold(path.read_text(encoding="utf-8")).split("\n")
     titles = [title.strip() for title in lines[0].removeprefix("# ").split("|")]
-    if not lines[0].startswith("# ") or len(titles) != 2 or not all(titles):
+    if not lines[0].startswith("# ") or len(titles) != len(LANGUAGES) or not all(titles):
         raise CardError(path, 1, "the first line has to be '# TITLE | ENGLISH TITLE'")
     reader = _Reader(path)
     for number, line in enumerate(lines[1:], 2):
@@ -292,18 +292,17 @@ class _Reader:
                 means[0], join.join(means[1:]), tuple(checks), join.join(robot), join.join(finding)
             )
         self._said, self._language = {}, ""
-        chinese, english = (card.words[language] for language in LANGUAGES)
         if not card.patterns:
             raise self._wrong(f"the card {card.id} matches nothing", self._begun)
-        if (
-            len(chinese.checks) != len(english.checks)
-            or bool(chinese.robot) != bool(english.robot)
-            or names_of(chinese.finding) != names_of(english.finding)
-        ):
+        shapes = {
+            (len(each.checks), bool(each.robot), frozenset(names_of(each.finding))) for each in card.words.values()
+        }
+        if len(shapes) > 1:
             raise self._wrong(f"the card {card.id} says less in one language", self._begun)
-        if bool(chinese.robot) == card.same:
+        ((count, has_robot, _),) = shapes
+        if has_robot == card.same:
             raise self._wrong(f"the card {card.id} needs either '> …' about a real robot or '- same'", self._begun)
-        if card.look and not chinese.checks:
+        if card.look and not count:
             raise self._wrong(
                 f"the card {card.id} looks around, so it needs checks for when it finds nothing", self._begun
             )

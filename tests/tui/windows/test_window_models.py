@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import typing
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from day6_core.lessons.program import lessons_of
 from day6_core.link.classroom.teacher import Teacher
+from day6_core.ros.program_index import executables
 from day6_core.ros.programs.rqt_gui.catalogue import KNOWN
 from day6_core.ros.programs.rqt_gui.plugin import plugin_of
 from day6_core.session.display import Window
@@ -18,22 +21,29 @@ from day6_core.shell.language.interpreter import subshell_main
 from day6_core.shell.language.redirection import Streams
 from day6_tui.classes.link import TeacherLink
 from day6_tui.windows import WindowPane, pane_class
+from tests.support.source_files import sources
 from tests.support.window_kinds import window_kinds
 
+OPENS = re.compile(r'\bdisplay\.open\("(\w+)"')
+
+
+def opened_by_executables() -> Iterator[tuple[str, str]]:
+    """Yield kind and command of the windows that an executable's own module opens."""
+    for module, text in sources("day6_core/ros/programs"):
+        package, name = module.parent.name, module.stem
+        for kind in OPENS.findall(text):
+            if name in executables(package):
+                yield kind, f"ros2 run {package} {name}"
+
+
 COMMANDS = {
+    **dict(opened_by_executables()),
     **{plugin_of(entry.package).kind: f"ros2 run {entry.package} {entry.package}" for entry in KNOWN},
-    "turtlesim": "ros2 run turtlesim turtlesim_node",
-    "car": "ros2 run day6_bot car_view",
     "rqt": "rqt",
     "showimage": (
         "ros2 run image_tools showimage & ros2 run image_tools cam2image --ros-args -p burger_mode:=true > /dev/null 2>&1"
     ),
-    "joint_state_publisher": "ros2 run joint_state_publisher_gui joint_state_publisher_gui",
-    "world": "ros2 run day6_world world",
     "editor": "nano notes.txt",
-    "inspector": "ros2 run day6_inspector inspector",
-    "rviz2": "rviz2",
-    "kitchen": "ros2 run day6_kitchen kitchen",
 }
 """What opens a window of each kind."""
 

@@ -6,10 +6,10 @@ focused frame is also heavy, a warning also has its mark).
 
 from __future__ import annotations
 
-from textual.theme import Theme
+from typing import TYPE_CHECKING
 
-NAMES = ("dark", "light", "contrast", "colourblind")
-"""What the user can choose from, where the terminal has the colours."""
+if TYPE_CHECKING:
+    from textual.theme import Theme
 
 _DARK = {
     "background": "#12161d", "foreground": "#d7dde8", "strong": "#ffffff", "muted": "#8492a6", "frame": "#3d4a5c",
@@ -74,14 +74,11 @@ _SIXTEEN = {
 
 _PLAIN = dict.fromkeys(_DARK, "ansi_default")
 
-_TABLES = {
-    "dark": _DARK,
-    "light": _LIGHT,
-    "contrast": _CONTRAST,
-    "colourblind": _COLOUR_BLIND,
-    "sixteen": _SIXTEEN,
-    "plain": _PLAIN,
-}
+_CHOSEN = {"dark": _DARK, "light": _LIGHT, "contrast": _CONTRAST, "colourblind": _COLOUR_BLIND}
+_TABLES = {**_CHOSEN, "sixteen": _SIXTEEN, "plain": _PLAIN}
+NAMES = tuple(_CHOSEN)
+"""What the user can choose from, where the terminal has the colours."""
+
 _OWN = {"primary": "primary", "secondary": "node", "accent": "topic", "success": "publisher", "warning": "warning",
         "error": "error", "foreground": "foreground", "background": "background", "surface": "panel",
         "panel": "panel"}  # fmt: skip
@@ -95,6 +92,8 @@ def palette(name: str) -> dict[str, str]:
 
 def make_theme(name: str) -> Theme:
     """The theme that Textual's widgets wear: one of `NAMES`, `sixteen` or (without any colour) `plain`."""
+    from textual.theme import Theme  # here: the command line asks for the names only
+
     table = _TABLES[name]
     plain = name == "plain"
     variables = {

@@ -10,48 +10,40 @@ if TYPE_CHECKING:
 
 PACKAGE = "rviz_default_plugins"
 
-TYPES: dict[str, tuple[str, str, str]] = {
-    "AccelStamped": ("screw", "AccelStampedDisplay", "geometry_msgs/msg/AccelStamped"),
-    "Axes": ("axes", "AxesDisplay", ""),
-    "Camera": ("camera", "CameraDisplay", "sensor_msgs/msg/Image"),
-    "CameraInfo": ("camera_info", "CameraInfoDisplay", "sensor_msgs/msg/CameraInfo"),
-    "Effort": ("effort", "EffortDisplay", "sensor_msgs/msg/JointState"),
-    "FluidPressure": ("scalar", "FluidPressureDisplay", "sensor_msgs/msg/FluidPressure"),
-    "Grid": ("grid", "GridDisplay", ""),
-    "GridCells": ("flat", "GridCellsDisplay", "nav_msgs/msg/GridCells"),
-    "Illuminance": ("scalar", "IlluminanceDisplay", "sensor_msgs/msg/Illuminance"),
-    "Image": ("image", "ImageDisplay", "sensor_msgs/msg/Image"),
-    "InteractiveMarkers": (
-        "interactive_markers",
-        "InteractiveMarkersDisplay",
-        "visualization_msgs/msg/InteractiveMarkerUpdate",
-    ),
-    "LaserScan": ("laser_scan", "LaserScanDisplay", "sensor_msgs/msg/LaserScan"),
-    "Map": ("map", "MapDisplay", "nav_msgs/msg/OccupancyGrid"),
-    "Marker": ("marker", "MarkerDisplay", "visualization_msgs/msg/Marker"),
-    "MarkerArray": ("marker", "MarkerArrayDisplay", "visualization_msgs/msg/MarkerArray"),
-    "Odometry": ("odometry", "OdometryDisplay", "nav_msgs/msg/Odometry"),
-    "Path": ("path", "PathDisplay", "nav_msgs/msg/Path"),
-    "PointCloud": ("point_cloud", "PointCloudDisplay", "sensor_msgs/msg/PointCloud"),
-    "PointCloud2": ("point_cloud2", "PointCloud2Display", "sensor_msgs/msg/PointCloud2"),
-    "PointStamped": ("poses", "PointStampedDisplay", "geometry_msgs/msg/PointStamped"),
-    "Polygon": ("flat", "PolygonDisplay", "geometry_msgs/msg/PolygonStamped"),
-    "Pose": ("poses", "PoseDisplay", "geometry_msgs/msg/PoseStamped"),
-    "PoseArray": ("poses", "PoseArrayDisplay", "geometry_msgs/msg/PoseArray"),
-    "PoseWithCovariance": (
-        "poses",
-        "PoseWithCovarianceDisplay",
-        "geometry_msgs/msg/PoseWithCovarianceStamped",
-    ),
-    "Range": ("range", "RangeDisplay", "sensor_msgs/msg/Range"),
-    "RelativeHumidity": ("scalar", "RelativeHumidityDisplay", "sensor_msgs/msg/RelativeHumidity"),
-    "RobotModel": ("robot_model", "RobotModelDisplay", ""),
-    "Temperature": ("scalar", "TemperatureDisplay", "sensor_msgs/msg/Temperature"),
-    "TF": ("tf", "TFDisplay", ""),
-    "TwistStamped": ("screw", "TwistStampedDisplay", "geometry_msgs/msg/TwistStamped"),
-    "Wrench": ("screw", "WrenchDisplay", "geometry_msgs/msg/WrenchStamped"),
+TYPES: dict[str, tuple[str, str]] = {
+    "AccelStamped": ("screw", "geometry_msgs/msg/AccelStamped"),
+    "Axes": ("axes", ""),
+    "Camera": ("camera", "sensor_msgs/msg/Image"),
+    "CameraInfo": ("camera_info", "sensor_msgs/msg/CameraInfo"),
+    "Effort": ("effort", "sensor_msgs/msg/JointState"),
+    "FluidPressure": ("scalar", "sensor_msgs/msg/FluidPressure"),
+    "Grid": ("grid", ""),
+    "GridCells": ("flat", "nav_msgs/msg/GridCells"),
+    "Illuminance": ("scalar", "sensor_msgs/msg/Illuminance"),
+    "Image": ("image", "sensor_msgs/msg/Image"),
+    "InteractiveMarkers": ("interactive_markers", "visualization_msgs/msg/InteractiveMarkerUpdate"),
+    "LaserScan": ("laser_scan", "sensor_msgs/msg/LaserScan"),
+    "Map": ("map", "nav_msgs/msg/OccupancyGrid"),
+    "Marker": ("marker", "visualization_msgs/msg/Marker"),
+    "MarkerArray": ("marker", "visualization_msgs/msg/MarkerArray"),
+    "Odometry": ("odometry", "nav_msgs/msg/Odometry"),
+    "Path": ("path", "nav_msgs/msg/Path"),
+    "PointCloud": ("point_cloud", "sensor_msgs/msg/PointCloud"),
+    "PointCloud2": ("point_cloud2", "sensor_msgs/msg/PointCloud2"),
+    "PointStamped": ("poses", "geometry_msgs/msg/PointStamped"),
+    "Polygon": ("flat", "geometry_msgs/msg/PolygonStamped"),
+    "Pose": ("poses", "geometry_msgs/msg/PoseStamped"),
+    "PoseArray": ("poses", "geometry_msgs/msg/PoseArray"),
+    "PoseWithCovariance": ("poses", "geometry_msgs/msg/PoseWithCovarianceStamped"),
+    "Range": ("range", "sensor_msgs/msg/Range"),
+    "RelativeHumidity": ("scalar", "sensor_msgs/msg/RelativeHumidity"),
+    "RobotModel": ("robot_model", ""),
+    "Temperature": ("scalar", "sensor_msgs/msg/Temperature"),
+    "TF": ("tf", ""),
+    "TwistStamped": ("screw", "geometry_msgs/msg/TwistStamped"),
+    "Wrench": ("screw", "geometry_msgs/msg/WrenchStamped"),
 }
-"""Type -> module, class, and the message type by which Add by topic finds it (RobotModel and TF are not found so)."""
+"""Type -> the module of its class `<type>Display`, and the message type by which Add by topic finds it (not RobotModel, TF)."""
 
 LEFT_OUT = (f"{PACKAGE}/DepthCloud",)
 """Classes of the original that have none here."""
@@ -59,14 +51,14 @@ LEFT_OUT = (f"{PACKAGE}/DepthCloud",)
 
 def display_class(type_name: str) -> type[Display]:
     """The class of a type of `TYPES`. Raises KeyError."""
-    module, name, _ = TYPES[type_name]
-    found: type[Display] = getattr(import_module(f"{__name__}.{module}"), name)
+    module, _ = TYPES[type_name]
+    found: type[Display] = getattr(import_module(f"{__name__}.{module}"), f"{type_name}Display")
     return found
 
 
 def types_for(message_type: str) -> list[str]:
     """The display types that show messages of this type."""
-    return [name for name, (_, _, shown) in TYPES.items() if shown == message_type]
+    return [name for name, (_, shown) in TYPES.items() if shown == message_type]
 
 
 def unknown_class(class_id: str) -> str:

@@ -11,21 +11,20 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from day6_core.ros.programs.rviz2.model.tools.tool import Tool
 
-TYPES: dict[str, tuple[str, str]] = {
-    "Interact": ("interact", "Interact"),
-    "MoveCamera": ("camera", "MoveCamera"),
-    "Select": ("select", "Select"),
-    "FocusCamera": ("picking", "FocusCamera"),
-    "Measure": ("picking", "Measure"),
-    "SetInitialPose": ("pose", "SetInitialPose"),
-    "SetGoal": ("pose", "SetGoal"),
-    "PublishPoint": ("picking", "PublishPoint"),
+TYPES: dict[str, str] = {
+    "Interact": "interact",
+    "MoveCamera": "camera",
+    "Select": "select",
+    "FocusCamera": "picking",
+    "Measure": "picking",
+    "SetInitialPose": "pose",
+    "SetGoal": "pose",
+    "PublishPoint": "picking",
 }
-"""Type -> module and class, in the order of the toolbar of default.rviz."""
+"""Type -> the module of its class, which has its name, in the order of the toolbar of default.rviz."""
 
 
 def tool_class(type_name: str) -> type[Tool]:
     """The class of a type of `TYPES`. Raises KeyError."""
-    module, name = TYPES[type_name]
-    found: type[Tool] = getattr(import_module(f"{__name__}.{module}"), name)
+    found: type[Tool] = getattr(import_module(f"{__name__}.{TYPES[type_name]}"), type_name)
     return found
