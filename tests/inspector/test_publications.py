@@ -6,13 +6,13 @@ import pytest
 
 from day6_core.graph import Graph
 from day6_core.graph.qos import QoS
-from day6_core.ros.programs.day6_inspector.process_reports import Inside, Process
+from day6_core.ros.programs.day6_inspector.process_reports import Inside, ReportedProcess
 from day6_core.ros.programs.day6_inspector.publications import Publications
 
 
-def talker_that_said(count: int) -> Process:
+def talker_that_said(count: int) -> ReportedProcess:
     inside = Inside("/talker", True, True, 0.0, 0, False, {"/chatter": count}, {})
-    return Process("1", 1, ("talker.py",), (inside,))
+    return ReportedProcess("1", 1, ("talker.py",), (inside,))
 
 
 @pytest.mark.parametrize(("said", "alarms"), [(1, ["/chatter"]), (2, ["/chatter"]), (3, [])])

@@ -8,9 +8,10 @@ from typing import NamedTuple
 import pytest
 
 from day6_core.advice.card_files import all_cards, names_of
+from day6_core.facts.graph import NodeAndType
 from day6_core.interfaces import checks
 from day6_core.ros.programs.day6_inspector import output_rules
-from day6_core.ros.programs.day6_inspector.rules import Endpoint, Facts, findings
+from day6_core.ros.programs.day6_inspector.rules import Facts, findings
 from day6_core.session.overview import TerminalView
 
 TWIST, STRING, JOINTS = "geometry_msgs/msg/Twist", "std_msgs/msg/String", "sensor_msgs/msg/JointState"
@@ -22,21 +23,21 @@ def texts(facts: Facts) -> list[str]:
 
 
 def test_a_healthy_graph_has_nothing_wrong() -> None:
-    topics = {"/turtle1/cmd_vel": (Endpoint("/teleop_turtle", TWIST),)}
-    facts = Facts(topics, {"/turtle1/cmd_vel": (Endpoint("/turtlesim", TWIST),)}, ("/teleop_turtle", "/turtlesim"))
+    topics = {"/turtle1/cmd_vel": (NodeAndType("/teleop_turtle", TWIST),)}
+    facts = Facts(topics, {"/turtle1/cmd_vel": (NodeAndType("/turtlesim", TWIST),)}, ("/teleop_turtle", "/turtlesim"))
     assert texts(facts) == []
 
 
 @pytest.mark.parametrize("wrong", ["/cmd_vel", "/turtle1/cmd_vle", "/turtle/cmd_vel"])
 def test_a_slip_in_a_name_is_named_once_and_not_as_two_lonely_topics(wrong: str) -> None:
-    facts = Facts({wrong: (Endpoint("/driver", TWIST),)}, {"/turtle1/cmd_vel": (Endpoint("/turtlesim", TWIST),)})
+    facts = Facts({wrong: (NodeAndType("/driver", TWIST),)}, {"/turtle1/cmd_vel": (NodeAndType("/turtlesim", TWIST),)})
     assert texts(facts) == [
         f"warning: {wrong} is published and /turtle1/cmd_vel is subscribed to: is one of the names a typo?"
     ]
 
 
 def test_alike_names_of_other_types_are_no_slip() -> None:
-    facts = Facts({"/chatter": (Endpoint("/talker", STRING),)}, {"/chattel": (Endpoint("/turtlesim", TWIST),)})
+    facts = Facts({"/chatter": (NodeAndType("/talker", STRING),)}, {"/chattel": (NodeAndType("/turtlesim", TWIST),)})
     assert texts(facts) == [
         "info: /chattel: /turtlesim subscribes, but nobody publishes",
         "info: /chatter: /talker publishes, but nobody subscribes",
@@ -44,30 +45,32 @@ def test_alike_names_of_other_types_are_no_slip() -> None:
 
 
 def test_nobody_misses_who_hears_of_rvizs_tools_but_a_program_that_sends_the_same_is_told() -> None:
-    tools = {topic: (Endpoint("/rviz", STRING),) for topic in ("/goal_pose", "/initialpose", "/clicked_point")}
+    tools = {topic: (NodeAndType("/rviz", STRING),) for topic in ("/goal_pose", "/initialpose", "/clicked_point")}
     assert texts(Facts(tools, {})) == []
-    facts = Facts({**tools, "/goal_pose": (Endpoint("/rviz", STRING), Endpoint("/planner", STRING))}, {})
+    facts = Facts({**tools, "/goal_pose": (NodeAndType("/rviz", STRING), NodeAndType("/planner", STRING))}, {})
     assert texts(facts) == ["info: /goal_pose: /rviz, /planner publishes, but nobody subscribes"]
-    facts = Facts(tools, {"/goal_pos": (Endpoint("/nav", STRING),)})
+    facts = Facts(tools, {"/goal_pos": (NodeAndType("/nav", STRING),)})
     assert texts(facts) == [
         "warning: /goal_pose is published and /goal_pos is subscribed to: is one of the names a typo?"
     ]
 
 
 def test_types_that_do_not_match_keep_messages_away() -> None:
-    facts = Facts({"/chatter": (Endpoint("/talker", STRING),)}, {"/chatter": (Endpoint("/listener", TWIST),)})
+    facts = Facts({"/chatter": (NodeAndType("/talker", STRING),)}, {"/chatter": (NodeAndType("/listener", TWIST),)})
     assert texts(facts) == [f"error: /chatter: /talker sends {STRING}, /listener wants {TWIST}; nothing arrives"]
 
 
 def test_qos_that_does_not_match_names_the_policy() -> None:
-    endpoints = {"/scan": (Endpoint("/lidar", STRING),)}
-    facts = Facts(endpoints, {"/scan": (Endpoint("/nav", STRING),)}, deaf=(("/scan", "/lidar", "/nav", "reliability"),))
+    endpoints = {"/scan": (NodeAndType("/lidar", STRING),)}
+    facts = Facts(
+        endpoints, {"/scan": (NodeAndType("/nav", STRING),)}, deaf=(("/scan", "/lidar", "/nav", "reliability"),)
+    )
     assert texts(facts) == ["error: /scan: the QoS of /lidar is incompatible with /nav (reliability); nothing arrives"]
 
 
 def test_two_publishers_of_joint_states_fight() -> None:
-    endpoints = (Endpoint("/wheel_spinner", JOINTS), Endpoint("/joint_state_publisher_gui", JOINTS))
-    facts = Facts({"/joint_states": endpoints}, {"/joint_states": (Endpoint("/robot_state_publisher", JOINTS),)})
+    endpoints = (NodeAndType("/wheel_spinner", JOINTS), NodeAndType("/joint_state_publisher_gui", JOINTS))
+    facts = Facts({"/joint_states": endpoints}, {"/joint_states": (NodeAndType("/robot_state_publisher", JOINTS),)})
     assert texts(facts) == [
         (
             "warning: /joint_states: 2 nodes publish at the same time and fight over it: "
@@ -88,9 +91,9 @@ def test_a_joint_the_robot_does_not_have_is_named_with_its_neighbour() -> None:
 
 
 def test_movement_of_one_hertz_is_slow() -> None:
-    endpoints = {"/joint_states": (Endpoint("/wheel_spinner", JOINTS),)}
+    endpoints = {"/joint_states": (NodeAndType("/wheel_spinner", JOINTS),)}
     facts = Facts(
-        endpoints, {"/joint_states": (Endpoint("/robot_state_publisher", JOINTS),)}, rates={"/joint_states": 1.0}
+        endpoints, {"/joint_states": (NodeAndType("/robot_state_publisher", JOINTS),)}, rates={"/joint_states": 1.0}
     )
     assert texts(facts) == ["info: /joint_states arrives 1 times a second; the eye needs about 20"]
 
@@ -173,8 +176,10 @@ AssertionError: The 'x' field must be of type 'float'
 
 def test_two_types_are_told_as_long_as_there_are_two() -> None:
     said = Ran("Cannot echo topic '/score', as it contains more than one type: [a, b]", 1, "ros2 topic echo /score")
-    number = {"/score": (Endpoint("/board", "std_msgs/msg/Int32"),)}
-    assert "two_types_said" in keys_after(said, publishers={"/score": (*number["/score"], Endpoint("/text", STRING))})
+    number = {"/score": (NodeAndType("/board", "std_msgs/msg/Int32"),)}
+    assert "two_types_said" in keys_after(
+        said, publishers={"/score": (*number["/score"], NodeAndType("/text", STRING))}
+    )
     assert "two_types_said" not in keys_after(said, publishers=number)
 
 

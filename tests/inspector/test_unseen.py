@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from day6_core.graph import EndpointKind
-from day6_core.ros.programs.rqt_graph.model.content import GraphType, Options
+from day6_core.ros.programs.rqt_graph.model.content import GraphOptions, GraphType
 from tests.inspector.drills import HEAD, robot
 from tests.inspector.lab import Lab
 
@@ -108,7 +108,7 @@ def seen(lab: Lab) -> dict[str, Any]:
     # Another kitchen, rqt_graph and the commands' daemon are nodes of their own, with a number in their names.
     found["cooks"] = [re.sub(r"\d+", "N", str(cook)) for cook in kitchen.content.cooks]
     found["belts"] = [re.sub(r"\d+", "N", str(belt)) for belt in kitchen.content.belts]
-    graph.change_options(Options(GraphType.ALL, hide_dead_sinks=False, hide_leaf_topics=False, hide_debug=False))
+    graph.change_options(GraphOptions(GraphType.ALL, hide_dead_sinks=False, hide_leaf_topics=False, hide_debug=False))
     refreshed: list[Any] = []
     lab.desk.scheduler.call_soon_threadsafe(lambda: refreshed.append(graph.refresh()))
     lab.wait(lambda: refreshed)

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_core.isolation import modes
-from day6_core.isolation.cell import Cell, Limits, Words
+from day6_core.isolation.cell import Cell, Limits, Phrase
 from day6_core.isolation.mode import Mode
 from tests.support.waiting import PATIENCE, Deadline
 
@@ -370,7 +370,7 @@ def asked(name: str, deed: str) -> Any:
     return json.loads(done.stdout)
 
 
-def in_words(words: Words) -> str:
+def in_words(words: Phrase) -> str:
     from day6_tui.locale import Texts
 
     return Texts("en")(words.key, **words.values)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from day6_core.graph import EndpointKind, Graph
 from day6_core.graph.qos import Durability, QoS, Reliability
-from day6_core.ros.programs.day6_kitchen.belts import Belt, End, Facts, Hand, Refusal, select
+from day6_core.ros.programs.day6_kitchen.belts import Belt, End, Hand, KitchenFacts, Refusal, select
 from day6_core.ros.programs.day6_kitchen.dishes import GAP_SECONDS, TRAVEL_SECONDS, Conveyor, Dishes
 from day6_core.ros.programs.day6_kitchen.model import Kitchen
 from day6_core.ros.programs.day6_kitchen.rates import Rate
@@ -13,9 +13,9 @@ STRING, INT = "std_msgs/msg/String", "std_msgs/msg/Int32"
 QOS = QoS().resolved()
 
 
-def facts(*ends: tuple[str, str, bool, str], nodes: tuple[str, ...] = ()) -> Facts:
+def facts(*ends: tuple[str, str, bool, str], nodes: tuple[str, ...] = ()) -> KitchenFacts:
     found = tuple(End(topic, node, gives, kind, QOS) for topic, node, gives, kind in ends)
-    return Facts(nodes or tuple(dict.fromkeys(end.node for end in found)), found)
+    return KitchenFacts(nodes or tuple(dict.fromkeys(end.node for end in found)), found)
 
 
 def test_cooks_who_give_stand_before_those_who_take() -> None:
@@ -57,7 +57,7 @@ def test_qos_names_every_policy_that_does_not_match() -> None:
     offer = QoS(reliability=Reliability.BEST_EFFORT, durability=Durability.VOLATILE).resolved()
     request = QoS(reliability=Reliability.RELIABLE, durability=Durability.TRANSIENT_LOCAL).resolved()
     ends = (End("/b", "/a", True, STRING, offer), End("/b", "/t", False, STRING, request))
-    (refusal,) = select(Facts(("/a", "/t"), ends)).belts[0].refusals
+    (refusal,) = select(KitchenFacts(("/a", "/t"), ends)).belts[0].refusals
     assert (refusal.why, refusal.detail) == ("qos", "durability, reliability")
 
 
@@ -85,7 +85,7 @@ def test_what_is_hidden_is_left_out_and_counted() -> None:
 
 
 def test_two_nodes_of_one_name_are_one_cook_who_is_counted_twice() -> None:
-    (cook,) = select(Facts(("/talker", "/talker"), ())).cooks
+    (cook,) = select(KitchenFacts(("/talker", "/talker"), ())).cooks
     assert (cook.name, cook.count) == ("/talker", 2)
 
 

@@ -7,7 +7,7 @@ import math
 import pytest
 from geometry_msgs.msg import TransformStamped
 
-from day6_core.ros.programs.day6_bot._frames import Frames
+from day6_core.ros.programs.day6_bot._frames import RobotFrames
 from day6_core.ros.programs.day6_bot._joints import JointReadings, Moment
 from day6_core.ros.programs.day6_bot._status import nearest_name
 from day6_urdf.kinematics import IDENTITY
@@ -22,7 +22,7 @@ def stamped(parent: str, child: str, x: float = 0.0, yaw: float = 0.0) -> Transf
 
 
 def test_transforms_are_chained_up_and_down() -> None:
-    frames = Frames()
+    frames = RobotFrames()
     frames.update(
         [stamped("odom", "base", 1.0, math.pi / 2), stamped("base", "wheel", 2.0), stamped("odom", "other", 5.0)]
     )
@@ -34,21 +34,21 @@ def test_transforms_are_chained_up_and_down() -> None:
 
 
 def test_what_nothing_connects_has_no_transform() -> None:
-    frames = Frames()
+    frames = RobotFrames()
     frames.update([stamped("a", "b"), stamped("c", "d")])
     assert frames.lookup("a", "d") is None
     assert frames.lookup("a", "nowhere") is None
 
 
 def test_a_loop_of_frames_does_not_hang() -> None:
-    frames = Frames()
+    frames = RobotFrames()
     frames.update([stamped("a", "b"), stamped("b", "a"), stamped("c", "c")])
     assert frames.lookup("z", "a") is None
     assert frames.lookup("c", "a") is None
 
 
 def test_the_same_transform_again_is_no_news() -> None:
-    frames = Frames()
+    frames = RobotFrames()
     assert frames.update([stamped("/a", "/b", 1.0)])
     assert not frames.update([stamped("a", "b", 1.0)])
     assert frames.update([stamped("a", "b", 2.0)])

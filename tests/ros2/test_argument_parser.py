@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from day6_core.session.argument_parser import Parser
+from day6_core.session.argument_parser import SessionParser
 
 
 def test_the_bare_command_prints_help_with_every_command_and_exits_0(machine):
@@ -66,7 +66,7 @@ def test_help_equals_that_of_python_3_11_at_every_width(machine, monkeypatch, wi
     machine.env["COLUMNS"] = str(width)
     session = machine.session(["x"])
     for fill in (fill_many, fill_positional_only, fill_nothing):
-        ours = Parser(session, prog="prog with words", description="What it does.")
+        ours = SessionParser(session, prog="prog with words", description="What it does.")
         plain = argparse.ArgumentParser(
             prog="prog with words", description="What it does.", formatter_class=argparse.RawDescriptionHelpFormatter
         )

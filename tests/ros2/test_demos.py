@@ -12,7 +12,7 @@ from sensor_msgs.msg import Image, JointState, LaserScan
 from std_msgs.msg import Bool
 
 from day6_core.ros.program_index import executables, packages
-from day6_core.ros.programs.rqt_image_view.decoding import View
+from day6_core.ros.programs.rqt_image_view.decoding import ImageRequest
 from day6_core.session.display import Display
 from day6_urdf.check import check_text
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -316,7 +316,7 @@ def test_the_first_picture_opens_a_window_that_shows_the_newest(machine, words, 
     if title:
         (window,) = display.windows
         assert window.model.received == 5
-        picture = window.model.picture(View(32, 24))
+        picture = window.model.picture(ImageRequest(32, 24))
         assert (picture.image_width, picture.image_height, picture.encoding) == (320, 240, "bgr8")
         assert picture.pixels.shape == (24, 32, 3) and picture.pixels.any()
     shown.interrupt()

@@ -7,7 +7,7 @@ import json
 import pytest
 
 from day6_core.ros.programs.rqt_bag.model.keeping import Kept, read_kept
-from day6_core.ros.programs.rqt_bag.model.view import View
+from day6_core.ros.programs.rqt_bag.model.view import TimeSpan
 from day6_core.ros.programs.rqt_gui.perspectives import Instance, save_file
 from tests.rqt_bag.bag_desk import SECOND, START, write_bag
 
@@ -19,7 +19,7 @@ def look(desk):
     desk.publish("/word", "/number")
     desk.jump(4.2)
     model.request(lambda: model.player.select((START + 2 * SECOND, START + 6 * SECOND)))
-    model.view, model.thumbnails = View(START + SECOND, START + 8 * SECOND), True
+    model.view, model.thumbnails = TimeSpan(START + SECOND, START + 8 * SECOND), True
     desk.arrive()
     kept = json.loads(json.dumps(model.kept().settings()))
     desk.running.program.interrupt()
@@ -47,7 +47,7 @@ def test_a_perspective_brings_back_the_bag_and_how_it_was_looked_at(desk):
     assert [bag.path for bag in model.bags] == [desk.folder / "bag"]
     assert model.player.publishing == {"/word", "/number"} and desk.playhead == 4.2
     assert model.player.region == (START + 2 * SECOND, START + 6 * SECOND)
-    assert model.view == View(START + SECOND, START + 8 * SECOND) and model.thumbnails
+    assert model.view == TimeSpan(START + SECOND, START + 8 * SECOND) and model.thumbnails
     assert model.kept().settings() == kept
 
 

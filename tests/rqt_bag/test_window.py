@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from std_msgs.msg import Float64
 
-from day6_core.ros.programs.rqt_bag.model.view import View, divisions, size_text, whole
+from day6_core.ros.programs.rqt_bag.model.view import TimeSpan, divisions, size_text, whole
 from tests.rqt_bag.bag_desk import SECOND, START, write_bag, write_images
 from tests.tui.screens import ToolWindow, use_window
 
@@ -352,7 +352,7 @@ def test_a_new_recording_is_seen_whole_however_the_last_bag_was_looked_at(bag):
     ),
 )
 def test_the_axis_is_labelled_as_in_rqt_bag(seconds, columns, labels):
-    view = View(START, START + round(seconds * SECOND) + 1)
+    view = TimeSpan(START, START + round(seconds * SECOND) + 1)
     assert [text for _, text in divisions(view, START, columns, 10)] == labels
 
 
@@ -361,8 +361,8 @@ def test_sizes_are_written_as_in_rqt_bag():
 
 
 def test_the_view_follows_a_playhead_that_leaves_it():
-    view = View(0, 100)
+    view = TimeSpan(0, 100)
     assert view.following(50, 0, 1000) == view
-    assert view.following(110, 0, 1000) == View(85, 185)
-    assert view.following(1000, 0, 1000) == View(900, 1000)
-    assert View(500, 600).following(490, 0, 1000) == View(415, 515)
+    assert view.following(110, 0, 1000) == TimeSpan(85, 185)
+    assert view.following(1000, 0, 1000) == TimeSpan(900, 1000)
+    assert TimeSpan(500, 600).following(490, 0, 1000) == TimeSpan(415, 515)

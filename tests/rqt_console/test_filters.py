@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from day6_core.ros.programs.rqt_console import files, kept, model
-from day6_core.ros.programs.rqt_console.filters import Choice, Filter
+from day6_core.ros.programs.rqt_console.filters import Filter, FilterChoice
 from day6_core.ros.programs.rqt_console.model import Console, Record
 from tests.support.stepped_machine import SteppedMachine
 
@@ -20,7 +20,7 @@ RECORDS = (
 )
 
 
-def left(choice: Choice) -> list[int]:
+def left(choice: FilterChoice) -> list[int]:
     return [record.number for record in RECORDS if choice.shows(record)]
 
 
@@ -46,21 +46,21 @@ def left(choice: Choice) -> list[int]:
     ],
 )
 def test_a_filter_leaves_out_what_it_means(excluded: Filter, numbers: list[int]) -> None:
-    assert left(Choice((excluded,))) == numbers
+    assert left(FilterChoice((excluded,))) == numbers
 
 
 def test_several_filters_each_leave_something_out() -> None:
-    choice = Choice((Filter("message", "wall"), Filter("message", "lines")))
+    choice = FilterChoice((Filter("message", "wall"), Filter("message", "lines")))
     assert left(choice) == [2]
     assert left(choice.with_filter("excludes", 0, None)) == [1, 2]
 
 
 def test_only_what_stands_out_is_shown_if_one_wants_that() -> None:
-    choice = Choice(highlights=(Filter("message", "wall"), Filter("severity", levels=frozenset((40,)))))
+    choice = FilterChoice(highlights=(Filter("message", "wall"), Filter("severity", levels=frozenset((40,)))))
     assert [record.number for record in RECORDS if choice.is_highlighted(record)] == [1, 3]
     assert left(choice) == [1, 2, 3]
     assert left(replace(choice, only_highlighted=True)) == [1, 3]
-    assert left(Choice(only_highlighted=True)) == [1, 2, 3]
+    assert left(FilterChoice(only_highlighted=True)) == [1, 2, 3]
 
 
 def test_a_wrong_regular_expression_says_what_is_wrong_and_none_can_hang() -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from day6_core.ros.programs.rqt_graph.model.content import Content, Facts
+from day6_core.ros.programs.rqt_graph.model.content import Content, GraphContent
 
 ACTION = "/turtle1/rotate_absolute/_action/"
-FACTS = Facts(
+FACTS = GraphContent(
     publishers={
         "/turtle1/cmd_vel": ("/teleop_turtle",),
         "/turtle1/pose": ("/turtlesim",),

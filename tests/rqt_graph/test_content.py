@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from day6_core.ros.programs.rqt_graph.model.content import Content, Facts, GraphType, Options, select
+from day6_core.ros.programs.rqt_graph.model.content import Content, GraphContent, GraphOptions, GraphType, select
 
 FEEDBACK = "/turtle1/rotate_absolute/_action/feedback"
-TURTLE = Facts(
+TURTLE = GraphContent(
     publishers={
         "/turtle1/cmd_vel": ("/teleop_turtle",),
         "/turtle1/pose": ("/turtlesim",),
@@ -38,7 +38,7 @@ def hidden(content: Content) -> dict[str, set[str]]:
 
 
 def test_the_first_view_is_the_two_ellipses_of_the_lesson() -> None:
-    content = select(TURTLE, Options())
+    content = select(TURTLE, GraphOptions())
     assert names(content) == {"/teleop_turtle", "/turtlesim"}
     assert edges(content) == {
         ("/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel"),
@@ -47,7 +47,7 @@ def test_the_first_view_is_the_two_ellipses_of_the_lesson() -> None:
 
 
 def test_what_is_hidden_is_told_with_its_reason() -> None:
-    assert hidden(select(TURTLE, Options())) == {
+    assert hidden(select(TURTLE, GraphOptions())) == {
         "Dead sinks": {"/turtle1/pose", "/rosout"},
         "Params": {"/parameter_events"},
         "Debug": {"/_ros2cli_1042"},
@@ -55,18 +55,18 @@ def test_what_is_hidden_is_told_with_its_reason() -> None:
 
 
 def test_showing_debug_brings_the_echo_into_the_picture() -> None:
-    content = select(TURTLE, Options(hide_debug=False))
+    content = select(TURTLE, GraphOptions(hide_debug=False))
     assert ("/teleop_turtle", "/_ros2cli_1042", "/turtle1/cmd_vel") in edges(content)
 
 
 def test_a_node_that_hears_itself_shows_its_loop() -> None:
-    content = select(TURTLE, Options(hide_params=False))
+    content = select(TURTLE, GraphOptions(hide_params=False))
     (turtlesim,) = [box for box in content.boxes if box.key == "/turtlesim"]
     assert turtlesim.lines == ("/turtlesim", "↺ /parameter_events")
 
 
 def test_topics_become_boxes_between_the_nodes() -> None:
-    content = select(TURTLE, Options(graph_type=GraphType.ALL))
+    content = select(TURTLE, GraphOptions(graph_type=GraphType.ALL))
     assert edges(content) == {
         ("/teleop_turtle", "/turtle1/cmd_vel", ""),
         ("/turtle1/cmd_vel", "/turtlesim", ""),
@@ -82,41 +82,41 @@ def test_topics_become_boxes_between_the_nodes() -> None:
     ("sinks", "leaves", "shown"), [(True, True, False), (False, True, False), (False, False, True)]
 )
 def test_a_topic_nobody_hears_needs_both_boxes_off(sinks: bool, leaves: bool, shown: bool) -> None:
-    options = Options(graph_type=GraphType.ALL, hide_dead_sinks=sinks, hide_leaf_topics=leaves)
+    options = GraphOptions(graph_type=GraphType.ALL, hide_dead_sinks=sinks, hide_leaf_topics=leaves)
     assert ("/turtle1/pose" in names(select(TURTLE, options))) is shown
 
 
 def test_a_topic_only_heard_is_a_leaf_but_no_dead_sink() -> None:
-    facts = Facts(publishers={}, subscribers={"/joint_states": ("/robot_state_publisher",)})
-    options = Options(graph_type=GraphType.ALL)
+    facts = GraphContent(publishers={}, subscribers={"/joint_states": ("/robot_state_publisher",)})
+    options = GraphOptions(graph_type=GraphType.ALL)
     assert "/joint_states" not in names(select(facts, options))
     assert hidden(select(facts, options)) == {"Leaf topics": {"/joint_states"}}
     assert "/joint_states" in names(select(facts, replace(options, hide_leaf_topics=False)))
 
 
-TF = Facts(
+TF = GraphContent(
     publishers={"/tf": ("/robot_state_publisher",), "/tf_static": ("/robot_state_publisher",)},
     subscribers={"/tf": ("/viewer",), "/tf_static": ("/viewer",)},
 )
 
 
 def test_tf_topics_share_one_group_box() -> None:
-    content = select(TF, Options(graph_type=GraphType.ALL))
+    content = select(TF, GraphOptions(graph_type=GraphType.ALL))
     assert {(box.lines[0], box.shape) for box in content.boxes if box.shape != "node"} == {("/tf", "group")}
     assert edges(content) == {("/robot_state_publisher", "/tf", ""), ("/tf", "/viewer", "")}
 
 
 def test_tf_can_be_shown_apart_or_hidden() -> None:
-    apart = select(TF, Options(graph_type=GraphType.ALL, group_tf=False))
+    apart = select(TF, GraphOptions(graph_type=GraphType.ALL, group_tf=False))
     assert {"/tf", "/tf_static"} <= names(apart)
-    gone = select(TF, Options(graph_type=GraphType.ALL, hide_tf=True))
+    gone = select(TF, GraphOptions(graph_type=GraphType.ALL, hide_tf=True))
     assert gone.edges == ()
     assert hidden(gone) == {"tf": {"/tf", "/tf_static"}}
 
 
 def test_rviz_is_hidden_by_debug_as_in_the_real_tool() -> None:
-    facts = Facts(publishers={"/tf": ("/a",)}, subscribers={"/tf": ("/rviz2", "/b")})
-    assert names(select(facts, Options())) == {"/a", "/b"}
+    facts = GraphContent(publishers={"/tf": ("/a",)}, subscribers={"/tf": ("/rviz2", "/b")})
+    assert names(select(facts, GraphOptions())) == {"/a", "/b"}
 
 
 @pytest.mark.parametrize(
@@ -131,29 +131,29 @@ def test_rviz_is_hidden_by_debug_as_in_the_real_tool() -> None:
     ],
 )
 def test_the_node_filter_takes_names_patterns_and_exclusions(text: str, expected: set[str]) -> None:
-    assert names(select(TURTLE, Options(node_filter=text))) == expected
+    assert names(select(TURTLE, GraphOptions(node_filter=text))) == expected
 
 
 def test_the_topic_filter_takes_edges_out() -> None:
-    content = select(TURTLE, Options(topic_filter="-/turtle1/cmd_vel"))
+    content = select(TURTLE, GraphOptions(topic_filter="-/turtle1/cmd_vel"))
     assert edges(content) == {("/turtlesim", "/teleop_turtle", FEEDBACK)}
 
 
 def test_an_action_with_all_five_topics_is_one_group() -> None:
     topics = ["/fib/" + each for each in ("status", "result", "goal", "cancel", "feedback")]
-    facts = Facts(dict.fromkeys(topics, ("/server",)), dict.fromkeys(topics, ("/client",)))
-    content = select(facts, Options(graph_type=GraphType.ALL))
+    facts = GraphContent(dict.fromkeys(topics, ("/server",)), dict.fromkeys(topics, ("/client",)))
+    content = select(facts, GraphOptions(graph_type=GraphType.ALL))
     assert edges(content) == {("/server", "/fib/action_topics", ""), ("/fib/action_topics", "/client", "")}
 
 
 def test_trouble_follows_its_topic_into_both_views() -> None:
-    facts = Facts({"/a": ("/p",)}, {"/a": ("/s",)}, {"/a": ("Found qos incompatibilities:",)})
-    assert set(select(facts, Options()).trouble) == {"/a"}
-    assert set(select(facts, Options(graph_type=GraphType.ALL)).trouble) == {" /a"}
+    facts = GraphContent({"/a": ("/p",)}, {"/a": ("/s",)}, {"/a": ("Found qos incompatibilities:",)})
+    assert set(select(facts, GraphOptions()).trouble) == {"/a"}
+    assert set(select(facts, GraphOptions(graph_type=GraphType.ALL)).trouble) == {" /a"}
 
 
 STATUS = "/turtle1/rotate_absolute/_action/status"
-DRIVEN = Facts(
+DRIVEN = GraphContent(
     publishers={**TURTLE.publishers, STATUS: ("/turtlesim",)},
     subscribers={**TURTLE.subscribers, STATUS: ("/teleop_turtle",)},
 )
@@ -161,10 +161,10 @@ DRIVEN = Facts(
 
 def test_a_driven_turtle_is_three_arrows_as_in_the_official_tutorial() -> None:
     """The box "Actions" joins five topics of ROS 1; an action of ROS 2 has two, so nothing is joined."""
-    assert edges(select(DRIVEN, Options())) == {
+    assert edges(select(DRIVEN, GraphOptions())) == {
         ("/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel"),
         ("/turtlesim", "/teleop_turtle", FEEDBACK),
         ("/turtlesim", "/teleop_turtle", STATUS),
     }
-    boxes = names(select(DRIVEN, Options(graph_type=GraphType.ACTIVE)))
+    boxes = names(select(DRIVEN, GraphOptions(graph_type=GraphType.ACTIVE)))
     assert boxes == {"/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel", FEEDBACK, STATUS}

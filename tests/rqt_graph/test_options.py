@@ -9,9 +9,9 @@ import pytest
 from day6_core.ros.programs.rqt_graph.model.content import (
     QUIET_EDGES,
     QUIET_NAMES,
-    Facts,
+    GraphContent,
+    GraphOptions,
     GraphType,
-    Options,
     namespace_of,
     select,
 )
@@ -31,7 +31,7 @@ def is_quiet(name: str) -> bool:
     return any(quiet in name for quiet in QUIET_NAMES) or name.split("/")[-1].startswith("_")
 
 
-def kept_topics(options: Options) -> set[str]:
+def kept_topics(options: GraphOptions) -> set[str]:
     """Topics that no topic option hides."""
     kept = set()
     for topic in TOPICS:
@@ -47,7 +47,7 @@ def kept_topics(options: Options) -> set[str]:
     return kept
 
 
-def nodes_only(options: Options) -> tuple[set[str], set[tuple[str, str, str]]]:
+def nodes_only(options: GraphOptions) -> tuple[set[str], set[tuple[str, str, str]]]:
     nodes = {node for node in NODES if not (options.hide_debug and is_quiet(node))}
     return nodes, {
         (sender, hearer, topic)
@@ -58,7 +58,7 @@ def nodes_only(options: Options) -> tuple[set[str], set[tuple[str, str, str]]]:
     }
 
 
-def nodes_and_topics(options: Options) -> tuple[set[str], set[tuple[str, str, str]]]:
+def nodes_and_topics(options: GraphOptions) -> tuple[set[str], set[tuple[str, str, str]]]:
     kept = kept_topics(options)
     group = {}
     if options.group_images and len(CAMERA & kept) >= 3:
@@ -86,7 +86,7 @@ def test_every_combination_of_the_controls_shows_what_the_rules_say(
     for hides in product((True, False), repeat=5):
         names = ("hide_dead_sinks", "hide_leaf_topics", "hide_debug", "hide_tf", "hide_params")
         switches = dict(zip(("group_actions", "group_tf", "group_images"), groups, strict=True))
-        options = Options(graph_type, **switches, **dict(zip(names, hides, strict=True)))
+        options = GraphOptions(graph_type, **switches, **dict(zip(names, hides, strict=True)))
         assert shown(select(FACTS, options)) == expected(options), options
 
 
@@ -103,5 +103,7 @@ def test_every_combination_of_the_controls_shows_what_the_rules_say(
 )
 def test_namespace_boxes_nest_up_to_the_number_asked_for(name: str, depth: int, namespace: str) -> None:
     assert namespace_of(name, depth) == namespace
-    content = select(Facts({name: ("/talker",)}, {name: ("/listener",)}), Options(GraphType.ALL, namespaces=depth))
+    content = select(
+        GraphContent({name: ("/talker",)}, {name: ("/listener",)}), GraphOptions(GraphType.ALL, namespaces=depth)
+    )
     assert {box.cluster for box in content.boxes if box.shape == "topic"} == {namespace}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from day6_core.ros.programs.rqt_graph.model.content import GraphType, Options, select
+from day6_core.ros.programs.rqt_graph.model.content import GraphOptions, GraphType, select
 from tests.rqt_graph.one_graph import FACTS, shown
 from tests.rqt_graph.record_rqt_graph import MODES, combinations, load
 from tests.support.folded import folded
@@ -27,7 +27,7 @@ def sensible(boxes, edges) -> set[tuple[str, ...]]:
 @folded("case", CASES, ids=name)
 def test_a_combination_of_the_controls_shows_what_the_real_one_shows(case) -> None:
     mode, switches, (boxes, edges) = case
-    assert shown(select(FACTS, Options(TYPES[mode], **switches))) == (set(boxes), sensible(boxes, edges))
+    assert shown(select(FACTS, GraphOptions(TYPES[mode], **switches))) == (set(boxes), sensible(boxes, edges))
 
 
 def test_the_real_one_shows_edges_to_a_node_that_it_hides() -> None:

@@ -10,13 +10,13 @@ import pytest
 from textual import events
 
 from day6_core.graph import Graph
-from day6_core.ros.programs.rqt_graph.model.content import Facts, Options
+from day6_core.ros.programs.rqt_graph.model.content import GraphContent, GraphOptions
 from day6_core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
-LESSON = Facts({"/turtle1/cmd_vel": ("/teleop_turtle",)}, {"/turtle1/cmd_vel": ("/turtlesim",)})
+LESSON = GraphContent({"/turtle1/cmd_vel": ("/teleop_turtle",)}, {"/turtle1/cmd_vel": ("/turtlesim",)})
 
-ROBOTS = Facts(
+ROBOTS = GraphContent(
     {f"/r{robot}/topic_{part}": (f"/r{robot}/part_{part}",) for robot in range(4) for part in range(7)},
     {f"/r{robot}/topic_{part}": (f"/r{robot}/part_{part + 1}",) for robot in range(4) for part in range(7)},
 )
@@ -55,11 +55,11 @@ class _Window(ToolWindow):
 
 
 def use(
-    facts: Facts, act: Callable[[_Window], Awaitable[None]], size: tuple[int, int] = (80, 24), **options: Any
+    facts: GraphContent, act: Callable[[_Window], Awaitable[None]], size: tuple[int, int] = (80, 24), **options: Any
 ) -> None:
     """Open the graph and do something with it."""
     model = RqtGraph(None, Graph(0), Path("/nowhere"))  # type: ignore[arg-type]
-    model._show(facts, Options())
+    model._show(facts, GraphOptions())
     use_window(("rqt_graph", "rqt_graph", model), act, size, _Window, **options)
 
 
@@ -100,7 +100,7 @@ def test_the_picture_cannot_be_lost_by_panning() -> None:
 
 @pytest.mark.parametrize("size", [(40, 10), (60, 12), (80, 24), (120, 40)])
 @pytest.mark.parametrize("facts", [LESSON, ROBOTS], ids=["lesson", "robots"])
-def test_fit_brings_the_whole_graph_into_view(facts: Facts, size: tuple[int, int]) -> None:
+def test_fit_brings_the_whole_graph_into_view(facts: GraphContent, size: tuple[int, int]) -> None:
     async def act(window: _Window) -> None:
         picture, view = window.pane._picture, window.pane._view
         assert len(picture.boxes) == len(window.model.content.boxes)
@@ -190,7 +190,7 @@ def test_a_pan_stays_when_the_graph_changes() -> None:
         await window.press(*["plus"] * 12)
         await window.press("right", "right")
         before = window.pane._view.part
-        more = Facts({**ROBOTS.publishers, "/late": ("/r9",)}, {**ROBOTS.subscribers, "/late": ("/r3/part_0",)})
+        more = GraphContent({**ROBOTS.publishers, "/late": ("/r9",)}, {**ROBOTS.subscribers, "/late": ("/r3/part_0",)})
         window.model._show(more, window.model.options)
         await step(window.app, window.pilot)
         assert window.pane._view.part == before
@@ -213,7 +213,7 @@ def test_the_keys_that_save_and_open_are_those_of_the_other_windows(key: str, ti
 def test_boxes_keep_their_frames_and_names_where_there_is_room_though_none_for_the_names_of_topics() -> None:
     names = ["/talker_of_the_robot", "/listener", "/simulator", "/broadcaster1", "/broadcaster2"]
     talker, listener, simulator, *broadcasters = names
-    facts = Facts(
+    facts = GraphContent(
         {
             "/chatter": (talker,),
             "/tf": tuple(broadcasters),
@@ -251,5 +251,5 @@ def test_what_is_hidden_is_named_where_that_fits_and_else_counted(size: tuple[in
         told = screen_lines(window.app)[-2]
         assert "Dead sinks 9" in told and "…" not in told
 
-    use(Facts(few, {}), all_named, size, lang=lang)
-    use(Facts(many, {}), counted, size, lang=lang)
+    use(GraphContent(few, {}), all_named, size, lang=lang)
+    use(GraphContent(many, {}), counted, size, lang=lang)

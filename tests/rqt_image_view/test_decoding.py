@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from sensor_msgs.msg import CompressedImage, Image
 
-from day6_core.ros.programs.rqt_image_view.decoding import Undecodable, View, picture_of
+from day6_core.ros.programs.rqt_image_view.decoding import ImageRequest, Undecodable, picture_of
 from tests.support.folded import folded
 
 RED, GREEN, BLUE, WHITE = (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)
@@ -30,7 +30,7 @@ def image(encoding: str, data: Any, *, step: int | None = None, big: int = 0) ->
 
 
 def seen(message: Any, width: int = 2, height: int = 2, **options: Any) -> list[Any]:
-    return picture_of(message, View(width, height, **options)).pixels.tolist()
+    return picture_of(message, ImageRequest(width, height, **options)).pixels.tolist()
 
 
 def as_lists(colours: Any) -> list[Any]:
@@ -101,16 +101,16 @@ def test_an_image_is_turned_clockwise_and_its_pixels_are_still_known() -> None:
     assert seen(message, rotation=1) == as_lists([[BLUE, RED], [WHITE, GREEN]])
     assert seen(message, rotation=2) == as_lists([[WHITE, BLUE], [GREEN, RED]])
     assert seen(message, rotation=3) == as_lists([[GREEN, WHITE], [RED, BLUE]])
-    wide = picture_of(image("mono8", np.zeros((2, 6), np.uint8)), View(6, 6, rotation=1))
+    wide = picture_of(image("mono8", np.zeros((2, 6), np.uint8)), ImageRequest(6, 6, rotation=1))
     assert (wide.image_width, wide.image_height, wide.pixels.shape) == (2, 6, (6, 2, 3))
 
 
 def test_an_image_is_fitted_in_or_shown_pixel_by_pixel() -> None:
     message = image("mono8", np.arange(100, dtype=np.uint8).reshape(10, 10))
-    fitted = picture_of(message, View(5, 20))
+    fitted = picture_of(message, ImageRequest(5, 20))
     assert fitted.pixels.shape == (5, 5, 3) and list(fitted.columns) == [1, 3, 5, 7, 9]
-    assert picture_of(message, View(40, 20)).pixels.shape == (20, 20, 3)
-    part = picture_of(message, View(3, 2, zoom_1=True, left=4, top=99))
+    assert picture_of(message, ImageRequest(40, 20)).pixels.shape == (20, 20, 3)
+    part = picture_of(message, ImageRequest(3, 2, zoom_1=True, left=4, top=99))
     assert part.pixels[..., 0].tolist() == [[84, 85, 86], [94, 95, 96]]
 
 
@@ -150,7 +150,7 @@ def test_rows_may_be_padded() -> None:
 )
 def test_what_cannot_be_shown_is_told_in_the_words_of_the_real_one(message, told) -> None:
     with pytest.raises(Undecodable) as error:
-        picture_of(message, View(20, 20))
+        picture_of(message, ImageRequest(20, 20))
     assert told in str(error.value)
 
 
@@ -167,7 +167,7 @@ def test_odd_sizes_have_pixels_too(encoding, rotation, size) -> None:
     bytes_each = {"rgb8": 3, "32FC1": 4, "mono8": 1, "bayer_rggb8": 1}.get(encoding, 2)
     message = Image(height=height, width=width, encoding=encoding, step=width * bytes_each)
     message.data = bytes(width * bytes_each * height)
-    for view in (View(9, 9, rotation=rotation), View(2, 2, True, 3, 3, rotation=rotation)):
+    for view in (ImageRequest(9, 9, rotation=rotation), ImageRequest(2, 2, True, 3, 3, rotation=rotation)):
         assert picture_of(message, view).pixels.shape[2] == 3
 
 
@@ -177,7 +177,7 @@ def test_compressed_images_are_decoded() -> None:
     for form in ("png", "jpeg"):
         file = io.BytesIO()
         Picture.new("RGB", (640, 480), (200, 10, 10)).save(file, form)
-        found = picture_of(CompressedImage(format=form, data=file.getvalue()), View(32, 24))
+        found = picture_of(CompressedImage(format=form, data=file.getvalue()), ImageRequest(32, 24))
         assert (found.image_width, found.image_height, found.pixels.shape) == (640, 480, (24, 32, 3))
         assert abs(int(found.pixels[5, 5, 0]) - 200) < 5
 
@@ -196,7 +196,7 @@ def black_png(width: int, height: int) -> bytes:
 
 
 def test_a_compressed_bomb_is_refused() -> None:
-    small = picture_of(CompressedImage(format="png", data=black_png(20, 10)), View(32, 24))
+    small = picture_of(CompressedImage(format="png", data=black_png(20, 10)), ImageRequest(32, 24))
     assert (small.image_width, small.image_height) == (20, 10)
     with pytest.raises(Undecodable):
-        picture_of(CompressedImage(format="png", data=black_png(20_000, 20_000)), View(32, 24))
+        picture_of(CompressedImage(format="png", data=black_png(20_000, 20_000)), ImageRequest(32, 24))

@@ -15,7 +15,7 @@ from std_msgs.msg import String
 
 from day6_core.ros.programs.image_tools.shown_image import ShownImage
 from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
-from day6_core.ros.programs.rqt_image_view.decoding import Undecodable, View
+from day6_core.ros.programs.rqt_image_view.decoding import ImageRequest, Undecodable
 from day6_core.ros.programs.rqt_image_view.model import ImageView
 from day6_core.ros.programs.rqt_image_view.rqt_image_view import ImageViewPlugin
 from day6_tui.locale import catalogue
@@ -45,7 +45,7 @@ def test_topics_with_images_are_listed_and_one_that_is_named_is_shown_as_soon_as
     assert machine.own.startswith("/rqt_gui_cpp_node_")
     publisher.publish(image(77))
     machine.advance(0.1)
-    assert machine.model.picture(View(8, 6)).pixels[0, 0].tolist() == [77] * 3
+    assert machine.model.picture(ImageRequest(8, 6)).pixels[0, 0].tolist() == [77] * 3
 
 
 def test_only_the_newest_image_is_kept_and_another_topic_begins_anew(machine) -> None:
@@ -55,9 +55,9 @@ def test_only_the_newest_image_is_kept_and_another_topic_begins_anew(machine) ->
     for value in range(100):
         publisher.publish(image(value))
     assert machine.model.received == 100
-    assert machine.model.picture(View(1, 1)).pixels[0, 0, 0] == 99
+    assert machine.model.picture(ImageRequest(1, 1)).pixels[0, 0, 0] == 99
     machine.do("choose", "/two")
-    assert machine.model.received == 0 and machine.model.picture(View(1, 1)) is None
+    assert machine.model.received == 0 and machine.model.picture(ImageRequest(1, 1)) is None
     assert machine.node.count_subscribers("/one") == 0 and machine.node.count_subscribers("/two") == 1
 
 
@@ -74,11 +74,11 @@ def test_an_image_of_another_process_is_decoded_when_it_is_looked_at(machine, mo
         machine.model._receive(serialize(image(value)))
     assert read == []
     for _ in range(3):
-        assert machine.model.picture(View(1, 1)).pixels[0, 0, 0] == 49
+        assert machine.model.picture(ImageRequest(1, 1)).pixels[0, 0, 0] == 49
     assert len(read) == 1
     machine.model._receive(b"\0\1\0\0 broken")
     with pytest.raises(Undecodable):
-        machine.model.picture(View(1, 1))
+        machine.model.picture(ImageRequest(1, 1))
 
 
 def test_an_image_has_the_window_drawn_anew_though_nothing_else_goes_on(machine) -> None:
@@ -110,16 +110,16 @@ def test_the_whole_image_is_saved_turned_as_it_is_seen(machine) -> None:
     publisher = machine.node.create_publisher(Image, "camera", 1)
     machine.open("/camera")
     with pytest.raises(ValueError, match="no image"):
-        machine.model.save("a.png", View(2, 2))
+        machine.model.save("a.png", ImageRequest(2, 2))
     publisher.publish(image(9))
-    path = machine.model.save("a.png", View(2, 2, rotation=1))
+    path = machine.model.save("a.png", ImageRequest(2, 2, rotation=1))
     assert path == machine.folder / "a.png"
     with Picture.open(path) as saved:
         assert saved.size == (6, 8) and saved.getpixel((0, 0)) == (9, 9, 9)
     with pytest.raises(ValueError, match="png"):
-        machine.model.save("a.exe", View(2, 2))
+        machine.model.save("a.exe", ImageRequest(2, 2))
     with pytest.raises(OSError, match="nowhere"):
-        machine.model.save("nowhere/a.png", View(2, 2))
+        machine.model.save("nowhere/a.png", ImageRequest(2, 2))
     assert [each.name for each in machine.folder.iterdir()] == ["a.png"]
 
 
@@ -150,14 +150,14 @@ class Model:
     def __init__(self, message: Image | None) -> None:
         self.topics = {"/camera": "sensor_msgs/msg/Image", "/other": "sensor_msgs/msg/Image"}
         self.topic = "/camera"
-        self.view = View(0, 0)
+        self.view = ImageRequest(0, 0)
         self.received = 1
         self.version = 1
         self.publishes_clicks = False
         self.mouse_topic = "/camera_mouse_left"
         self.message = message
         self.requests: list[tuple[Any, ...]] = []
-        self.seen: list[View] = []
+        self.seen: list[ImageRequest] = []
 
     picture = ImageView.picture
 

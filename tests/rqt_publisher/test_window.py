@@ -11,7 +11,7 @@ from rich.cells import cell_len
 from std_msgs.msg import Bool, String
 
 from day6_core.interfaces import get_message
-from day6_core.ros.programs.rqt_publisher.model import Shown, convert
+from day6_core.ros.programs.rqt_publisher.model import ShownPublisher, convert
 from day6_core.ros.programs.rqt_py_common.expressions import NAMES
 from day6_core.ros.programs.rqt_py_common.message_form import MessageForm
 from tests.tui.screens import ToolWindow, screen_lines, step, use_window
@@ -34,9 +34,9 @@ class Model:
     def topics(self) -> list[tuple[str, str]]:
         return sorted(TYPES.items())
 
-    def shown(self) -> list[Shown]:
+    def shown(self) -> list[ShownPublisher]:
         return [
-            Shown(number, topic, kind, rate, on, form.rows(1), 7, "")
+            ShownPublisher(number, topic, kind, rate, on, form.rows(1), 7, "")
             for number, (topic, kind, rate, on, form) in enumerate(self.publishers)
         ]
 

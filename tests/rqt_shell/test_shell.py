@@ -9,7 +9,7 @@ import pytest
 from rich.cells import cell_len
 
 from day6_core.ros.programs.rqt_py_common.command_lines import MOST_CHARACTERS, MOST_LINES, Kind
-from day6_core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
+from day6_core.ros.programs.rqt_shell.model import NO_DESKTOP, RqtShell
 from tests.support.desk_window import DeskWindow
 from tests.support.rqt_machine import RqtMachine
 from tests.tui.screens import ToolWindow, use_window
@@ -18,7 +18,7 @@ from tests.tui.screens import ToolWindow, use_window
 class Machine(DeskWindow):
     """A desk on which rqt_shell runs."""
 
-    model: Shell
+    model: RqtShell
 
     def __init__(self, home: Path) -> None:
         super().__init__(home, "ros2 run rqt_shell rqt_shell")
@@ -84,7 +84,7 @@ def test_where_there_is_no_desktop_it_is_said(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("lang", "told"), [("en", "type them into your own terminal"), ("zh", "现在没有桌面")])
 def test_why_no_command_can_be_run_is_said_in_the_users_language(lang: str, told: str) -> None:
-    model = Shell()
+    model = RqtShell()
     model.take(f"{NO_DESKTOP}\n", Kind.REMARK)
 
     async def act(window: ToolWindow) -> None:
@@ -94,7 +94,7 @@ def test_why_no_command_can_be_run_is_said_in_the_users_language(lang: str, told
 
 
 def test_what_is_typed_can_be_changed_in_the_middle() -> None:
-    model = Shell()
+    model = RqtShell()
 
     async def act(window: ToolWindow) -> None:
         await window.press(*"ros2 tpic list", *["left"] * 8, "o", "home", "x", "backspace", "end", "!", "backspace")
@@ -114,18 +114,18 @@ def test_the_cursor_stays_in_sight_in_a_long_line() -> None:
         await window.press("home", "a")
         assert ">>> a海" in window.text and max(map(cell_len, window.text.splitlines())) <= 80
 
-    use_window(("rqt_shell", "SimpleShell", Shell()), act, (80, 24), ToolWindow)
+    use_window(("rqt_shell", "SimpleShell", RqtShell()), act, (80, 24), ToolWindow)
 
 
 def test_what_is_kept_is_bounded() -> None:
-    model = Shell()
+    model = RqtShell()
     for _ in range(10):
         model.take("x" * 5_000 + "\n" + "y\n" * 1_000, Kind.OUTPUT)
     assert len(model.lines) == MOST_LINES and max(len(text) for _, text in model.lines) == MOST_CHARACTERS
 
 
 def test_keys_type_run_and_recall_and_the_newest_lines_are_seen() -> None:
-    model = Shell()
+    model = RqtShell()
     for number in range(100):
         model.take(f"line {number}\x1b[2J\n", Kind.OUTPUT)
 
@@ -148,7 +148,7 @@ def test_keys_type_run_and_recall_and_the_newest_lines_are_seen() -> None:
 @pytest.mark.parametrize("size", [(80, 24), (10, 4), (120, 40)])
 @pytest.mark.parametrize("options", [{}, {"lang": "zh"}, {"glyphs": "ascii"}])
 def test_it_is_drawn_at_every_size(size, options) -> None:
-    model = Shell()
+    model = RqtShell()
     model.take("\x1b]0;T\x07\n" + "名" * 3_000 + "\n\n", Kind.ERROR)
 
     async def act(window: ToolWindow) -> None:

@@ -12,10 +12,10 @@ from rich.cells import cell_len
 from std_msgs.msg import Float64MultiArray, String
 
 from day6_core.ros.programs.rqt_topic import fields as reading
-from day6_core.ros.programs.rqt_topic.model import Endpoint, Topic
+from day6_core.ros.programs.rqt_topic.model import MonitoredEndpoint, Topic
 from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 
-TALKER = (Endpoint("/talker", "RELIABLE VOLATILE KEEP_LAST (10)"),)
+TALKER = (MonitoredEndpoint("/talker", "RELIABLE VOLATILE KEEP_LAST (10)"),)
 
 
 def topic(name: str, kind: str = "std_msgs/msg/String", **more: Any) -> Topic:

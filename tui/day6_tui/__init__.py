@@ -11,17 +11,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from day6_tui.notebook.shell import Shell
+    from day6_tui.notebook.shell import InteractiveShell
 
 
-def load_ipython_extension(shell: Shell) -> None:
+def load_ipython_extension(shell: InteractiveShell) -> None:
     """Make the cells of a notebook ROS programs (`notebook`); called by IPython."""
     from day6_tui.notebook.extension import load
 
     load(shell)
 
 
-def unload_ipython_extension(shell: Shell) -> None:
+def unload_ipython_extension(shell: InteractiveShell) -> None:
     """Stop spinning their nodes."""
     from day6_tui.notebook.extension import unload
 

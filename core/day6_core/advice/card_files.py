@@ -66,7 +66,7 @@ class CardError(ValueError):
 
 
 @dataclass(frozen=True)
-class Words:
+class CardWords:
     """A card in one language: its first line, the rest, what to check in which order, what differs on a real robot."""
 
     first: str
@@ -94,7 +94,7 @@ class Card:
     level: str = ""
     finding_next: str = ""
     finds: tuple[Pattern, ...] = ()
-    words: dict[str, Words] = field(default_factory=dict)
+    words: dict[str, CardWords] = field(default_factory=dict)
 
 
 class Pattern:
@@ -288,7 +288,7 @@ class _Reader:
                 raise self._wrong(f"the card {card.id} says nothing in '{language}'", self._begun)
             means, checks, robot, finding = self._said[language]
             join = "" if language == "zh" else " "
-            card.words[language] = Words(
+            card.words[language] = CardWords(
                 means[0], join.join(means[1:]), tuple(checks), join.join(robot), join.join(finding)
             )
         self._said, self._language = {}, ""

@@ -7,8 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from day6_core.graph.endpoints import Endpoint as GraphEndpoint
-from day6_core.graph.endpoints import EndpointKind
+from day6_core.graph.endpoints import Endpoint, EndpointKind
 from day6_core.graph.graph import Graph
 from day6_core.graph.qos import COMPARED, incompatible_policies
 
@@ -16,7 +15,7 @@ ACTION = "/_action/send_goal"
 """An action is the service of that name below its own."""
 
 
-class Endpoint(NamedTuple):
+class NodeAndType(NamedTuple):
     """A publisher or subscription: its node and type."""
 
     node: str
@@ -27,8 +26,8 @@ class Endpoint(NamedTuple):
 class GraphFacts:
     """The facts about a graph, without hidden nodes and topics (with `_`)."""
 
-    publishers: Mapping[str, tuple[Endpoint, ...]] = field(default_factory=dict)
-    subscriptions: Mapping[str, tuple[Endpoint, ...]] = field(default_factory=dict)
+    publishers: Mapping[str, tuple[NodeAndType, ...]] = field(default_factory=dict)
+    subscriptions: Mapping[str, tuple[NodeAndType, ...]] = field(default_factory=dict)
     nodes: tuple[str, ...] = ()
     """Full names, one for each node, so that duplicates count."""
     servers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -58,7 +57,7 @@ class GraphFacts:
         """Return the other domains in which nodes run, sorted, with these."""
         return {each: nodes for each, nodes in sorted(self.domains.items()) if nodes and each != domain}
 
-    def ends(self, topic: str) -> tuple[Endpoint, ...]:
+    def ends(self, topic: str) -> tuple[NodeAndType, ...]:
         """Return the publishers of a topic, then its subscriptions."""
         return (*self.publishers.get(topic, ()), *self.subscriptions.get(topic, ()))
 
@@ -103,7 +102,7 @@ def nodes_by_domain(graphs: Iterable[Graph]) -> dict[int, tuple[str, ...]]:
     return {graph.domain_id: tuple(sorted(nodes_of(graph))) for graph in graphs}
 
 
-def node_names(endpoints: Iterable[Endpoint]) -> str:
+def node_names(endpoints: Iterable[NodeAndType]) -> str:
     """Return the nodes of some endpoints, each once, as a text."""
     return ", ".join(dict.fromkeys(each.node for each in endpoints))
 
@@ -117,19 +116,21 @@ def _is_hidden(name: str) -> bool:
     return any(part.startswith("_") for part in name.split("/"))
 
 
-def _by_topic(endpoints: Iterable[GraphEndpoint]) -> dict[str, list[GraphEndpoint]]:
-    found: dict[str, list[GraphEndpoint]] = {}
+def _by_topic(endpoints: Iterable[Endpoint]) -> dict[str, list[Endpoint]]:
+    found: dict[str, list[Endpoint]] = {}
     for each in endpoints:
         if is_shown(each.node.name) and not _is_hidden(each.topic):
             found.setdefault(each.topic, []).append(each)
     return dict(sorted(found.items()))
 
 
-def _ends(endpoints: Mapping[str, list[GraphEndpoint]]) -> dict[str, tuple[Endpoint, ...]]:
-    return {name: tuple(Endpoint(at.node.full_name, at.type_name) for at in each) for name, each in endpoints.items()}
+def _ends(endpoints: Mapping[str, list[Endpoint]]) -> dict[str, tuple[NodeAndType, ...]]:
+    return {
+        name: tuple(NodeAndType(at.node.full_name, at.type_name) for at in each) for name, each in endpoints.items()
+    }
 
 
-def _incompatible_policy(offer: GraphEndpoint, request: GraphEndpoint) -> str:
+def _incompatible_policy(offer: Endpoint, request: Endpoint) -> str:
     """The first policy for which two endpoints do not fit, '' if they do."""
     kinds = incompatible_policies(offer.qos, request.qos)
     return next((policy.name for policy in COMPARED if policy.kind in kinds), "")

@@ -54,7 +54,7 @@ class Used:
 
 
 @dataclass(frozen=True)
-class Words:
+class Phrase:
     """A text of the catalogues: its key and what fills its braces."""
 
     key: str
@@ -66,4 +66,4 @@ class IsolationError(Exception):
 
     def __init__(self, key: str, **values: str) -> None:
         super().__init__(f"{key} {values}")
-        self.words = Words(key, values)
+        self.words = Phrase(key, values)

@@ -17,7 +17,7 @@ END_SECONDS = 5.0
 _PAUSE = 0.01
 
 
-class Process(NamedTuple):
+class ProcessEntry(NamedTuple):
     """A line of the process table."""
 
     pid: int
@@ -26,13 +26,13 @@ class Process(NamedTuple):
     """It has ended, and its parent has not asked."""
 
 
-def processes() -> Iterator[Process]:
+def processes() -> Iterator[ProcessEntry]:
     """Yield the processes that /proc shows."""
     for name in os.listdir("/proc"):
         if name.isdigit():
             with contextlib.suppress(OSError, ValueError), open(f"/proc/{name}/stat", "rb") as file:
                 state, parent = file.read().rpartition(b")")[2].split()[:2]  # the name before it may hold anything
-                yield Process(int(name), int(parent), state in (b"Z", b"X"))
+                yield ProcessEntry(int(name), int(parent), state in (b"Z", b"X"))
 
 
 def descendants(root: int) -> list[int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass
 
-from day6_core.isolation.cell import IsolationError, Words
+from day6_core.isolation.cell import IsolationError, Phrase
 from day6_core.isolation.mode import Mode
 
 NAMES = ("users", "bubblewrap", "landlock", "none")
@@ -13,21 +13,21 @@ NAMES = ("users", "bubblewrap", "landlock", "none")
 
 
 @dataclass(frozen=True)
-class Offer:
+class ModeOffer:
     """A way and whether this machine has it."""
 
     name: str
     mode: Mode | None
-    reason: Words | None = None
+    reason: Phrase | None = None
     """Why it is not to be had, or why it does not separate."""
 
     @property
-    def what_it_is(self) -> Words:
+    def what_it_is(self) -> Phrase:
         """What pupils can and cannot do to each other: the text for the start page and the command line."""
-        return Words(f"isolation.is.{self.name}")
+        return Phrase(f"isolation.is.{self.name}")
 
 
-def survey(names: tuple[str, ...] = NAMES) -> list[Offer]:
+def survey(names: tuple[str, ...] = NAMES) -> list[ModeOffer]:
     """Try these ways, best first. It starts a few processes and takes about a second."""
     return [_try(name) for name in names]
 
@@ -37,7 +37,7 @@ def available() -> tuple[Mode, ...]:
     return tuple(offer.mode for offer in survey() if offer.mode is not None)
 
 
-def _try(name: str) -> Offer:
+def _try(name: str) -> ModeOffer:
     if sys.platform != "linux":
         return _elsewhere(name)
     from day6_core.isolation import groups, trial
@@ -46,21 +46,21 @@ def _try(name: str) -> Offer:
         mode = trial.make(name, groups.usable(groups.trees()))
         trial.run(mode)
     except IsolationError as error:
-        return Offer(name, None, error.words)
+        return ModeOffer(name, None, error.words)
     except OSError as error:
-        return Offer(name, None, Words("isolation.no.fails", {"reason": str(error)}))
+        return ModeOffer(name, None, Phrase("isolation.no.fails", {"reason": str(error)}))
     if name == "none":
-        return Offer(name, mode)
+        return ModeOffer(name, mode)
     if not mode.separates:
         opened = ", ".join(sorted(each for each in mode.open or () if not each.startswith("visible.")))
-        return Offer(name, mode, Words("isolation.no.open", {"names": opened}))
-    return Offer(name, mode)
+        return ModeOffer(name, mode, Phrase("isolation.no.open", {"names": opened}))
+    return ModeOffer(name, mode)
 
 
-def _elsewhere(name: str) -> Offer:
+def _elsewhere(name: str) -> ModeOffer:
     """macOS has the last only, and there nobody adopts what a pupil's programs leave behind; Windows has none."""
     if name != "none" or sys.platform == "win32":
-        return Offer(name, None, Words("isolation.no.linux"))
+        return ModeOffer(name, None, Phrase("isolation.no.linux"))
     from day6_core.isolation.same_user import Nothing
 
-    return Offer(name, Nothing())
+    return ModeOffer(name, Nothing())

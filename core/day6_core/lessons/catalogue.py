@@ -21,7 +21,7 @@ _NAMED = re.compile(r"(?:lesson|drill): *([\w-]+)")
 
 
 @dataclass(frozen=True)
-class Offer:
+class LessonOffer:
     """Lessons and drills in their order, and what is wrong with the files that cannot be used."""
 
     lessons: tuple[Lesson, ...]
@@ -35,15 +35,15 @@ class Offer:
     def named(self, name: str) -> Lesson | None:
         return next((each for each in self.all if each.name == name), None)
 
-    def with_file_of(self, new: Lesson) -> Offer:
+    def with_file_of(self, new: Lesson) -> LessonOffer:
         """With a lesson as its file is now."""
         lessons, drills = (
             [new if each.path == new.path else each for each in some] for some in (self.lessons, self.drills)
         )
-        return Offer(tuple(lessons), tuple(drills), self.broken)
+        return LessonOffer(tuple(lessons), tuple(drills), self.broken)
 
 
-def lessons_in(folder: Path) -> Offer:
+def lessons_in(folder: Path) -> LessonOffer:
     """Read all lessons (`*.md`) of a folder."""
     lessons, broken = [], []
     for path in sorted(folder.glob("*.md"))[:MOST_FILES]:
@@ -55,7 +55,7 @@ def lessons_in(folder: Path) -> Offer:
             broken.append(error)
     lessons.sort(key=lambda each: (each.order, each.name))
     drills = tuple(each for each in lessons if each.is_drill)
-    return Offer(tuple(each for each in lessons if not each.is_drill), drills, tuple(broken))
+    return LessonOffer(tuple(each for each in lessons if not each.is_drill), drills, tuple(broken))
 
 
 def shipped_names() -> set[str]:
@@ -79,9 +79,9 @@ def drills() -> tuple[Lesson, ...]:
     return tuple(by_topic(lessons_in(HERE / "drills").drills))
 
 
-def offer(folder: Path | None) -> Offer:
+def offer(folder: Path | None) -> LessonOffer:
     """The lessons and drills of a teacher's folder, else the six days; and the drills that come with the program."""
-    own = lessons_in(folder) if folder is not None else Offer(days())
+    own = lessons_in(folder) if folder is not None else LessonOffer(days())
     return replace(own, drills=(*by_topic(own.drills), *drills()))
 
 

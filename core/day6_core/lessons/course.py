@@ -14,7 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_core.lessons.catalogue import Offer, offer
+from day6_core.lessons.catalogue import LessonOffer, offer
 from day6_core.lessons.demonstration import Demonstration
 from day6_core.lessons.document import HINTS, Lesson
 from day6_core.lessons.exam import Exam, new_exam
@@ -43,7 +43,7 @@ async def new_course(desk: Desk, session: Session, pupil: str = "", folder: Path
 class Course:
     """One pupil's way through the lessons."""
 
-    def __init__(self, desk: Desk, session: Session, offer: Offer, kept: KeptProgress) -> None:
+    def __init__(self, desk: Desk, session: Session, offer: LessonOffer, kept: KeptProgress) -> None:
         self._desk = desk
         self._session = session
         self._requests: deque[Callable[[], object]] = deque()

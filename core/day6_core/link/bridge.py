@@ -25,7 +25,7 @@ from day6_core.link.engine_thread import callback
 from day6_core.link.gid import gid_of
 from day6_core.link.limits import MOST_WAITING, Refusals
 from day6_core.link.naming import Naming, Plain
-from day6_core.link.pace import Pace
+from day6_core.link.pace import WorkSlices
 
 if TYPE_CHECKING:
     import zenoh
@@ -180,7 +180,7 @@ class Bridge:
     # -- on the bridge's thread ----------------------------------------------------------------------------------------
 
     def _run(self) -> None:
-        pace = Pace()
+        pace = WorkSlices()
         while True:
             try:
                 work = self._work.get(timeout=_RETRY_SECONDS)

@@ -31,7 +31,7 @@ from day6_core.link.keys import (
 )
 from day6_core.link.limits import MOST_PRESENCE_TOKENS, MOST_WAITING, Refusals
 from day6_core.link.meeting import MeetingPoint
-from day6_core.link.pace import Pace
+from day6_core.link.pace import WorkSlices
 from day6_core.link.passing import Passing
 from day6_core.link.paths import (
     LinkError,
@@ -404,7 +404,7 @@ class Link:
                 self._report("the link's thread", error)
 
     def _take_backlog(self) -> None:
-        pace = Pace()
+        pace = WorkSlices()
         while not self._inbox.empty() and not self._closed:
             if self._inbox.qsize() > MOST_WAITING:
                 self._start_over()

@@ -9,7 +9,7 @@ _PAUSE = 0.001
 """Seconds of work, and of leaving the interpreter to the program's own threads in between."""
 
 
-class Pace:
+class WorkSlices:
     """One thread's slices of work: however much there is to do, the program's threads keep running."""
 
     def __init__(self) -> None:

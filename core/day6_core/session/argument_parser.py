@@ -24,7 +24,7 @@ class ParserExit(Exception):
         self.status = status
 
 
-class Parser(argparse.ArgumentParser):
+class SessionParser(argparse.ArgumentParser):
     """An ArgumentParser for one session. Help goes to its stdout, errors to its stderr; both raise ParserExit."""
 
     def __init__(self, session: Session, **keywords: Any) -> None:
@@ -36,7 +36,7 @@ class Parser(argparse.ArgumentParser):
 
     def add_commands(self, cli_name: str, description: str) -> Any:
         """Add the sub-parsers of `cli_name`, laid out as in ros2cli; returns argparse's action with `add_parser`."""
-        options: dict[str, Any] = {"parser_class": functools.partial(Parser, self.session)}
+        options: dict[str, Any] = {"parser_class": functools.partial(SessionParser, self.session)}
         return self.add_subparsers(
             title="Commands",
             description=description,

@@ -8,7 +8,7 @@ from argparse import Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from day6_core.session.argument_parser import HelpFormatter, Parser, terminal_width
+from day6_core.session.argument_parser import HelpFormatter, SessionParser, terminal_width
 from day6_core.workspace.argument_groups import (
     add_build_base,
     add_cmake,
@@ -50,7 +50,7 @@ class _Formatter(HelpFormatter):
         return [line for part in text.split("\n") for line in super(_Formatter, self)._split_lines(part, width)]
 
 
-class ColconParser(Parser):
+class ColconParser(SessionParser):
     """A parser with colcon's help format; the parser of `colcon` itself reports unknown options.
 
     Words after an option such as `--cmake-args` belong to it even if they begin with a dash, except the verb's own options.

@@ -20,7 +20,7 @@ from day6_core.workspace import reports
 from day6_core.workspace.advisor import Advisor
 from day6_core.workspace.build import BUILD_TOOL, find_task, refuse_foreign_folder
 from day6_core.workspace.events import INTERRUPTED, BuildEvent, Console, Events
-from day6_core.workspace.files import Output
+from day6_core.workspace.files import BuildOutput
 from day6_core.workspace.handlers import chosen_handlers
 from day6_core.workspace.jobs import Executor, Job, OnError, Work
 from day6_core.workspace.logs import LogFolder, mark_ignored
@@ -190,7 +190,7 @@ class Colcon:
         return BuildSettings(
             build_base=build,
             install_base=install,
-            output=Output(bases),
+            output=BuildOutput(bases),
             environment=self.environment,
             warn=self.warn,
             print_error=self._advisor.print_error,

@@ -25,7 +25,7 @@ class NotOurOutput(OSError):
         super().__init__(errno.EPERM, text)
 
 
-class Output:
+class BuildOutput:
     """Everything one call may change: all below its bases (build, install, log).
 
     A base may itself be a link, which is followed. `sources` are the folders of the packages; links into them were left by an

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from day6_core.ros.left_out import NOTE
 from day6_core.workspace.cmake import Command
-from day6_core.workspace.files import Output
+from day6_core.workspace.files import BuildOutput
 
 _LIBRARIES = frozenset({"add_library", "ament_auto_add_library", "pybind11_add_module", "python3_add_library"})
 _EXECUTABLES = frozenset({"add_executable", "ament_auto_add_executable"})
@@ -48,7 +48,7 @@ def left_out(commands: Iterable[Command]) -> LeftOut:
     return LeftOut(list(programs), list(libraries))
 
 
-def write_note(output: Output, prefix: Path, package: str, left_out: LeftOut) -> None:
+def write_note(output: BuildOutput, prefix: Path, package: str, left_out: LeftOut) -> None:
     """Write the names of left-out programs; if there are none, empty the note of an earlier build."""
     note = prefix / NOTE / package
     if left_out.executables or note.is_file():

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import IO
 
 from day6_core.workspace.events import BuildEvent
-from day6_core.workspace.files import Output
+from day6_core.workspace.files import BuildOutput
 from day6_core.workspace.packages import IGNORE_MARKER, refuse_sources
 
 
-def mark_ignored(output: Output, base: Path) -> None:
+def mark_ignored(output: BuildOutput, base: Path) -> None:
     """Write the marker into a base that keeps colcon from searching for packages there."""
     if not os.path.lexists(base / IGNORE_MARKER):
         output.write_text(base / IGNORE_MARKER, "")
@@ -32,7 +32,7 @@ class LogFolder:
         self._warned = False
         self._verb = verb
         self._path: Path | None = None
-        self._output = Output([base])
+        self._output = BuildOutput([base])
 
     @property
     def bases(self) -> list[Path]:

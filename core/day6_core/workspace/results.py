@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.plain_xml import plain_xml
 from day6_core.workspace.events import Console
-from day6_core.workspace.files import Output
+from day6_core.workspace.files import BuildOutput
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -58,7 +58,7 @@ def show_results(cwd: Path, args: Namespace, console: Console) -> int:
         return 2
     results = [result for path in _files(base) if (result := _read(path, cwd, console)) is not None]
     if args.delete or args.delete_yes:
-        return _delete(results, cwd, Output([base]), args, console)
+        return _delete(results, cwd, BuildOutput([base]), args, console)
     total = TestResult("Summary")
     for result in results:
         total.add(result)
@@ -74,7 +74,7 @@ def show_results(cwd: Path, args: Namespace, console: Console) -> int:
     return 1 if total.errors or total.failures else 0
 
 
-def _delete(results: list[TestResult], cwd: Path, output: Output, args: Namespace, console: Console) -> int:
+def _delete(results: list[TestResult], cwd: Path, output: BuildOutput, args: Namespace, console: Console) -> int:
     if not results:
         console.out("No result files found to delete\n")
         return 0

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from day6_core.workspace.files import Output
+from day6_core.workspace.files import BuildOutput
 
 
 @dataclass
@@ -16,7 +16,7 @@ class BuildSettings:
     build_base: Path
     install_base: Path
     environment: Mapping[str, str]
-    output: Output
+    output: BuildOutput
     """Writes, links and removes, below the bases of this call only."""
     warn: Callable[..., None]
     print_error: Callable[[str], None]

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from day6_core.workspace.files import Output
+from day6_core.workspace.files import BuildOutput
 
 HOOK_SHELLS = ("ps1", "dsv", "sh")
 _UTIL = Path(__file__).with_name("local_setup_util.py")
@@ -28,7 +28,7 @@ _OWN_FOLDER = {
 # -- one package -------------------------------------------------------------------------------------------------------
 
 
-def write_hook(output: Output, prefix: Path, package: str, name: str, variable: str, value: str) -> list[str]:
+def write_hook(output: BuildOutput, prefix: Path, package: str, name: str, variable: str, value: str) -> list[str]:
     """Write the hooks `share/PACKAGE/hook/NAME.*` that prepend a path to a variable; returns their relative paths."""
     folder = f"share/{package}/hook"
     inside = f"/{value}" if value and not os.path.isabs(value) else value
@@ -44,7 +44,7 @@ def write_hook(output: Output, prefix: Path, package: str, name: str, variable: 
 
 
 def write_package_scripts(
-    output: Output, prefix: Path, package: str, hooks: Iterable[str], needs: Iterable[str]
+    output: BuildOutput, prefix: Path, package: str, hooks: Iterable[str], needs: Iterable[str]
 ) -> None:
     """Write `share/PACKAGE/package.*` and the file with the package's run-time dependencies."""
     hooks = list(hooks)
@@ -121,7 +121,7 @@ $env:COLCON_CURRENT_PREFIX = (Get-Item $PSCommandPath).Directory.Parent.Parent.F
 # -- the whole workspace -----------------------------------------------------------------------------------------------
 
 
-def write_workspace_scripts(output: Output, install: Path, chained: Iterable[str]) -> None:
+def write_workspace_scripts(output: BuildOutput, install: Path, chained: Iterable[str]) -> None:
     """Write `local_setup.*` and `setup.*`; the latter first source the workspaces in `chained` (underlays, nearest first)."""
     util = _UTIL.read_text(encoding="utf-8")
     underlays = list(chained)[::-1]

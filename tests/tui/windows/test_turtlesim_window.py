@@ -14,7 +14,7 @@ from day6_core.ros.programs.turtlesim.model import TurtleTopics
 from day6_core.session.display import Display
 from day6_tui.appearance.colours import colours
 from day6_tui.options import Options
-from day6_tui.panes.canvas import Canvas, square
+from day6_tui.panes.canvas import PixelCanvas, square
 from day6_tui.panes.cells import cell_len
 from day6_tui.windows.turtlesim.shapes import COATS, HEADINGS, characters, heading_step, pixels
 from day6_tui.windows.turtlesim.turtlesim import TurtleSimPane, _shrink
@@ -99,7 +99,7 @@ def test_drawing_along_gives_the_same_picture_as_drawing_all_at_once(mode, size)
     """What a window that was open shows and one opened later shows is the same trail."""
     simulation, along = FakeSimulation(), _pane(FakeSimulation(), 2, 2)
     along.model = simulation
-    canvas = Canvas(*size, mode, 0x4556FF)
+    canvas = PixelCanvas(*size, mode, 0x4556FF)
     along._canvas = canvas
     along._generation, along._drawn = 0, 0
     point = (250.0, 250.0)
@@ -108,7 +108,7 @@ def test_drawing_along_gives_the_same_picture_as_drawing_all_at_once(mode, size)
         simulation.trail.draw_line(*point, *following, 0xFF0000 if n % 20 else 0x00FF00, 1 + n % 9)
         point = following
         along._up_to_date(simulation.scene, simulation.trail)
-    late = Canvas(*size, mode, 0x4556FF)
+    late = PixelCanvas(*size, mode, 0x4556FF)
     _shrink(simulation.trail.pixels, late, range(late.width), range(late.height))
     assert along._canvas is canvas and canvas.base == late.base
 
@@ -118,7 +118,7 @@ def test_drawing_along_gives_the_same_picture_as_drawing_all_at_once(mode, size)
 def test_a_thin_line_is_unbroken_and_thin(size, width) -> None:
     simulation = FakeSimulation()
     simulation.trail.draw_line(20, 30, 480, 377, 0xFF0000, width)
-    canvas = Canvas(*size, "half", 0)
+    canvas = PixelCanvas(*size, "half", 0)
     _shrink(simulation.trail.pixels, canvas, range(canvas.width), range(canvas.height))
     columns = [[y for y in range(canvas.height) if canvas.pixel(x, y)] for x in range(canvas.width)]
     inked = [x for x, column in enumerate(columns) if column]
@@ -169,7 +169,7 @@ def test_a_turtle_at_or_beyond_the_edge_is_still_drawn(place) -> None:
 
 
 def test_without_colour_trail_and_turtle_are_still_there() -> None:
-    canvas = Canvas(10, 5, "half", 0x4556FF, colourless=True)
+    canvas = PixelCanvas(10, 5, "half", 0x4556FF, colourless=True)
     canvas.set_base(2, 2, 0xFF0000)
     canvas.set_sprites({5 * 10 + 4: 0x00FF00})
     text = "\n".join("".join(segment.text for segment in canvas.line(row)) for row in range(5))
@@ -178,14 +178,14 @@ def test_without_colour_trail_and_turtle_are_still_there() -> None:
 
 
 def test_braille_has_eight_dots_to_a_cell() -> None:
-    canvas = Canvas(2, 1, "braille", 0)
+    canvas = PixelCanvas(2, 1, "braille", 0)
     canvas.set_base(0, 0, 0xFFFFFF)
     canvas.set_base(1, 3, 0xFFFFFF)
     assert "".join(segment.text for segment in canvas.line(0)) == "\u2881 "
 
 
 def test_equal_colours_share_one_style_object() -> None:
-    canvas = Canvas(4, 1, "half", 0x123456)
+    canvas = PixelCanvas(4, 1, "half", 0x123456)
     canvas.set_base(1, 0, 0xFF0000)
     canvas.set_base(3, 0, 0xFF0000)
     styles = [segment.style for segment in canvas.line(0)]

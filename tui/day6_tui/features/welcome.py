@@ -12,7 +12,7 @@ from textual import events
 from day6_core.lessons.scene import Scene, scenes
 from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
-from day6_tui.panes.canvas import Canvas
+from day6_tui.panes.canvas import PixelCanvas
 from day6_tui.panes.cells import cell_len, clip, fit, wrap
 from day6_tui.panes.pane import Pane, PaneMessage
 from day6_tui.textual_private.survival import PersonMessage
@@ -22,7 +22,7 @@ LOGO_SIZE = 20
 """Columns of the turtle of the welcome pane."""
 
 
-class Choice(NamedTuple):
+class WelcomeChoice(NamedTuple):
     """An entry: the texts to show, and what choosing it does ('action.<id>' or 'type:<command>')."""
 
     text: str
@@ -30,14 +30,14 @@ class Choice(NamedTuple):
     does: str
 
 
-def _choice(scene: Scene) -> Choice:
+def _choice(scene: Scene) -> WelcomeChoice:
     does = f"action.scene.{scene.name}" if scene.is_action else "guide"
-    return Choice(f"welcome.{scene.name}", f"welcome.{scene.name}.more", does)
+    return WelcomeChoice(f"welcome.{scene.name}", f"welcome.{scene.name}.more", does)
 
 
 WELCOME = (
     *(_choice(scene) for scene in scenes().values() if scene.is_action),
-    Choice("welcome.lessons", "welcome.lessons.more", "action.lessons"),
+    WelcomeChoice("welcome.lessons", "welcome.lessons.more", "action.lessons"),
     *(_choice(scene) for scene in scenes().values() if not scene.is_action),
 )
 """The choices of the start, by their text keys."""
@@ -115,11 +115,11 @@ class WelcomePane(Pane):
             self.touch()
 
     @property
-    def choices(self) -> list[Choice]:
+    def choices(self) -> list[WelcomeChoice]:
         if not self.guide:
             return list(WELCOME)
-        commands = [Choice(command, "", f"type:{command}") for command in (*GUIDE_COMMANDS, *GUIDE_QUESTIONS)]
-        scenes = [Choice(choice.text, choice.more, choice.does) for choice in WELCOME[:-1]]
+        commands = [WelcomeChoice(command, "", f"type:{command}") for command in (*GUIDE_COMMANDS, *GUIDE_QUESTIONS)]
+        scenes = [WelcomeChoice(choice.text, choice.more, choice.does) for choice in WELCOME[:-1]]
         return [*commands, *scenes]
 
     def choose(self, index: int) -> None:
@@ -211,12 +211,12 @@ class WelcomePane(Pane):
             lines.append(_centred(clip(texts("welcome.keys"), width), width, colours.muted))
         return lines
 
-    def _entry(self, choice: Choice, details: bool) -> str:
+    def _entry(self, choice: WelcomeChoice, details: bool) -> str:
         """A choice; where there is no line below it, with where one stopped."""
         last = self._last_lesson() if choice.does == "action.lessons" and not details else ""
         return self.look.texts("welcome.lessons.on", title=last) if last else self.look.texts(choice.text)
 
-    def _more(self, choice: Choice) -> str:
+    def _more(self, choice: WelcomeChoice) -> str:
         """The line below a choice; of the lessons, where one stopped."""
         last = self._last_lesson() if choice.does == "action.lessons" else ""
         return self.look.texts("welcome.lessons.on", title=last) if last else self.look.texts(choice.more)
@@ -226,7 +226,9 @@ class WelcomePane(Pane):
         colours = self.look.colours
         if self.look.glyphs.canvas not in ("half", "braille"):
             return [_centred(line, width, colours.publisher) for line in _LOGO_ASCII]
-        canvas = Canvas(LOGO_SIZE, LOGO_SIZE // 2, "half", background_of(colours.text), colourless=colours.colourless)
+        canvas = PixelCanvas(
+            LOGO_SIZE, LOGO_SIZE // 2, "half", background_of(colours.text), colourless=colours.colourless
+        )
         middle = LOGO_SIZE // 2
         sprites = {}
         for dx, dy, part in pixels(LOGO_SIZE - 2, 0):

@@ -7,12 +7,12 @@ from types import FrameType, TracebackType
 
 import day6_core
 import day6_tui
-from day6_tui.notebook.shell import Shell
+from day6_tui.notebook.shell import InteractiveShell
 
 _OURS = tuple(f"{Path(path).resolve().as_posix()}/" for package in (day6_core, day6_tui) for path in package.__path__)
 
 
-def picture(shell: Shell, error: BaseException) -> str:
+def picture(shell: InteractiveShell, error: BaseException) -> str:
     """Return an exception as this notebook shows those of its cells."""
     trace = without_our_frames(error.__traceback__)
     tracebacks = shell.InteractiveTB
@@ -20,7 +20,7 @@ def picture(shell: Shell, error: BaseException) -> str:
 
 
 def show_interrupt(
-    shell: Shell,
+    shell: InteractiveShell,
     kind: type[BaseException],
     error: BaseException,
     trace: TracebackType | None,
@@ -45,7 +45,7 @@ def without_our_frames(trace: TracebackType | None) -> TracebackType | None:
     return kept or trace
 
 
-def place(shell: Shell, frame: FrameType | None) -> str:
+def place(shell: InteractiveShell, frame: FrameType | None) -> str:
     """Return the innermost line of a cell on a stack, such as "Cell In[3], line 8"; '' if it runs none."""
     while frame is not None:
         name = shell.compile.format_code_name(frame.f_code.co_filename)

@@ -17,7 +17,7 @@ from day6_tui.distribution_choice import settle
 from day6_tui.locale import Texts
 from day6_tui.notebook.errors import picture, place, show_interrupt
 from day6_tui.notebook.ros2_line import Ros2Line
-from day6_tui.notebook.shell import Shell
+from day6_tui.notebook.shell import InteractiveShell
 
 if TYPE_CHECKING:
     from day6_core.graph import Graph
@@ -32,7 +32,7 @@ MOST_NAMES = 5
 _loaded: list[Notebook] = []
 
 
-def load(shell: Shell) -> None:
+def load(shell: InteractiveShell) -> None:
     """Load it into an IPython shell; a second time changes nothing."""
     if not _loaded:
         settle([])
@@ -40,7 +40,7 @@ def load(shell: Shell) -> None:
         _loaded.append(Notebook(shell))
 
 
-def unload(shell: Shell) -> None:
+def unload(shell: InteractiveShell) -> None:
     """Stop spinning, and end what %ros2 has left running. What was imported stays."""
     while _loaded:
         _loaded.pop().close()
@@ -49,7 +49,7 @@ def unload(shell: Shell) -> None:
 class Notebook:
     """Spins the nodes of the default context that no cell spins. Needs `activate`."""
 
-    def __init__(self, shell: Shell) -> None:
+    def __init__(self, shell: InteractiveShell) -> None:
         from day6_tui.notebook.init_in_cells import InitInCells
 
         os.environ.update(program_environment())  # for !ros2 and !python3

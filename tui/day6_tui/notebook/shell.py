@@ -43,7 +43,7 @@ class Compiler(Protocol):
         """Return how to call the file of a cell, such as ("Cell", "In[3]"); None for any other file."""
 
 
-class Shell(Protocol):
+class InteractiveShell(Protocol):
     """IPython.core.interactiveshell.InteractiveShell, as far as it is used here."""
 
     @property

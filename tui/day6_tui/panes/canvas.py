@@ -36,7 +36,7 @@ class Mark:
     background: int | None = None
 
 
-class Canvas:
+class PixelCanvas:
     """`columns` x `rows` cells of pixels. All coordinates of pixels count from the top left corner."""
 
     def __init__(self, columns: int, rows: int, mode: str, background: int, *, colourless: bool = False) -> None:
@@ -183,10 +183,10 @@ class Canvas:
 
 
 _CELLS = {
-    "half": Canvas._half_cells,
-    "braille": Canvas._braille_cells,
-    "cell": Canvas._cell_cells,
-    "ascii": Canvas._ascii_cells,
+    "half": PixelCanvas._half_cells,
+    "braille": PixelCanvas._braille_cells,
+    "cell": PixelCanvas._cell_cells,
+    "ascii": PixelCanvas._ascii_cells,
 }
 
 
@@ -217,6 +217,6 @@ def square(width: int, height: int) -> tuple[int, int]:
     return max(2, min(width, rows * 2)), rows
 
 
-def new_canvas(columns: int, rows: int, mode: str, background: int, colours: Colours) -> Canvas:
+def new_canvas(columns: int, rows: int, mode: str, background: int, colours: Colours) -> PixelCanvas:
     """A canvas for the present colours."""
-    return Canvas(columns, rows, mode, background, colourless=colours.colourless)
+    return PixelCanvas(columns, rows, mode, background, colourless=colours.colourless)

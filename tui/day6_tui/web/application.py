@@ -8,7 +8,7 @@ from typing import Any
 
 from aiohttp import web
 
-from day6_core.isolation.cell import IsolationError, Words
+from day6_core.isolation.cell import IsolationError, Phrase
 from day6_tui.locale import Texts
 from day6_tui.web import link_page, pages, socket
 from day6_tui.web.class_page import ClassPage
@@ -33,7 +33,7 @@ class Application:
         tokens: Tokens,
         links: Links,
         sessions: Sessions,
-        what_it_is: Words,
+        what_it_is: Phrase,
         tell: Tell,
         lessons: list[dict[str, Any]],
     ) -> None:

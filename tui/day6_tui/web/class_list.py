@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from day6_core.isolation.cell import Words
+from day6_core.isolation.cell import Phrase
 from day6_core.session.harmless import one_line
 from day6_tui.web.names import BadName, clean, same_name
 
@@ -28,7 +28,7 @@ class BadList(Exception):
 
     def __init__(self, key: str, **values: str) -> None:
         super().__init__(key)
-        self.words = Words(key, values)
+        self.words = Phrase(key, values)
 
 
 class BadLine(NamedTuple):

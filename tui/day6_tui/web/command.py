@@ -11,8 +11,8 @@ import sys
 from collections.abc import Callable
 
 from day6_core.isolation import modes
-from day6_core.isolation.cell import IsolationError, Words
-from day6_core.isolation.modes import Offer
+from day6_core.isolation.cell import IsolationError, Phrase
+from day6_core.isolation.modes import ModeOffer
 from day6_core.language import language_of
 from day6_core.session.harmless import one_line
 from day6_tui.locale import Texts
@@ -26,7 +26,7 @@ class ServeRefused(Exception):
 
     def __init__(self, key: str, **values: str) -> None:
         super().__init__(key)
-        self.words = Words(key, values)
+        self.words = Phrase(key, values)
 
 
 def main(words: list[str]) -> int:
@@ -65,7 +65,7 @@ def _look_for_packages() -> None:
     del aiohttp, segno
 
 
-def _offer(settings: ServerSettings, texts: Texts, tell: Callable[..., None]) -> Offer:
+def _offer(settings: ServerSettings, texts: Texts, tell: Callable[..., None]) -> ModeOffer:
     """How pupils will be kept apart; why not better is told. Raises Refused where that is not to be had."""
     name = settings.isolation
     if name == "auto" and settings.proxied:
@@ -81,7 +81,7 @@ def _offer(settings: ServerSettings, texts: Texts, tell: Callable[..., None]) ->
         if offer.mode is None:
             raise ServeRefused("serve.no_mode", name=name, reason=_reason(offer, texts))
         return offer
-    offers: list[Offer] = []
+    offers: list[ModeOffer] = []
     for each in modes.NAMES:
         offers += modes.survey((each,))
         if (mode := offers[-1].mode) is not None and mode.separates:
@@ -91,18 +91,18 @@ def _offer(settings: ServerSettings, texts: Texts, tell: Callable[..., None]) ->
     return offers[-1]
 
 
-def _reason(offer: Offer, texts: Texts) -> str:
+def _reason(offer: ModeOffer, texts: Texts) -> str:
     return "" if offer.reason is None else texts(offer.reason.key, **offer.reason.values)
 
 
-def _refuse_strangers(settings: ServerSettings, offer: Offer) -> None:
+def _refuse_strangers(settings: ServerSettings, offer: ModeOffer) -> None:
     """Others get in only where pupils are kept apart, or where the user says that they may do all this user may."""
     separates = offer.mode is not None and offer.mode.separates
     if not (separates or settings.trust_pupils or settings.unix is not None or is_loopback(settings.host)):
         raise ServeRefused("serve.not_apart", name=offer.name, host=settings.host)
 
 
-async def _run(settings: ServerSettings, offer: Offer, tell: Callable[..., None]) -> int:
+async def _run(settings: ServerSettings, offer: ModeOffer, tell: Callable[..., None]) -> int:
     from day6_tui.web.class_list import BadList
     from day6_tui.web.server import InUse, Server
     from day6_tui.web.tokens import BadTokens
@@ -145,7 +145,7 @@ def _teller(texts: Texts) -> Callable[..., None]:
 
     def tell(key: str, **values: object) -> None:
         said = {
-            name: texts(each.key, **each.values) if isinstance(each, Words) else each for name, each in values.items()
+            name: texts(each.key, **each.values) if isinstance(each, Phrase) else each for name, each in values.items()
         }
         with contextlib.suppress(OSError):  # nobody reads any more
             print(f"day6-tui: {one_line(texts(key, **said))}", flush=True)

@@ -15,8 +15,8 @@ from typing import Any
 
 from aiohttp import web
 
-from day6_core.isolation.cell import Words
-from day6_core.isolation.modes import Offer
+from day6_core.isolation.cell import Phrase
+from day6_core.isolation.modes import ModeOffer
 from day6_core.link.addresses import own_address
 from day6_core.link.file_lock import FileLock
 from day6_tui.web import class_list
@@ -41,7 +41,7 @@ class InUse(Exception):
 class Server:
     """What `day6-tui serve` runs."""
 
-    def __init__(self, settings: ServerSettings, offer: Offer, tell: Tell) -> None:
+    def __init__(self, settings: ServerSettings, offer: ModeOffer, tell: Tell) -> None:
         assert offer.mode is not None
         self._settings = settings
         self._tell = tell
@@ -96,7 +96,7 @@ class Server:
         found = class_list.read(self._settings.class_file)
         file = str(self._settings.class_file)
         for bad in found.bad:
-            self._tell("serve.class.bad", file=file, line=bad.line, text=bad.text, reason=Words(bad.why))
+            self._tell("serve.class.bad", file=file, line=bad.line, text=bad.text, reason=Phrase(bad.why))
         if not found.names:
             self._tell("serve.class.empty", file=file)
         return found.names

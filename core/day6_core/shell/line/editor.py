@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from day6_core.session.session import Session
 from day6_core.shell.line.discipline import TtyInput
 from day6_core.shell.line.edit_line import KEYS, EditLine
-from day6_core.shell.line.layout import Shown, lay_out, near, shown
+from day6_core.shell.line.layout import ShownLine, lay_out, near, shown
 from day6_core.width import text_width
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class LineEditor:
         """Index into the history; its length stands for the line being typed."""
         self._edited: dict[int, str] = {}
         """Lines changed while browsing, by index."""
-        self._shown = Shown()
+        self._shown = ShownLine()
         self._column = 0
         """Column of the cursor."""
         self._tabs = 0
@@ -59,7 +59,7 @@ class LineEditor:
         stdin = self._session.stdin
         assert isinstance(stdin, TtyInput)
         self._line.set("")
-        self._prompt, self._shown, self._tabs = prompt, Shown(), 0
+        self._prompt, self._shown, self._tabs = prompt, ShownLine(), 0
         self._browsing = len(self._history.lines)
         self._edited = {}
         self._done = False
@@ -115,12 +115,12 @@ class LineEditor:
         self._line.at = len(self._line.text)
         self._draw()
         self._write(mark + PASTE_OFF + "\r\n")
-        self._shown = Shown()
+        self._shown = ShownLine()
         self._done = True
 
     def _clear_screen(self) -> None:
         self._write("\x1b[H\x1b[2J")
-        self._shown = Shown()
+        self._shown = ShownLine()
         self._draw()
 
     def _older(self) -> None:
@@ -193,7 +193,7 @@ class LineEditor:
         self._line.at = len(self._line.text)
         self._draw()
         self._write("\r\n" + "\r\n".join(lines) + "\r\n")
-        self._shown = Shown()
+        self._shown = ShownLine()
         self._line.at = end
         self._draw()
 
@@ -250,7 +250,7 @@ class LineEditor:
             return False
         if not self._terminal.at_line_start:
             self._write("\r\n")
-        self._shown = Shown()
+        self._shown = ShownLine()
         self._draw()
         return True
 
@@ -304,7 +304,7 @@ class LineEditor:
             prompt = bare = " " * above.column
             top = above.row
         up = self._shown.row(columns)
-        self._shown = Shown(bare, text, at)
+        self._shown = ShownLine(bare, text, at)
         text = (prompt + shown(text)).replace("\n", "\r\n")
         parts = [f"\x1b[{up}A" if up else "", "\r\x1b[J", text]
         if last == rows - 1 and layout.end_column == 0 and last and not text.endswith("\n"):

@@ -19,7 +19,7 @@ class Layout(NamedTuple):
     """The position after the text; the row is the last one."""
 
 
-class Shown(NamedTuple):
+class ShownLine(NamedTuple):
     """What stands on the screen of a line being edited: the prompt without colours, the text, the cursor's place in it."""
 
     prompt: str = ""
@@ -31,9 +31,9 @@ class Shown(NamedTuple):
         above = lay_out(self.prompt, len(self.prompt), columns)
         return above.row + lay_out(self.text, self.at, columns, indent=above.column).row
 
-    def longer(self, text: str) -> Shown:
+    def longer(self, text: str) -> ShownLine:
         """What is shown after a text was typed at its end."""
-        return Shown(self.prompt, self.text + text, self.at + len(text))
+        return ShownLine(self.prompt, self.text + text, self.at + len(text))
 
 
 def shown_char(char: str) -> str:

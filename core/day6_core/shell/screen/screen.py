@@ -20,7 +20,7 @@ from day6_core.shell.screen.rows import (
     in_style,
     with_mark,
 )
-from day6_core.shell.screen.sequences import NEVER, Parser, colour_numbers
+from day6_core.shell.screen.sequences import NEVER, SequenceParser, colour_numbers
 from day6_core.shell.screen.size import SizedText
 from day6_core.shell.screen.text import MOST_ARRIVING, fill_cells, with_second_halves
 from day6_core.shell.screen.vt import (
@@ -117,7 +117,7 @@ class Screen(SizedText):
         self._style_of: Char | None = None
         self._style_now = PLAIN_STYLE
         self._colours: dict[tuple[Char, str], Char] = {}
-        self._parser = Parser(self)
+        self._parser = SequenceParser(self)
 
     # -- what the view reads -------------------------------------------------------------------------------------------
 

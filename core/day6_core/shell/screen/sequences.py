@@ -80,7 +80,7 @@ class Listener(Protocol):
         """Asked at the beginning of a line: take as many whole lines as can be taken at once; returns where it stopped."""
 
 
-class Parser:
+class SequenceParser:
     """Parses what a program writes, and calls its listener. Never raises for any text; takes time linear in its length."""
 
     def __init__(self, listener: Listener) -> None:

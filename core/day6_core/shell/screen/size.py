@@ -7,10 +7,10 @@ from collections import deque
 from day6_core.shell.screen import text as text_module
 from day6_core.shell.screen.reflow import Marker, rewrap
 from day6_core.shell.screen.rows import Row, ended, fit
-from day6_core.shell.screen.text import Text
+from day6_core.shell.screen.text import ScreenText
 
 
-class SizedText(Text):
+class SizedText(ScreenText):
     """The text in a window."""
 
     def __init__(self, columns: int, lines: int) -> None:

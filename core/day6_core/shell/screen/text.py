@@ -34,7 +34,7 @@ MOST_ARRIVING = 512
 """Rows that queue up below the screen after a text was fed."""
 
 
-class Text(Vt):
+class ScreenText(Vt):
     """The text of a terminal. `keeps_history` says whether lines that leave the screen are kept above it."""
 
     def __init__(self, columns: int, lines: int) -> None:

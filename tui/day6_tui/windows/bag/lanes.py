@@ -13,7 +13,7 @@ from rich.style import Style
 
 from day6_core.elide import elide
 from day6_core.ros.programs.rqt_bag.model.pictures import IMAGE
-from day6_core.ros.programs.rqt_bag.model.view import View, divisions
+from day6_core.ros.programs.rqt_bag.model.view import TimeSpan, divisions
 from day6_core.session.harmless import one_line
 from day6_tui.appearance.colours import background_of, pixel_style
 from day6_tui.appearance.look import Look
@@ -147,7 +147,7 @@ class BagLanes:
 
     # -- marks ---------------------------------------------------------------------------------------------------------
 
-    def recount(self, view: View, place: LanePlace) -> bool:
+    def recount(self, view: TimeSpan, place: LanePlace) -> bool:
         """Forget the marks if something has changed; whether it has."""
         counted = (self._model.timeline.version, view, place.columns, self._look.glyphs.bars)
         if counted == self._counted:
@@ -156,7 +156,7 @@ class BagLanes:
         self._marks = {}
         return True
 
-    def _marks_of(self, topic: str, view: View, place: LanePlace) -> list[str]:
+    def _marks_of(self, topic: str, view: TimeSpan, place: LanePlace) -> list[str]:
         """A mark for each column with messages of a topic."""
         found = self._marks.get(topic)
         if found is None:
@@ -166,14 +166,14 @@ class BagLanes:
 
     # -- lines ---------------------------------------------------------------------------------------------------------
 
-    def labels(self, view: View, place: LanePlace) -> list[Segment]:
+    def labels(self, view: TimeSpan, place: LanePlace) -> list[Segment]:
         cells = [" "] * (place.left + place.columns)
         for column, text in divisions(view, self._model.timeline.start_ns or 0, place.columns, LABEL_ROOM):
             if column >= 0 and column + len(text) <= place.columns:
                 cells[place.left + column : place.left + column + len(text)] = text
         return [Segment("".join(cells), self._look.colours.muted)]
 
-    def ruler(self, view: View, place: LanePlace) -> list[Segment]:
+    def ruler(self, view: TimeSpan, place: LanePlace) -> list[Segment]:
         """The axis, with the selected region and the playhead."""
         colours, unicode, player = self._look.colours, self._look.glyphs.unicode, self._model.player
         start = self._model.timeline.start_ns or 0
@@ -191,7 +191,7 @@ class BagLanes:
             cells[at] = (pointer, cells[at][1] if ends and ends[0] <= at <= ends[1] else self._colour(PLAYHEAD))
         return [Segment(" " * place.left, colours.text), *runs(cells)]
 
-    def line(self, index: int, part: int, view: View, place: LanePlace, *, focused: bool) -> list[Segment]:
+    def line(self, index: int, part: int, view: TimeSpan, place: LanePlace, *, focused: bool) -> list[Segment]:
         """One line of a topic."""
         colours, glyphs, model = self._look.colours, self._look.glyphs, self._model
         topic = self.topics[index]
@@ -224,7 +224,7 @@ class BagLanes:
             segments.append(Segment(fit(about, place.about, glyphs.ellipsis), colours.muted))
         return segments
 
-    def _thumbnails(self, topic: str, part: int, marks: Sequence[str], view: View, place: LanePlace) -> list[Cell]:
+    def _thumbnails(self, topic: str, part: int, marks: Sequence[str], view: TimeSpan, place: LanePlace) -> list[Cell]:
         """One line of the thumbnails beside each other, each of what is there at its left edge."""
         cells: list[Cell] = [(" ", self._look.colours.text)] * place.columns
         for column in range(0, place.columns - THUMB_COLUMNS + 1, THUMB_COLUMNS + 1):

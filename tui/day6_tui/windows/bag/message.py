@@ -10,7 +10,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
 
 if TYPE_CHECKING:
-    from day6_core.ros.programs.rqt_bag.model.bags import Shown
+    from day6_core.ros.programs.rqt_bag.model.bags import ShownMessage
 
 Path = tuple[str, ...]
 """The names of the fields that lead to one."""
@@ -34,10 +34,10 @@ class MessageTree:
         self._open: set[Path] = set()
         self._cursor = self._first = 0
         self._lines: list[_Line] = []
-        self._shown: Shown | None = None
+        self._shown: ShownMessage | None = None
         self._made_for: tuple[object, ...] = ()
 
-    def take(self, shown: Shown | None) -> None:
+    def take(self, shown: ShownMessage | None) -> None:
         """Show another message."""
         made_for = (len(self._open), self._cursor)
         if shown is self._shown and made_for == self._made_for:

@@ -20,7 +20,7 @@ from day6_core.ros.programs.rqt_bag.model.view import (
     WHEEL_OUT,
     ZOOM_IN,
     ZOOM_OUT,
-    View,
+    TimeSpan,
     size_text,
     whole,
 )
@@ -72,7 +72,7 @@ class RqtBagPane(WindowPane["Bags"]):
         """The list of topics that lies over the timeline while some are chosen."""
 
     @property
-    def view(self) -> View | None:
+    def view(self) -> TimeSpan | None:
         """What is seen, None without a timeline."""
         timeline = self.model.timeline
         if timeline.start_ns is None or timeline.end_ns is None:
@@ -466,7 +466,7 @@ class RqtBagPane(WindowPane["Bags"]):
             self._select((min(at, self._dragged_from), max(at, self._dragged_from)))
         else:
             by = self._dragged_from - at
-            self.model.view = View(view.left + by, view.right + by)
+            self.model.view = TimeSpan(view.left + by, view.right + by)
         self._redraw()
 
     def on_mouse_up(self, event: events.MouseUp) -> None:

@@ -34,7 +34,7 @@ from day6_tui.windows.classroom.orders import ALL, Orders
 from day6_tui.windows.classroom.screen import Screens, Sight
 from day6_tui.windows.classroom.table import ClassTable, places_for
 from day6_tui.windows.classroom.typing import Typing
-from day6_tui.windows.classroom.words import Words, answer_of
+from day6_tui.windows.classroom.words import ColouredWords, answer_of
 
 if TYPE_CHECKING:
     from textual.timer import Timer
@@ -272,17 +272,17 @@ class ClassroomPane(WindowPane[TeacherLink]):
         sights = [Sight(row, self._remark(row), row.name == typed_at) for row in rows]
         return self._screens.draw(sights, width, height)
 
-    def _remark(self, row: PupilRow) -> Words | None:
+    def _remark(self, row: PupilRow) -> ColouredWords | None:
         """What came of the wish to type, or of the last order."""
         texts, colours = self.look.texts, self.look.colours
         if row.name == self._typing.name:
             if self._typing.over:
-                return Words(self._over(), colours.error)
+                return ColouredWords(self._over(), colours.error)
             refused = row.note.refused if row.note is not None else ""
-            return Words(texts(refused), colours.warning) if refused else None
+            return ColouredWords(texts(refused), colours.warning) if refused else None
         answer = answer_of(row.note, self.look) if row.note is not None and row.is_here else None
         if row.name == self._typing.awaited and (answer is None or (row.note is not None and row.note.asked)):
-            return Words(texts("teacher.awaited"), colours.hint)
+            return ColouredWords(texts("teacher.awaited"), colours.hint)
         return answer
 
     def _over(self) -> str:

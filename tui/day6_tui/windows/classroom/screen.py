@@ -18,7 +18,7 @@ from day6_core.classroom.note import ROWS, PupilScreen
 from day6_core.classroom.roster import PupilRow
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import clip, fit
-from day6_tui.windows.classroom.words import Words
+from day6_tui.windows.classroom.words import ColouredWords
 
 
 class ScreenPicture:
@@ -41,7 +41,7 @@ class Sight(NamedTuple):
     """What is seen of one pupil: the row of the roster, something to tell above the screen, whether the teacher types there."""
 
     row: PupilRow
-    remark: Words | None = None
+    remark: ColouredWords | None = None
     is_typed_at: bool = False
 
 

@@ -10,7 +10,7 @@ from rich.segment import Segment
 from day6_core.classroom.roster import PupilRow
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
-from day6_tui.windows.classroom.words import Words, words_of
+from day6_tui.windows.classroom.words import ColouredWords, words_of
 
 STATE_LEAST = 20
 """Cells of what is said of a pupil that are not given up for a column."""
@@ -77,7 +77,7 @@ def widths_for(lines: Sequence[Sequence[str]], width: int) -> list[int]:
     return widths
 
 
-def with_room(words: Sequence[Words], room: int, look: Look) -> list[Segment]:
+def with_room(words: Sequence[ColouredWords], room: int, look: Look) -> list[Segment]:
     """Exactly `room` cells with the words that fit, two blanks apart; in their short form where not all long ones do."""
     is_short = sum(cell_len(each.text) + 2 for each in words) - 2 > room
     segments: list[Segment] = []

@@ -12,7 +12,7 @@ from day6_core.classroom.roster import IDLE_SECONDS, PupilRow
 from day6_tui.appearance.look import Look
 
 
-class Words(NamedTuple):
+class ColouredWords(NamedTuple):
     """A few words in their colour; `short` is for where there is little room."""
 
     text: str
@@ -20,17 +20,17 @@ class Words(NamedTuple):
     short: str = ""
 
 
-def words_of(row: PupilRow, now: float, look: Look, *, is_room: bool) -> Iterator[Words]:
+def words_of(row: PupilRow, now: float, look: Look, *, is_room: bool) -> Iterator[ColouredWords]:
     """Yield what the table says of a pupil; `now` is the roster's time.
 
     In a room (`is_room`) all have one graph, of which only what stands below the pupil's name is the pupil's.
     """
     texts, colours, note = look.texts, look.colours, row.note
     if not row.is_here:
-        yield Words(texts("teacher.state.gone"), colours.muted)
+        yield ColouredWords(texts("teacher.state.gone"), colours.muted)
         return
     if note is None:
-        yield Words(texts("teacher.state.silent"), colours.muted)
+        yield ColouredWords(texts("teacher.state.silent"), colours.muted)
         return
     if row.raised is not None:
         yield _hand(int((now - row.raised) / 60), look)
@@ -38,30 +38,30 @@ def words_of(row: PupilRow, now: float, look: Look, *, is_room: bool) -> Iterato
         yield answer
     if note.trouble is not None:
         title = note.trouble.title.get(texts.language) or note.trouble.line
-        yield Words(title, colours.error if row.is_stuck(now) else colours.warning)
+        yield ColouredWords(title, colours.error if row.is_stuck(now) else colours.warning)
     if note.frozen:
-        yield Words(texts("teacher.state.frozen"), colours.muted)
+        yield ColouredWords(texts("teacher.state.frozen"), colours.muted)
     if row.idle(now) >= IDLE_SECONDS:
         minutes = int(row.idle(now) / 60)
         text, short = (texts(f"teacher.state.idle{form}", minutes=minutes) for form in ("", ".short"))
-        yield Words(text, colours.muted, short)
+        yield ColouredWords(text, colours.muted, short)
     elif nodes := [name for name in note.nodes if not is_room or name.startswith(f"/{row.name}/")]:
-        yield Words(" ".join(nodes), colours.node)
+        yield ColouredWords(" ".join(nodes), colours.node)
 
 
-def answer_of(note: Note, look: Look) -> Words | None:
+def answer_of(note: Note, look: Look) -> ColouredWords | None:
     """Return what came of the last thing that was asked of a pupil, if that is not settled."""
     texts, colours = look.texts, look.colours
     if note.may_type:
-        return Words(texts("teacher.state.may_type"), colours.hint)
+        return ColouredWords(texts("teacher.state.may_type"), colours.hint)
     if note.asked:
-        return Words(texts("teacher.state.asked"), colours.hint)
-    return Words(texts(note.refused), colours.warning) if note.refused else None
+        return ColouredWords(texts("teacher.state.asked"), colours.hint)
+    return ColouredWords(texts(note.refused), colours.warning) if note.refused else None
 
 
-def _hand(minutes: int, look: Look) -> Words:
+def _hand(minutes: int, look: Look) -> ColouredWords:
     texts, style = look.texts, look.colours.hint
     if not minutes:
-        return Words(texts("teacher.state.hand_now"), style)
+        return ColouredWords(texts("teacher.state.hand_now"), style)
     text, short = (texts(f"teacher.state.hand{form}", minutes=minutes) for form in ("", ".short"))
-    return Words(text, style, short)
+    return ColouredWords(text, style, short)

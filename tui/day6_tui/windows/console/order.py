@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from itertools import takewhile
 from typing import Any, NamedTuple
 
-from day6_core.ros.programs.rqt_console.filters import Choice
+from day6_core.ros.programs.rqt_console.filters import FilterChoice
 from day6_core.ros.programs.rqt_console.model import Record
 
 Key = Callable[[Record], tuple[Any, int]]
@@ -54,7 +54,7 @@ class SortedRecords:
         """The messages as they came."""
         self._count = 0
         """How many of them are in order: the list of the model may have grown meanwhile."""
-        self._choice: Choice | None = None
+        self._choice: FilterChoice | None = None
         self._ascending: Sequence[Record] = ()
 
     def __len__(self) -> int:
@@ -78,7 +78,7 @@ class SortedRecords:
         if again:
             self._sort_all()
 
-    def update(self, records: Sequence[Record], choice: Choice) -> None:
+    def update(self, records: Sequence[Record], choice: FilterChoice) -> None:
         """Take what the console shows now, the oldest first."""
         before, count, same = self._source, self._count, choice is self._choice
         self._source, self._count, self._choice = records, len(records), choice

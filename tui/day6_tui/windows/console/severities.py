@@ -11,7 +11,7 @@ from textual.content import Content
 from textual.geometry import Size
 from textual.widgets import Checkbox, Static
 
-from day6_core.ros.programs.rqt_console.filters import SIDES, Choice
+from day6_core.ros.programs.rqt_console.filters import SIDES, FilterChoice
 from day6_core.ros.programs.rqt_console.model import SEVERITIES
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import plain
@@ -74,7 +74,7 @@ class Severities(Surviving, Horizontal):
         yield from self._boxes
         yield self._others
 
-    def show(self, choice: Choice, width: int) -> None:
+    def show(self, choice: FilterChoice, width: int) -> None:
         """Show what is left out, in so many cells."""
         title = " " + self._heading("excludes").rstrip() + " "
         self._title.update(plain(title))
@@ -88,7 +88,7 @@ class Severities(Surviving, Horizontal):
         self._others.display = bool(others)
         self._others.update(Content("").join(others))
 
-    def _told(self, choice: Choice) -> Iterator[Content]:
+    def _told(self, choice: FilterChoice) -> Iterator[Content]:
         dots, boxes = self._look.glyphs.ellipsis, choice.first("excludes", "severity")
         for side in SIDES:
             said = [

@@ -21,7 +21,7 @@ from textual.scrollbar import ScrollBar
 from textual.strip import Strip
 from textual.widget import Widget
 
-from day6_core.ros.programs.rqt_console.filters import Choice
+from day6_core.ros.programs.rqt_console.filters import FilterChoice
 from day6_core.ros.programs.rqt_console.model import Record
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit, harmless
@@ -62,7 +62,7 @@ class ConsoleTable(Surviving, ScrollView, can_focus=True):
         super().__init__()
         self._look = look
         self._records = SortedRecords()
-        self._choice = Choice()
+        self._choice = FilterChoice()
         self.chosen: Record | None = None
         """None follows the newest message, or whatever comes first in another order."""
         self.remark = ""
@@ -88,7 +88,7 @@ class ConsoleTable(Surviving, ScrollView, can_focus=True):
         """How it is sorted."""
         return self._records.order
 
-    def show(self, records: Sequence[Record], choice: Choice) -> None:
+    def show(self, records: Sequence[Record], choice: FilterChoice) -> None:
         """Show these messages, the oldest first; what is in sight stays there unless the newest is followed."""
         following, top = self._is_following, self._first_record
         if choice != self._choice:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple
 
-from day6_core.ros.programs.rqt_graph.model.content import GraphType, Options
+from day6_core.ros.programs.rqt_graph.model.content import GraphOptions, GraphType
 
 DEEPEST = 4
 """Namespace boxes nest up to this; the key then begins again at none."""
@@ -42,7 +42,7 @@ NAMESPACES = Switch("n", "namespaces", "Namespaces")
 SWITCHES = {switch.key: switch for switch in (*HIDE, *GROUP, *VIEW)}
 
 
-def switched(options: Options, key: str) -> Options:
+def switched(options: GraphOptions, key: str) -> GraphOptions:
     """Return the options after a key of SWITCHES, `t` (next type) or `n` (namespace boxes one deeper)."""
     if key == "t":
         kinds = list(GraphType)
@@ -54,7 +54,7 @@ def switched(options: Options, key: str) -> Options:
     return replace(options, **changed)  # type: ignore[arg-type]
 
 
-def text_of(switch: Switch, options: Options) -> tuple[str, bool | None]:
+def text_of(switch: Switch, options: GraphOptions) -> tuple[str, bool | None]:
     """The label of a control, and whether its box is ticked; None for the number of namespaces."""
     if switch is NAMESPACES:
         return f"{options.namespaces} {switch.label}", None

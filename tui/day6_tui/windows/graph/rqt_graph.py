@@ -12,12 +12,12 @@ from rich.style import Style
 from textual import events
 from textual.geometry import Region
 
-from day6_core.ros.programs.rqt_graph.model.content import Options
+from day6_core.ros.programs.rqt_graph.model.content import GraphOptions
 from day6_core.ros.programs.rqt_graph.model.drawing import (
     ASCII,
     CONSOLE,
     UNICODE,
-    Canvas,
+    CellCanvas,
     Glyphs,
     Highlight,
     Run,
@@ -36,7 +36,7 @@ from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.graph.options import GROUP, HIDE, NAMESPACES, SWITCHES, VIEW, Switch, switched, text_of
-from day6_tui.windows.graph.view import View
+from day6_tui.windows.graph.view import Viewport
 from day6_tui.windows.parts.buttons import Button, button_line, in_lines
 
 if TYPE_CHECKING:
@@ -83,11 +83,11 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         self._forms_of: tuple[object, ...] = ()
         """What `_forms` was made of."""
         self._form = 0
-        self._view = View()
+        self._view = Viewport()
         self._drag: tuple[int, int] | None = None
         """Where the mouse was last while its button is held."""
         self._dragged = False
-        self._canvas = Canvas(0, 0)
+        self._canvas = CellCanvas(0, 0)
         """What is seen, without the pulses."""
         self._rows: list[list[Run]] = []
         self._counts: dict[str, int] = {}
@@ -484,7 +484,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             self._drag = None
             self.release_mouse()
 
-    def _change(self, options: Options) -> None:
+    def _change(self, options: GraphOptions) -> None:
         self.graph.change_options(options)
         self.pull(self._counted_now)
 

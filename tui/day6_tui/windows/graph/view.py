@@ -20,7 +20,7 @@ class Beyond(NamedTuple):
     down: int | None
 
 
-class View:
+class Viewport:
     """A window of `columns` x `rows` cells onto a picture; (`x`, `y`) is the cell of the picture at its upper left corner."""
 
     def __init__(self) -> None:

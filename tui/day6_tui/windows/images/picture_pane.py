@@ -14,7 +14,7 @@ from rich.segment import Segment
 from textual import events
 from textual.geometry import Region
 
-from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, Undecodable, View
+from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, ImageRequest, Undecodable
 from day6_core.session.display import Window
 from day6_tui.appearance.colours import background_of
 from day6_tui.appearance.look import Look
@@ -47,10 +47,10 @@ class HasPicture(Protocol):
         """Grows when anything but the image changes."""
 
     @property
-    def view(self) -> View:
+    def view(self) -> ImageRequest:
         """How the image is shown."""
 
-    def picture(self, view: View) -> DecodedImage | None:
+    def picture(self, view: ImageRequest) -> DecodedImage | None:
         """The newest image as it is to be shown; None while there is none. Raises Undecodable."""
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rich.segment import Segment
 from textual import events
 
-from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, View
+from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, ImageRequest
 from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.prompt import before_replacing
 from day6_tui.panes.pane import Piece
@@ -31,11 +31,11 @@ class ImageViewPane(PicturePane["ImageView"]):
     head_lines = 1
 
     @property
-    def _view(self) -> View:
+    def _view(self) -> ImageRequest:
         return self.model.view
 
     @_view.setter
-    def _view(self, view: View) -> None:
+    def _view(self, view: ImageRequest) -> None:
         self.model.view = view
 
     def _remark(self) -> str:

@@ -14,7 +14,7 @@ from textual import events
 
 from day6_core.ros.programs.day6_kitchen.belts import Belt, Content, Cook
 from day6_core.ros.programs.day6_kitchen.model import Kitchen
-from day6_core.ros.programs.rqt_graph.model.drawing import Canvas
+from day6_core.ros.programs.rqt_graph.model.drawing import CellCanvas
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import fit, wrap
@@ -32,7 +32,7 @@ from day6_tui.windows.kitchen.picture import (
     ways,
     words_of,
 )
-from day6_tui.windows.kitchen.words import Words
+from day6_tui.windows.kitchen.words import KitchenWords
 
 if TYPE_CHECKING:
     from textual.timer import Timer
@@ -57,14 +57,14 @@ class KitchenPane(WindowPane[Kitchen]):
 
     def __init__(self, window: Window[Kitchen], look: Look) -> None:
         super().__init__(window, look)
-        self._words = Words(look)
+        self._words = KitchenWords(look)
         self._plan = KitchenPlan(Content(), 1, 1)
         self._drawn: tuple[object, ...] = ()
         self._rates: dict[str, float | None] = {}
         """As they are shown."""
         self._rated = 0.0
-        self._head = Canvas(0, 0)
-        self._belts = Canvas(0, 0)
+        self._head = CellCanvas(0, 0)
+        self._belts = CellCanvas(0, 0)
         """What is seen of the belts, without the dishes."""
         self._ways: dict[int, tuple[str, list[Way]]] = {}
         """By the row of a belt: its topic and the ways on it."""
@@ -195,9 +195,9 @@ class KitchenPane(WindowPane[Kitchen]):
         shift = max(0, (self.inner_width - plan.width) // 2) if plan.width < self.inner_width else 0
         left = self._x - shift
         glyphs = GLYPHS[self.look.glyphs.canvas]
-        self._head = Canvas(self.inner_width, plan.head, left, 0)
+        self._head = CellCanvas(self.inner_width, plan.head, left, 0)
         draw_cooks(self._head, plan, glyphs, self._cook, self.look.glyphs.ellipsis)
-        self._belts = Canvas(self.inner_width, room, left, self._y)
+        self._belts = CellCanvas(self.inner_width, room, left, self._y)
         draw_belts(self._belts, plan, glyphs, self.model.dishes, self._label)
         self._ways = {
             row + 1: (belt.topic, list(ways(plan, belt))) for row, belt in plan.belts_between(self._y, self._y + room)
@@ -249,12 +249,12 @@ class KitchenPane(WindowPane[Kitchen]):
             return [Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)]
         return [Segment(f" {self._lines[at - 1]}", self.look.colours.text)] if at <= len(self._lines) else ()
 
-    def _with_dishes(self, row: int) -> Canvas:
+    def _with_dishes(self, row: int) -> CellCanvas:
         """The canvas in which a row of belts is found: one with this row alone where dishes move on it."""
         belts = self._belts
         if row + self._y not in self._moving_rows:
             return belts
-        canvas = Canvas(0, 0, belts.left, 0)
+        canvas = CellCanvas(0, 0, belts.left, 0)
         canvas.width, canvas.height = belts.width, 1
         canvas.text, canvas.style = [belts.text[row][:]], [belts.style[row][:]]
         topic, found = self._ways[row + self._y]
@@ -264,7 +264,7 @@ class KitchenPane(WindowPane[Kitchen]):
                 canvas.put(place, 0, dish.text, f"dish{dish.colour}")
         return canvas
 
-    def _segments(self, canvas: Canvas, row: int) -> list[Segment]:
+    def _segments(self, canvas: CellCanvas, row: int) -> list[Segment]:
         found = []
         characters, styles = canvas.text[row], canvas.style[row]
         start = 0

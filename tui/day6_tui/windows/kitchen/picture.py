@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from day6_core.ros.programs.day6_kitchen.belts import Belt, Content, Cook, Hand
 from day6_core.ros.programs.day6_kitchen.dishes import Dish, Dishes
-from day6_core.ros.programs.rqt_graph.model.drawing import Canvas
+from day6_core.ros.programs.rqt_graph.model.drawing import CellCanvas
 from day6_tui.panes.cells import cell_len, clip
 
 NARROWEST, WIDEST = 14, 30
@@ -111,7 +111,7 @@ class KitchenPlan:
         return first, last
 
 
-def draw_cooks(canvas: Canvas, plan: KitchenPlan, glyphs: Glyphs, chosen: str, ellipsis: str) -> None:
+def draw_cooks(canvas: CellCanvas, plan: KitchenPlan, glyphs: Glyphs, chosen: str, ellipsis: str) -> None:
     """The cooks, in the lines above the belts."""
     for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         lane = plan.lane(cook.name)
@@ -136,7 +136,7 @@ Label = Callable[[Belt], Sequence[tuple[str, str]]]
 """The words above a belt as runs of text and style, for any room."""
 
 
-def draw_belts(canvas: Canvas, plan: KitchenPlan, glyphs: Glyphs, dishes: Dishes, label: Label) -> None:
+def draw_belts(canvas: CellCanvas, plan: KitchenPlan, glyphs: Glyphs, dishes: Dishes, label: Label) -> None:
     """The lines of all cooks, and the belts across them."""
     for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         for row in range(canvas.top, canvas.top + canvas.height):
@@ -146,7 +146,7 @@ def draw_belts(canvas: Canvas, plan: KitchenPlan, glyphs: Glyphs, dishes: Dishes
         _draw_belt(canvas, plan, belt, row + 1, glyphs, dishes)
 
 
-def _draw_label(canvas: Canvas, plan: KitchenPlan, belt: Belt, row: int, runs: Sequence[tuple[str, str]]) -> None:
+def _draw_label(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, runs: Sequence[tuple[str, str]]) -> None:
     room = sum(cell_len(text) for text, _ in runs)
     x = max(canvas.left, min(plan.ends(belt)[0] + 2, canvas.left + canvas.width - room))
     for text, style in runs:
@@ -154,7 +154,7 @@ def _draw_label(canvas: Canvas, plan: KitchenPlan, belt: Belt, row: int, runs: S
         x += cell_len(text)
 
 
-def _draw_belt(canvas: Canvas, plan: KitchenPlan, belt: Belt, row: int, glyphs: Glyphs, dishes: Dishes) -> None:
+def _draw_belt(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, glyphs: Glyphs, dishes: Dishes) -> None:
     first, last = plan.ends(belt)
     empty = not belt.givers and not belt.unseen_givers
     line = glyphs.gap if empty else glyphs.belt
@@ -188,7 +188,7 @@ def _sides(plan: KitchenPlan, belt: Belt, taker: Hand) -> list[bool]:
 
 
 def _draw_hatch(
-    canvas: Canvas, belt: Belt, taker: Hand, lane: int, row: int, glyphs: Glyphs, dishes: Dishes, *, from_left: bool
+    canvas: CellCanvas, belt: Belt, taker: Hand, lane: int, row: int, glyphs: Glyphs, dishes: Dishes, *, from_left: bool
 ) -> None:
     """Where a taker takes: an arrow, or the shape that is waited for in vain."""
     refusal = belt.refusal_of(taker)

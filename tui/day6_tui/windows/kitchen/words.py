@@ -9,7 +9,7 @@ from day6_core.ros.programs.day6_kitchen.dishes import Dishes
 from day6_tui.appearance.look import Look
 
 
-class Words:
+class KitchenWords:
     """Speaks the language of the look."""
 
     def __init__(self, look: Look) -> None:

@@ -18,7 +18,7 @@ from day6_tui.windows.fields.rows import NARROW, is_long, narrow_columns, proble
 from day6_tui.windows.parts.buttons import Button
 
 if TYPE_CHECKING:
-    from day6_core.ros.programs.rqt_publisher.model import MessagePublisher, Shown
+    from day6_core.ros.programs.rqt_publisher.model import MessagePublisher, ShownPublisher
 
 RATE, EXPRESSION = 2, 3
 """Columns."""
@@ -38,7 +38,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
 
     def __init__(self, window: Window[MessagePublisher], look: Look) -> None:
         super().__init__(window, look, columns_in)
-        self._publishers: list[Shown] = []
+        self._publishers: list[ShownPublisher] = []
         self._count = -1
 
     def state(self) -> tuple[object, ...]:
@@ -180,11 +180,11 @@ class PublisherPane(FieldPane["MessagePublisher"]):
             return False
         return True
 
-    def _of(self, line: FieldLine) -> Shown | None:
+    def _of(self, line: FieldLine) -> ShownPublisher | None:
         number = line.key.partition(":")[0]
         return next((each for each in self._publishers if str(each.number) == number), None)
 
-    def _chosen(self) -> Shown | None:
+    def _chosen(self) -> ShownPublisher | None:
         return self._of(self.list.chosen) if self.list.chosen is not None else None
 
     def _publish_once(self) -> None:

@@ -19,7 +19,7 @@ from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
 from day6_tui.appearance.colours import background_of, foreground_of, pixel_style
 from day6_tui.appearance.look import Look
-from day6_tui.panes.canvas import Canvas, Mark, new_canvas
+from day6_tui.panes.canvas import Mark, PixelCanvas, new_canvas
 from day6_tui.panes.cells import cell_len, clip, fit
 from day6_tui.panes.pane import Piece
 from day6_tui.windows import WindowPane
@@ -69,7 +69,7 @@ class RqtPlotPane(WindowPane[Plot]):
         super().__init__(window, look)
         self.plot = window.model
         self._chosen = 0
-        self._canvas: Canvas | None = None
+        self._canvas: PixelCanvas | None = None
         self._view = _View(0, 1, 0, 1, 1)
         self._spans: dict[str, tuple[float, float]] = {}
         self._state: tuple[object, ...] = ()
@@ -193,7 +193,7 @@ class RqtPlotPane(WindowPane[Plot]):
         low, high, step = limits(lowest, highest, max(3, rows // 3))
         return _View(start, end, low, high, step)
 
-    def _pixels(self, times: list[float], values: list[float], canvas: Canvas) -> set[tuple[int, int]]:
+    def _pixels(self, times: list[float], values: list[float], canvas: PixelCanvas) -> set[tuple[int, int]]:
         view = self._view
         across = (canvas.width - 1) / (view.end - view.start)
         down = (canvas.height - 1) / (view.high - view.low)

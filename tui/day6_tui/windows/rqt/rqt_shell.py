@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from day6_tui.windows.parts.command_pane import CommandPane
 
 if TYPE_CHECKING:
-    from day6_core.ros.programs.rqt_shell.model import Shell  # noqa: F401 - in a base class
+    from day6_core.ros.programs.rqt_shell.model import RqtShell  # noqa: F401 - in a base class
 
 
-class ShellPane(CommandPane["Shell"]):
+class ShellPane(CommandPane["RqtShell"]):
     """While a command runs nothing can be typed."""

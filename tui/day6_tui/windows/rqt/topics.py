@@ -21,7 +21,7 @@ from day6_tui.windows.parts.buttons import Button, button_line
 from day6_tui.windows.rqt.topic_tree import Branch, Path, TopicRow, TopicTree
 
 if TYPE_CHECKING:
-    from day6_core.ros.programs.rqt_topic.model import Endpoint, Topic, TopicMonitor
+    from day6_core.ros.programs.rqt_topic.model import MonitoredEndpoint, Topic, TopicMonitor
 
 SORTS = ("topic", "type", "bandwidth", "hz")
 """The columns by which topics can be sorted."""
@@ -339,7 +339,7 @@ def _definition(topic: Topic) -> tuple[str, str]:
         return topic.types[0], str(error)
 
 
-def _ends(path: Path, ends: Sequence[Endpoint]) -> list[Branch]:
+def _ends(path: Path, ends: Sequence[MonitoredEndpoint]) -> list[Branch]:
     return [Branch(TopicRow((*path, f"{end.node}"), value=end.qos)) for end in ends]
 
 

@@ -10,7 +10,7 @@ SMALL = 0.4
 """A robot that takes less than this share of the picture is small."""
 
 
-class Offer:
+class FocusOffer:
     """Made once, for the first robot that is in its place; over when the camera moves."""
 
     def __init__(self, rviz: RViz) -> None:

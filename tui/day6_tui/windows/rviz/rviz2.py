@@ -40,7 +40,7 @@ from day6_tui.windows.rviz.dragging import Dragging
 from day6_tui.windows.rviz.extent import around, extent
 from day6_tui.windows.rviz.hand import Hand
 from day6_tui.windows.rviz.hints import ARROWS, panel_hints, view_hints
-from day6_tui.windows.rviz.offer import Offer
+from day6_tui.windows.rviz.offer import FocusOffer
 from day6_tui.windows.rviz.sizes import NARROW, Division, divide
 from day6_tui.windows.rviz.status_bar import StatusBar, in_ascii
 from day6_tui.windows.rviz.toolbar import LOWEST_WINDOW, names_in
@@ -83,7 +83,7 @@ class RVizPane(WindowPane[RViz]):
         self.panel = DisplaysPanel(self.rviz, look)
         self._layout_of_panel = _PanelAtTheLeft()
         self.status_bar = StatusBar(self.rviz, self.panel.properties, self.view, look)
-        self.offer = Offer(self.rviz)
+        self.offer = FocusOffer(self.rviz)
         self._dragging = Dragging(self.view)
         self._hand = Hand(self.rviz, self.view)
         self._control_keys = ControlKeys(self.rviz)

@@ -30,7 +30,7 @@ class Pupil(NamedTuple):
     flag: int
 
 
-class Words(NamedTuple):
+class CardText(NamedTuple):
     """Text that stays together. `end` is the part that counts: if room is short, `text` gives way."""
 
     text: str
@@ -89,23 +89,23 @@ def _card(turtle: TurtleView, topics: TurtleTopics | None, size: tuple[int, int]
     return low if len(low) <= rows else []
 
 
-def _groups(turtle: TurtleView, topics: TurtleTopics | None, look: Look) -> list[list[Words]]:
+def _groups(turtle: TurtleView, topics: TurtleTopics | None, look: Look) -> list[list[CardText]]:
     """A topic's name and what is said on it. The names of numbers are the fields of turtlesim/msg/Pose."""
     texts, colours = look.texts, look.colours
     if topics is None:
         return []
     fields = ("x", "y", "theta", "linear_velocity", "angular_velocity")
-    pose = [Words(field, colours.text, f" {getattr(turtle, field) + 0.0:5.2f}") for field in fields]
+    pose = [CardText(field, colours.text, f" {getattr(turtle, field) + 0.0:5.2f}") for field in fields]
     if topics.senders:
-        senders = [Words(f"{texts('turtlesim.from')} ", colours.node, node) for node in topics.senders]
+        senders = [CardText(f"{texts('turtlesim.from')} ", colours.node, node) for node in topics.senders]
     else:
-        senders = [Words(texts("turtlesim.undriven"), colours.muted), Words(TELEOP, colours.muted)]
-    return [[Words(topics.pose, colours.topic), *pose], [Words(topics.cmd_vel, colours.topic), *senders]]
+        senders = [CardText(texts("turtlesim.undriven"), colours.muted), CardText(TELEOP, colours.muted)]
+    return [[CardText(topics.pose, colours.topic), *pose], [CardText(topics.cmd_vel, colours.topic), *senders]]
 
 
-def _flowing(group: Sequence[Words], width: int, look: Look) -> list[Line]:
+def _flowing(group: Sequence[CardText], width: int, look: Look) -> list[Line]:
     """Words one after the other, in as many lines as they take."""
-    lines: list[list[Words]] = []
+    lines: list[list[CardText]] = []
     used = width
     for words in group:
         size = 2 + cell_len(words.text + words.end)
@@ -117,7 +117,7 @@ def _flowing(group: Sequence[Words], width: int, look: Look) -> list[Line]:
     return [_words(line, width, look) for line in lines]
 
 
-def _words(items: Sequence[Words], width: int, look: Look, *, indent: int = 1) -> Line:
+def _words(items: Sequence[CardText], width: int, look: Look, *, indent: int = 1) -> Line:
     line = [Segment(" " * indent, look.colours.text)]
     room = width - indent
     for item in items:

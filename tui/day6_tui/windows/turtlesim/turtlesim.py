@@ -17,7 +17,7 @@ from textual.geometry import Region
 from day6_core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
-from day6_tui.panes.canvas import Canvas, Mark, new_canvas, square
+from day6_tui.panes.canvas import Mark, PixelCanvas, new_canvas, square
 from day6_tui.panes.cells import cell_len
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.placement import PaneNeeds
@@ -52,7 +52,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
 
     def __init__(self, window: Window[Simulation], look: Look) -> None:
         super().__init__(window, look)
-        self._canvas: Canvas | None = None
+        self._canvas: PixelCanvas | None = None
         self._scene: TurtleScene | None = None
         self._generation = -1
         self._drawn = -1
@@ -164,7 +164,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
         canvas = self._canvas
         return canvas is not None and (canvas.columns, canvas.rows) == self._world_place()[2:]
 
-    def _take_over(self) -> Canvas:
+    def _take_over(self) -> PixelCanvas:
         """Bring the canvas to what the model shows now."""
         if not self._fits():
             self._canvas = None
@@ -180,7 +180,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
             self._side = self._side_now()
         return canvas
 
-    def _up_to_date(self, scene: TurtleScene, trail: Trail) -> Canvas:
+    def _up_to_date(self, scene: TurtleScene, trail: Trail) -> PixelCanvas:
         """The canvas with the trail as it is now."""
         red, green, blue = scene.background
         background = red << 16 | green << 8 | blue
@@ -218,7 +218,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
                 free = [coat for coat in COATS if coat not in worn]
                 self._coats[name] = free[0] if free else COATS[len(self._coats) % len(COATS)]
 
-    def _put_turtles(self, canvas: Canvas, scene: TurtleScene) -> None:
+    def _put_turtles(self, canvas: PixelCanvas, scene: TurtleScene) -> None:
         sprites: dict[int, int] = {}
         marks: dict[tuple[int, int], Mark] = {}
         labelled = self._names or len(scene.turtles) > 1
@@ -340,7 +340,7 @@ def _size(width: int) -> int:
     return max(9, round(width * REAL_SIZE * 1.3))
 
 
-def _put_label(canvas: Canvas, marks: dict[tuple[int, int], Mark], name: str, column: int, row: int) -> None:
+def _put_label(canvas: PixelCanvas, marks: dict[tuple[int, int], Mark], name: str, column: int, row: int) -> None:
     width = cell_len(name)
     first = max(0, min(canvas.columns - width, column - width // 2))
     row = row if row >= 0 else min(canvas.rows - 1, row + 5)
@@ -348,7 +348,7 @@ def _put_label(canvas: Canvas, marks: dict[tuple[int, int], Mark], name: str, co
         marks[first + offset, row] = Mark(char, -1, canvas.background)
 
 
-def _blocks(stroke: Stroke, canvas: Canvas) -> tuple[range, range]:
+def _blocks(stroke: Stroke, canvas: PixelCanvas) -> tuple[range, range]:
     """The pixels of the canvas that a piece of the trail can have touched."""
     margin = stroke.width * 0.75 + 1  # half the diagonal of the square at a line's end
 
@@ -360,7 +360,7 @@ def _blocks(stroke: Stroke, canvas: Canvas) -> tuple[range, range]:
     return span(stroke.x0, stroke.x1, canvas.width), span(stroke.y0, stroke.y1, canvas.height)
 
 
-def _shrink(image: memoryview, canvas: Canvas, columns: range, rows: range, *, settled: bool = False) -> None:
+def _shrink(image: memoryview, canvas: PixelCanvas, columns: range, rows: range, *, settled: bool = False) -> None:
     """Set pixels of the canvas from their blocks of the path image (one number 0xAARRGGBB per pixel, 0 undrawn).
 
     With `settled` those that have a colour already are left out.
@@ -381,7 +381,7 @@ def _shrink(image: memoryview, canvas: Canvas, columns: range, rows: range, *, s
         _shrink_row(image, canvas, y, wanted)
 
 
-def _shrink_row(image: memoryview, canvas: Canvas, y: int, columns: range) -> None:
+def _shrink_row(image: memoryview, canvas: PixelCanvas, y: int, columns: range) -> None:
     xs = [x * SIZE // canvas.width for x in range(columns.start, columns.stop + 1)]
     top, bottom = y * SIZE // canvas.height, (y + 1) * SIZE // canvas.height
     left, right, height = xs[0], xs[-1], bottom - top

@@ -58,7 +58,7 @@ Placing = Callable[[Iterable[tuple[float, float]]], list[tuple[float, float]]]
 
 
 @dataclass(frozen=True)
-class View:
+class WorldView:
     """The visible part: its middle in metres, metres per pixel across, and the number of cells."""
 
     x: float
@@ -91,17 +91,17 @@ class View:
         return mx <= px <= self.width - mx and my <= py <= self.height - my
 
 
-def fitting(scenery: Scenery, columns: int, rows: int, mode: str) -> View:
+def fitting(scenery: Scenery, columns: int, rows: int, mode: str) -> WorldView:
     """The view that shows the whole floor, with the walls around it."""
     length, width = (side + 0.3 for side in scenery.size)
     high = rows * 2  # a cell is twice as high as wide, so in columns
-    return View(0.0, 0.0, max(length / max(columns, 1), width / max(high, 1)), columns, rows, mode)
+    return WorldView(0.0, 0.0, max(length / max(columns, 1), width / max(high, 1)), columns, rows, mode)
 
 
 class WorldPicture:
     """The pixels of one view. `frame` gives the rows of a snapshot, `segments` the line of a cell row."""
 
-    def __init__(self, view: View, scenery: Scenery) -> None:
+    def __init__(self, view: WorldView, scenery: Scenery) -> None:
         self.view = view
         self._base = self._paint_scenery(scenery)
         self._trail: Rows | None = None
@@ -301,7 +301,7 @@ def look_of(colours: Colours) -> list[int]:
     return table
 
 
-def segments(rows: Rows, line: int, view: View, table: list[int], colours: Colours, yaw: float) -> list[Segment]:
+def segments(rows: Rows, line: int, view: WorldView, table: list[int], colours: Colours, yaw: float) -> list[Segment]:
     """The segments of one line of cells."""
     if view.mode == "half":
         pairs = zip(rows[2 * line], rows[2 * line + 1], strict=True)

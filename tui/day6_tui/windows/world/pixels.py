@@ -21,7 +21,7 @@ from day6_tui.windows.world.picture import (
     OUTSIDE,
     TRAIL,
     WALL,
-    View,
+    WorldView,
     nose_of,
     placing,
 )
@@ -44,7 +44,7 @@ class WorldPixels:
     """A view of `cell` pixels per cell. `colours` are by kind, as in `world_picture`."""
 
     def __init__(
-        self, view: View, cell: tuple[int, int], scenery: Scenery, colours: Sequence[int], blank: Style
+        self, view: WorldView, cell: tuple[int, int], scenery: Scenery, colours: Sequence[int], blank: Style
     ) -> None:
         self.view, self.cell = view, cell
         self.sheet = Sheet(view.columns, view.rows, blank)

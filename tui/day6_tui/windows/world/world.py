@@ -19,7 +19,7 @@ from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.remarks import remark_lines
-from day6_tui.windows.world.picture import Rows, View, WorldPicture, fitting, look_of, segments
+from day6_tui.windows.world.picture import Rows, WorldPicture, WorldView, fitting, look_of, segments
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.day6_world.model import WorldModel, WorldSnapshot
@@ -51,7 +51,7 @@ class WorldPane(WindowPane["WorldModel"]):
     def __init__(self, window: Window[WorldModel], look: Look) -> None:
         super().__init__(window, look)
         self._snapshot: WorldSnapshot | None = None
-        self._view: View | None = None
+        self._view: WorldView | None = None
         self._picture: WorldPicture | None = None
         self._rows: Rows = []
         self._remarks: list[tuple[str, str]] = []
@@ -120,7 +120,7 @@ class WorldPane(WindowPane["WorldModel"]):
         else:
             self._rows = self._picture.frame(snapshot, self.model.trail)
 
-    def _show_pixels(self, pictures: Pictures, view: View, snapshot: WorldSnapshot, scenery: Scenery) -> None:
+    def _show_pixels(self, pictures: Pictures, view: WorldView, snapshot: WorldSnapshot, scenery: Scenery) -> None:
         """Draw in real pixels."""
         from day6_tui.windows.world.pixels import WorldPixels
 
@@ -130,7 +130,7 @@ class WorldPane(WindowPane["WorldModel"]):
         place = Region(self.inner_offset, self.inner_offset, view.columns, view.rows)
         pictures.show(self, place, cell, shown.pixels(snapshot, self.model.trail))
 
-    def _next_view(self, snapshot: WorldSnapshot, scenery: Scenery, columns: int, rows: int) -> View:
+    def _next_view(self, snapshot: WorldSnapshot, scenery: Scenery, columns: int, rows: int) -> WorldView:
         """The view as it was, in the size of the window; it moves along when the robot would leave it."""
         view = self._view
         if view is None:

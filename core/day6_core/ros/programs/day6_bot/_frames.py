@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from geometry_msgs.msg import TransformStamped
 
 
-class Frames:
+class RobotFrames:
     """A tree of frames: for every child frame its parent and its pose in it. Received transforms stay, as in tf2."""
 
     def __init__(self) -> None:

@@ -16,7 +16,7 @@ status = CarStatus.of
 
 
 @dataclass(frozen=True, slots=True)
-class Facts:
+class JointStateFacts:
     """The facts from which the lines are made. `publishers` are node names and types on `topic`, the joint states."""
 
     described: bool
@@ -41,7 +41,7 @@ SILENT_S = 1.5
 NAMED_LINKS = 4
 
 
-def status_lines(facts: Facts) -> tuple[CarStatus, ...]:
+def status_lines(facts: JointStateFacts) -> tuple[CarStatus, ...]:
     """Return the lines, the cause before its effects."""
     if facts.problem:
         return (status("error", "car.bad_description", text=facts.problem),)
@@ -60,7 +60,7 @@ def status_lines(facts: Facts) -> tuple[CarStatus, ...]:
     return tuple(lines)
 
 
-def _transform_lines(facts: Facts) -> list[CarStatus]:
+def _transform_lines(facts: JointStateFacts) -> list[CarStatus]:
     named, more = facts.missing[:NAMED_LINKS], len(facts.missing) - NAMED_LINKS
     lines = [status("error", "car.no_transform", link=link, frame=facts.root) for link in named]
     if more > 0:
@@ -68,7 +68,7 @@ def _transform_lines(facts: Facts) -> list[CarStatus]:
     return lines
 
 
-def _publisher_lines(facts: Facts) -> list[CarStatus]:
+def _publisher_lines(facts: JointStateFacts) -> list[CarStatus]:
     lines = []
     for kind in sorted({kind for _, kind in facts.publishers if kind != JOINT_STATE}):
         lines.append(status("error", "car.wrong_type", topic=facts.topic, type=kind))

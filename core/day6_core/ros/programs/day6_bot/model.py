@@ -16,9 +16,9 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
-from day6_core.ros.programs.day6_bot._frames import Frames
+from day6_core.ros.programs.day6_bot._frames import RobotFrames
 from day6_core.ros.programs.day6_bot._joints import JointReading, JointReadings, Moment
-from day6_core.ros.programs.day6_bot._status import SILENT_S, CarStatus, Facts, status_lines
+from day6_core.ros.programs.day6_bot._status import SILENT_S, CarStatus, JointStateFacts, status_lines
 from day6_urdf.kinematics import Transform
 from day6_urdf.model import MOVING_TYPES, Robot
 from day6_urdf.topplan import find_wheels, steering_of
@@ -75,7 +75,7 @@ class CarModel:
     def __init__(self, node: Node, timer_ns: Callable[[], int]) -> None:
         self._node = node
         self._timer_ns = timer_ns
-        self._frames = Frames()
+        self._frames = RobotFrames()
         self._readings = JointReadings()
         self._snapshot = CarSnapshot()
         self._prefix: str = node.declare_parameter("tf_prefix", "").value
@@ -162,7 +162,7 @@ class CarModel:
         robot = self._snapshot.robot
         links = robot.links if robot is not None else ()
         missing = [link.name for link in links if link.name not in self._snapshot.transforms]
-        facts = Facts(
+        facts = JointStateFacts(
             described=robot is not None,
             loading=self.waiting_description is not None,
             problem=self._problem,

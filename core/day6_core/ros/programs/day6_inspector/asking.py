@@ -7,7 +7,7 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from day6_core.link import link_of
-from day6_core.ros.programs.day6_inspector.process_reports import Process, read_process
+from day6_core.ros.programs.day6_inspector.process_reports import ReportedProcess, read_process
 
 if TYPE_CHECKING:
     from day6_core.graph.graph import Graph
@@ -26,7 +26,7 @@ class Asking:
     def __init__(self, graph: Graph) -> None:
         self._graph = graph
         self._questions: deque[Question] = deque(maxlen=OPEN)
-        self.processes: tuple[Process, ...] = ()
+        self.processes: tuple[ReportedProcess, ...] = ()
         self._answered: dict[str, float] = {}
         """Session -> when it answered last (monotonic seconds)."""
 

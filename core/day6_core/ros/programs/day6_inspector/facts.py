@@ -9,7 +9,7 @@ from day6_core.facts.graph import GraphFacts
 from day6_core.facts.workspaces import Package, Workspace
 from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.files import Files
-from day6_core.ros.programs.day6_inspector.process_reports import Process
+from day6_core.ros.programs.day6_inspector.process_reports import ReportedProcess
 from day6_core.session.overview import TerminalView
 
 
@@ -75,7 +75,7 @@ class Facts(GraphFacts):
     """Epoch nanoseconds, by the clock of the terminals' lines."""
     files: Files | None = None
     """None before they were looked at."""
-    processes: tuple[Process, ...] = ()
+    processes: tuple[ReportedProcess, ...] = ()
     """The reports of Python programs that run as processes."""
     silent_processes: tuple[str, ...] = ()
     """Nodes of programs on this machine that send no reports."""

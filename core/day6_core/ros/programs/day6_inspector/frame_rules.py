@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from day6_core.advice.matching import Sighting
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
-from day6_core.ros.programs.day6_inspector.outputs import Output, outputs
+from day6_core.ros.programs.day6_inspector.outputs import LineOutput, outputs
 
 NO_FRAME = "does not exist"
 OTHER_LINES = 3
@@ -26,7 +26,7 @@ def complains_of_frames(facts: Facts) -> bool:
     return any(NO_FRAME in output.text for output in outputs(facts))
 
 
-def of_extrapolation(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def of_extrapolation(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     """Say that a transform was asked for at the wrong time, unless that is over."""
     said = _STAMP.search(seen[-1].line)
     old = said is not None and facts.now_ns - float(said[1]) * 1e9 > OLD_NS
@@ -36,7 +36,7 @@ def of_extrapolation(output: Output, seen: Sequence[Sighting], facts: Facts) -> 
     return finding("warning", "extrapolation", line=output.source, direction=direction, then="ros2 topic delay /tf")
 
 
-def of_frame(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def of_frame(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     """Say that a frame is not there, unless that is over."""
     frame = seen[-1].values["frame"]
     if _got_further(seen[-1]) or (output.running and frame.lstrip("/") in facts.frames):

@@ -16,8 +16,8 @@ from day6_core.ros.programs.day6_inspector.files import Files, Typed, Where
 from day6_core.ros.programs.day6_inspector.finding import Finding
 from day6_core.ros.programs.day6_inspector.frame_rules import complains_of_frames
 from day6_core.ros.programs.day6_inspector.listening import JOINT_STATES, Listening
-from day6_core.ros.programs.day6_inspector.pace import Pace
-from day6_core.ros.programs.day6_inspector.process_reports import Process
+from day6_core.ros.programs.day6_inspector.pace import ClockPace
+from day6_core.ros.programs.day6_inspector.process_reports import ReportedProcess
 from day6_core.ros.programs.day6_inspector.program_rules import home_of, script_of, typed_as
 from day6_core.ros.programs.day6_inspector.publications import Publications
 from day6_core.ros.programs.day6_inspector.rules import findings
@@ -34,7 +34,7 @@ class ProcessReports(Protocol):
     """Asks the other processes (`asking.Asking`)."""
 
     @property
-    def processes(self) -> tuple[Process, ...]: ...
+    def processes(self) -> tuple[ReportedProcess, ...]: ...
 
     def silent(self) -> tuple[str, ...]:
         """Return nodes of processes that do not answer."""
@@ -63,7 +63,7 @@ class Inspector:
         self._overview = overview
         self._reports = reports
         self._files: Files | None = None
-        self._clock_pace = Pace(clock)
+        self._clock_pace = ClockPace(clock)
         self._pace = clock.speed
         self._listening = Listening(node)
         self._publications = Publications(graph)
@@ -167,7 +167,7 @@ class Inspector:
     def _terminals(self) -> tuple[TerminalView, ...] | None:
         return tuple(self._overview.terminals()) if self._overview is not None else None
 
-    def _missed(self, processes: tuple[Process, ...]) -> tuple[tuple[str, str, float], ...]:
+    def _missed(self, processes: tuple[ReportedProcess, ...]) -> tuple[tuple[str, str, float], ...]:
         received: Mapping[tuple[str, str], int] = {
             (inside.node, topic): count
             for process in processes

@@ -22,7 +22,7 @@ from day6_core.ros.distribution import setup_script
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import ORDER, Finding, finding
 from day6_core.ros.programs.day6_inspector.frame_rules import of_extrapolation, of_frame
-from day6_core.ros.programs.day6_inspector.outputs import Output, outputs, shortened
+from day6_core.ros.programs.day6_inspector.outputs import LineOutput, outputs, shortened
 
 _OWN = Path(__file__).resolve().parents[3]
 """Where this program is: in a checkout, not among the libraries."""
@@ -40,7 +40,7 @@ def of_outputs(facts: Facts) -> Iterator[Finding]:
             yield found
 
 
-def _first(output: Output, facts: Facts) -> Finding | None:
+def _first(output: LineOutput, facts: Facts) -> Finding | None:
     for card in _cards() if output.text else ():
         if seen := sightings(card, output.text):
             judge = _JUDGES.get(card.finding)
@@ -57,7 +57,7 @@ def _cards() -> tuple[Card, ...]:
     return tuple(sorted(cards, key=lambda card: (card.echo, ORDER[card.level])))
 
 
-def _as_said(card: Card, output: Output, seen: Sighting) -> Finding:
+def _as_said(card: Card, output: LineOutput, seen: Sighting) -> Finding:
     """The finding as the card has it: about the student's own program, or about what was run."""
     names = names_of(card.words["en"].finding)
     values = {name: seen.values[name].strip() for name in names - {"where", "line"}}
@@ -67,14 +67,14 @@ def _as_said(card: Card, output: Output, seen: Sighting) -> Finding:
     return finding(card.level, card.finding, line=output.source, **values, then=then)
 
 
-Judge = Callable[[Output, Sequence[Sighting], Facts], Finding | None]
+Judge = Callable[[LineOutput, Sequence[Sighting], Facts], Finding | None]
 """Looks into what a card has seen; None where it is no fault, or none any more."""
 
 
 # -- packages and files ---------------------------------------------------------------------------------------------------
 
 
-def _no_package(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _no_package(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     return unknown_package(output, seen[0].values["name"], facts)
 
 
@@ -82,7 +82,7 @@ def _build(workspace: Workspace) -> str:
     return f"cd {shlex.quote(str(workspace.folder))} && colcon build && source install/setup.bash"
 
 
-def unknown_package(output: Output, name: str, facts: Facts) -> Finding | None:
+def unknown_package(output: LineOutput, name: str, facts: Facts) -> Finding | None:
     """Say why a package is not found: not sourced, not built, or no such package."""
     found = facts.package(name)
     if found is None:
@@ -98,7 +98,7 @@ def unknown_package(output: Output, name: str, facts: Facts) -> Finding | None:
     return None
 
 
-def _no_executable(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _no_executable(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     words = output.line.source.split()
     plain_words = [word for word in words[2:] if not word.startswith("-")] if words[:2] == ["ros2", "run"] else []
     if len(plain_words) < 2:
@@ -121,7 +121,7 @@ def _no_executable(output: Output, seen: Sequence[Sighting], facts: Facts) -> Fi
     return finding("error", "no_executable", **said, then=f"ros2 pkg executables {name}")
 
 
-def _no_launch_file(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _no_launch_file(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     name, package_name, share = (seen[0].values[each] for each in ("name", "package", "share"))
     found = facts.package(package_name)
     if found is not None:
@@ -138,13 +138,13 @@ def _no_launch_file(output: Output, seen: Sequence[Sighting], facts: Facts) -> F
     return finding("error", "no_launch_file", file=name, package=package_name, then=then)
 
 
-def _gone_folder(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _gone_folder(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     entry, variable = seen[0].values["path"], seen[0].values["variable"]
     then = f"unset {variable}; source {setup_script()}"
     return finding("warning", "gone", number=output.terminal.number, variable=variable, entry=entry, then=then)
 
 
-def _duplicates(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _duplicates(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     named = re.search(r"^- (\S+):\n((?:  - .*\n?)+)", seen[0].rest, re.MULTILINE)
     if named is None:
         return finding("error", "duplicates", package="?", folders="?")
@@ -153,7 +153,7 @@ def _duplicates(output: Output, seen: Sequence[Sighting], facts: Facts) -> Findi
     return finding("error", "duplicates", package=named[1], folders=", ".join(folders), then=then)
 
 
-def _no_type(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _no_type(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     type_name = seen[0].values["type"] or _type_in(output.line.source)
     package = type_name.partition("/")[0]
     if package:
@@ -173,7 +173,7 @@ def _type_in(source: str) -> str:
 # -- Python ---------------------------------------------------------------------------------------------------------------
 
 
-def own_frame(output: Output) -> tuple[str, int] | None:
+def own_frame(output: LineOutput) -> tuple[str, int] | None:
     """Return file and line of the last frame of a traceback that is not in a library."""
     last = None
     for file, line in PLACE.findall(output.text):
@@ -188,7 +188,7 @@ def own_frame(output: Output) -> tuple[str, int] | None:
     return last
 
 
-def _open(output: Output) -> str:
+def _open(output: LineOutput) -> str:
     frame = own_frame(output)
     if frame is None:
         return ""
@@ -196,12 +196,12 @@ def _open(output: Output) -> str:
     return f"nano +{frame[1]} {shlex.quote(str(path))}"
 
 
-def _where(output: Output) -> str:
+def _where(output: LineOutput) -> str:
     frame = own_frame(output)
     return f"{Path(frame[0]).name}:{frame[1]}" if frame is not None else output.source
 
 
-def _parameter_type(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _parameter_type(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     words = output.line.source.split()
     if words[:3] != ["ros2", "param", "set"] or len(words) < 6 or "parameter" in seen[0].values:
         name = seen[0].values.get("parameter", "?")
@@ -211,7 +211,7 @@ def _parameter_type(output: Output, seen: Sequence[Sighting], facts: Facts) -> F
     return finding("error", "parameter_type", where=output.source, parameter=name, then=then)
 
 
-def _missing_module(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _missing_module(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     name = seen[0].values["module"]
     found = unknown_package(output, name.partition(".")[0], facts)
     if found is not None and found.id != "inspector.no_package":
@@ -219,7 +219,7 @@ def _missing_module(output: Output, seen: Sequence[Sighting], facts: Facts) -> F
     return finding("error", "no_module", where=_where(output), module=name, then=_open(output))
 
 
-def _traceback(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _traceback(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     errors = _ERROR.findall(seen[0].rest)
     if not errors:
         return None
@@ -236,7 +236,7 @@ def _traceback(output: Output, seen: Sequence[Sighting], facts: Facts) -> Findin
 def _waits(key: str, kind: str, verb: str) -> Judge:
     """A command or program that has been waiting since it said so."""
 
-    def judge(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+    def judge(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
         if not output.running or seen[-1].rest.strip():
             return None
         words = [word for word in output.line.source.split() if not word.startswith("-")]
@@ -248,14 +248,14 @@ def _waits(key: str, kind: str, verb: str) -> Judge:
     return judge
 
 
-def _two_types(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _two_types(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     topic = seen[0].values["name"]
     if len({each.type for each in facts.ends(topic)}) < 2:
         return None  # it was so
     return finding("error", "two_types_said", line=output.source, topic=topic, then="ros2 topic list -t")
 
 
-def _bad_yaml(output: Output, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
+def _bad_yaml(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:
     type_name = _type_in(output.line.source)
     then = f"ros2 interface show {type_name}" if type_name else ""
     reason = seen[0].values.get("reason", seen[0].line).strip()

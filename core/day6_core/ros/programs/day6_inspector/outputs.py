@@ -20,7 +20,7 @@ LONGEST = 12_000
 LONGEST_SOURCE = 60
 
 
-class Output(NamedTuple):
+class LineOutput(NamedTuple):
     """One line that was run, with what it printed as text."""
 
     terminal: TerminalView
@@ -43,7 +43,7 @@ def shortened(source: str) -> str:
     return source if len(source) <= LONGEST_SOURCE else source[: LONGEST_SOURCE - 1] + "…"
 
 
-def outputs(facts: Facts) -> Iterator[Output]:
+def outputs(facts: Facts) -> Iterator[LineOutput]:
     """Yield the lines that are still of interest, the newest of each terminal first.
 
     The same line again takes the place of the older one, and one that went well that of its failed attempts.
@@ -59,7 +59,7 @@ def outputs(facts: Facts) -> Iterator[Output]:
             seen.add(source)
             if attempt and line.status == 0:
                 seen.add(attempt)
-            yield Output(terminal, line, plain(line.output[-LONGEST:]))
+            yield LineOutput(terminal, line, plain(line.output[-LONGEST:]))
 
 
 def _command(source: str) -> str:

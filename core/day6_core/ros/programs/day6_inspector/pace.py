@@ -15,7 +15,7 @@ LEAST_NS = 3_000_000_000
 """Less of the world's time tells nothing."""
 
 
-class Pace:
+class ClockPace:
     """Looks at a clock again and again."""
 
     def __init__(self, clock: WorldClock) -> None:

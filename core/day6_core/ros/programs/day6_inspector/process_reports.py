@@ -74,7 +74,7 @@ class Hidden(NamedTuple):
     place: Place
 
 
-class Process(NamedTuple):
+class ReportedProcess(NamedTuple):
     """One process."""
 
     zid: str
@@ -91,11 +91,11 @@ class Process(NamedTuple):
         return self.arguments[0].replace(chr(92), "/").rpartition("/")[2] if self.arguments else "?"
 
 
-def read_process(zid: str, answer: bytes) -> Process | None:
+def read_process(zid: str, answer: bytes) -> ReportedProcess | None:
     """Read an answer; None for one that is not as `rclpy._day6.process_report` makes them."""
     try:
         told = json.loads(answer)
-        return Process(
+        return ReportedProcess(
             zid,
             int(told["pid"]),
             tuple(_text(each) for each in told["arguments"][:MOST]),

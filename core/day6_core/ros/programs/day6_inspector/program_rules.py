@@ -15,7 +15,7 @@ from day6_core.graph.domain import VARIABLE, DomainError, domain_from_text
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.files import Typed, in_home
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
-from day6_core.ros.programs.day6_inspector.process_reports import Busy, Place, Process, Standing
+from day6_core.ros.programs.day6_inspector.process_reports import Busy, Place, ReportedProcess, Standing
 from day6_core.session.overview import TerminalView
 
 LONG = 0.7
@@ -47,7 +47,7 @@ def _nano(place: Place) -> str:
     return f"nano +{place.line} {shlex.quote(place.file)}" if place.file else ""
 
 
-def _of_process(facts: Facts, process: Process) -> Iterator[Finding]:
+def _of_process(facts: Facts, process: ReportedProcess) -> Iterator[Finding]:
     held_up = any(inside.late >= LATE or inside.waiting for inside in process.nodes)
     for busy in process.busy:
         if busy.seconds >= (LONG if held_up or busy.waits_for else LONG_FOR_NOBODY):
@@ -83,7 +83,7 @@ def _busy(busy: Busy) -> Finding:
     return finding("error", key, **said, then=_nano(busy.place))
 
 
-def _standing(facts: Facts, process: Process, standing: Standing) -> Finding | None:
+def _standing(facts: Facts, process: ReportedProcess, standing: Standing) -> Finding | None:
     node = process.nodes[0].node if process.nodes else process.program
     said = {"node": node, "where": standing.place.short}
     if standing.kind == "rate":

@@ -11,7 +11,7 @@ from day6_core.facts.graph import is_shown
 from day6_core.graph.endpoints import EndpointKind, Publisher, Subscription
 from day6_core.graph.graph import Change, GraphEvent
 from day6_core.graph.qos import Durability
-from day6_core.ros.programs.day6_inspector.process_reports import Process
+from day6_core.ros.programs.day6_inspector.process_reports import ReportedProcess
 
 if TYPE_CHECKING:
     from day6_core.graph.graph import Graph
@@ -47,7 +47,7 @@ class Publications:
         self.close = graph.add_listener(lambda event: self._events.append((time.monotonic(), event)))
 
     def missed(
-        self, received: Mapping[tuple[str, str], int], processes: tuple[Process, ...]
+        self, received: Mapping[tuple[str, str], int], processes: tuple[ReportedProcess, ...]
     ) -> tuple[tuple[str, str, float], ...]:
         """Return topic, node and life in seconds of publishers that nobody heard although somebody listens.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from day6_core.facts.graph import Endpoint as Endpoint
+from day6_core.facts.graph import NodeAndType as NodeAndType
 from day6_core.facts.graph import node_names
 from day6_core.facts.names import are_alike
 from day6_core.link.state import Door, DoorState, LinkState

@@ -37,7 +37,7 @@ class End:
 
 
 @dataclass(frozen=True)
-class Facts:
+class KitchenFacts:
     """A graph: the full names of its nodes, one for each (so that two of one name count), and all ends of its topics."""
 
     nodes: tuple[str, ...] = ()
@@ -142,7 +142,7 @@ def is_hidden_node(full_name: str) -> bool:
     return name.startswith("_") and (not name.startswith(TYPED_BY_HAND) or name.startswith(DAEMON))
 
 
-def select(facts: Facts, *, everything: bool = False) -> Content:
+def select(facts: KitchenFacts, *, everything: bool = False) -> Content:
     """Return what is drawn: without hidden topics and nodes, unless `everything`."""
     seen_nodes = [name for name in facts.nodes if everything or not is_hidden_node(name)]
     seen = set(seen_nodes)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from day6_core.graph import EndpointKind, Graph, GraphEvent, Publisher
 from day6_core.graph.endpoints import Endpoint
 from day6_core.graph.qos import QoS, incompatible_policies
-from day6_core.ros.programs.day6_kitchen.belts import Content, End, Facts, select
+from day6_core.ros.programs.day6_kitchen.belts import Content, End, KitchenFacts, select
 from day6_core.ros.programs.day6_kitchen.dishes import Conveyor, Dishes, Lane
 from day6_core.ros.programs.day6_kitchen.rates import Rate
 
@@ -93,7 +93,7 @@ class Kitchen:
         self._topics = {belt.topic for belt in content.belts}
         self.version += 1
 
-    def _facts(self, endpoints: Iterable[Endpoint]) -> Facts:
+    def _facts(self, endpoints: Iterable[Endpoint]) -> KitchenFacts:
         """Everything but this program's own node."""
         ends = [
             End(
@@ -106,7 +106,9 @@ class Kitchen:
             for endpoint in endpoints
             if endpoint.node.name != self._own_name
         ]
-        return Facts(tuple(node.full_name for node in self._graph.nodes if node.name != self._own_name), tuple(ends))
+        return KitchenFacts(
+            tuple(node.full_name for node in self._graph.nodes if node.name != self._own_name), tuple(ends)
+        )
 
     def _count(self, now: float) -> None:
         counts: dict[tuple[int, bool], int] = {}

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 def parse(session: Session, number_help: str) -> argparse.Namespace:
     """Parse the program's arguments; raises the parser's end, which `ros2` turns into an exit status."""
-    from day6_core.session.argument_parser import Parser
+    from day6_core.session.argument_parser import SessionParser
 
-    parser = Parser(session, prog=session.name)
+    parser = SessionParser(session, prog=session.name)
     parser.add_argument(
         "--reliable", action="store_true", default=False, help="set qos profile to reliable (default: False)"
     )

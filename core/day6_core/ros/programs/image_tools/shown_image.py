@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, Undecodable, View, picture_of
+from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, ImageRequest, Undecodable, picture_of
 
 if TYPE_CHECKING:
     from day6_core.session.display import Window
@@ -18,7 +18,7 @@ class ShownImage:
     """The model of a window with nothing but an image, which is fitted in."""
 
     version = 0
-    view = View(0, 0)
+    view = ImageRequest(0, 0)
 
     def __init__(self) -> None:
         self.received = 0
@@ -29,7 +29,7 @@ class ShownImage:
         self._newest = message
         self.received += 1
 
-    def picture(self, view: View) -> DecodedImage | None:
+    def picture(self, view: ImageRequest) -> DecodedImage | None:
         """Return the newest image as it is to be shown; None while there is none. Raises Undecodable."""
         message = self._newest
         try:

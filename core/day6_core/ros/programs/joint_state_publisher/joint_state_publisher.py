@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.ros.programs.joint_state_publisher.joints import DescriptionError
 from day6_core.ros.programs.joint_state_publisher.publisher import JointStatePublisher
-from day6_core.session.argument_parser import Parser, ParserExit
+from day6_core.session.argument_parser import ParserExit, SessionParser
 from day6_urdf.check import MAX_BYTES, read_description, too_large
 from rclpy.utilities import remove_ros_args
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def make_publisher(session: Session, argument: str, about: str) -> JointStatePublisher | int:
     """Return the node for this command line, or the exit status when there is none."""
-    parser = Parser(session, prog=session.name)
+    parser = SessionParser(session, prog=session.name)
     parser.add_argument(argument, help=about, nargs="?", default=None)
     try:
         file = getattr(parser.parse_args(remove_ros_args(args=session.argv)[1:]), argument)

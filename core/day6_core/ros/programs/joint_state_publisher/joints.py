@@ -55,7 +55,7 @@ class Follower:
 
 
 @dataclass(frozen=True)
-class Options:
+class JointOptions:
     """The parameters that decide what is read out of a description."""
 
     zeros: Mapping[str, float] = field(default_factory=dict)
@@ -138,7 +138,7 @@ def read_followers(parameters: Mapping[str, Any]) -> dict[str, Follower]:
     return {joint: Follower(**entry) for joint, entry in found.items()}
 
 
-def read_joints(text: str, options: Options) -> Joints:
+def read_joints(text: str, options: JointOptions) -> Joints:
     """Return the joints of a URDF. Raises DescriptionError."""
     joints = Joints()
     for element in _robot(text).all("joint"):
@@ -176,7 +176,7 @@ def _check_well_formed(text: str) -> None:
         raise DescriptionError(str(error)) from error
 
 
-def _add(element: Element, joints: Joints, options: Options) -> None:
+def _add(element: Element, joints: Joints, options: JointOptions) -> None:
     kind, name = element.attributes.get("type", ""), element.attributes.get("name", "")
     if kind in FIXED_TYPES:
         return

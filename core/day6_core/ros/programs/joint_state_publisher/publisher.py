@@ -11,9 +11,9 @@ from std_msgs.msg import String
 
 from day6_core.ros.programs.joint_state_publisher.joints import (
     DescriptionError,
+    JointOptions,
     Joints,
     MimicCycle,
-    Options,
     read_followers,
     read_joints,
 )
@@ -51,12 +51,12 @@ class JointStatePublisher:
             if not node.has_parameter(name):
                 node.declare_parameter(name, default, ParameterDescriptor(type=kind))
         self.joints = Joints()
-        self.options = Options(
+        self.options = JointOptions(
             zeros={name: parameter.value for name, parameter in node.get_parameters_by_prefix("zeros").items()},
             dependent_joints=read_followers(
                 {name: item.value for name, item in node.get_parameters_by_prefix("dependent_joints").items()}
             ),
-            **{name: self._value(name) for name in Options.__dataclass_fields__ if node.has_parameter(name)},
+            **{name: self._value(name) for name in JointOptions.__dataclass_fields__ if node.has_parameter(name)},
         )
         self.on_joints: Callable[[], None] | None = None
         """Called when a description was read: there are other joints now."""

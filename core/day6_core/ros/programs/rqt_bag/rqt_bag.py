@@ -12,7 +12,7 @@ from day6_core.ros.programs.rqt_bag.model.bags import Bags
 from day6_core.ros.programs.rqt_bag.model.keeping import read_kept
 from day6_core.ros.programs.rqt_bag.model.loading import is_bag, path_of
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
-from day6_core.session.argument_parser import Parser
+from day6_core.session.argument_parser import SessionParser
 from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
 
@@ -33,7 +33,7 @@ class BagPlugin(Plugin[Bags]):
             self.model.resume(read_kept(place.settings))
 
     @staticmethod
-    def add_arguments(parser: Parser) -> None:
+    def add_arguments(parser: SessionParser) -> None:
         def bag(name: str) -> str:
             if not is_bag(path_of(parser.session.cwd, name)):
                 parser.error(f"'{name}' is not a valid rosbag")

@@ -83,7 +83,7 @@ class Filter:
 
 
 @dataclass(frozen=True)
-class Choice:
+class FilterChoice:
     """What is left out and what stands out: whatever one of the filters means. It begins with the two of rqt_console."""
 
     excludes: tuple[Filter, ...] = field(default=(Filter("severity"),))
@@ -115,7 +115,7 @@ class Choice:
         filters: tuple[Filter, ...] = getattr(self, side)
         return next((at for at, each in enumerate(filters) if each.kind == kind), len(filters))
 
-    def with_filter(self, side: str, at: int, each: Filter | None) -> Choice:
+    def with_filter(self, side: str, at: int, each: Filter | None) -> FilterChoice:
         """The choice with another filter at this place, or (None) without it; behind the last one it is added."""
         filters: list[Filter] = list(getattr(self, side))
         filters[at : at + 1] = [] if each is None else [each]

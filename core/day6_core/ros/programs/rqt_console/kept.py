@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from day6_core.ros.programs.rqt_console.filters import KINDS, SIDES, Choice, Filter
+from day6_core.ros.programs.rqt_console.filters import KINDS, SIDES, Filter, FilterChoice
 from day6_core.ros.programs.rqt_console.model import Console
 
 MOST_FILTERS = 50
@@ -39,7 +39,7 @@ def take_settings(console: Console, settings: Mapping[str, Any]) -> None:
         if isinstance(entry, dict) and entry.get("side") in sides and entry.get("kind") in KINDS:
             sides[entry["side"]].append(_filter(entry))
     only = console.choice.only_highlighted
-    console.choice = Choice(tuple(sides["excludes"]), tuple(sides["highlights"]), only)
+    console.choice = FilterChoice(tuple(sides["excludes"]), tuple(sides["highlights"]), only)
 
 
 def _filter(entry: Mapping[str, Any]) -> Filter:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from day6_core.ros.programs.rqt_console.filters import Choice, Filter
+from day6_core.ros.programs.rqt_console.filters import Filter, FilterChoice
 from day6_core.ros.programs.rqt_py_common.requests import Requests
 from day6_core.whole_file import replace_file
 
@@ -51,14 +51,14 @@ class Console(Requests):
         self._records: list[Record] = []
         self._count = 0
         self.paused = False
-        self.choice = Choice()
+        self.choice = FilterChoice()
         self.version = 0
         """Grows with everything that changes the picture."""
         self.message = ""
         """What became of the last file."""
         self.on_load: Callable[[Path], object] | None = None
         """Called with a file whose messages are to be shown."""
-        self._seen: tuple[Choice, list[Record], int, list[Record]] = (self.choice, self._records, 0, [])
+        self._seen: tuple[FilterChoice, list[Record], int, list[Record]] = (self.choice, self._records, 0, [])
 
     # -- the program's side --------------------------------------------------------------------------------------------
 
@@ -146,9 +146,9 @@ class Console(Requests):
 
     def show_everything(self) -> None:
         """Leave nothing out."""
-        self._choose(Choice(highlights=self.choice.highlights))
+        self._choose(FilterChoice(highlights=self.choice.highlights))
 
-    def _choose(self, choice: Choice) -> None:
+    def _choose(self, choice: FilterChoice) -> None:
         self.choice = choice
         self.version += 1
 

@@ -6,15 +6,15 @@ import argparse
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from day6_core.session.argument_parser import Parser
+from day6_core.session.argument_parser import SessionParser
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
 
 
-def container_parser(session: Session) -> Parser:
+def container_parser(session: Session) -> SessionParser:
     """The options of `rqt`, without those that operate on another rqt by D-Bus."""
-    parser = Parser(session, prog="rqt", add_help=False)
+    parser = SessionParser(session, prog="rqt", add_help=False)
     group = _add_common(parser)
     group.add_argument("-p", "--perspective", metavar="PERSPECTIVE", help="start with this named perspective")
     group.add_argument("--perspective-file", metavar="PERSPECTIVE_FILE",
@@ -29,15 +29,15 @@ def container_parser(session: Session) -> Parser:
     return parser
 
 
-def plugin_parser(session: Session, prog: str, add_arguments: Callable[[Parser], None]) -> Parser:
+def plugin_parser(session: Session, prog: str, add_arguments: Callable[[SessionParser], None]) -> SessionParser:
     """The options of a plugin that runs alone: every one's, and its own, which `add_arguments` adds."""
-    parser = Parser(session, prog=prog, add_help=False)
+    parser = SessionParser(session, prog=prog, add_help=False)
     _add_common(parser)
     add_arguments(parser)
     return parser
 
 
-def _add_common(parser: Parser) -> argparse._ArgumentGroup:
+def _add_common(parser: SessionParser) -> argparse._ArgumentGroup:
     """Add what every program of rqt takes. What is about Qt and its window is taken and not told: it changes nothing here."""
     group = parser.add_argument_group("Options for GUI instance")
     group.add_argument("--clear-config", action="store_true",

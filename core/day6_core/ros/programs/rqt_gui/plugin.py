@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from argparse import Namespace
 
     from day6_core.ros.programs.rqt_py_common.requests import Requests
-    from day6_core.session.argument_parser import Parser
+    from day6_core.session.argument_parser import SessionParser
     from day6_core.session.session import Session
     from day6_core.session.task import Task
     from rclpy.node import Node
@@ -136,7 +136,7 @@ class Plugin(ABC, Generic[Model]):
         self.model = model
 
     @staticmethod
-    def add_arguments(parser: Parser) -> None:
+    def add_arguments(parser: SessionParser) -> None:
         """Add what the plugin's own program takes on its command line; the plugin asks for it by `Place.option`."""
 
     @abstractmethod
@@ -168,7 +168,7 @@ class PluginType(Protocol):
     @property
     def in_cpp(self) -> bool: ...
 
-    def add_arguments(self, parser: Parser, /) -> None: ...
+    def add_arguments(self, parser: SessionParser, /) -> None: ...
 
     def __call__(self, place: PluginPlace, /) -> Plugin[Any]: ...
 

@@ -36,7 +36,7 @@ class Undecodable(ValueError):
 
 
 @dataclass(frozen=True)
-class View:
+class ImageRequest:
     """What is asked of an image: how many pixels, of which part of it, and how distances become greys."""
 
     width: int
@@ -65,7 +65,7 @@ class DecodedImage:
     rows: Any
 
 
-def picture_of(message: Any, view: View) -> DecodedImage:
+def picture_of(message: Any, view: ImageRequest) -> DecodedImage:
     """The picture of a sensor_msgs/Image or CompressedImage. Raises Undecodable."""
     if hasattr(message, "format"):
         return _compressed(message, view)
@@ -76,7 +76,9 @@ def picture_of(message: Any, view: View) -> DecodedImage:
         raise _failed(message.encoding, str(error)) from error
 
 
-def _sampled(read: Callable[[Any, Any], Any], width: int, height: int, encoding: str, view: View) -> DecodedImage:
+def _sampled(
+    read: Callable[[Any, Any], Any], width: int, height: int, encoding: str, view: ImageRequest
+) -> DecodedImage:
     """Read the rows and columns of an image that a view shows, and turn them."""
     import numpy as np
 
@@ -102,7 +104,7 @@ def _sampled(read: Callable[[Any, Any], Any], width: int, height: int, encoding:
     return DecodedImage(np.ascontiguousarray(pixels), across, down, encoding, columns, rows)
 
 
-def _shown(size: int, room: int, first: int, view: View) -> Any:
+def _shown(size: int, room: int, first: int, view: ImageRequest) -> Any:
     import numpy as np
 
     first = max(0, min(first, size - room))
@@ -116,7 +118,7 @@ def _spread(size: int, count: int) -> Any:
     return (np.arange(count) * size + size // 2) // count if count < size else np.arange(count) * size // count
 
 
-def _reader(message: Any, view: View) -> Callable[[Any, Any], Any]:
+def _reader(message: Any, view: ImageRequest) -> Callable[[Any, Any], Any]:
     """What reads rows and columns of a message as colours. Raises Undecodable for one that nothing is made of."""
     encoding = message.encoding
     _require_form(message)
@@ -166,7 +168,7 @@ def _failed(encoding: str, reason: str) -> Undecodable:
     )
 
 
-def _measured(message: Any, rows: Any, columns: Any, view: View) -> Any:
+def _measured(message: Any, rows: Any, columns: Any, view: ImageRequest) -> Any:
     """Distances as greys: from 0 to the greatest range, or between the least and the greatest there are (image_view.cpp)."""
     import numpy as np
 
@@ -187,7 +189,7 @@ def _measured(message: Any, rows: Any, columns: Any, view: View) -> Any:
     return np.repeat(np.rint(part.clip(0, 1) * 255).astype(np.uint8)[..., None], 3, axis=2)
 
 
-def _compressed(message: Any, view: View) -> DecodedImage:
+def _compressed(message: Any, view: ImageRequest) -> DecodedImage:
     """A JPEG or PNG; a large JPEG is decoded only as finely as it is shown."""
     import numpy as np
     from PIL import Image

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from geometry_msgs.msg import Point
 
 from day6_core.interfaces import DeserializationError, deserialize, get_message
-from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, Undecodable, View, picture_of
+from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, ImageRequest, Undecodable, picture_of
 from day6_core.ros.programs.rqt_py_common.requests import Requests
 from rclpy.qos import qos_profile_sensor_data
 
@@ -42,7 +42,7 @@ class ImageView(Requests):
         self.topics: Mapping[str, str] = {}
         """The names of topics with images, sorted, and their types."""
         self.topic = ""
-        self.view = View(0, 0)
+        self.view = ImageRequest(0, 0)
         """How the image is shown; the window changes it, and knows its size."""
         self.received = 0
         """How many images have come."""
@@ -71,12 +71,12 @@ class ImageView(Requests):
         """Where clicks are published."""
         return f"{self.topic}_mouse_left" if self.topic else "mouse_left"
 
-    def picture(self, view: View) -> DecodedImage | None:
+    def picture(self, view: ImageRequest) -> DecodedImage | None:
         """The newest image as it is to be shown; None while there is none. Raises Undecodable."""
         message = self._message()
         return picture_of(message, view) if message is not None else None
 
-    def save(self, name: str, view: View) -> Path:
+    def save(self, name: str, view: ImageRequest) -> Path:
         """Write the whole newest image, turned as `view`, to a file; its suffix names the format. OSError, ValueError."""
         from PIL import Image
 
@@ -84,7 +84,7 @@ class ImageView(Requests):
         if message is None:
             raise ValueError("there is no image yet")
         size = (100_000, 100_000)
-        whole = View(*size, True, 0, 0, view.rotation, view.dynamic_range, view.max_range)
+        whole = ImageRequest(*size, True, 0, 0, view.rotation, view.dynamic_range, view.max_range)
         path = self.path(name)
         if path.suffix.lower() not in (".bmp", ".jpg", ".png", ".tiff"):
             raise ValueError("Image (*.bmp *.jpg *.png *.tiff)")

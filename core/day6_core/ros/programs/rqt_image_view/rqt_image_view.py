@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from day6_core.graph.names import flaw_of_full_topic_name
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
-from day6_core.ros.programs.rqt_image_view.decoding import View
+from day6_core.ros.programs.rqt_image_view.decoding import ImageRequest
 from day6_core.ros.programs.rqt_image_view.model import ImageView
-from day6_core.session.argument_parser import Parser
+from day6_core.session.argument_parser import SessionParser
 from day6_core.session.session import Session
 from day6_core.session.task import Signal
 
@@ -35,7 +35,7 @@ class ImageViewPlugin(Plugin[ImageView]):
         self._restore(place.settings)
 
     @staticmethod
-    def add_arguments(parser: Parser) -> None:
+    def add_arguments(parser: SessionParser) -> None:
         group = parser.add_argument_group("Options for rqt_image_view plugin")
         group.add_argument("topic", nargs="?", help="The topic name to subscribe to")
 
@@ -43,13 +43,13 @@ class ImageViewPlugin(Plugin[ImageView]):
         """Show images as the perspective says."""
         most, turns = kept.get("max_range"), kept.get("rotate")
         self.model.publishes_clicks = kept.get("publish_click_location") is True
-        self.model.view = View(
+        self.model.view = ImageRequest(
             0,
             0,
             zoom_1=kept.get("zoom1") is True,
             rotation=turns % 4 if isinstance(turns, int) else 0,
             dynamic_range=kept.get("dynamic_range") is True,
-            max_range=most if isinstance(most, float) and 0.01 <= most <= 100.0 else View.max_range,
+            max_range=most if isinstance(most, float) and 0.01 <= most <= 100.0 else ImageRequest.max_range,
         )
 
     async def run(self) -> None:

@@ -9,7 +9,7 @@ import argparse
 
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_plot.model.plot import Plot
-from day6_core.session.argument_parser import Parser
+from day6_core.session.argument_parser import SessionParser
 from day6_core.session.session import Session
 
 PRINT_SECONDS = 1.0
@@ -36,7 +36,7 @@ class PlotPlugin(Plugin[Plot]):
             place.session.print_error(self.model.message)
 
     @staticmethod
-    def add_arguments(parser: Parser) -> None:
+    def add_arguments(parser: SessionParser) -> None:
         group = parser.add_argument_group("Options for rqt_plot plugin")
         group.add_argument("-P", "--pause", action="store_true", dest="start_paused", help="Start in paused state")
         group.add_argument("-e", "--empty", action="store_true", help=argparse.SUPPRESS)  # here it begins so always

@@ -86,7 +86,7 @@ def _element(value: Any, python: type[Any]) -> Any:
     raise TypeError
 
 
-class Shown(NamedTuple):
+class ShownPublisher(NamedTuple):
     """One publisher as the window shows it; `counter` is the `i` of its newest message."""
 
     number: int
@@ -115,7 +115,7 @@ class MessagePublisher(Requests):
         """Gets every such message, for the terminal."""
         self.version = 0
 
-    def shown(self) -> list[Shown]:
+    def shown(self) -> list[ShownPublisher]:
         """The publishers, in the order in which they were added."""
         return [entry.shown() for entry in list(self._entries.values())]
 
@@ -298,8 +298,8 @@ class _Entry:
         self._problem = ""
         """Why the last message could not be sent."""
 
-    def shown(self) -> Shown:
-        return Shown(
+    def shown(self) -> ShownPublisher:
+        return ShownPublisher(
             self.number,
             self.topic,
             self.type_name,

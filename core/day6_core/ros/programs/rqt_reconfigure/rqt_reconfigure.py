@@ -10,7 +10,7 @@ from pathlib import Path
 
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_reconfigure.model import Reconfigure, read_values
-from day6_core.session.argument_parser import Parser
+from day6_core.session.argument_parser import SessionParser
 from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
 
@@ -37,7 +37,7 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
         self.model.filter = text if isinstance(text, str) else ""
 
     @staticmethod
-    def add_arguments(parser: Parser) -> None:
+    def add_arguments(parser: SessionParser) -> None:
         group = parser.add_argument_group("Options for rqt_reconfigure plugin")
         group.add_argument("node_name", nargs="*", default=[], help="Node(s) to open automatically")
 

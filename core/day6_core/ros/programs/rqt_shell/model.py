@@ -17,7 +17,7 @@ NO_DESKTOP = "shell.no_desktop"
 """The remark where commands cannot be run."""
 
 
-class Shell(CommandLines):
+class RqtShell(CommandLines):
     """The model of one shell. The window reads `lines`, `prompt`, `version`, and calls `run` and `interrupt`."""
 
     def __init__(self) -> None:

@@ -10,19 +10,19 @@ from functools import partial
 
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.ros.programs.rqt_py_common.command_lines import Kind, Printed
-from day6_core.ros.programs.rqt_shell.model import NO_DESKTOP, Shell
+from day6_core.ros.programs.rqt_shell.model import NO_DESKTOP, RqtShell
 from day6_core.session.program import Program
 from day6_core.session.session import Session
 from day6_core.session.task import Signal
 
 
-class ShellPlugin(Plugin[Shell]):
+class ShellPlugin(Plugin[RqtShell]):
     """rqt_shell/Shell. (The real one is a plugin of Qt alone and has no node.)"""
 
     kind, title = "rqt_shell", "SimpleShell"
 
     def __init__(self, place: PluginPlace) -> None:
-        super().__init__(place, Shell())
+        super().__init__(place, RqtShell())
         self._wanted = Signal()
         self._line = ""
         self._program: Program | None = None

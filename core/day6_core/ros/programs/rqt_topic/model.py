@@ -23,7 +23,7 @@ MOST_BYTES = 8_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Endpoint:
+class MonitoredEndpoint:
     """A publisher or subscription: full name of its node, its QoS in words."""
 
     node: str
@@ -36,8 +36,8 @@ class Topic:
 
     name: str
     types: tuple[str, ...]
-    publishers: tuple[Endpoint, ...]
-    subscriptions: tuple[Endpoint, ...]
+    publishers: tuple[MonitoredEndpoint, ...]
+    subscriptions: tuple[MonitoredEndpoint, ...]
     monitored: bool = False
     count: int = 0
     rate: float | None = None
@@ -199,9 +199,9 @@ def _qos_for(offers: list[TopicEndpointInfo]) -> QoSProfile:
     )
 
 
-def _endpoint(info: TopicEndpointInfo) -> Endpoint:
+def _endpoint(info: TopicEndpointInfo) -> MonitoredEndpoint:
     profile = info.qos_profile
     words = [profile.reliability.name, profile.durability.name]
     if profile.depth:
         words.append(f"{profile.history.name} ({profile.depth})")
-    return Endpoint(full_name(info.node_namespace, info.node_name), " ".join(words))
+    return MonitoredEndpoint(full_name(info.node_namespace, info.node_name), " ".join(words))

@@ -13,7 +13,7 @@ from tf2_ros import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC, Buffer, Transform
 
 from day6_core.ros.programs._drawn_pdf import write_pdf
 from day6_core.ros.programs.tf2_tools.frame_tree import as_dot, as_graph, read_frames
-from day6_core.session.argument_parser import Parser, ParserExit
+from day6_core.session.argument_parser import ParserExit, SessionParser
 from day6_core.session.threads import in_thread
 from day6_core.whole_file import replace_file
 from rclpy.task import Future
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 def parse(session: Session) -> Namespace:
     """Return the options. Raises ParserExit."""
     description = "Create a diagram of the TF frames being broadcast over ROS"
-    parser = Parser(session, prog=session.name, description=description)
+    parser = SessionParser(session, prog=session.name, description=description)
     parser.add_argument(
         "--wait-time",
         "-t",

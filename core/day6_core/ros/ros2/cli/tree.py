@@ -10,7 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.differences import has_verb, lacking_options
-from day6_core.session.argument_parser import Parser
+from day6_core.session.argument_parser import SessionParser
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -55,14 +55,14 @@ def chosen_words(argv: list[str]) -> tuple[str | None, str | None]:
     return (words[0] if words else None), (words[1] if len(words) > 1 else None)
 
 
-def build_parser(session: Session, argv: list[str]) -> Parser:
+def build_parser(session: Session, argv: list[str]) -> SessionParser:
     """Return the parser for `ros2 ARGV…`. Only the modules of the chosen command and verb are imported.
 
     The parsed namespace has `run`, the verb's `main`, or `help_of`, the parser whose help is printed for a command line
     that stops before a verb.
     """
     command, verb = chosen_words(argv)
-    root = Parser(session, prog="ros2", description="ros2 is an extensible command-line tool for ROS 2.")
+    root = SessionParser(session, prog="ros2", description="ros2 is an extensible command-line tool for ROS 2.")
     root.add_argument(
         "--use-python-default-buffering",
         action="store_true",
@@ -80,7 +80,7 @@ def build_parser(session: Session, argv: list[str]) -> Parser:
     return root
 
 
-def _complete_command(parser: Parser, command: str, verb: str | None) -> None:
+def _complete_command(parser: SessionParser, command: str, verb: str | None) -> None:
     parser.description = summary(command)
     parser.set_defaults(help_of=parser)
     module: Any = load(command)
@@ -103,7 +103,7 @@ def _complete_command(parser: Parser, command: str, verb: str | None) -> None:
             verb_parser.set_defaults(run=verb_module.main)
 
 
-def _remove(parser: Parser, options: Collection[str]) -> None:
+def _remove(parser: SessionParser, options: Collection[str]) -> None:
     """Take options of other distributions away; the verb finds their defaults."""
     for action in [each for each in parser._actions if not {*options}.isdisjoint(each.option_strings)]:
         parser.set_defaults(**{action.dest: action.default})

@@ -14,7 +14,7 @@ from day6_core.ros.programs.rqt_bag.model.pictures import IMAGE, NoPicture, Pict
 from day6_core.ros.programs.rqt_bag.model.player import Player
 from day6_core.ros.programs.rqt_bag.model.recorder import POLL_SECONDS, Recorder
 from day6_core.ros.programs.rqt_bag.model.timeline import Timeline
-from day6_core.ros.programs.rqt_bag.model.view import View
+from day6_core.ros.programs.rqt_bag.model.view import TimeSpan
 from day6_core.session.task import Signal
 from day6_core.session.threads import in_thread
 
@@ -34,7 +34,7 @@ MOST_MISSING = 64
 """Pictures that wait to be read: more are not in sight."""
 
 
-class Shown(NamedTuple):
+class ShownMessage(NamedTuple):
     """The message of a topic at the playhead: its type, when it was received, and itself or why it can't be read."""
 
     type: str
@@ -68,7 +68,7 @@ class Bags:
         self.failed = False
         """Whether `status` tells what went wrong."""
         self.loading = False
-        self.view: View | None = None
+        self.view: TimeSpan | None = None
         """What part of the timeline is seen; None for everything, however the bags grow."""
         self.thumbnails = False
         """Whether images are shown along the line of their topic."""
@@ -80,7 +80,7 @@ class Bags:
         self._to_load: deque[tuple[str, str]] = deque()
         self._in_sight: tuple[int, int] | None = None
         self._closed = self._has_begun = False
-        self._shown: dict[str, tuple[Message, Shown]] = {}
+        self._shown: dict[str, tuple[Message, ShownMessage]] = {}
         self.recorder: Recorder | None = None
         self.exporting: int | None = None
         """Per cent of an export, None without one."""
@@ -174,7 +174,7 @@ class Bags:
         for topic in topics:
             (self.player.start_publishing if on else self.player.stop_publishing)(topic)
 
-    def shown(self, topic: str) -> Shown | None:
+    def shown(self, topic: str) -> ShownMessage | None:
         """The message of a watched topic at the playhead; None if there is none, or it is not read yet."""
         found = self.player.current.get(topic)
         if found is None:
@@ -184,12 +184,12 @@ class Bags:
             return before
         kind = self.topics.get(topic, "")
         if len(found.data) > MOST_SHOWN:
-            after = Shown(kind, found.received_ns, None, f"{len(found.data)} bytes")
+            after = ShownMessage(kind, found.received_ns, None, f"{len(found.data)} bytes")
         else:
             try:
-                after = Shown(kind, found.received_ns, deserialize(found.data, get_interface(kind)))
+                after = ShownMessage(kind, found.received_ns, deserialize(found.data, get_interface(kind)))
             except (DeserializationError, UnknownInterfaceError, ValueError, LookupError) as error:
-                after = Shown(kind, found.received_ns, None, str(error))
+                after = ShownMessage(kind, found.received_ns, None, str(error))
         self._shown[topic] = (found, after)
         return after
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from day6_core.ros.programs.rqt_bag.model.view import CLOSEST_NS, FARTHEST_NS, View
+from day6_core.ros.programs.rqt_bag.model.view import CLOSEST_NS, FARTHEST_NS, TimeSpan
 
 
 class Kept(NamedTuple):
@@ -16,7 +16,7 @@ class Kept(NamedTuple):
     publishing: tuple[str, ...] = ()
     playhead: int | None = None
     region: tuple[int, int] | None = None
-    view: View | None = None
+    view: TimeSpan | None = None
     thumbnails: bool = False
 
     def settings(self) -> dict[str, Any]:
@@ -39,7 +39,7 @@ def read_kept(settings: Mapping[str, Any]) -> Kept:
         _words(settings.get("publishing")),
         playhead if _is_time(playhead) else None,
         _span(settings.get("region")),
-        View(*view) if view is not None and CLOSEST_NS <= view[1] - view[0] <= FARTHEST_NS else None,
+        TimeSpan(*view) if view is not None and CLOSEST_NS <= view[1] - view[0] <= FARTHEST_NS else None,
         settings.get("thumbnails") is True,
     )
 

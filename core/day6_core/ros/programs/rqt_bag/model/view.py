@@ -29,7 +29,7 @@ _DIVISIONS = (
 """Seconds between two divisions that may be labelled (timeline_frame.py)."""
 
 
-class View(NamedTuple):
+class TimeSpan(NamedTuple):
     """From when until when is seen."""
 
     left: int
@@ -47,33 +47,33 @@ class View(NamedTuple):
         """The column of a time, which may lie outside."""
         return (time_ns - self.left) * columns // max(1, self.span)
 
-    def zoom(self, factor: float, centre: int) -> View:
+    def zoom(self, factor: float, centre: int) -> TimeSpan:
         """See more (> 1) or less; what is at `centre` stays in its place."""
         span = min(max(round(self.span * factor), CLOSEST_NS), FARTHEST_NS)
         left = centre - (centre - self.left) * span // max(1, self.span)
-        return View(left, left + span)
+        return TimeSpan(left, left + span)
 
-    def pan(self, part: float) -> View:
+    def pan(self, part: float) -> TimeSpan:
         """Move by a part of what is seen."""
         by = round(self.span * part)
-        return View(self.left + by, self.right + by)
+        return TimeSpan(self.left + by, self.right + by)
 
-    def following(self, time_ns: int, start: int, end: int) -> View:
+    def following(self, time_ns: int, start: int, end: int) -> TimeSpan:
         """The view that shows a time: moved on by three quarters when it left it, as far as the bag goes."""
         by = 0
         if time_ns > self.right:
             by = max(time_ns - self.right, min(time_ns - self.right + self.span * 3 // 4, end - self.right))
         elif time_ns < self.left:
             by = min(time_ns - self.left, max(time_ns - self.left - self.span * 3 // 4, start - self.left))
-        return View(self.left + by, self.right + by)
+        return TimeSpan(self.left + by, self.right + by)
 
 
-def whole(start: int, end: int) -> View:
+def whole(start: int, end: int) -> TimeSpan:
     """The view of everything."""
-    return View(start, max(end, start + LEAST_NS))
+    return TimeSpan(start, max(end, start + LEAST_NS))
 
 
-def divisions(view: View, start: int, columns: int, room: int) -> list[tuple[int, str]]:
+def divisions(view: TimeSpan, start: int, columns: int, room: int) -> list[tuple[int, str]]:
     """Columns with their labels, which tell the time since the beginning of the bag; `room`: cells a label needs."""
     per_column = view.span / NANOSECONDS / max(1, columns)
     longest = _DIVISIONS[-1]

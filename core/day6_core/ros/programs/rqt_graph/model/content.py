@@ -50,7 +50,7 @@ class GraphType(Enum):
 
 
 @dataclass(frozen=True)
-class Options:
+class GraphOptions:
     """The state of rqt_graph's controls; the defaults are those of its window."""
 
     graph_type: GraphType = GraphType.NODES
@@ -73,7 +73,7 @@ class Options:
 
 
 @dataclass(frozen=True)
-class Facts:
+class GraphContent:
     """What the graph consists of: full names of the nodes that publish and subscribe, by topic."""
 
     publishers: Mapping[str, tuple[str, ...]]
@@ -113,7 +113,7 @@ Link = tuple[str, str]
 """Start and end of an edge of the node-topic graph; topics carry a leading space there, as in rqt_graph."""
 
 
-def select(facts: Facts, options: Options) -> Content:
+def select(facts: GraphContent, options: GraphOptions) -> Content:
     """Apply the options to the facts."""
     topics = {" " + topic for topic in (*facts.publishers, *facts.subscribers)}
     links = {(node, " " + topic) for topic, names in facts.publishers.items() for node in names}
@@ -144,7 +144,9 @@ def select(facts: Facts, options: Options) -> Content:
     return _topic_view(facts, options, nodes, topics, links, hidden)
 
 
-def _node_view(facts: Facts, options: Options, nodes: list[str], topics: set[str], hidden: _Hidden) -> Content:
+def _node_view(
+    facts: GraphContent, options: GraphOptions, nodes: list[str], topics: set[str], hidden: _Hidden
+) -> Content:
     if options.hide_debug:
         nodes = hidden.drop("Debug", nodes, _is_loud)
     shown = set(nodes)
@@ -176,7 +178,7 @@ def _node_view(facts: Facts, options: Options, nodes: list[str], topics: set[str
 
 
 def _topic_view(
-    facts: Facts, options: Options, nodes: list[str], topics: set[str], links: set[Link], hidden: _Hidden
+    facts: GraphContent, options: GraphOptions, nodes: list[str], topics: set[str], links: set[Link], hidden: _Hidden
 ) -> Content:
     groups: dict[str, str] = {}
     if options.group_actions:

@@ -54,7 +54,7 @@ ASCII = Glyphs(" |-+|||+-+-+++++", "/\\\\/", "++++", True, ">", "<", "^", "v", "
 
 
 @dataclass
-class Canvas:
+class CellCanvas:
     """A grid of cells, each one character and a style; a wide character is followed by an empty cell.
 
     Its first cell is the cell (`left`, `top`) of what is drawn on it.
@@ -86,9 +86,9 @@ class Canvas:
                     self.style[y][x + 1] = style
             x += cells
 
-    def copy(self) -> Canvas:
+    def copy(self) -> CellCanvas:
         """Return a canvas with the same cells."""
-        copy = Canvas(0, 0, self.left, self.top)
+        copy = CellCanvas(0, 0, self.left, self.top)
         copy.width, copy.height = self.width, self.height
         copy.text, copy.style = [row[:] for row in self.text], [row[:] for row in self.style]
         return copy
@@ -122,12 +122,12 @@ def draw(
     warnings: Iterable[str] = (),
     highlight: Highlight | None = None,
     part: Rect | None = None,
-) -> Canvas:
+) -> CellCanvas:
     """Draw frames, boxes and edges; of a picture larger than the window only the `part` that is seen.
 
     What has its key in `warnings` is drawn in the warning style; with a `highlight` the rest of the picture is faded.
     """
-    canvas = Canvas(part.width, part.height, part.x, part.y) if part else Canvas(picture.width, picture.height)
+    canvas = CellCanvas(part.width, part.height, part.x, part.y) if part else CellCanvas(picture.width, picture.height)
     marked = set(warnings)
     for name, rect in picture.clusters:
         _draw_frame(canvas, name, rect, glyphs)
@@ -171,7 +171,7 @@ class Highlight:
         return "outgoing" if key in self._after else "incoming" if key in self._before else "faded"
 
 
-def draw_pulse(canvas: Canvas, route: Route, progress: float, glyphs: Glyphs) -> None:
+def draw_pulse(canvas: CellCanvas, route: Route, progress: float, glyphs: Glyphs) -> None:
     """Put a pulse on an edge; `progress` runs from 0 (start) to 1 (end)."""
     if route.cells:
         x, y = route.cells[min(int(progress * len(route.cells)), len(route.cells) - 1)]
@@ -179,7 +179,7 @@ def draw_pulse(canvas: Canvas, route: Route, progress: float, glyphs: Glyphs) ->
             canvas.put(x, y, glyphs.pulse, "pulse")
 
 
-def _draw_frame(canvas: Canvas, name: str, rect: Rect, glyphs: Glyphs) -> None:
+def _draw_frame(canvas: CellCanvas, name: str, rect: Rect, glyphs: Glyphs) -> None:
     """Draw a namespace's frame with its name in the upper edge."""
     right, bottom = rect.x + rect.width - 1, rect.y + rect.height - 1
     corners = glyphs.square_corners
@@ -191,7 +191,7 @@ def _draw_frame(canvas: Canvas, name: str, rect: Rect, glyphs: Glyphs) -> None:
     canvas.put(rect.x + 1, rect.y, f" {name} ", "cluster")
 
 
-def _draw_lines(canvas: Canvas, routes: Iterable[Route], glyphs: Glyphs, style: str) -> None:
+def _draw_lines(canvas: CellCanvas, routes: Iterable[Route], glyphs: Glyphs, style: str) -> None:
     masks: dict[Cell, int] = {}
     for route in routes:
         for first, second in pairwise(route.cells):
@@ -216,7 +216,7 @@ def _arrow(route: Route, glyphs: Glyphs) -> str:
     return glyphs.right if x1 > x0 else glyphs.left
 
 
-def _draw_box(canvas: Canvas, box: Box, rect: Rect, glyphs: Glyphs, style: str) -> None:
+def _draw_box(canvas: CellCanvas, box: Box, rect: Rect, glyphs: Glyphs, style: str) -> None:
     round_shape = box.shape == "node"
     x, y, width, height = rect.x, rect.y, rect.width, rect.height
     if height == 1:

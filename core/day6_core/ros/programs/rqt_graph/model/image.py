@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, InkLine, Point, Stroke, Text
+from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, InkLine, InkText, Point, Stroke
 from day6_core.ros.programs.rqt_graph.model.pdf import as_pdf
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, LaidOutGraph, Rect
 from day6_core.session.harmless import one_line
@@ -59,7 +59,7 @@ def _strokes(picture: LaidOutGraph, colours: Mapping[str, str]) -> Iterator[Stro
     for name, rect in picture.clusters:
         left, top, right, bottom = _corners(rect)
         yield InkLine(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), FRAME)
-        yield Text((left + 4, top + CELL[1] / 2), name, FRAME, False)
+        yield InkText((left + 4, top + CELL[1] / 2), name, FRAME, False)
     for route in picture.routes:
         if len(route.cells) > 1:
             yield InkLine(tuple(_bends(route.cells)), INK)
@@ -67,7 +67,7 @@ def _strokes(picture: LaidOutGraph, colours: Mapping[str, str]) -> Iterator[Stro
             yield _arrow(route.cells)
         if route.label_at is not None:
             x, y = _middle(route.label_at)
-            yield Text((x - CELL[0] / 2, y - CELL[1] / 2), route.edge.label, INK, False)
+            yield InkText((x - CELL[0] / 2, y - CELL[1] / 2), route.edge.label, INK, False)
     for box, rect in picture.boxes.values():
         yield from _box(box, rect, colours.get(box.key, INK))
 
@@ -94,7 +94,7 @@ def _box(box: Box, rect: Rect, colour: str) -> Iterator[Stroke]:
     for index, line in enumerate(box.lines):
         row = (top + bottom) / 2 + (index - (len(box.lines) - 1) / 2) * CELL[1]
         centred = box.shape != "text"
-        yield Text(((left + right) / 2 if centred else left + CELL[0], row), line, colour, centred)
+        yield InkText(((left + right) / 2 if centred else left + CELL[0], row), line, colour, centred)
 
 
 def _corners(rect: Rect) -> tuple[float, float, float, float]:
@@ -139,7 +139,7 @@ def _element(stroke: Stroke) -> str:
         (left, top), (right, bottom) = stroke.corner, stroke.opposite
         radii = f'rx="{(right - left) / 2:g}" ry="{(bottom - top) / 2:g}"'
         return f'<ellipse cx="{(left + right) / 2:g}" cy="{(top + bottom) / 2:g}" {radii} stroke="{stroke.colour}"/>'
-    if isinstance(stroke, Text):
+    if isinstance(stroke, InkText):
         anchor = ' text-anchor="middle"' if stroke.centred else ""
         place = f'x="{stroke.at[0]:g}" y="{stroke.at[1] + FONT_SIZE * 0.35:g}"'
         return f'<text {place}{anchor} fill="{stroke.colour}">{html.escape(one_line(stroke.text))}</text>'
@@ -164,7 +164,7 @@ def _pixels(strokes: Sequence[Stroke], width: int, height: int, suffix: str) -> 
             draw.ellipse(
                 [*_scaled(stroke.corner, scale), *_scaled(stroke.opposite, scale)], outline=stroke.colour, width=2
             )
-        elif isinstance(stroke, Text):
+        elif isinstance(stroke, InkText):
             place = (stroke.at[0] * scale, stroke.at[1] * scale)
             draw.text(
                 place, one_line(stroke.text), fill=stroke.colour, font=font, anchor="mm" if stroke.centred else "lm"

@@ -31,7 +31,7 @@ class Arrow(NamedTuple):
     points: tuple[Point, Point, Point]
 
 
-class Text(NamedTuple):
+class InkText(NamedTuple):
     """A text around its middle, or from its left end."""
 
     at: Point
@@ -40,4 +40,4 @@ class Text(NamedTuple):
     centred: bool
 
 
-Stroke = Ellipse | InkLine | Arrow | Text
+Stroke = Ellipse | InkLine | Arrow | InkText

@@ -20,7 +20,7 @@ from functools import cache
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, Stroke, Text
+from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, InkText, Stroke
 from day6_core.session.harmless import one_line
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def written(text: str) -> str:
 
 
 def _draw(canvas: Canvas, stroke: Stroke, height: int) -> None:
-    if isinstance(stroke, Text):
+    if isinstance(stroke, InkText):
         _write(canvas, stroke, height)
     elif isinstance(stroke, Ellipse):
         canvas.setStrokeColor(stroke.colour)
@@ -80,7 +80,7 @@ def _draw(canvas: Canvas, stroke: Stroke, height: int) -> None:
             canvas.drawPath(path)
 
 
-def _write(canvas: Canvas, text: Text, height: int) -> None:
+def _write(canvas: Canvas, text: InkText, height: int) -> None:
     runs = list(_runs(written(text.text)))
     widths = [canvas.stringWidth(run, font, FONT_SIZE) for font, run in runs]
     x = text.at[0] - (sum(widths) / 2 if text.centred else 0)

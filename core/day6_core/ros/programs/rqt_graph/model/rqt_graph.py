@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.graph import EndpointKind, Graph, Publisher
 from day6_core.graph.names import full_name
-from day6_core.ros.programs.rqt_graph.model.content import Content, Facts, Options, select
+from day6_core.ros.programs.rqt_graph.model.content import Content, GraphContent, GraphOptions, select
 from day6_core.ros.programs.rqt_graph.model.dot import read_dot, write_dot
 from day6_core.ros.programs.rqt_graph.model.fit import unfitted
 from day6_core.ros.programs.rqt_graph.model.image import WARNING, write_image
@@ -30,10 +30,10 @@ class RqtGraph:
         self._node = node
         self._graph = graph
         self._folder = folder
-        self._facts = Facts({}, {})
+        self._facts = GraphContent({}, {})
         self.loaded = ""
         """Name of the DOT file that is shown instead of the live graph, '' normally."""
-        self.options = Options()
+        self.options = GraphOptions()
         self.auto_refresh = True
         self.version = 0
         self.content: Content = select(self._facts, self.options)
@@ -48,7 +48,7 @@ class RqtGraph:
         else:
             self._show(facts, self.options)
 
-    def change_options(self, options: Options) -> None:
+    def change_options(self, options: GraphOptions) -> None:
         """Use other options from now on. What only concerns looking also holds for a graph from a file."""
         if self.loaded:
             self.options = options
@@ -97,7 +97,7 @@ class RqtGraph:
         """The file that a user of this program means."""
         return self._folder / Path(name).expanduser()
 
-    def _show(self, facts: Facts, options: Options) -> None:
+    def _show(self, facts: GraphContent, options: GraphOptions) -> None:
         content = select(facts, options)
         self._facts, self.options = facts, options
         if content != self.content:
@@ -105,7 +105,7 @@ class RqtGraph:
             self.version += 1
 
 
-def read_facts(node: Node) -> Facts:
+def read_facts(node: Node) -> GraphContent:
     """Ask a node for the publishers and subscribers of all topics, as rqt_graph does."""
     publishers: dict[str, list[str]] = {}
     subscribers: dict[str, list[str]] = {}
@@ -117,7 +117,7 @@ def read_facts(node: Node) -> Facts:
             subscribers.setdefault(topic, []).append(full)
     both = [topic for topic in publishers if topic in subscribers]
     trouble = {topic: lines for topic in both if (lines := _incompatibilities(node, topic))}
-    return Facts(
+    return GraphContent(
         {topic: tuple(names) for topic, names in sorted(publishers.items())},
         {topic: tuple(names) for topic, names in sorted(subscribers.items())},
         trouble,

@@ -39,7 +39,7 @@ class FrameBuffer(Buffer):
             self.on_data()
 
 
-class Frames:
+class FrameLookups:
     """Answers for one moment: what was looked up is kept until `forget`."""
 
     def __init__(self, buffer: FrameBuffer) -> None:

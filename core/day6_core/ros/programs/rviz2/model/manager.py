@@ -21,7 +21,7 @@ from day6_core.ros.programs.rviz2.model.displays import (
     types_for,
     unknown_class,
 )
-from day6_core.ros.programs.rviz2.model.frames import FrameBuffer, Frames
+from day6_core.ros.programs.rviz2.model.frames import FrameBuffer, FrameLookups
 from day6_core.ros.programs.rviz2.model.panels import load_expanded, save_panels
 from day6_core.ros.programs.rviz2.model.properties import (
     COLOUR,
@@ -67,7 +67,7 @@ class RViz:
         self.node = node
         self.timer_ns = timer_ns
         self._system_ns = system_ns
-        self.frames = Frames(buffer)
+        self.frames = FrameLookups(buffer)
         self.scene = Scene()
         self.version = 0
         """Grows with every new scene or status."""
