@@ -24,16 +24,31 @@ def sensible(boxes, edges) -> set[tuple[str, ...]]:
     return {tuple(edge) for edge in edges if {edge[0], edge[1]} <= set(boxes)}
 
 
-@folded("case", CASES, ids=name)
-def test_a_combination_of_the_controls_shows_what_the_real_one_shows(case) -> None:
+def ends_hidden(case) -> bool:
+    """Whether the real one draws an edge to a node that it hides."""
+    boxes, edges = case[2]
+    return len(sensible(boxes, edges)) < len(set(map(tuple, edges)))
+
+
+def ours_and_theirs(case) -> tuple[object, object]:
     mode, switches, (boxes, edges) = case
-    assert shown(select(FACTS, GraphOptions(TYPES[mode], **switches))) == (set(boxes), sensible(boxes, edges))
+    return shown(select(FACTS, GraphOptions(TYPES[mode], **switches))), (set(boxes), sensible(boxes, edges))
+
+
+@folded("case", [case for case in CASES if not ends_hidden(case)], ids=name)
+def test_a_combination_of_the_controls_shows_what_the_real_one_shows(case) -> None:
+    ours, theirs = ours_and_theirs(case)
+    assert ours == theirs
+
+
+@folded("case", filter(ends_hidden, CASES), ids=name)
+def test_a_combination_with_a_hidden_end_differs_by_that_edge_only(case) -> None:
+    ours, theirs = ours_and_theirs(case)
+    assert ours == theirs
 
 
 def test_the_real_one_shows_edges_to_a_node_that_it_hides() -> None:
-    odd = [
-        switches for _, switches, (boxes, edges) in CASES if len(sensible(boxes, edges)) < len(set(map(tuple, edges)))
-    ]
+    odd = [switches for _, switches, _ in filter(ends_hidden, CASES)]
     assert odd and all(switches["group_tf"] and switches["hide_debug"] for switches in odd)
     pytest.xfail(HIDDEN_END)
 

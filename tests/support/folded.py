@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import functools
 import inspect
+import json
 import os
 from collections.abc import Callable, Iterable
 from typing import Any
@@ -22,10 +23,12 @@ def folded(
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Use in the place of `pytest.mark.parametrize`: the function is one test, which runs every case and tells each that fails.
 
-    A case that skips itself counts as failed, and so does a run without any case. `PYTEST_CASE='part of its name'` chooses cases.
+    A case that skips itself counts as failed, and so does a run without any case. `PYTEST_CASE='part of its name'` chooses cases;
+    the file PYTEST_CASES_TO gets a line of JSON for each: test, case, whether it passed.
     """
     split = [name.strip() for name in names.split(",")]
     cases = list(values)
+    report = os.environ.get("PYTEST_CASES_TO")
 
     def decorate(function: Callable[..., None]) -> Callable[..., None]:
         @functools.wraps(function)
@@ -39,6 +42,11 @@ def folded(
                     function(**fixtures, **dict(arguments))
                 except (Exception, pytest.fail.Exception, pytest.skip.Exception, pytest.xfail.Exception) as error:
                     failed.append((name, _told(error) if len(failed) < SHOWN else ""))
+            if report is not None:
+                names_of_failed = {name for name, _ in failed}
+                with open(report, "a", encoding="utf-8") as file:
+                    for name, _ in chosen:
+                        file.write(json.dumps([function.__name__, name, name not in names_of_failed]) + "\n")
             if failed or not chosen:
                 texts = [f"-- {name}\n{text}".rstrip() for name, text in failed]
                 pytest.fail("\n".join([f"{len(failed)} of {len(chosen)} cases failed", *texts]), pytrace=False)
