@@ -10,7 +10,6 @@ from textual import events
 
 from day6_core.lessons.actions import filled
 from day6_core.lessons.player import Steering
-from day6_core.lessons.reading import read_scene
 from day6_core.lessons.scene import scenes
 from day6_core.lessons.scene_player import ScenePlayer
 from day6_tui.options import Options
@@ -50,7 +49,7 @@ class _Stage:
 
 
 def _player(scene: str, stage: _Stage, fetch: str = "", *, visibly: bool = True) -> ScenePlayer:
-    actions = filled(list(read_scene(scenes()[scene].path)), {"robot": "~/car.urdf", "fetch": fetch})
+    actions = filled(list(scenes()[scene].actions), {"robot": "~/car.urdf", "fetch": fetch})
     return ScenePlayer(actions, stage, Steering(seen=visibly))
 
 

@@ -26,7 +26,6 @@ KEYS = {
 """Names of keys and what a terminal sends for them; a single character stands for itself."""
 
 NAMES = ("type", "terminal", "keys", "write", "replace", "wait", "pause", "rviz", "close", "answer")
-SCENE_NAMES = ("type", "terminal", "wait", "pause", "look", "say", "heard", "reading")
 MOST_PAUSE = 60.0
 
 WINDOWS = (

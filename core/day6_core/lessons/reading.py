@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_core.language import LANGUAGES
-from day6_core.lessons.actions import NAMES, SCENE_NAMES, action_mistake
+from day6_core.lessons.actions import action_mistake
 from day6_core.lessons.blocks import Block, blocks
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import HINTS, Action, Answer, Lesson, Page, Step, Wrong
@@ -23,7 +23,6 @@ PICTURE_LINES, PICTURE_COLUMNS = 9, 34
 
 _HEAD = ("lesson", "drill", "order", "minutes", "title", "fault", "topic")
 _STEP = ("check", "solve", "wrong", "needs", "before", "command")
-_SCENE = ("play",)
 _WRONG = ("do", "says", "undo")
 _HINT = re.compile(r"\d+\.(?:\s+(.*))?\Z")
 _ANSWER = re.compile(r"-\s+([a-z]):\s+(.*?)(?:\s*\|\s*(.*))?\Z")
@@ -32,11 +31,6 @@ _ANSWER = re.compile(r"-\s+([a-z]):\s+(.*?)(?:\s*\|\s*(.*))?\Z")
 def read_lesson(path: Path) -> Lesson:
     """Read a lesson. Raises LessonMistakes, or OSError where there is no such file."""
     return _Reader(LessonSource(path)).lesson()
-
-
-def read_scene(path: Path) -> tuple[Action, ...]:
-    """What a scene does. Raises LessonMistakes, or OSError where there is no such file."""
-    return _Reader(LessonSource(path), is_scene=True).scene()
 
 
 @dataclass
@@ -48,11 +42,9 @@ class _Text:
 
 
 class _Reader:
-    def __init__(self, source: LessonSource, *, is_scene: bool = False) -> None:
+    def __init__(self, source: LessonSource) -> None:
         self._source = source
         self._wrong = source.wrong
-        self._is_scene = is_scene
-        """Whether it is a step that is only played: it checks nothing, and nobody needs hints."""
 
     def lesson(self) -> Lesson:
         head, begin = self._source.front_matter("lesson")
@@ -62,12 +54,6 @@ class _Reader:
         note_remarks(self._source, head, lesson)
         self._source.judge()
         return replace(lesson, remarks=tuple(sorted(self._source.remarks, key=lambda each: each.line)))
-
-    def scene(self) -> tuple[Action, ...]:
-        steps = [self._step(*each) for each in self._sections(0)]
-        self._source.judge_parts(steps, "scene")
-        self._source.judge()
-        return steps[0].solve
 
     def _lesson_of(self, head: MarkedMap, steps: list[Step]) -> Lesson:
         unknown = self._source.judge_keys(head, _HEAD, 1)
@@ -209,9 +195,9 @@ class _Reader:
         return found
 
     def _step_of(self, name: str, line: int, data: MarkedMap, pages: dict[str, Page]) -> Step:
-        unknown = self._source.judge_keys(data, _SCENE if self._is_scene else _STEP, line)
+        unknown = self._source.judge_keys(data, _STEP, line)
         given = self._source.list(data, "check", line)
-        if not data.get("check") and not unknown and not data.broken and not self._is_scene:
+        if not data.get("check") and not unknown and not data.broken:
             self._wrong(line, f"step '{name}' checks nothing")
         checks = []
         for at, each in enumerate(given):
@@ -223,7 +209,7 @@ class _Reader:
                 self._source.flaw(line_of(given, at) or line, "check", made)
         wrong = self._wrong_answers(data, line)
         needs = self._source.list(data, "needs", line)
-        solve = self._actions(data, "play" if self._is_scene else "solve", line)
+        solve = self._actions(data, "solve", line)
         typed = next((str(each["type"]).strip().split("\n")[0] for each in solve if "type" in each), "")
         return Step(
             name,
@@ -261,7 +247,7 @@ class _Reader:
         found = []
         given = self._source.list(data, key, line)
         for at, each in enumerate(given):
-            mistake = action_mistake(each, SCENE_NAMES if self._is_scene else NAMES)
+            mistake = action_mistake(each)
             if mistake:
                 self._source.flaw(line_of(given, at) or line, key, mistake)
             else:
@@ -294,8 +280,6 @@ class _Reader:
             where = f"step '{step.name}', {language}"
             if not page.body.strip():
                 self._wrong(lines[""], f"{where}: there is no text")
-            if self._is_scene:
-                continue
             if not page.do.strip() and not any(part not in (*PARTS, "") for part in lines):
                 self._wrong(lines.get("do", lines[""]), f"{where}: '### do' is missing or empty")
             if len(page.hints) != HINTS and ("hints" in lines or not any(part not in (*PARTS, "") for part in lines)):

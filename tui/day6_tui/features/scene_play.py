@@ -53,9 +53,8 @@ class ScenePlay(Feature):
     def start(self, name: str) -> None:
         """Type the commands of a scene."""
         from day6_core.lessons.actions import filled
-        from day6_core.lessons.reading import read_scene
 
-        actions = list(read_scene(scenes()[name].path))
+        actions = list(scenes()[name].actions)
         if "@robot@" in str(actions):
             actions = filled(actions, self._machine.robot_words(self._robot))
         namespace = self.namespace()

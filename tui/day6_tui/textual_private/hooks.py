@@ -1,19 +1,14 @@
-"""Methods of Textual's that are called where it has no message: the base classes of our application, overlays and trees."""
+"""Methods of Textual's that are called where it has no message: the base classes of our application and overlays."""
 
 from __future__ import annotations
 
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from textual import events
 from textual.app import App
 from textual.screen import ModalScreen
-from textual.widgets import Tree
-from textual.widgets.tree import TreeDataType
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from rich.console import RenderableType
     from textual.screen import Screen
 
@@ -63,30 +58,3 @@ class TypedAheadScreen(ModalScreen[None]):
             self.focused._forward_event(event)
         else:
             super()._forward_event(event)
-
-
-class FilledTree(Tree[TreeDataType]):
-    """A tree that may be filled with thousands of nodes: Textual forgets all lines it has drawn for each of them."""
-
-    _filling = _stale = False
-
-    @contextmanager
-    def filling(self) -> Iterator[None]:
-        """Have the lines forgotten once, at the end, if any node was changed inside."""
-        self._filling, self._stale = True, False
-        try:
-            yield
-        finally:
-            self._filling = False
-        if self._stale:
-            self._invalidate()
-
-    def forget_lines(self) -> None:
-        """Have every line made anew when it is drawn."""
-        self._invalidate()
-
-    def _invalidate(self) -> None:
-        if self._filling:
-            self._stale = True
-        else:
-            super()._invalidate()

@@ -8,7 +8,7 @@ from textual.widgets.tree import TreeDataType, TreeNode
 
 from day6_tui.appearance.look import Look
 from day6_tui.panes.scrollbars import colour_scrollbar
-from day6_tui.textual_private.hooks import FilledTree
+from day6_tui.textual_private.filled_tree import FilledTree
 from day6_tui.textual_private.survival import Surviving
 
 
