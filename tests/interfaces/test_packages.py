@@ -8,7 +8,6 @@ from day6_core.interfaces import registry
 from day6_core.interfaces.package import package_files
 from day6_core.ros import differences, distribution
 from day6_core.ros.environment import PYTHON_PATH
-from tests.support.source_files import OF_DISTRIBUTIONS
 
 
 def folders(package: str) -> list[Path]:
@@ -32,7 +31,10 @@ def files() -> dict[Path, str]:
 def test_every_package_with_interfaces_can_be_imported_where_it_is_there() -> None:
     wanted = files()
     wrong = [path for path, text in wanted.items() if not path.is_file() or path.read_text(encoding="utf-8") != text]
-    left_over = [path for path in OF_DISTRIBUTIONS.glob("*/*/__init__.py") if path not in wanted]
+    of_distributions = [
+        path for name in distribution.NAMES for path in Path(distribution.python_folder(name)).glob("*/__init__.py")
+    ]
+    left_over = [path for path in of_distributions if path not in wanted]
     assert (wrong, left_over) == ([], []), __doc__
 
 
