@@ -10,7 +10,7 @@ CLOSE = 0.75
 
 CLOSE_AMONG_FEW = 0.6
 CLOSE_UNASKED = 0.8
-"""The same where nobody has complained of either name."""
+"""How alike they have to be where nobody has complained of either name."""
 
 
 def nearest(name: str, names: Sequence[str], close: float = CLOSE_AMONG_FEW) -> str:

@@ -98,7 +98,7 @@ class ScenePlayer(Player):
         return holds()
 
     async def _while_it_runs(self, holds: Callable[[], bool]) -> bool:
-        """The same, and only until the program it depends on has ended."""
+        """Wait for something only until the program it depends on has ended."""
         if not await self._until(holds, FAILED_AFTER):
             await self._until(lambda: holds() or self._place.ready(), LONGEST_WAIT - FAILED_AFTER)
         return holds()

@@ -1,4 +1,4 @@
-"""Processes of this user ask each other about their reports: who spins, which callback does not come back.
+"""Processes of this user ask each other for reports: who spins, which callback does not come back.
 
 A question is a query to all sessions of a domain, which no gate to other machines forwards. It is answered on the link's thread,
 so that a process answers while its own threads are blocked.
