@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -23,7 +24,6 @@ from day6_core.advice.matching import Match, card_for, cards_in, forms, plain_li
 from day6_core.advice.rules import Surroundings
 from day6_core.facts.graph import GraphFacts
 from day6_core.language import LANGUAGES
-from day6_core.ros import distribution
 from day6_core.ros.distribution import NAMES
 from day6_core.width import text_width
 from tests.support.folded import folded
@@ -230,9 +230,9 @@ def test_what_is_filled_in_cannot_become_a_command_or_a_control_character() -> N
 
 @pytest.mark.parametrize("name", NAMES)
 def test_topics_to_record_are_put_behind_their_option_where_it_is_needed(
-    name: str, monkeypatch: pytest.MonkeyPatch
+    name: str, in_distribution: Callable[[str], None]
 ) -> None:
-    monkeypatch.setattr(distribution, "_current", name)
+    in_distribution(name)
     match = card_for("ros2: error: unrecognized arguments: /a /b")
     assert match is not None
     shown = explain(match, scene_of(match, HERE, command="ros2 bag record -o mine /a /b"), "en")

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from day6_core.ros import distribution
 from tests.conformance.tutorial_pages.commands import is_form, opens_window, runs_on, split
 from tests.conformance.tutorial_pages.documentation import Block, Documentation, as_of_today
 from tests.conformance.tutorial_pages.files import Workspace
@@ -216,11 +216,11 @@ def test_a_reader_puts_right_what_todays_recorder_refuses() -> None:
     assert put_right("ros2 bag record -o x /a /b", "Recording...") == put_right("ros2 topic info /a /b", refusal) == ""
 
 
-def test_a_file_of_the_mirror_imports_the_interfaces_of_today(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_of_the_mirror_imports_the_interfaces_of_today(in_distribution: Callable[[str], None]) -> None:
     text = "from turtlesim.msg import Pose\nimport turtlesim.srv\n# turtlesim\n"
-    monkeypatch.setattr(distribution, "_current", "jazzy")
+    in_distribution("jazzy")
     assert as_of_today(text) == text
-    monkeypatch.setattr(distribution, "_current", "rolling")
+    in_distribution("rolling")
     assert as_of_today(text) == "from turtlesim_msgs.msg import Pose\nimport turtlesim_msgs.srv\n# turtlesim\n"
 
 

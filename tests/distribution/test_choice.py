@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -163,11 +163,10 @@ def test_lessons_speak_of_it() -> None:
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
-def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_lesson_can_be_read_in_every_distribution(name: str, in_distribution: Callable[[str], None]) -> None:
     from day6_core.lessons import reading
-    from day6_core.ros import distribution
 
-    monkeypatch.setattr(distribution, "_current", name)
+    in_distribution(name)
     files = sorted(Path(reading.__file__).parent.glob("d*s/*.md"))
     assert len(files) > 30
     for path in files:
@@ -175,11 +174,10 @@ def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: 
 
 
 @pytest.mark.process
-def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.MonkeyPatch) -> None:
-    from day6_core.ros import distribution
+def test_the_desktops_of_a_server_have_that_of_the_server(in_distribution: Callable[[str], None]) -> None:
     from day6_tui.web.starting import environment
 
-    monkeypatch.setattr(distribution, "_current", "humble")
+    in_distribution("humble")
     remember("kilted")
     assert printed(**environment(0)) == "humble"
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
 
 import pytest
 from rosbags.typesys import Stores, get_typestore
 
-from day6_core.ros import differences, distribution
+from day6_core.ros import differences
 from day6_core.ros.differences import (
     EXECUTABLES,
     INTERFACES,
@@ -190,11 +191,13 @@ def test_every_row_names_its_source() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_messages_are_those_of_the_release(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_messages_are_those_of_the_release(
+    name: str, monkeypatch: pytest.MonkeyPatch, in_distribution: Callable[[str], None]
+) -> None:
     """Each message with its fields and constants, compared with another collection of them."""
     from day6_core.interfaces import registry
 
-    monkeypatch.setattr(distribution, "_current", name)
+    in_distribution(name)
     monkeypatch.setattr(registry, "_structures", {})
     release = get_typestore(RELEASES[name]).fielddefs
     beside = ("example_interfaces/", "test_msgs/", "turtlesim", "rmw_dds_common/")
@@ -296,19 +299,19 @@ def test_humble_tells_neither_distribution_nor_services_of_a_bag(played: dict[st
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_humble_has_no_progress_bar(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_humble_has_no_progress_bar(name: str, in_distribution: Callable[[str], None]) -> None:
     from argparse import ArgumentParser
 
     from day6_core.ros.ros2.bag import play
 
-    monkeypatch.setattr(distribution, "_current", name)
+    in_distribution(name)
     play.add_arguments(parser := ArgumentParser())
     assert parser.get_default("progress_bar_update_rate") == (0 if name == "humble" else 3)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_pausing_and_stepping_are_logged_as_there(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(distribution, "_current", name)
+def test_pausing_and_stepping_are_logged_as_there(name: str, in_distribution: Callable[[str], None]) -> None:
+    in_distribution(name)
     said = differences.value("bag.recorder_waits"), differences.value("bag.player_logs_next")
     assert said == (("Waiting for recording", True) if name == "humble" else ("Wait for recording", False))
 

@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -73,9 +74,9 @@ def test_a_container_takes_its_loaded_nodes_with_it(machine: Any) -> None:
 
 @pytest.mark.parametrize("name", distribution.NAMES)
 def test_the_newest_distribution_names_the_signal_and_warns_of_lifecycle_nodes(
-    machine: Any, name: str, monkeypatch: pytest.MonkeyPatch
+    machine: Any, name: str, in_distribution: Callable[[str], None]
 ) -> None:
-    monkeypatch.setattr(distribution, "_current", name)
+    in_distribution(name)
     for number in (2, 15):
         running = machine.start("run", "lifecycle", "lifecycle_talker")
         machine.step(0.1)

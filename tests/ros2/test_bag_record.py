@@ -9,7 +9,6 @@ from rosbag2_interfaces.srv import IsPaused, Pause, Resume
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Int32
 
-from day6_core.ros import distribution
 from day6_core.ros.distribution import NAMES
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from tests.ros2.bag_commands import call, counter, information, lines, record
@@ -164,8 +163,8 @@ def test_wrong_options_leave_no_folder_behind(machine):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_old_style_topics_are_warned_of_in_kilted_and_refused_since_lyrical(machine, monkeypatch, name):
-    monkeypatch.setattr(distribution, "_current", name)
+def test_old_style_topics_are_warned_of_in_kilted_and_refused_since_lyrical(machine, in_distribution, name):
+    in_distribution(name)
     if name == "rolling":
         command = machine.ros2("bag", "record", "/count")
         assert command.status == 2 and "unrecognized arguments: /count" in command.stderr

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +19,9 @@ OURS = ("day6_tui", "core.ros", "python_of", "share_of", "dist-info", "Traceback
 
 
 @pytest.fixture(params=distribution.NAMES)
-def shown(request: pytest.FixtureRequest, machine: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
+def shown(request: pytest.FixtureRequest, machine: Any, in_distribution: Callable[[str], None]) -> Any:
     """Run `ros2 WORDS…`, look at what it shows, and return the lines of its standard output."""
-    monkeypatch.setattr(distribution, "_current", request.param)
+    in_distribution(request.param)
 
     def run(*words: str) -> list[str]:
         done = machine.ros2(*words)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -10,7 +10,6 @@ from geometry_msgs.msg import Twist, TwistStamped
 from std_msgs.msg import String
 from turtlesim.msg import Pose
 
-from day6_core.ros import distribution as distributions
 from day6_core.ros.programs.rqt_gui.plugin import PluginPlace
 from day6_core.ros.programs.rqt_robot_steering.model import ANGULAR, LINEAR, MAXIMUM, MINIMUM, Axis
 from day6_core.ros.programs.rqt_robot_steering.rqt_robot_steering import RobotSteeringPlugin
@@ -202,18 +201,18 @@ GIVEN = ("--ros-args", "-p", "default_topic:=/mine", "-p", "default_stamped:=fal
     ],
 )
 def test_it_begins_as_that_of_its_distribution(
-    machine: RqtMachine, monkeypatch: pytest.MonkeyPatch, distribution, words, topic, stamped, fastest
+    machine: RqtMachine, in_distribution: Callable[[str], None], distribution, words, topic, stamped, fastest
 ) -> None:
-    monkeypatch.setattr(distributions, "_current", distribution)
+    in_distribution(distribution)
     machine.open(*words)
     model = machine.model
     assert (model.topic, model.stamped, model.axes[LINEAR].maximum) == (topic, stamped, fastest)
 
 
 def test_a_parameter_of_the_wrong_type_is_told_in_rclpys_words(
-    machine: RqtMachine, monkeypatch: pytest.MonkeyPatch
+    machine: RqtMachine, in_distribution: Callable[[str], None]
 ) -> None:
-    monkeypatch.setattr(distributions, "_current", "rolling")
+    in_distribution("rolling")
     running = machine.start(
         "rqt_robot_steering",
         "rqt_robot_steering",

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import pytest
 from geometry_msgs.msg import Twist
 from turtlesim.msg import Pose
-
-from day6_core.ros import distribution
 
 if TYPE_CHECKING:
     from tests.support.stepped_keyboard import Keyboard
@@ -40,8 +39,10 @@ def test_the_help_is_that_of_the_real_one(machine: Machine, keyboard: Keyboard) 
     assert teleop.log == []
 
 
-def test_the_help_of_humble_has_capitals(machine: Machine, keyboard: Keyboard, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(distribution, "_current", "humble")
+def test_the_help_of_humble_has_capitals(
+    machine: Machine, keyboard: Keyboard, in_distribution: Callable[[str], None]
+) -> None:
+    in_distribution("humble")
     teleop = machine.start("turtle_teleop_key", keyboard=keyboard)
     assert teleop.output.splitlines()[3:] == [
         "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.",
