@@ -79,7 +79,7 @@ def drills() -> tuple[Lesson, ...]:
     return tuple(by_topic(lessons_in(HERE / "drills").drills))
 
 
-def offer(folder: Path | None) -> LessonOffer:
+def offer(folder: Path | None = None) -> LessonOffer:
     """The lessons and drills of a teacher's folder, else the six days; and the drills that come with the program."""
     own = lessons_in(folder) if folder is not None else LessonOffer(days())
     return replace(own, drills=(*by_topic(own.drills), *drills()))

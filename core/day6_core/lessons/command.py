@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from day6_core.language import LANGUAGES
-from day6_core.lessons.catalogue import HERE, days, drills, lessons_in, shipped_names
+from day6_core.lessons.catalogue import HERE, lessons_in, offer, shipped_names
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.flaws import meant
 from day6_core.lessons.reading import read_lesson
@@ -61,7 +61,7 @@ def main(words: list[str]) -> int:
 
 
 def _list() -> int:
-    for lesson in (*days(), *drills()):
+    for lesson in offer().all:
         kind = f"drill {lesson.fault:2}" if lesson.is_drill else "lesson  "  # the number of its fault
         print(f"{kind}  {lesson.name:24} {lesson.minutes:3} min  {lesson.title['zh']} / {lesson.title['en']}")
     return 0

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from day6_core.language import LANGUAGES
-from day6_core.lessons.catalogue import LessonOffer, days, drills, lessons_in
+from day6_core.lessons.catalogue import offer
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.progress import FOLDER, Progress, ProgressError, StepDone, load
 from day6_core.lessons.tables import (
@@ -174,8 +174,8 @@ def main(arguments: list[str], language: str) -> int:
         tell("report.broken", file=path, reason=reason)
     if not pupils:
         return tell("report.none", folder=folder)
-    own = lessons_in(options.lessons) if options.lessons is not None else LessonOffer(days())
-    found = lines_of(pupils, own.lessons, [*own.drills, *drills()])
+    offered = offer(options.lessons)
+    found = lines_of(pupils, offered.lessons, offered.drills)
     try:
         must_be_new([options.csv, options.html], options.force)
         if options.csv is not None:

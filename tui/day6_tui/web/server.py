@@ -163,10 +163,9 @@ class Server:
 
 def _lessons(folder: Path | None) -> list[dict[str, Any]]:
     """What a teacher can start for all: the days, or the lessons of the folder, and the drills."""
-    from day6_core.lessons import catalogue
+    from day6_core.lessons.catalogue import offer
 
-    lessons = catalogue.days() if folder is None else catalogue.lessons_in(folder).all
-    return [{"name": each.name, "title": dict(each.title)} for each in (*lessons, *catalogue.drills())]
+    return [{"name": each.name, "title": dict(each.title)} for each in offer(folder).all]
 
 
 def _unix_listener(path: str) -> socket.socket:

@@ -84,7 +84,7 @@ class Orders:
         self._window.lay_over(Menu(self._look, "teacher.open", self._entries(name)))
 
     def _entries(self, name: str) -> list[MenuEntry]:
-        from day6_core.lessons import catalogue
+        from day6_core.lessons.catalogue import offer
         from day6_core.lessons.scene import scenes
         from day6_tui.overlays.menu import MenuEntry
 
@@ -95,7 +95,7 @@ class Orders:
                 texts("teacher.open.lesson"),
                 partial(open_there, Order("lesson", text=each.name)),
             )
-            for each in (*catalogue.days(), *catalogue.drills())
+            for each in offer().all
         ]
         return lessons + [
             MenuEntry(each, texts("teacher.open.scene"), partial(open_there, Order("scene", text=each)))
