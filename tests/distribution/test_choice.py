@@ -141,24 +141,20 @@ def test_apt_and_doctor_name_it() -> None:
     assert said.endswith(": humble")
 
 
-def test_lessons_speak_of_it() -> None:
-    from day6_core.ros import differences, distribution
+def test_lessons_speak_of_it(in_distribution: Callable[[str], None]) -> None:
+    from day6_core.ros import differences
 
     text = (
         "source /opt/ros/jazzy/setup.bash, not /opt/ros/humble; ros-jazzy-desktop; turtlesim/srv/Spawn; turtlesim.msg"
     )
-    before = distribution.current()
-    try:
-        distribution.choose("humble")
-        assert differences.retold(text) == (
-            "source /opt/ros/humble/setup.bash, not /opt/ros/jazzy; ros-humble-desktop; turtlesim/srv/Spawn; turtlesim.msg"
-        )
-        distribution.choose("kilted")
-        assert differences.retold(text).endswith(
-            "kilted/setup.bash, not /opt/ros/humble; ros-kilted-desktop; turtlesim_msgs/srv/Spawn; turtlesim_msgs.msg"
-        )
-    finally:
-        distribution.choose(before)
+    in_distribution("humble")
+    assert differences.retold(text) == (
+        "source /opt/ros/humble/setup.bash, not /opt/ros/jazzy; ros-humble-desktop; turtlesim/srv/Spawn; turtlesim.msg"
+    )
+    in_distribution("kilted")
+    assert differences.retold(text).endswith(
+        "kilted/setup.bash, not /opt/ros/humble; ros-kilted-desktop; turtlesim_msgs/srv/Spawn; turtlesim_msgs.msg"
+    )
 
 
 @pytest.mark.long

@@ -11,6 +11,7 @@ import pytest
 
 from day6_core.lessons import catalogue
 from day6_core.lessons.course import Course, new_course
+from day6_core.lessons.demonstration import Demonstration
 from day6_core.lessons.progress import StepDone, file_of, load
 from day6_core.session.session import Session
 from day6_core.session.streams import InputStream, OutputStream
@@ -500,12 +501,17 @@ def test_any_drill_is_one_that_is_not_solved_yet(room: Classroom) -> None:
     assert room.course.state.lesson.name == "slip1"
 
 
-def test_a_demonstration_plays_the_lesson_where_everybody_sees_it(room: Classroom) -> None:
+def demonstrated(room: Classroom) -> Demonstration:
+    """Open the lesson, and let it be played by itself."""
     room.open()
     room.ask(lambda: room.course.demonstrate("en"))
     room.wait(lambda: room.course.demonstration is not None)
-    demonstration = room.course.demonstration
-    assert demonstration is not None
+    assert room.course.demonstration is not None
+    return room.course.demonstration
+
+
+def test_a_demonstration_plays_the_lesson_where_everybody_sees_it(room: Classroom) -> None:
+    demonstration = demonstrated(room)
     for _ in range(5):
         demonstration.change_speed(1)
     assert demonstration.speed == 4.0
@@ -521,11 +527,7 @@ def test_a_demonstration_plays_the_lesson_where_everybody_sees_it(room: Classroo
 
 
 def test_a_demonstration_is_held_and_stopped(room: Classroom) -> None:
-    room.open()
-    room.ask(lambda: room.course.demonstrate("en"))
-    room.wait(lambda: room.course.demonstration is not None)
-    demonstration = room.course.demonstration
-    assert demonstration is not None
+    demonstration = demonstrated(room)
     demonstration.change_speed(1)
     demonstration.go_on()
     demonstration.hold()
@@ -539,11 +541,7 @@ def test_a_demonstration_is_held_and_stopped(room: Classroom) -> None:
 
 
 def test_a_demonstration_ends_with_its_lesson(room: Classroom) -> None:
-    room.open()
-    room.ask(lambda: room.course.demonstrate("en"))
-    room.wait(lambda: room.course.demonstration is not None)
-    demonstration = room.course.demonstration
-    assert demonstration is not None
+    demonstration = demonstrated(room)
     room.ask(room.course.close)
     room.wait(lambda: room.course.state.lesson is None)
     assert room.course.demonstration is None
