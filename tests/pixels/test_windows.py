@@ -21,13 +21,15 @@ from day6_tui.windows.graph.pixels import GraphPicture
 from day6_tui.windows.images.image_cells import on_ground
 from day6_tui.windows.robot.car_pixels import CarPicture
 from day6_tui.windows.rqt.plot_pixels import paint_plot
-from day6_tui.windows.world.picture import FIRM, FIRST_TREAD, LINE, TRAIL, WALL, WHEEL, fitting, look_of
+from day6_tui.windows.world.picture import FIRM, LINE, TRAIL, WALL, fitting, look_of
 from day6_tui.windows.world.pixels import WorldPixels
 from day6_urdf import parse_robot, shipped_model
 from day6_urdf.kinematics import link_transforms
+from day6_urdf.topview.paint import DARK, STANDING
+from day6_urdf.topview.plan import plan_top
 
 CELL = (10, 20)
-CAR = parse_robot(shipped_model())
+CAR = plan_top(parse_robot(shipped_model()))
 COLOURS = colours("dark")
 TABLE = look_of(COLOURS)
 WORLDS = {name: read_scenery(path) for name, path in shipped_worlds(SHARE_PATH / "day6_world").items()}
@@ -46,14 +48,15 @@ def test_edges_are_smooth() -> None:
 
 
 def car(angle: float, known: bool = True) -> Array:
-    transforms = link_transforms(CAR, {"left_wheel_joint": angle, "right_wheel_joint": angle})
-    return CarPicture(60, 20, CELL, COLOURS).pixels(CAR, transforms if known else {}, 1.0, (0, 0))
+    transforms = link_transforms(CAR.robot, {"left_wheel_joint": angle, "right_wheel_joint": angle})
+    picture = CarPicture(60, 20, CELL, COLOURS)
+    return picture.pixels(picture.frame(CAR, 1.0, (0, 0)), transforms if known else {}, STANDING)
 
 
 def test_the_cars_wheels_lie_above_and_below_its_body_and_turn() -> None:
-    wheels = places(car(0.0), TABLE[WHEEL])
+    wheels = places(car(0.0), 0x4C4C4C)
     assert (wheels[:, 0] < 160).any() and (wheels[:, 0] > 240).any()
-    marks = [places(car(angle), TABLE[FIRST_TREAD])[:, 1].mean() for angle in (-0.6, 0.0, 0.6)]
+    marks = [places(car(angle), DARK.mark)[:, 1].mean() for angle in (-0.6, 0.0, 0.6)]
     assert marks[0] < marks[1] < marks[2]
 
 
@@ -65,11 +68,12 @@ def test_a_wheel_without_a_transform_has_the_colour_of_what_is_wrong() -> None:
 @pytest.mark.parametrize("size", [(20, 6), (40, 10), (90, 40)])
 def test_what_stands_beside_the_car_stays_in_the_window(size: tuple[int, int]) -> None:
     picture = CarPicture(*size, CELL, COLOURS)
-    transforms = link_transforms(CAR, {})
-    picture.pixels(CAR, transforms, 1.0, (0, 0))
-    picture.sheet.put(picture.texts(transforms, {}))
+    transforms = link_transforms(CAR.robot, {})
+    frame = picture.frame(CAR, 1.0, (0, 0))
+    labels = {f"{side}_wheel": (f"{side}_wheel", "7°") for side in ("left", "right")}
+    picture.sheet.put(picture.texts(frame, transforms, labels))
     words = "".join(segment.text for row in range(size[1]) for segment in picture.sheet.line(row))
-    assert "left_wheel" in words and "right_wheel" in words
+    assert words.count("7°") == 2
     assert len(words) == size[0] * size[1]
 
 
@@ -77,14 +81,14 @@ def test_what_stands_beside_the_car_stays_in_the_window(size: tuple[int, int]) -
 def test_the_world_has_its_walls_and_line(name: str) -> None:
     scenery = WORLDS[name]
     view = fitting(scenery, 60, 30, "half")
-    pixels = WorldPixels(view, CELL, scenery, TABLE, COLOURS.text).pixels(WorldSnapshot(scenery=scenery), Trail())
+    pixels = WorldPixels(view, CELL, scenery, TABLE, DARK, COLOURS.text).pixels(WorldSnapshot(scenery=scenery), Trail())
     assert bool(len(places(pixels, TABLE[WALL]))) == bool(scenery.solids)
     assert bool(len(places(pixels, TABLE[LINE]))) == bool(scenery.line)
 
 
 def test_the_trail_grows_and_is_wiped() -> None:
     scenery, trail = WORLDS["walls"], Trail()
-    shown = WorldPixels(fitting(scenery, 60, 30, "half"), CELL, scenery, TABLE, COLOURS.text)
+    shown = WorldPixels(fitting(scenery, 60, 30, "half"), CELL, scenery, TABLE, DARK, COLOURS.text)
     snapshot = replace(WorldSnapshot(scenery=scenery), robot=None)
     lengths = []
     for points in ([(-1.0, 0.0), (-0.5, 0.0)], [(0.0, 0.3)], [(0.5, 0.0)]):

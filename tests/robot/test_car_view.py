@@ -13,8 +13,8 @@ from std_msgs.msg import Float64MultiArray, String
 from day6_core.ros.programs.day6_bot import car_view
 from day6_core.ros.programs.day6_bot.model import CarModel
 from day6_urdf import parse_robot, shipped_model
-from day6_urdf.topplan import find_wheels, spin_of
-from day6_urdf.topview import render_top
+from day6_urdf.topview.plan import find_wheels, plan_top, spin_of
+from day6_urdf.topview.view import render_top
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from tests.support.waiting import PATIENCE
 
@@ -22,10 +22,7 @@ if TYPE_CHECKING:
     from tests.robot.conftest import Machine, Running
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-STAYS = (
-    "The wheels turn, so why does the car not move? Like RViz, this picture only draws angles. To roll on a floor: "
-    "ros2 launch day6_world world.launch.py"
-)
+STAYS = "This draws angles only. To let it drive: ros2 launch day6_world world.launch.py"
 NO_JOINT_STATES = "nobody publishes /joint_states: the wheels do not turn"
 
 
@@ -76,7 +73,7 @@ def test_joint_angles_and_speeds_stand_beside_it(machine: Machine) -> None:
     assert left.position == pytest.approx(3.0)
     assert left.speed == pytest.approx(1.0)
     assert model.snapshot().rate == pytest.approx(50.0)
-    assert model.snapshot().labels()["left_wheel"] == "left_wheel 172 deg +1.00 rad/s"
+    assert model.snapshot().labels()["left_wheel"] == ("left_wheel", "172 deg", "+1.00 rad/s")
 
 
 def test_stop_the_node_and_they_stop_and_nothing_is_drawn_again(machine: Machine) -> None:
@@ -143,7 +140,7 @@ def test_while_the_description_is_read_it_says_so(machine: Machine) -> None:
     machine.publish_robot()
     assert texts(model) == ["reading the robot description"]
     assert model.waiting_description is not None
-    model.show(parse_robot(model.waiting_description))
+    model.show(plan_top(parse_robot(model.waiting_description)))
     assert texts(model)[0] == NO_JOINT_STATES
 
 
@@ -286,16 +283,16 @@ def test_steered_wheels_are_drawn_turned_and_say_how_far(machine: Machine, tmp_p
     names = ["left_steer", "right_steer", *(f"{a}_{b}_spin" for a in ("left", "right") for b in ("front", "rear"))]
     machine.joint_states(names, [0.5, 0.5, 0.0, 0.0, 0.0, 0.0])
     moment = model.snapshot()
-    assert moment.labels()["left_front"] == "left_front 0 deg +0.00 rad/s <+29 deg>"
-    assert moment.labels()["left_rear"] == "left_rear 0 deg +0.00 rad/s"
-    assert moment.robot is not None
-    turned = render_top(moment.robot, moment.transforms, 100, 40, labels=moment.labels())
-    straight = render_top(moment.robot, {}, 100, 40)
+    assert moment.labels()["left_front"] == ("left_front", "0 deg", "+0.00 rad/s", "<+29 deg>")
+    assert moment.labels()["left_rear"] == ("left_rear", "0 deg", "+0.00 rad/s")
+    assert moment.plan is not None
+    turned = render_top(moment.plan, moment.transforms, 100, 40, labels=moment.labels())
+    straight = render_top(moment.plan, {}, 100, 40)
     assert [["".join(t for t, _ in row)] for row in turned] != [["".join(t for t, _ in row)] for row in straight]
 
 
 def test_the_picture_can_be_enlarged(machine: Machine) -> None:
-    car = parse_robot(shipped_model())
+    car = plan_top(parse_robot(shipped_model()))
 
     def wide(zoom: float) -> int:
         rows = ["".join(text for text, _ in row) for row in render_top(car, {}, 120, 50, zoom=zoom)]
@@ -306,7 +303,7 @@ def test_the_picture_can_be_enlarged(machine: Machine) -> None:
 
 
 def test_the_picture_can_be_moved() -> None:
-    car = parse_robot(shipped_model())
+    car = plan_top(parse_robot(shipped_model()))
     lines = []
     for down in (0, 5):
         rows = ["".join(text for text, _ in row) for row in render_top(car, {}, 90, 30, shift=(0, down))]

@@ -14,7 +14,7 @@ import pytest
 from day6_urdf import check_text, load_robot, parse_robot
 from day6_urdf.kinematics import link_transforms
 from day6_urdf.load import RobotError
-from day6_urdf.topview import render_top
+from day6_urdf.topview.view import render_top
 
 LAUGHS = (
     "<!DOCTYPE r ["

@@ -12,11 +12,12 @@ from typing import Any
 import pytest
 
 from day6_urdf import parse_robot, shipped_model
-from day6_urdf.canvas import Canvas, cell_width
 from day6_urdf.kinematics import link_transforms
 from day6_urdf.model import Robot
-from day6_urdf.topplan import find_wheels, hull, plan_top, spin_of, stand, steering_of
-from day6_urdf.topview import render_top, tread_marks
+from day6_urdf.topview.canvas import Canvas, cell_width
+from day6_urdf.topview.paint import Turning, bars_of, tail, tread_marks
+from day6_urdf.topview.plan import find_wheels, hull, plan_top, spin_of, stand, steering_of
+from day6_urdf.topview.view import render_top
 from tests.support.folded import folded
 
 WRITTEN = Path(__file__).with_name("pictures.txt")
@@ -118,7 +119,10 @@ CASES: dict[str, dict[str, Any]] = {
     "car with readings": {
         "robot": "car",
         "size": (44, 12),
-        "labels": {"left_wheel": "left_wheel 57 deg", "right_wheel": "12 deg and more words than fit"},
+        "labels": {
+            "left_wheel": "left_wheel|57 deg|+1 rad/s",
+            "right_wheel": "right_wheel|12 deg|and more words than fit",
+        },
     },
     "car 12x6": {"robot": "car", "size": (12, 6)},
     "car 100x34": {"robot": "car", "size": (100, 34), "turned": {"left_wheel_joint": 1.1, "right_wheel_joint": -0.2}},
@@ -143,7 +147,7 @@ CASES: dict[str, dict[str, Any]] = {
         "robot": "balls",
         "size": (50, 12),
         "zoom": 1.7,
-        "labels": {"left": "left 5 deg", "right": "right 12 deg"},
+        "labels": {"left": "left|5 deg", "right": "right|12 deg"},
     },
     "balls half 40x22": {"robot": "balls", "size": (40, 22), "glyphs": "half", "turned": {"left": -0.9, "right": 0.3}},
     "axles 100x40": {"robot": "axles", "size": (100, 40)},
@@ -153,8 +157,26 @@ CASES: dict[str, dict[str, Any]] = {
     "close 60x40": {"robot": "close", "size": (60, 40)},
     "round near": {"robot": "round", "size": (60, 30), "zoom": 1.6, "shift": (4, 2), "turned": {"left": 1.5}},
     "round from afar": {"robot": "round", "size": (30, 14), "zoom": 0.4},
-    "train low": {"robot": "train", "size": (60, 8), "labels": {"l0": "l0 a b", "l2": "l2 c", "r1": "d e"}},
+    "train low": {"robot": "train", "size": (60, 8), "labels": {"l0": "l0|a b", "l2": "l2|c", "r1": "r1|d|e"}},
     "slanted 44x14": {"robot": "slanted", "size": (44, 14), "turned": {"a": 2.0, "b": 1.0, "c": -0.4, "d": -0.2}},
+    "car cell 58x20": {"robot": "car", "size": (58, 20), "glyphs": "cell"},
+    "car braille 58x20": {"robot": "car", "size": (58, 20), "glyphs": "braille", "turned": {"left_wheel_joint": 0.5}},
+    "car half 78x11 turning": {
+        "robot": "car",
+        "size": (78, 11),
+        "glyphs": "half",
+        "turned": {"left_wheel_joint": 0.8, "right_wheel_joint": -0.8},
+        "speeds": {"left_wheel": 3.0, "right_wheel": -20.0},
+    },
+    "car turning": {
+        "robot": "car",
+        "size": (78, 22),
+        "turned": {"left_wheel_joint": 0.8, "right_wheel_joint": -0.8},
+        "speeds": {"left_wheel": 3.0, "right_wheel": -20.0},
+    },
+    "round half 60x24": {"robot": "round", "size": (60, 24), "glyphs": "half"},
+    "train cell 76x20": {"robot": "train", "size": (76, 20), "glyphs": "cell"},
+    "slanted braille 50x20": {"robot": "slanted", "size": (50, 20), "glyphs": "braille"},
     "far 60x20": {"robot": "far", "size": (60, 20), "turned": {"w": 0.7}},
 }
 
@@ -165,12 +187,21 @@ def drawn(robot: str, size: tuple[int, int], glyphs: str = "ascii", **how: Any) 
     transforms = link_transforms(it, how.pop("turned", {}))
     for name in how.pop("missing", ()):
         del transforms[name]
-    lines = []
-    for row in render_top(it, transforms, *size, glyphs, **how):
+    labels = {link: tuple(text.split("|")) for link, text in how.pop("labels", {}).items()}
+    turning = Turning(how.pop("speeds", {}))
+    lines, letters = [], {}
+    for row in render_top(plan_top(it), transforms, *size, glyphs, labels=labels, turning=turning, **how):
         lines.append("".join(text for text, _ in row).rstrip())
-        looks = "".join((style[:1] or " ").upper() * cell_width(text) for text, style in row).rstrip()
-        lines.append(f"  looks {looks}")
-    return [line.rstrip() for line in lines]
+        looks = ""
+        for text, style in row:
+            if isinstance(style, tuple):  # two colours: a letter for each pair, in the order they come
+                style = chr(ord("a") + letters.setdefault(style, len(letters)) % 26)
+                looks += style * cell_width(text)
+            else:
+                looks += (style[:1] or " ").upper() * cell_width(text)
+        lines.append(f"  looks {looks}".rstrip())
+    names = {letter: pair for pair, letter in letters.items()}
+    return [*lines, *(f"{chr(ord('a') + number % 26)} {a:06x} on {b:06x}" for number, (a, b) in sorted(names.items()))]
 
 
 def written() -> dict[str, list[str]]:
@@ -293,11 +324,33 @@ def test_what_is_left_of_a_wide_character_keeps_its_look() -> None:
 def test_marks_are_painted_on_the_upper_half_first_the_one_that_is_counted() -> None:
     marks = tread_marks(0.1, 0.0, 0.04)
     assert marks[0] == (0.0, True) and [first for _, first in marks[1:]] == [False] * (len(marks) - 1)
-    assert sorted(round(place, 4) for place, _ in marks) == [-0.0951, 0.0, 0.0951]
+    assert sorted(round(place, 4) for place, _ in marks) == [-0.0866, 0.0, 0.0866]
     assert tread_marks(0.1, 3.1416, 0.04)[0][1] is False, "below"
-    assert len(tread_marks(1.0, 0.01, 0.001)) == 6, "never more than 12, of which half are above"
-    assert {len(tread_marks(0.1, spin, 0.0)) for spin in (0.1, 1.0, 2.0)} <= {1, 2}, "3 in all"
     assert tread_marks(0.1, 0.5, 0.04)[0][0] == pytest.approx(0.1 * 0.479426, abs=1e-6)
+
+
+def test_a_tread_has_as_many_bars_as_can_be_told_apart() -> None:
+    assert [bars_of(0.1, dot) for dot in (0.0, 0.1, 0.03, 0.021, 0.001)] == [6, 6, 6, 9, 12]
+    assert len(tread_marks(1.0, 0.01, 0.001)) == 6, "half of twelve are above"
+
+
+@pytest.mark.parametrize(
+    ("spin", "speed", "seen"),
+    [
+        (0.0, 0.0, []),
+        (0.0, 1.0, [(-0.149, 0.0)]),
+        (0.0, -1.0, [(0.0, 0.149)]),
+        (0.5, 4.0, [(-0.1, 0.479)]),
+        (2.0, 4.0, [(0.985, 1.0)]),  # the mark is below, the end of its tail still above
+        (-2.0, 4.0, []),
+        (3.0, 20.0, [(0.0, 1.0)]),
+        (-1.8, 12.0, []),
+        (-1.8, 20.0, [(0.996, 1.0)]),
+        (0.0, 60.0, [(-1.0, 0.0), (0.3090, 1.0)]),  # never the whole way round: where it is can always be seen
+    ],
+)
+def test_the_tail_is_the_way_the_mark_came(spin: float, speed: float, seen: list[tuple[float, float]]) -> None:
+    assert [pytest.approx(part, abs=1e-3) for part in tail(1.0, spin, speed)] == seen
 
 
 def test_the_hull_is_the_outline_anticlockwise() -> None:

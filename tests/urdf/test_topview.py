@@ -8,40 +8,41 @@ import math
 import pytest
 
 from day6_urdf import parse_robot, shipped_model
-from day6_urdf.canvas import Canvas, cell_width
 from day6_urdf.kinematics import link_transforms
 from day6_urdf.model import Robot
-from day6_urdf.topplan import find_wheels, spin_of
-from day6_urdf.topview import STYLES, render_top
+from day6_urdf.topview.canvas import Canvas, cell_width
+from day6_urdf.topview.plan import find_wheels, plan_top, spin_of
+from day6_urdf.topview.view import STYLES, render_top
 from tests.support.folded import folded
 
 CAR = parse_robot(shipped_model())
+PLAN = plan_top(CAR)
 SIZES = [(38, 10), (60, 18), (100, 34), (150, 50)]
 
 AT_60x18 = """\
-                      left_wheel
-                       (|==#==|)
-         +-----------------:-----------------+
-         | base_link       :                 |
-         |                 :                 |
-         |                 :                 |
-         |                 :                 |
-         |                 : 0.30 m          |
-         |                 :      (   )      |==>
-         |                 :                 |
-         |                 :                 |
-         |                 :                 |
-         |                 :                 |
-         |                 :                 |
-         +-----------------:-----------------+
-                       (|==#==|)
-                      right_wheel
- |--------| 0.1 m
+                     .|=|==##=|=|. left_wheel
+                     '|=|==##=|=|'
+                          ||
+         +----------------||----------------+
+         |::::::::::::::: ||               []
+         |::::::::::::::: ||               []
+         |::::::::::::::: || 0.30 m         |
+         |::::::::::::::: ||                |
+         |::::base_link:: ||      .-.       |
+         |::::::::::::::: ||     (   )      |====>
+         |::::::::::::::: ||      '-'       |
+         |::::::::::::::: ||                |
+         |::::::::::::::: ||               []
+         |::::::::::::::: ||               []
+         +----------------||----------------+
+                          ||
+                     .|=|==##=|=|.
+ |--------| 0.1 m    '|=|==##=|=|' right_wheel
 """
 
 
 def picture(robot: Robot, columns: int, rows: int, glyphs: str = "ascii", **positions: float) -> list[str]:
-    drawn = render_top(robot, link_transforms(robot, positions), columns, rows, glyphs)
+    drawn = render_top(plan_top(robot), link_transforms(robot, positions), columns, rows, glyphs)
     return ["".join(text for text, _ in row) for row in drawn]
 
 
@@ -54,12 +55,12 @@ def test_the_shipped_car_at_60_by_18() -> None:
 
 
 @pytest.mark.parametrize(("columns", "rows"), [*SIZES, (1, 1), (3, 1), (2, 40), (200, 3), (0, 0), (10, 4)])
-@pytest.mark.parametrize("glyphs", ["ascii", "half"])
+@pytest.mark.parametrize("glyphs", ["ascii", "half", "cell", "braille"])
 def test_every_row_has_exactly_the_cells_it_was_given(columns: int, rows: int, glyphs: str) -> None:
-    drawn = render_top(CAR, link_transforms(CAR, {"left_wheel_joint": 1.0}), columns, rows, glyphs)
+    drawn = render_top(PLAN, link_transforms(CAR, {"left_wheel_joint": 1.0}), columns, rows, glyphs)
     assert len(drawn) == rows
     assert {sum(cell_width(text) for text, _ in row) for row in drawn} <= {columns}
-    assert {style for row in drawn for _, style in row} <= set(STYLES)
+    assert {style for row in drawn for _, style in row if isinstance(style, str)} <= set(STYLES)
 
 
 @pytest.mark.parametrize(("columns", "rows"), SIZES)
@@ -103,38 +104,38 @@ def test_only_the_wheel_whose_joint_turns_changes() -> None:
 def test_a_wheel_without_a_transform_is_drawn_as_missing() -> None:
     transforms = link_transforms(CAR, {})
     del transforms["left_wheel"]
-    drawn = render_top(CAR, transforms, 60, 18)
-    assert ("?????????", "missing") in drawn[1]
+    drawn = render_top(PLAN, transforms, 60, 18)
+    assert (".???????????.", "missing") in drawn[0]
     assert not any("?" in text for row in drawn[2:] for text, _ in row)
 
 
 def test_nothing_but_the_root_known_still_draws_the_car_as_the_urdf_says() -> None:
-    rows = ["".join(text for text, _ in row) for row in render_top(CAR, {}, 60, 18)]
-    assert rows[2] == turned(0.0)[2]
-    assert "?" * 9 in rows[1] and "?" * 9 in rows[15]
+    rows = ["".join(text for text, _ in row) for row in render_top(PLAN, {}, 60, 18)]
+    assert rows[3] == turned(0.0)[3]
+    assert "?" * 9 in rows[1] and "?" * 9 in rows[17]
 
 
 @pytest.mark.parametrize(("columns", "rows"), SIZES[1:])
 def test_the_picture_is_to_scale(columns: int, rows: int) -> None:
     drawn = turned(0.0, columns, rows)
     top = next(row for row in drawn if "+-" in row)
-    length = top.rindex("+") - top.index("+")
-    width = 2 * sum("|" in row and "=" not in row for row in drawn[1:-1])
-    bar = drawn[-1]
-    decimetre = bar.rindex("|") - bar.index("|")
+    length = top.rindex("+") - top.index("+") + 1
+    width = 2 * (sum(row.strip().startswith("|:") for row in drawn) + 2)
+    bar, metres = drawn[-1].split()[:2]
+    decimetre = (len(bar) - 1) * 0.1 / float(metres)
     assert length / decimetre == pytest.approx(4, rel=0.08)
-    assert width / decimetre == pytest.approx(2.5, rel=0.2)
+    assert width / decimetre == pytest.approx(2.5, rel=0.1)
 
 
 def test_the_axle_says_how_wide_it_is() -> None:
-    assert any("0.30 m" in row for row in turned(0.0, 38, 10))
+    assert any("0.30 m" in row for row in turned(0.0, 44, 12))
 
 
 def test_labels_replace_the_link_names_and_chinese_takes_two_cells() -> None:
-    labels = {"left_wheel": "左轮 57°", "base_link": "底盘"}
-    drawn = render_top(CAR, link_transforms(CAR, {}), 60, 18, "half", labels)
+    labels = {"left_wheel": ("左轮", "57°"), "base_link": ("底盘",)}
+    drawn = render_top(PLAN, link_transforms(CAR, {}), 60, 18, "half", labels=labels)
     rows = ["".join(text for text, _ in row) for row in drawn]
-    assert "左轮 57°" in rows[0] and "底盘" in rows[3] and "right_wheel" in rows[16]
+    assert "左轮 57°" in rows[0] and any("底盘" in row for row in rows) and "right_wheel" in rows[17]
     assert {cell_width(row) for row in rows} == {60}
 
 
@@ -210,12 +211,19 @@ def test_a_chinese_character_that_is_half_overwritten_leaves_a_blank() -> None:
     assert "".join(text for text, _ in canvas.rows()[0]) == " || x "
 
 
-def test_in_a_low_picture_angle_and_speed_stand_beside_the_wheel_as_far_as_they_fit() -> None:
-    labels = {"left_wheel": "left_wheel 57 deg +1.00 rad/s", "right_wheel": "right_wheel 172 deg +1.00 rad/s"}
-    drawn = render_top(CAR, link_transforms(CAR, {}), 38, 10, "ascii", labels)
-    rows = ["".join(text for text, _ in row) for row in drawn]
-    assert rows[0].strip() == "==#== 57 deg +1.00 rad/s"
-    assert rows[8].strip() == "==#== 172 deg +1.00"
+def test_angle_and_speed_stand_beside_the_wheel_as_far_as_they_fit() -> None:
+    labels = {
+        "left_wheel": ("left_wheel", "57 deg", "+1.00 rad/s"),
+        "right_wheel": ("right_wheel", "172 deg", "-12.00 rad/s"),
+    }
+    for columns, left, right in (
+        (78, "(=##=) left_wheel 57 deg +1.00 rad/s", "(=##=) right_wheel 172 deg -12.00 rad/s"),
+        (38, "57 deg (=##=) +1.00 rad/s", "172 deg (=##=) -12.00 rad/s"),
+        (24, "(=##=) 57 deg", "(=##=) 172 deg"),
+    ):
+        drawn = render_top(PLAN, link_transforms(CAR, {}), columns, 10, "ascii", labels=labels)
+        rows = [" ".join("".join(text for text, _ in row).replace("|", "=").split()) for row in drawn]
+        assert (rows[0], rows[9].split(" m ")[-1]) == (left, right)
 
 
 def test_a_ball_on_a_joint_with_limits_is_an_elbow_and_no_wheel() -> None:

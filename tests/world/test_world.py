@@ -38,11 +38,11 @@ def test_cmd_vel_makes_the_car_drive_and_odom_and_tf_tell_how_far(machine: Machi
     x, y, yaw = machine.model.snapshot().pose
     assert 1.85 < x < 2.0 and y == pytest.approx(0) and yaw == pytest.approx(0)
     last = odometry[-1]
-    assert (last.header.frame_id, last.child_frame_id) == ("odom", "base_link")
+    assert (last.header.frame_id, last.child_frame_id) == ("odom", "base_footprint")
     assert last.pose.pose.position.x == pytest.approx(x)
     assert last.twist.twist.linear.x == pytest.approx(0.5)
     moved = transforms[-1].transforms[0]
-    assert (moved.header.frame_id, moved.child_frame_id) == ("odom", "base_link")
+    assert (moved.header.frame_id, moved.child_frame_id) == ("odom", "base_footprint")
     assert moved.transform.translation.x == pytest.approx(x)
 
 

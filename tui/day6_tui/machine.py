@@ -56,17 +56,8 @@ class Machine:
             self.desk.open_link()
 
     def robot_words(self, given: str | None) -> dict[str, str]:
-        """What the car scene types: `robot`, the URDF file, and `fetch`, which first copies the shipped one ('' if not needed).
-
-        The copy in the home folder is the student's own: it can be edited, and is never overwritten.
-        """
-        if given:
-            return {"robot": shlex.quote(str(Path(given).expanduser().resolve())), "fetch": ""}
-        from day6_urdf.shipped import shipped_model
-
-        model = shipped_model()
-        there = self.desk is not None and (self.desk.home / model.name).exists()
-        return {"robot": f"~/{model.name}", "fetch": "" if there else f"cp {shlex.quote(str(model))} ~"}
+        """What a scene types for `@robot@`: a launch file's argument for the URDF file `given`, nothing for the shipped one."""
+        return {"robot": f" robot:={shlex.quote(str(Path(given).expanduser().resolve()))}" if given else ""}
 
     def own_file(self, name: str) -> Path | None:
         """The file with this name in which the desktop keeps something in the home folder; None before there is one."""

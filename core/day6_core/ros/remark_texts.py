@@ -184,10 +184,7 @@ TEXTS = {
     "car.many_publishers": "{count} publishers on {topic}: {nodes}",
     "car.slow": "{topic} arrives only {rate} times a second: the eye needs about 20",
     "car.silent": "nothing on {topic} for {seconds} s",
-    "car.stays": (
-        "The wheels turn, so why does the car not move? Like RViz, this picture only draws angles. To roll on a floor: "
-        "ros2 launch day6_world world.launch.py"
-    ),
+    "car.stays": "This draws angles only. To let it drive: ros2 launch day6_world world.launch.py",
     # Below the world
     "world.waiting_for_robot": "the world is empty: nobody has published /robot_description yet",
     "world.refused": "{robot} may not enter this world:",

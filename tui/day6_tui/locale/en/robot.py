@@ -3,7 +3,7 @@
 TEXTS = {
     # the car
     "car.zoom": "zoom",
-    "car.lines": "lines",
+    "car.letters": "ASCII",
     # joint sliders
     "sliders.waiting": "Waiting for a robot on /robot_description: is robot_state_publisher running?",
     "sliders.none": "This robot has no joint that can be moved.",
@@ -19,7 +19,7 @@ TEXTS = {
     "help.car": (
         "Your robot from above, drawn from its URDF. The wheels turn as /joint_states and /tf say: if nobody publishes, nothing "
         "turns. In this picture the car stays where it is; turning wheels move nothing, just as in RViz.\n\n"
-        "+ and - enlarge and shrink the picture, the arrow keys move it, 0 shows everything, b changes the lines."
+        "+ and - enlarge and shrink the picture, the arrow keys move it, 0 shows everything, b draws it with ASCII alone."
     ),
     "help.joint_state_publisher": (
         "A slider for every joint that can move. What you set here goes to /joint_states ten times a second; "

@@ -1,10 +1,7 @@
 """The programs' remarks."""
 
 TEXTS = {
-    "car.stays": (
-        "轮子转了，车为什么不走？这张图和 RViz 一样，只画角度，不管轮子和地面。想让车真的走，"
-        "运行 ros2 launch day6_world world.launch.py"
-    ),
+    "car.stays": "图上只画转角，车不会走。想让它跑：ros2 launch day6_world world.launch.py",
     # Beside the car
     "car.waiting_for_description": "还没有人发布 /robot_description：robot_state_publisher 在运行吗？",
     "car.loading": "正在读机器人描述",

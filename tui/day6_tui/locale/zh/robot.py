@@ -3,7 +3,7 @@
 TEXTS = {
     # the car
     "car.zoom": "缩放",
-    "car.lines": "线条",
+    "car.letters": "ASCII 字符",
     # joint sliders
     "sliders.waiting": "正在等 /robot_description 上的机器人：robot_state_publisher 在运行吗？",
     "sliders.none": "这个机器人没有可以动的关节。",
@@ -19,7 +19,7 @@ TEXTS = {
     "help.car": (
         "从上往下看你的机器人，按它的 URDF 画出来。轮子按 /joint_states 和 /tf 转动：没有人发布，就没有东西转。"
         "在这幅图里小车不会走开；轮子转了车也不动，和 RViz 里一样。\n\n"
-        "+ 和 - 放大缩小，方向键移动画面，0 看全图，b 换一种线条。"
+        "+ 和 - 放大缩小，方向键移动画面，0 看全图，b 换成只用 ASCII 字符画。"
     ),
     "help.joint_state_publisher": (
         "每个能动的关节一根滑条。你在这里设的角度，每秒十次发到 /joint_states；robot_state_publisher 再把它变成"

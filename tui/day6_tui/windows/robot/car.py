@@ -1,8 +1,8 @@
-"""The car from above: `urdf.topview` draws it from the transforms of a `CarSnapshot`; problems are listed below it."""
+"""The car from above: `day6_urdf.topview` draws it from the transforms of a `CarSnapshot`; problems are listed below it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from rich.segment import Segment
@@ -11,6 +11,7 @@ from textual import events
 from textual.geometry import Region
 
 from day6_core.session.display import Window
+from day6_tui.appearance.colours import pixel_style
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import clip
 from day6_tui.panes.pane import Piece
@@ -18,7 +19,10 @@ from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.remarks import remark_lines
-from day6_urdf.topview import render_top
+from day6_tui.windows.robot.top_colours import top_colours
+from day6_urdf.topview.canvas import Row
+from day6_urdf.topview.canvas import Style as CellStyle
+from day6_urdf.topview.view import render_top
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.day6_bot.model import CarModel, CarSnapshot
@@ -28,9 +32,11 @@ if TYPE_CHECKING:
 
 
 MOST_STATUS_LINES = 4
+ROOM_FOR_EFFECTS = 24
+"""Rows of a window from which more than the first remark is shown."""
 
 FRAME_SECONDS = 0.05
-"""Twenty pictures a second: a wheel turns smoothly, and drawing it costs a millisecond each time."""
+"""Twenty pictures a second: a wheel turns smoothly, and drawing it costs a millisecond or two each time."""
 
 ZOOM = 1.25
 _ZOOMS = {"+": ZOOM, "=": ZOOM, "-": 1 / ZOOM, "_": 1 / ZOOM}
@@ -40,21 +46,23 @@ _PANS = {"left": (1, 0), "right": (-1, 0), "up": (0, 1), "down": (0, -1)}
 _ROLES = {
     "": "text",
     "chassis": "node",
+    "shade": "node",
+    "lamp": "strong",
     "body": "node",
     "wheel": "strong",
     "mark": "topic",
+    "tail": "topic",
     "caster": "muted",
     "arrow": "publisher",
     "axle": "muted",
     "label": "text",
+    "name": "text",
     "missing": "warning",
     "scale": "muted",
 }
-"""Style in `topview.STYLES` -> role in `Colours`."""
+"""Style in `topview.view.STYLES` -> role in `Colours`."""
 
 _LEVELS = {"error": "warning", "warning": "topic", "info": "muted"}
-
-Row = Sequence[tuple[str, str]]
 
 
 class CarPane(WindowPane["CarModel"]):
@@ -70,8 +78,10 @@ class CarPane(WindowPane["CarModel"]):
         self._drawn_at = 0.0
         self._zoom = 1.0
         self._shift = (0, 0)
-        self._boxes = False
-        """Box lines instead of ASCII."""
+        self._letters = False
+        """Drawn with ASCII letters, whatever the terminal shows."""
+        self._briefed = False
+        """Somebody has pressed a key here: what needs no action is not said any more."""
         self._picture: CarPicture | None = None
         """The car in real pixels, where the terminal shows them."""
 
@@ -101,19 +111,31 @@ class CarPane(WindowPane["CarModel"]):
         self._snapshot = snapshot
         self._remarks = self._remark_lines(snapshot.status)
         rows = max(0, self.inner_height - len(self._remarks))
-        if snapshot.robot is None:
-            self._rows = [()] * rows
+        if snapshot.plan is None:
+            self._rows = [[]] * rows
             return
-        glyphs = "half" if self._boxes and self.look.glyphs.unicode else "ascii"
-        if self.look.pixels is not None:
-            self._rows = [()] * rows  # the picture has them
+        if self.look.pixels is not None and not self._letters:
+            self._rows = [[]] * rows  # the picture has them
             return
-        labels = snapshot.labels(self._degree)
         self._rows = list(
             render_top(
-                snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels, self._zoom, self._shift
+                snapshot.plan,
+                snapshot.transforms,
+                self.inner_width,
+                rows,
+                self._glyphs,
+                labels=snapshot.labels(self._degree),
+                turning=snapshot.turning(FRAME_SECONDS),
+                colours=top_colours(self.look.colours),
+                zoom=self._zoom,
+                shift=self._shift,
             )
         )
+
+    @property
+    def _glyphs(self) -> str:
+        """Dots need colours: without any the car is drawn with letters, as it is if somebody asks for that."""
+        return "ascii" if self._letters or self.look.colours.colourless else self.look.glyphs.canvas
 
     @property
     def _degree(self) -> str:
@@ -123,7 +145,7 @@ class CarPane(WindowPane["CarModel"]):
         """Draw in real pixels."""
         from day6_tui.windows.robot.car_pixels import CarPicture
 
-        if snapshot.robot is None or not self.inner_width or not self._rows:
+        if snapshot.plan is None or not self.inner_width or not self._rows or self._letters:
             pictures.drop(self)
             self._picture = None
             return
@@ -132,18 +154,20 @@ class CarPane(WindowPane["CarModel"]):
         if picture is None or (picture.columns, picture.rows, picture.cell) != (*size, cell):
             picture = self._picture = CarPicture(*size, cell, self.look.colours)
             self.touch()
-        pixels = picture.pixels(snapshot.robot, snapshot.transforms, self._zoom, self._shift)
-        spans = picture.sheet.put(picture.texts(snapshot.transforms, snapshot.labels(self._degree)))
+        frame = picture.frame(snapshot.plan, self._zoom, self._shift)
+        pixels = picture.pixels(frame, snapshot.transforms, snapshot.turning(FRAME_SECONDS))
+        spans = picture.sheet.put(picture.texts(frame, snapshot.transforms, snapshot.labels(self._degree)))
         pictures.show(self, Region(self.inner_offset, self.inner_offset, *size), cell, pixels, picture.sheet.holes)
         self.touch_spans(spans)
 
     def _remark_lines(self, status: Iterable[Remark]) -> list[tuple[str, str]]:
-        """Levels and lines of the remarks.
+        """Levels and lines of the remarks: the picture comes first, so in most windows the cause alone.
 
-        In a low window the picture comes first: remarks of level "info" are left out.
+        What needs no action, of level "info", is left out in a low window, and once a key has been pressed here.
         """
-        most = max(1, self.inner_height // 5, min(MOST_STATUS_LINES, self.inner_height // 3))
-        return remark_lines(status, self.look, self.inner_width, most, info_needs_room=True)[:most]
+        most = 1 if self.inner_height < ROOM_FOR_EFFECTS else MOST_STATUS_LINES
+        wanted = [remark for remark in status if not (self._briefed and remark.level == "info")]
+        return remark_lines(wanted, self.look, self.inner_width, most, info_needs_room=True)
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)
@@ -182,19 +206,27 @@ class CarPane(WindowPane["CarModel"]):
             return [Segment(clip(text, width, self.look.glyphs.ellipsis), getattr(colours, _LEVELS[level]))]
         return []
 
-    def _style(self, name: str) -> Style:
-        style: Style = getattr(self.look.colours, _ROLES.get(name, "text"))
-        return style
+    def _style(self, style: CellStyle) -> Style:
+        if isinstance(style, tuple):
+            return pixel_style(*style)
+        named: Style = getattr(self.look.colours, _ROLES.get(style, "text"))
+        return named
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def key_hints(self) -> list[tuple[str, str]]:
-        lines = [("b", self.look.texts("car.lines"))] if self.look.glyphs.unicode else []
-        return [("+ - 0", self.look.texts("car.zoom")), *lines]
+        letters = [("b", self.look.texts("car.letters"))] if self._has_dots else []
+        return [("+ - 0", self.look.texts("car.zoom")), *letters]
+
+    @property
+    def _has_dots(self) -> bool:
+        """Whether there is anything but letters to draw with."""
+        return self.look.glyphs.unicode and not self.look.colours.colourless
 
     def _press(self, key: str, character: str) -> bool:
-        if key == "b":
-            self._boxes = not self._boxes
+        self._briefed = True
+        if key == "b" and self._has_dots:
+            self._letters = not self._letters
         elif character in _ZOOMS:
             self._zoom = min(max(self._zoom * _ZOOMS[character], 0.2), 20.0)
         elif key in _PANS:

@@ -16,8 +16,8 @@ from rich.segment import Segment
 from rich.style import Style
 
 from day6_tui.appearance.colours import Colours, background_of, pixel_style
-from day6_urdf.topplan import Body, TopPlan, Wheel, flat, hull, plan_top, spin_of, stand
-from day6_urdf.topview import tread_marks
+from day6_urdf.topview.paint import tread_marks
+from day6_urdf.topview.plan import Body, TopPlan, Wheel, flat, hull, plan_top, spin_of, stand
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.day6_world.model import Scan, Trail, WorldSnapshot

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import Surface
 from day6_tui.pixels.sheet import Sheet
-from day6_tui.windows.robot.robot_pixels import darker, paint_robot
+from day6_tui.windows.robot.robot_pixels import SurfacePainter, darker
 from day6_tui.windows.world.picture import (
     BEAM,
     FIRM,
@@ -25,7 +25,9 @@ from day6_tui.windows.world.picture import (
     nose_of,
     placing,
 )
-from day6_urdf.topplan import TopPlan, plan_top
+from day6_urdf.topview.frame import life_size
+from day6_urdf.topview.paint import STANDING, TopColours, paint_bodies, paint_casters, paint_tyre
+from day6_urdf.topview.plan import TopPlan, plan_top, spin_of
 
 if TYPE_CHECKING:
     from rich.style import Style
@@ -41,14 +43,20 @@ Spot = tuple[float, float]
 
 
 class WorldPixels:
-    """A view of `cell` pixels per cell. `colours` are by kind, as in `world_picture`."""
+    """A view of `cell` pixels per cell. `colours` are by kind, as in `world_picture`; `top` those of the robot."""
 
     def __init__(
-        self, view: WorldView, cell: tuple[int, int], scenery: Scenery, colours: Sequence[int], blank: Style
+        self,
+        view: WorldView,
+        cell: tuple[int, int],
+        scenery: Scenery,
+        colours: Sequence[int],
+        top: TopColours,
+        blank: Style,
     ) -> None:
         self.view, self.cell = view, cell
         self.sheet = Sheet(view.columns, view.rows, blank)
-        self._colours = colours
+        self._colours, self._top = colours, top
         self._width, self._height = view.columns * cell[0], view.rows * cell[1]
         self._metre = min(cell[0], cell[1] / 2) / view.scale
         """Pixels of a metre: the view takes a cell for twice as high as wide, and none is exactly that."""
@@ -128,5 +136,10 @@ class WorldPixels:
         def place(spot: Spot) -> Spot:
             return self._place(posed([spot])[0])
 
-        paint_robot(surface, plan, {**plan.rest, **snapshot.transforms()}, place, self._metre, self._colours)
+        given = {**plan.rest, **snapshot.transforms()}
+        painter = SurfacePainter(surface, place, self._metre)
+        paint_bodies(painter, plan, given, given, self._top)
+        paint_casters(painter, plan, given, given, self._top)
+        for tyre in life_size(plan, given):
+            paint_tyre(painter, tyre, spin_of(tyre.wheel, given), 1 / self._metre, given, self._top, STANDING)
         surface.polygon([place(spot) for spot in nose_of(plan)], self._colours[FIRM if snapshot.bumped else NOSE])

@@ -19,6 +19,7 @@ from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
 from day6_tui.windows.parts.remarks import remark_lines
+from day6_tui.windows.robot.top_colours import top_colours
 from day6_tui.windows.world.picture import Rows, WorldPicture, WorldView, fitting, look_of, segments
 
 if TYPE_CHECKING:
@@ -126,7 +127,9 @@ class WorldPane(WindowPane["WorldModel"]):
 
         cell, shown = pictures.cell(view.columns, view.rows), self._pixels
         if shown is None or (shown.view, shown.cell) != (view, cell):
-            shown = self._pixels = WorldPixels(view, cell, scenery, self._table, self.background)
+            shown = self._pixels = WorldPixels(
+                view, cell, scenery, self._table, top_colours(self.look.colours), self.background
+            )
         place = Region(self.inner_offset, self.inner_offset, view.columns, view.rows)
         pictures.show(self, place, cell, shown.pixels(snapshot, self.model.trail))
 

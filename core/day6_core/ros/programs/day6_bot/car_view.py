@@ -6,20 +6,24 @@ the rule of `programs/_without_screen.py`.
 
 from __future__ import annotations
 
+import math
 import textwrap
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
+from day6_core.ros.programs._robot_files import are_of_this_machine, share_folders
 from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.day6_bot.model import CarModel
 from day6_core.session.task import Signal
 from day6_core.session.threads import in_thread
 from day6_urdf.load import RobotError, load_robot
-from day6_urdf.topview import render_top
+from day6_urdf.topview.plan import TopPlan, plan_top
+from day6_urdf.topview.view import render_top
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
-    from day6_urdf.model import Robot
+    from day6_urdf.model import Vector
 
 REFRESH_SECONDS = 0.5
 """How often to look at who publishes /joint_states; the picture itself follows every message."""
@@ -29,6 +33,11 @@ SETTLE_SECONDS = 2.0
 
 SPEED_SECONDS = 0.5
 """And how long at least, so that speeds have been measured."""
+
+
+DIRECTIONS = 16
+TILTS = (-1.2, -0.6, 0.0, 0.6, 1.2)
+"""Directions around the vertical, and angles to the level (radians), in which the corners of a mesh are looked for."""
 
 
 async def main(session: Session) -> int:
@@ -55,18 +64,39 @@ async def _read_descriptions(session: Session, model: CarModel, arrived: Signal)
         arrived.clear()
         text = model.waiting_description
         if text is not None:
-            robot, problem = await in_thread(lambda text=text: _read(text))  # type: ignore[misc]
+            # What the thread may use of the session is copied now.
+            trusted = are_of_this_machine(session, model.is_description)
+            read = partial(_read, text, share_folders(session), trusted)
+            plan, problem = await in_thread(read)
             if not arrived.is_set():
-                model.show(robot, problem)
+                model.show(plan, problem)
 
 
-def _read(text: str) -> tuple[Robot | None, str]:
+def _read(text: str, share_of: Callable[[str], str], trusted: bool) -> tuple[TopPlan | None, str]:
     try:
         robot = load_robot(text)
     except RobotError as error:
         return None, str(error)
-    loop = robot.loop
-    return (None, f"the links form a loop: {' -> '.join(loop)}") if loop else (robot, "")
+    if robot.loop:
+        return None, f"the links form a loop: {' -> '.join(robot.loop)}"
+    return plan_top(robot, partial(_outermost, share_of, trusted)), ""
+
+
+def _outermost(share_of: Callable[[str], str], trusted: bool, name: str) -> Sequence[Vector]:
+    """The corners of a mesh that stick out farthest, about its bounding hull; none if it cannot be read."""
+    from day6_core.ros.programs.rviz2.model.meshes import MeshStore
+
+    try:
+        vertices = MeshStore(share_of, anywhere=trusted).read(name).vertices
+    except (OSError, ValueError, MemoryError):
+        return ()
+    turns = [2 * math.pi * step / DIRECTIONS for step in range(DIRECTIONS)]
+    found = {}
+    for x, y, z in ((math.cos(a) * math.cos(b), math.sin(a) * math.cos(b), math.sin(b)) for a in turns for b in TILTS):
+        if len(vertices):
+            index = int((vertices @ (x, y, z)).argmax())
+            found[index] = (float(vertices[index][0]), float(vertices[index][1]), float(vertices[index][2]))
+    return list(found.values())
 
 
 async def _refresh(session: Session, model: CarModel) -> None:
@@ -83,9 +113,12 @@ async def _print(session: Session, model: CarModel) -> int:
         if (whole and moment.rate is not None and step * 0.1 >= SPEED_SECONDS) or not patient:
             break
     moment = model.snapshot()
-    if moment.robot is not None:
+    if moment.plan is not None:
         columns = max(min(session.stdout.columns, 80), 20)
-        for row in render_top(moment.robot, moment.transforms, columns, columns * 3 // 10, labels=moment.labels()):
+        labels, turning = moment.labels(), moment.turning(0.0)
+        for row in render_top(
+            moment.plan, moment.transforms, columns, columns * 3 // 10, labels=labels, turning=turning
+        ):
             session.print("".join(text for text, _ in row).rstrip())
     for line in moment.status:
         for text in textwrap.wrap(line.text, max(session.stdout.columns, 20), break_long_words=False):

@@ -21,10 +21,12 @@ from day6_core.ros.programs.day6_bot._joints import JointReading, JointReadings,
 from day6_core.ros.programs.day6_bot._status import SILENT_S, CarStatus, JointStateFacts, status_lines
 from day6_urdf.kinematics import Transform
 from day6_urdf.model import MOVING_TYPES, Robot
-from day6_urdf.topplan import find_wheels, steering_of
+from day6_urdf.topview.paint import Turning
+from day6_urdf.topview.plan import TopPlan, steering_of
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 if TYPE_CHECKING:
+    from day6_core.graph import Endpoint
     from rclpy.node import Node
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -37,33 +39,49 @@ class CarSnapshot:
     """One moment. `transforms` are by link, in the root link's frame; links without a transform are not in it."""
 
     version: int = 0
-    robot: Robot | None = None
+    plan: TopPlan | None = None
     transforms: Mapping[str, Transform] = field(default_factory=dict)
     joints: tuple[JointReading, ...] = ()
     rate: float | None = None
     """Messages a second on /joint_states; None when there are none."""
     status: tuple[CarStatus, ...] = ()
 
-    def labels(self, degree: str = " deg") -> dict[str, str]:
-        """Return by link what stands beside a wheel: its name, the angle (0 to 360 degrees) and speed of its joint.
+    @property
+    def robot(self) -> Robot | None:
+        """The robot of the newest description that could be read."""
+        return self.plan.robot if self.plan is not None else None
+
+    def labels(self, degree: str = " deg") -> dict[str, tuple[str, ...]]:
+        """Return by link what stands beside it: its name, then position and speed of its joint (0 to 360 degrees, or metres).
 
         A wheel that can be steered shows how far it is turned aside as well, left being positive.
         """
-        texts: dict[str, str] = {}
+        if self.plan is None:
+            return {}
+        texts: dict[str, tuple[str, ...]] = {}
         readings = {reading.name: reading for reading in self.joints}
-        for joint in self.robot.joints if self.robot is not None else ():
+        for joint in self.plan.robot.joints:
             reading = readings.get(joint.name)
-            if reading is not None and joint.type in ("continuous", "revolute"):
+            if reading is not None and joint.type == "prismatic":
+                texts[joint.child] = joint.child, f"{reading.position:.2f} m", f"{reading.speed:+.2f} m/s"
+            elif reading is not None and joint.type in ("continuous", "revolute"):
                 angle = math.degrees(reading.position) % 360
-                texts[joint.child] = f"{joint.child} {angle:.0f}{degree} {reading.speed:+.2f} rad/s"
-        for wheel in find_wheels(self.robot) if self.robot is not None else ():
-            steering = steering_of(self.robot, wheel) if self.robot is not None else None
+                texts[joint.child] = joint.child, f"{angle:.0f}{degree}", f"{reading.speed:+.2f} rad/s"
+        for wheel in self.plan.wheels:
+            steering = steering_of(self.plan.robot, wheel)
             reading = readings.get(steering.name) if steering is not None else None
             if reading is not None:
                 aside = math.degrees(math.remainder(reading.position, 2 * math.pi))
                 link = wheel.joint.child
-                texts[link] = f"{texts.get(link, link)} <{aside:+.0f}{degree}>"
+                texts[link] = *texts.get(link, (link,)), f"<{aside:+.0f}{degree}>"
         return texts
+
+    def turning(self, frame_seconds: float) -> Turning:
+        """How fast the wheels turn as measured, for pictures that are drawn every `frame_seconds` at most."""
+        speeds = {reading.name: reading.speed for reading in self.joints}
+        wheels = self.plan.wheels if self.plan is not None else ()
+        gap = max(frame_seconds, 1 / self.rate if self.rate else 0.0)
+        return Turning({w.joint.child: speeds.get(w.joint.name, 0.0) for w in wheels}, gap)
 
 
 class CarModel:
@@ -80,9 +98,9 @@ class CarModel:
         self._snapshot = CarSnapshot()
         self._prefix: str = node.declare_parameter("tf_prefix", "").value
         self._joint_states = node.resolve_topic_name("joint_states")
+        self._description_topic = node.resolve_topic_name("robot_description")
         self._known = frozenset[str]()
         self._turning = frozenset[str]()
-        self._wheels = 0
         self._problem = ""
         self._last_heard: Moment | None = None
         self._publishers: tuple[tuple[str, str], ...] = ()
@@ -98,6 +116,10 @@ class CarModel:
         )
         self.refresh()
 
+    def is_description(self, endpoint: Endpoint) -> bool:
+        """Whether an endpoint of the graph is of the topic that the robot comes by."""
+        return endpoint.topic == self._description_topic
+
     def snapshot(self) -> CarSnapshot:
         """Return the newest moment (any thread)."""
         return self._snapshot
@@ -107,15 +129,15 @@ class CarModel:
         """Grows whenever something that can be seen changed (any thread)."""
         return self._snapshot.version
 
-    def show(self, robot: Robot | None, problem: str = "") -> None:
+    def show(self, plan: TopPlan | None, problem: str = "") -> None:
         """The waiting description has been read: this is its robot, or this is why there is none."""
         self.waiting_description = None
         self._problem = problem
-        if robot is not None:
+        if plan is not None:
+            robot = plan.robot
             self._known = frozenset(joint.name for joint in robot.joints if joint.type in MOVING_TYPES)
             self._turning = frozenset(j.name for j in robot.joints if j.type in ("continuous", "revolute"))
-            self._wheels = len(find_wheels(robot))
-        self._swap(robot=robot)
+        self._swap(plan=plan)
         self._place_links()
         self.refresh()
 
@@ -159,7 +181,7 @@ class CarModel:
             self._judge(self._now())
 
     def _judge(self, now: Moment) -> None:
-        robot = self._snapshot.robot
+        plan, robot = self._snapshot.plan, self._snapshot.robot
         links = robot.links if robot is not None else ()
         missing = [link.name for link in links if link.name not in self._snapshot.transforms]
         facts = JointStateFacts(
@@ -167,7 +189,7 @@ class CarModel:
             loading=self.waiting_description is not None,
             problem=self._problem,
             joints=self._known,
-            wheels=self._wheels,
+            wheels=len(plan.wheels) if plan is not None else 0,
             missing=tuple(missing),
             root=robot.root if robot is not None else "",
             publishers=self._publishers,
@@ -188,8 +210,8 @@ class CarModel:
 
     def _is_rolling(self) -> bool:
         """Whether wheels turn, as far as is known."""
-        robot = self._snapshot.robot
-        wheels = {wheel.joint.name for wheel in find_wheels(robot)} if robot is not None else set()
+        plan = self._snapshot.plan
+        wheels = {wheel.joint.name for wheel in plan.wheels} if plan is not None else set()
         return any(reading.name in wheels and abs(reading.speed) > 0.05 for reading in self._snapshot.joints)
 
     def _swap(self, **changes: Any) -> None:

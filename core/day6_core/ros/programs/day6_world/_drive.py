@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from day6_urdf.kinematics import link_transforms
 from day6_urdf.model import Robot
-from day6_urdf.topplan import Wheel, find_wheels, stand, steering_of
+from day6_urdf.topview.plan import Wheel, find_wheels, stand, steering_of
 
 FASTEST = 40.0
 """Radians per second of a wheel whose joint has no velocity limit."""

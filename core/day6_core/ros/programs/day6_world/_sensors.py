@@ -14,7 +14,7 @@ from tf2_msgs.msg import TFMessage
 
 from day6_core.ros.programs.day6_world._simulation import STEP, Place, Simulation
 from day6_core.ros.programs.day6_world.model import Scan
-from day6_urdf.topplan import plan_top
+from day6_urdf.topview.plan import plan_top
 from rclpy.qos import QoSProfile
 
 if TYPE_CHECKING:

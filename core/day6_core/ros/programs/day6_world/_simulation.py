@@ -15,7 +15,7 @@ from day6_core.ros.programs.day6_world.scenery import Scenery
 from day6_core.ros.programs.day6_world.shapes import Outline, RayCaster, distance, overlap
 from day6_urdf.kinematics import Transform, compose, link_transforms, rotate
 from day6_urdf.model import Box, Collision, Cylinder, Pose, Robot, Sphere
-from day6_urdf.topplan import hull
+from day6_urdf.topview.plan import hull
 
 STEP = 0.02
 """Seconds of one step: 50 a second."""

@@ -6,8 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from day6_core.graph import EndpointKind
-from day6_core.link.remote import lives_here
+from day6_core.ros.programs._robot_files import are_of_this_machine, share_folders
 from day6_core.session.threads import in_thread
 from day6_core.whole_file import replace_file
 
@@ -32,7 +31,7 @@ class Reader:
         """
         session, rviz = self._session, self._rviz
         # What the thread may use of the session is copied now.
-        share_of = self._packages()
+        share_of = share_folders(self._session)
         folder = (session.cwd / source).parent if source else None
 
         def work() -> Any:
@@ -57,7 +56,7 @@ class Reader:
 
     def mesh(self, uri: str, trusted: bool, done: Callable[[Any], None]) -> None:
         """Read one mesh of a marker; `trusted` as for a robot. Calls `done` with its MeshData, None if it cannot be read."""
-        share_of = self._packages()
+        share_of = share_folders(self._session)
 
         def work() -> Any:
             from day6_core.ros.programs.rviz2.model.meshes import MeshStore
@@ -75,27 +74,7 @@ class Reader:
 
     def is_of_this_machine(self, gid: bytes | None) -> bool:
         """Whether a publisher belongs to this process, or to another one of this user on this machine."""
-        graph = self._session.graph
-        if graph is None or gid is None:
-            return False
-        for publisher in graph.endpoints(EndpointKind.PUBLISHER):
-            if publisher.gid == gid:
-                return publisher.origin is None or lives_here(publisher.origin, graph.domain_id)
-        return False
-
-    def _packages(self) -> Callable[[str], str]:
-        """What finds a package's share folder as this program's environment is now; for any thread."""
-        from ament_index_python.packages import get_package_share_directory
-
-        environment = dict(self._session.env)
-
-        def share_of(package: str) -> str:
-            try:
-                return get_package_share_directory(package, False, environment)
-            except ValueError as error:
-                raise LookupError(str(error)) from None
-
-        return share_of
+        return gid is not None and are_of_this_machine(self._session, lambda publisher: publisher.gid == gid)
 
     def file(self, name: str, done: Callable[[str], None]) -> None:
         """Read a text file; one that cannot be read is empty, as for RViz."""

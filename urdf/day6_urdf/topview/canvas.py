@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import unicodedata
+from functools import lru_cache
 from itertools import groupby
 from operator import itemgetter
 
-Run = tuple[str, str]
-"""Text and the name of its style."""
+Style = str | tuple[int, int]
+"""The name of a style, or two colours 0xRRGGBB (-1: the terminal's own): of the characters, and of what is behind them."""
+Run = tuple[str, Style]
+"""Text and its style."""
 Row = list[Run]
 
 
@@ -16,6 +19,7 @@ def cell_width(text: str) -> int:
     return sum(_width(character) for character in text)
 
 
+@lru_cache(maxsize=4096)
 def _width(character: str) -> int:
     if unicodedata.combining(character) or unicodedata.category(character) in ("Cf", "Mn", "Me"):
         return 0
@@ -31,13 +35,13 @@ class Canvas:
         # A cell has a text ('' for the second half of a wide character) and a style.
         self._cells: list[list[Run]] = [[(" ", "")] * self.width for _ in range(self.height)]
 
-    def put(self, column: int, row: int, character: str, style: str) -> None:
+    def put(self, column: int, row: int, character: str, style: Style) -> None:
         """Set one cell to a narrow character."""
         if 0 <= row < self.height and 0 <= column < self.width:
             self._clear_wide(column, row)
             self._cells[row][column] = (character, style)
 
-    def text(self, column: int, row: int, text: str, style: str) -> None:
+    def text(self, column: int, row: int, text: str, style: Style) -> None:
         """Write text from a cell to the right; characters that do not fit completely are omitted."""
         if not 0 <= row < self.height:
             return
@@ -57,7 +61,7 @@ class Canvas:
             return False
         return all(text == " " for text, _ in self._cells[row][column : column + width])
 
-    def box(self, left: int, top: int, right: int, bottom: int, lines: str, style: str) -> None:
+    def box(self, left: int, top: int, right: int, bottom: int, lines: str, style: Style) -> None:
         """Draw a rectangle; `lines` are its four corners row by row, then the horizontal and the vertical line."""
         for column in range(left, right + 1):
             self.put(column, top, lines[4], style)
@@ -70,7 +74,7 @@ class Canvas:
         ):
             self.put(column, row, character, style)
 
-    def line(self, column: int, row: int, to_column: int, to_row: int, lines: str, style: str) -> None:
+    def line(self, column: int, row: int, to_column: int, to_row: int, lines: str, style: Style) -> None:
         """Draw a straight line with the character closest to its slope."""
         across, down = to_column - column, to_row - row
         steps = max(abs(across), abs(down))

@@ -3,44 +3,72 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import product
 
 from day6_urdf.kinematics import Transform, compose, inverse, link_transforms, multiply, rotate
-from day6_urdf.model import Box, Collision, Cylinder, Joint, Link, Mesh, Pose, Robot, Sphere, Vector, Visual
+from day6_urdf.model import (
+    MOVING_TYPES,
+    Box,
+    Collision,
+    Cylinder,
+    Joint,
+    Link,
+    Mesh,
+    Pose,
+    Robot,
+    Sphere,
+    Vector,
+    Visual,
+)
 
 
 @dataclass(frozen=True, slots=True)
 class Wheel:
-    """A wheel: its joint, its radius and width in metres, whether it is a ball, and its centre in the link's frame."""
+    """A wheel: its joint, radius and width in metres, whether it is a ball, its centre in the link's frame, 0xRRGGBB or -1."""
 
     joint: Joint
     radius: float
     width: float
     ball: bool
     center: Pose
+    colour: int = -1
 
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """A shape that isn't a wheel: the points of its outline in the link's frame, or a centre and `radius`, in metres."""
+    """A shape that isn't a wheel: the points of its outline in the link's frame, or a centre and `radius`, in metres.
+
+    `style` is 'chassis' for the largest one, 'caster' for balls, else 'body'. `colour` is the URDF's, 0xRRGGBB, or -1.
+    """
 
     link: str
     style: str
     points: tuple[Vector, ...]
     radius: float = 0.0
+    colour: int = -1
 
 
 @dataclass(frozen=True, slots=True)
 class TopPlan:
-    """The parts of a robot drawn from above, and its bounds at rest: left, bottom, right, top (metres, root frame)."""
+    """The parts of a robot drawn from above, and its bounds: left, bottom, right, top (metres, root frame).
+
+    The bounds hold the robot at rest and, for the first few joints that carry no wheel, at their limits.
+    """
 
     robot: Robot
     rest: dict[str, Transform]
     wheels: tuple[Wheel, ...]
     bodies: tuple[Body, ...]
     bounds: tuple[float, float, float, float]
+
+
+MeshPoints = Callable[[str], Sequence[Vector]]
+"""The corners of a mesh by the name that the URDF has for it, unscaled (metres, the shape's frame); none if it can't be read."""
+
+_SWEPT_JOINTS = 8
+"""So many joints of an arm are tried out for the bounds; each costs two poses of the whole robot."""
 
 
 def find_wheels(robot: Robot) -> list[Wheel]:
@@ -68,12 +96,21 @@ def _wheel_of(joint: Joint, link: Link) -> Wheel | None:
     for part in parts:
         shape = part.geometry
         if isinstance(shape, Sphere) and joint.type == "continuous":
-            return Wheel(joint, shape.radius, 2 * shape.radius, True, part.origin)
+            return Wheel(joint, shape.radius, 2 * shape.radius, True, part.origin, _colour(part))
         if isinstance(shape, Cylinder):
             along = rotate(part.origin.rotation, (0.0, 0.0, 1.0))
             if abs(sum(a * b for a, b in zip(along, joint.axis, strict=True))) > 0.9 * length:
-                return Wheel(joint, shape.radius, shape.length, False, part.origin)
+                return Wheel(joint, shape.radius, shape.length, False, part.origin, _colour(part))
     return None
+
+
+def _colour(part: Visual | Collision) -> int:
+    """0xRRGGBB of a visual's material, -1 if it has none."""
+    color = part.material.color if isinstance(part, Visual) and part.material is not None else None
+    if color is None:
+        return -1
+    red, green, blue = (round(255 * min(max(share, 0.0), 1.0)) for share in color[:3])
+    return red << 16 | green << 8 | blue
 
 
 def steering_of(robot: Robot, wheel: Wheel) -> Joint | None:
@@ -100,38 +137,56 @@ def spin_of(wheel: Wheel, transforms: Mapping[str, Transform]) -> float:
     return math.remainder(angle, 2 * math.pi)
 
 
-def plan_top(robot: Robot) -> TopPlan:
-    """Return the parts of a robot to draw; `render_top` calls it once per robot, not for every frame."""
+def plan_top(robot: Robot, mesh_points: MeshPoints = lambda name: ()) -> TopPlan:
+    """Return the parts of a robot to draw: once per robot, not for every picture."""
     rest = link_transforms(robot, {})
     wheels = tuple(find_wheels(robot))
     rolling = {wheel.joint.child for wheel in wheels}
-    bodies = [body for link in robot.links if link.name in rest and link.name not in rolling for body in _bodies(link)]
+    bodies = [
+        body
+        for link in robot.links
+        if link.name in rest and link.name not in rolling
+        for visual in link.visuals
+        for body in _bodies(link.name, visual, mesh_points)
+    ]
     if bodies:
         largest = max(bodies, key=lambda body: _area(body, rest[body.link]))
-        bodies = [_as_chassis(body) if body.link == largest.link and body.style == "body" else body for body in bodies]
-    return TopPlan(robot, rest, wheels, tuple(bodies), _bounds(wheels, bodies, rest))
+        chassis = largest.link
+        bodies = [replace(b, style="chassis") if b.link == chassis and b.style == "body" else b for b in bodies]
+    poses = (rest, *_swept(robot, rolling))
+    sides = list(zip(*(_bounds(wheels, bodies, pose) for pose in poses), strict=True))
+    return TopPlan(robot, rest, wheels, tuple(bodies), (min(sides[0]), min(sides[1]), max(sides[2]), max(sides[3])))
 
 
-def _bodies(link: Link) -> list[Body]:
-    bodies = []
-    for visual in link.visuals:
-        shape, origin = visual.geometry, visual.origin
-        if isinstance(shape, Sphere):
-            bodies.append(Body(link.name, "caster", (origin.xyz,), shape.radius))
-        elif isinstance(shape, Cylinder) and abs(rotate(origin.rotation, (0.0, 0.0, 1.0))[2]) > 0.9:
-            bodies.append(Body(link.name, "body", (origin.xyz,), shape.radius))
-        elif isinstance(shape, (Box, Cylinder)):
-            size = shape.size if isinstance(shape, Box) else (2 * shape.radius, 2 * shape.radius, shape.length)
-            signs = product((-0.5, 0.5), repeat=3)
-            corners = [(x * size[0], y * size[1], z * size[2]) for x, y, z in signs]
-            bodies.append(Body(link.name, "body", tuple(compose(origin, Pose(corner)).xyz for corner in corners)))
-        elif isinstance(shape, Mesh):
-            bodies.append(Body(link.name, "body", (origin.xyz,)))  # its size is in another file: a point
-    return bodies
+def _bodies(link: str, visual: Visual, mesh_points: MeshPoints) -> Iterator[Body]:
+    shape, origin, colour = visual.geometry, visual.origin, _colour(visual)
+    if isinstance(shape, Sphere):
+        yield Body(link, "caster", (origin.xyz,), shape.radius, colour)
+    elif isinstance(shape, Cylinder) and abs(rotate(origin.rotation, (0.0, 0.0, 1.0))[2]) > 0.9:
+        yield Body(link, "body", (origin.xyz,), shape.radius, colour)
+    elif isinstance(shape, Mesh):
+        points = [_scaled(point, shape.scale) for point in mesh_points(shape.filename)]
+        # Without its file a mesh is where it would be: a point.
+        yield Body(
+            link, "body", tuple(compose(origin, Pose(point)).xyz for point in points) or (origin.xyz,), 0.0, colour
+        )
+    else:
+        size = shape.size if isinstance(shape, Box) else (2 * shape.radius, 2 * shape.radius, shape.length)
+        corners = [_scaled(signs, size) for signs in product((-0.5, 0.5), repeat=3)]
+        yield Body(link, "body", tuple(compose(origin, Pose(corner)).xyz for corner in corners), 0.0, colour)
 
 
-def _as_chassis(body: Body) -> Body:
-    return Body(body.link, "chassis", body.points, body.radius)
+def _scaled(point: Sequence[float], scale: Vector) -> Vector:
+    return point[0] * scale[0], point[1] * scale[1], point[2] * scale[2]
+
+
+def _swept(robot: Robot, rolling: set[str]) -> Iterator[Mapping[str, Transform]]:
+    """The robot with each of its first joints that carry no wheel at either end of its way."""
+    moving = [joint for joint in robot.joints if joint.type in MOVING_TYPES and joint.child not in rolling]
+    for joint in moving[:_SWEPT_JOINTS]:
+        ends = (joint.limit.lower, joint.limit.upper) if joint.limit is not None else (-math.pi / 2, math.pi / 2)
+        for end in ends:
+            yield link_transforms(robot, {joint.name: min(max(end, -math.pi), math.pi)})
 
 
 def _area(body: Body, transform: Transform) -> float:
