@@ -106,8 +106,8 @@ def test_the_desktop_stays_alive_whatever_is_typed(place: Place) -> None:
 @pytest.mark.parametrize(
     ("robot", "words"),
     [
-        ("missing.urdf", ("No such file or directory", "Aborted")),
-        ("broken.urdf", ("Failed to parse robot description", "Aborted")),
+        ("missing.urdf", ("Caught exception in launch", "No such file")),
+        ("broken.urdf", ("process has died", "was required")),
     ],
 )
 def test_a_robot_that_cannot_be_read_ends_the_scene_with_the_reason(

@@ -22,7 +22,7 @@ pytestmark = pytest.mark.person
 GONE_SECONDS = 2.0
 """So long at most a killed program's node is still listed."""
 
-SPINS = re.compile(r"left_wheel +(-?\d+)° ([+-]\d\.\d\d) rad/s")
+SPINS = re.compile(r"left_wheel +(-?\d+)° .*?([+-]\d\.\d\d) rad/s")
 """What stands beside the left wheel: its angle and speed."""
 
 CAR = (

@@ -48,13 +48,13 @@ class _Stage:
         self.done.append(f"({text})")
 
 
-def _player(scene: str, stage: _Stage, fetch: str = "", *, visibly: bool = True) -> ScenePlayer:
-    actions = filled(list(scenes()[scene].actions), {"robot": "~/car.urdf", "fetch": fetch})
+def _player(scene: str, stage: _Stage, robot: str = "", *, visibly: bool = True) -> ScenePlayer:
+    actions = filled(list(scenes()[scene].actions), {"robot": robot})
     return ScenePlayer(actions, stage, Steering(seen=visibly))
 
 
-def _play(scene: str, stage: _Stage, fetch: str = "", *, visibly: bool = True) -> float:
-    player = _player(scene, stage, fetch, visibly=visibly)
+def _play(scene: str, stage: _Stage, robot: str = "", *, visibly: bool = True) -> float:
+    player = _player(scene, stage, robot, visibly=visibly)
     now = 1000.0
     while not player.done:
         player.advance(now)
@@ -84,17 +84,12 @@ def test_a_program_that_failed_ends_the_scene_sooner() -> None:
     assert _play("turtle", stage, visibly=False) < 3
 
 
-def test_the_car_scene_copies_the_model_only_if_there_is_none() -> None:
-    with_copy, without = _Stage(), _Stage()
-    _play("car", with_copy, fetch="cp model ~", visibly=False)
-    _play("car", without, visibly=False)
-    assert with_copy.done[:3] == [
-        "[idle]",
-        "cp model ~\r",
-        "ros2 run robot_state_publisher robot_state_publisher ~/car.urdf\r",
-    ]
-    assert without.done[1:] == with_copy.done[2:]
-    assert without.done[-1] == "ros2 run day6_bot wheel_spinner\r"
+@pytest.mark.parametrize("robot", ["", " robot:='/my robot.urdf'"])
+def test_the_car_scene_types_what_a_teacher_would_show(robot: str) -> None:
+    stage = _Stage()
+    _play("car", stage, robot, visibly=False)
+    launch, spin = f"ros2 launch day6_bot car.launch.py{robot}\r", "ros2 run day6_bot wheel_spinner\r"
+    assert stage.done == ["[idle]", launch, "[new]", spin]
 
 
 def test_in_a_hurry_a_command_is_typed_at_once() -> None:
