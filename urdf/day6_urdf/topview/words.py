@@ -66,6 +66,10 @@ class _Room:
             return False
         return all(end + 1 <= column or column + width + 1 <= start for start, end in self._taken[row])
 
+    def holds(self, words: Sequence[Word]) -> bool:
+        """Whether there is room for all of these."""
+        return all(self.is_free(word.column, word.row, cell_width(word.text)) for word in words)
+
     def put(self, word: Word) -> bool:
         """Take the cells of a text; False, and nothing is taken, where they are not free."""
         width = cell_width(word.text)
@@ -82,13 +86,17 @@ def words_of(frame: TopFrame, given: Mapping[str, Transform], labels: Labels) ->
     tyres = frame.tyres(at)
     room = _Room(frame, tyres, at)
     words = [*_axle_words(frame, tyres, at), *_name_of_the_chassis(frame, at, labels)]
+    choices = []
     for tyre in tyres:
         link = tyre.wheel.joint.child
         role = "label" if is_known(plan, link, given) else "missing"
-        parts = labels.get(link, (link,))
-        for choice in _places(frame, tyre, parts, role):
-            if choice and all(room.is_free(word.column, word.row, cell_width(word.text)) for word in choice):
-                words += [word for word in choice if room.put(word)]
+        choices.append(list(_places(frame, tyre, labels.get(link, (link,)), role)))
+    # The same place at all wheels, if there is one; else what there is at each.
+    common = next((place for place in zip(*choices, strict=False) if all(map(room.holds, place))), ())
+    for number, choice in enumerate(choices):
+        for place in [*common[number : number + 1], *choice]:
+            if room.holds(place):
+                words += [word for word in place if room.put(word)]
                 break
     wheels = {tyre.wheel.joint.child for tyre in tyres}
     others = [(link, parts) for link, parts in labels.items() if link not in wheels and len(parts) > 1]

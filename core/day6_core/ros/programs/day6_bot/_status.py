@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+from collections import Counter
 from dataclasses import dataclass
 
 from day6_core.ros.programs.remark import Remark
@@ -76,9 +77,8 @@ def _publisher_lines(facts: JointStateFacts) -> list[CarStatus]:
     if not facts.publishers:
         lines.append(status("warning", "car.no_joint_states", topic=facts.topic))
     elif len(nodes) > 1:
-        lines.append(
-            status("warning", "car.many_publishers", topic=facts.topic, count=len(nodes), nodes=", ".join(nodes))
-        )
+        names = ", ".join(f"{name} x{number}" if number > 1 else name for name, number in Counter(nodes).items())
+        lines.append(status("warning", "car.many_publishers", topic=facts.topic, count=len(nodes), nodes=names))
     if nodes and facts.silent_s is not None and facts.silent_s >= SILENT_S:
         lines.append(status("warning", "car.silent", topic=facts.topic, seconds=int(facts.silent_s)))
     elif nodes and facts.rate is not None and facts.rate < SLOW_HZ:
