@@ -29,6 +29,10 @@ class Window(Generic[Model]):
         self.closed = False
         self.chosen = False
         """Whether a person has just asked for it, by its command or in another window, and so expects the keyboard in it."""
+        self.command = 0
+        """The pid of what was started to open it: of its program, or of the launch that runs its program."""
+        self.is_launched = False
+        """Whether that is a launch: its windows belong together."""
         self.on_close: Callable[[], None] | None = None
         """Called when the user closes the window (any thread); `Session.display` sets it to end the program."""
         self._display = display
@@ -85,14 +89,21 @@ class Display:
 class ProgramDisplay(Display):
     """One program's view of a display: its windows are closed when it ends, and closing one interrupts it."""
 
-    def __init__(self, display: Display, on_close: Callable[[], None]) -> None:
+    def __init__(self, display: Display, on_close: Callable[[], None], pid: int = 0) -> None:
         super().__init__()
         self._display = display
         self._on_close = on_close
+        self._command = pid
+        self._is_launched = False
+
+    def belong_to(self, launch: int) -> None:
+        """The program runs for the launch with this pid."""
+        self._command, self._is_launched = launch, True
 
     def open(self, kind: str, title: str, model: Opened, *, chosen: bool = False) -> Window[Opened]:
         """Open a window on the machine's display; when the user closes it, the program is interrupted."""
         window = self._display.open(kind, title, model, chosen=chosen)
+        window.command, window.is_launched = self._command, self._is_launched
         window.on_close = self._on_close
         with self._lock:
             self._windows.append(window)

@@ -92,7 +92,7 @@ class Session:
         self.stdin: InputStream = InputStream() if stdin is None else stdin
         self.stdout: OutputStream = OutputStream() if stdout is None else stdout
         self.stderr: OutputStream = OutputStream() if stderr is None else stderr
-        self.display: Display | None = None if display is None else ProgramDisplay(display, self.interrupt)
+        self.display: Display | None = None if display is None else ProgramDisplay(display, self.interrupt, pid)
         self.background = False
         """Whether no shell waits for it: it was launched, or started with `&`, or without a terminal."""
         self.host: Host | None = None

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import random
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from day6_tui.panes.placement import OTHER, TERMINAL, PaneNeeds, arranged, best_spot
+from day6_tui.panes.placement import OTHER, TERMINAL, PaneNeeds, Room, arranged, put
 from day6_tui.panes.splits import SIDES, Extent, Layout, Split, Stack, Tree
 from day6_tui.windows import pane_class
 
@@ -17,8 +19,8 @@ def needs_of(kind: str) -> PaneNeeds:
     return OTHER if kind == "other" else pane_class(kind).needs
 
 
-def wish(key: int) -> Extent:
-    return Extent(40, 12)
+def wish(key: int) -> PaneNeeds:
+    return TERMINAL
 
 
 def fills(layout: Layout, width: int, height: int) -> bool:
@@ -109,16 +111,17 @@ def test_the_neighbour_is_the_pane_beside_and_of_several_the_one_used_last() -> 
     assert layout.neighbour(1, "left") is None and layout.neighbour(2, "right") is None
 
 
-def place(size: tuple[int, int], *kinds: str) -> tuple[Layout, list[int]]:
-    """Open panes one after the other: terminals (T) take the keyboard, windows do not."""
+def place(size: tuple[int, int], *kinds: str, launch: dict[int, int] | None = None) -> tuple[Layout, list[int]]:
+    """Open panes one after the other: terminals (T) take the keyboard, windows do not; `launch` says which came with which."""
     tree, recent = Tree(), []
     needs = {number: TERMINAL if kind == "T" else needs_of(kind) for number, kind in enumerate(kinds, 1)}
     for number, kind in enumerate(kinds, 1):
         keyboard = recent[0] if recent else None
         recent.insert(0 if kind == "T" else 1, number)
-        spot = best_spot(tree, number, Extent(*size), needs.__getitem__, recent, keyboard=keyboard)
-        tree.add(number, *(spot or (None, "right")))
-    return tree.lay_out(*size, lambda key: needs[key].good, recent), recent
+        family = (launch or {}).get
+        room = Room(Extent(*size), needs.__getitem__, recent, keyboard, lambda key, family=family: family(key, 0))
+        tree = put(tree, number, room)
+    return tree.lay_out(*size, needs.__getitem__, recent), recent
 
 
 def test_on_a_small_screen_turtle_teleop_and_echo_are_seen_together() -> None:
@@ -141,6 +144,73 @@ def test_sliders_and_inspector_do_not_push_rviz_off(size) -> None:
     assert 3 in layout.places and layout.places[3].width >= 60
 
 
+def test_windows_of_one_launch_are_never_tabs_of_one_place() -> None:
+    for kinds in (
+        ("T", "turtlesim", "T", "T", "rviz2", "joint_state_publisher"),
+        ("T", "turtlesim", "T", "T", "joint_state_publisher", "rviz2"),
+        ("T", "rqt_graph", "turtlesim", "T", "turtlesim", "turtlesim"),
+    ):
+        launched = dict.fromkeys((len(kinds) - 1, len(kinds)), 7)
+        for size in ((80, 22), (120, 38)):
+            layout, _ = place(size, *kinds, launch=launched)
+            assert set(launched) <= layout.places.keys(), (kinds, size)
+            assert layout.places.keys() & {1, 3, 4}, "and the terminal is seen, too"
+
+
+def test_a_window_takes_the_place_of_what_was_used_least_recently() -> None:
+    layout, recent = place((80, 22), "T", "turtlesim", "T", "T", "rqt_graph", "rqt_graph")
+    assert layout.places.keys() >= {recent[0], 6}
+    for size in ((80, 22), (120, 38)):
+        layout, recent = place(size, *"TTTTTTTT", "turtlesim", "rqt_graph", "rviz2")
+        hidden = [key for key in recent if key not in layout.places and key <= 8]
+        assert hidden == sorted(hidden, key=recent.index) == recent[-len(hidden) :]
+
+
+def test_an_idle_turtle_yields_to_rviz_and_the_sliders_cover_neither_rviz_nor_the_keyboard() -> None:
+    layout, recent = place((80, 22), "T", "turtlesim", "T", "T", "T", "rviz2", "T", "T", "joint_state_publisher")
+    assert {6, 9, recent[0]} == layout.places.keys()
+    assert (layout.places[6].width, layout.places[6].height) == (80, 14)
+
+
+@pytest.mark.parametrize("size", [(80, 22), (100, 28), (120, 38), (200, 58)])
+def test_no_window_that_opens_leaves_a_pane_too_small_to_be_used(size) -> None:
+    kinds = ("turtlesim", "rviz2", "rqt_graph", "joint_state_publisher", "kitchen", "inspector", "car", "rqt_bag")
+    chance = random.Random(17)
+    for _ in range(60):
+        opened = ["T", *(chance.choice(["T", *kinds]) for _ in range(9))]
+        for count in range(2, len(opened) + 1):
+            layout, _ = place(size, *opened[:count])
+            for key, there in layout.places.items():
+                least = (TERMINAL if opened[key - 1] == "T" else needs_of(opened[key - 1])).least
+                assert there.width >= least.columns and there.height >= least.rows, (opened[:count], key, there)
+
+
+def test_the_kitchen_opens_large_and_the_inspector_is_no_strip() -> None:
+    layout, _ = place((80, 22), "T", "turtlesim", "T", "T", "kitchen")
+    assert layout.places[5].width >= 56 and layout.places[5].height >= 14 and 4 in layout.places
+    layout, _ = place((80, 22), "T", "turtlesim", "T", "T", "inspector")
+    assert layout.places[5].height >= 8 and layout.places.keys() >= {2, 4}
+
+
+@pytest.mark.parametrize(("width", "lesson"), [(80, 39), (120, 46), (200, 66)])
+def test_a_lesson_takes_no_more_columns_than_it_needs(width: int, lesson: int) -> None:
+    layout, _ = place((width, 38), "T", "lesson")
+    assert layout.places[2].width <= lesson
+
+
+def test_no_window_covers_a_lesson_that_is_read() -> None:
+    for kind in ("turtlesim", "rqt_graph", "rqt_bag", "car"):
+        layout, _ = place((80, 22), "T", "lesson", "T", "T", kind, "inspector")
+        assert 2 in layout.places, kind
+
+
+def test_fifty_windows_at_once_all_have_a_place_and_those_seen_can_be_used() -> None:
+    for size in ((80, 22), (200, 58)):
+        layout, recent = place(size, "T", "T", *["turtlesim", "rqt_graph", "rviz2", "inspector", "T"] * 10)
+        assert sum(map(len, layout.stacks.values())) == 52 and recent[0] in layout.places
+        assert min(there.height for there in layout.places.values()) >= 8
+
+
 def test_nothing_covers_a_picture_that_matters_more_than_itself() -> None:
     layout, _ = place((80, 22), "T", "rviz2", "T", "T", "joint_state_publisher", "inspector")
     assert 2 in layout.places and 6 in layout.places
@@ -155,5 +225,5 @@ def test_thirty_panes_all_have_a_place_and_the_new_one_is_seen(size) -> None:
 
 def test_a_new_arrangement_has_every_pane_once() -> None:
     needs: dict[int, PaneNeeds] = {1: TERMINAL, 2: needs_of("rviz2"), 3: TERMINAL, 4: OTHER}
-    tree = arranged([1, 2, 3, 4], Extent(120, 38), needs.__getitem__, [3, 1, 2, 4])
+    tree = arranged([1, 2, 3, 4], Room(Extent(120, 38), needs.__getitem__, [3, 1, 2, 4]))
     assert sorted(tree.keys) == [1, 2, 3, 4]

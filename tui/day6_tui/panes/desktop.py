@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 
 from textual import events, on
@@ -18,7 +19,7 @@ from day6_tui.panes import splits
 from day6_tui.panes.border_mouse import FrameMouse
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Pane, Piece
-from day6_tui.panes.placement import GUIDE, LESSON, TERMINAL, WIDE, PaneNeeds, put
+from day6_tui.panes.placement import GUIDE, LESSON, TELEOP, TERMINAL, WIDE, PaneNeeds, Room, put
 from day6_tui.panes.splits import Extent, PanePlace, Tree
 from day6_tui.panes.tabs import Tab, tab_pieces
 from day6_tui.terminals.pane import TerminalPane
@@ -85,6 +86,8 @@ class Desktop(PaneHost):
         """On a small screen the guide makes room for a terminal whose text no longer fits."""
         self._last_focus: Pane | None = None
         self._mouse = FrameMouse(self)
+        self._made_room: tuple[int, Tree] | None = None
+        """The window for which the others made room, and how they stood before: there they go back when it closes."""
         self._planned: tuple[Size, splits.Layout] | None = None
         """The places at a size, until something changes."""
 
@@ -113,7 +116,7 @@ class Desktop(PaneHost):
         if self.enlarged and focused is not None and self.holds(focused):
             stack = self.split_tree.stack_of(focused.slot)
             return splits.Layout({focused.slot: PanePlace(0, 0, width, height)}, {focused.slot: list(stack.keys)})
-        return self.split_tree.lay_out(width, height, lambda slot: self.needs(slot).good, self.recent)
+        return self.split_tree.lay_out(width, height, self.needs, self.recent)
 
     def plan_now(self) -> splits.Layout:
         return self.plan(*self.size)
@@ -128,12 +131,23 @@ class Desktop(PaneHost):
     def needs(self, slot: int) -> PaneNeeds:
         """What a pane needs to be useful."""
         pane = self.slots.get(slot)
-        if isinstance(pane, TerminalPane):
-            return TERMINAL
-        found = pane.needs if isinstance(pane, WindowPane) else GUIDE
-        if found.weight > LESSON.weight and self.size.width < WIDE and self._has_lesson:
+        found = pane.needs if isinstance(pane, TerminalPane | WindowPane) else GUIDE
+        if found.least.columns + LESSON.least.columns > self.size.width and self._has_lesson:
             found = found.within(self.size.width - LESSON.good.columns)
         return found
+
+    def room(self, keyboard: Pane | None = None) -> Room:
+        """What is known of the panes when one of them gets a place; that a terminal drives changes its size, not its place."""
+
+        def needs(slot: int) -> PaneNeeds:
+            found = self.needs(slot)
+            return TERMINAL if found is TELEOP else found
+
+        def family(slot: int) -> int:
+            pane = self.slots.get(slot)
+            return pane.window.command if isinstance(pane, WindowPane) and pane.window.is_launched else 0
+
+        return Room(Extent(*self.size), needs, self.recent, keyboard.slot if keyboard is not None else None, family)
 
     @property
     def _has_lesson(self) -> bool:
@@ -180,15 +194,21 @@ class Desktop(PaneHost):
         if beside is not None and self.holds(beside):
             self.split_tree.add(pane.slot, beside.slot, side)
         else:
-            covers = isinstance(pane, WindowPane) and pane.covers_keyboard
-            slot = keyboard.slot if keyboard is not None and not covers else None
-            put(self.split_tree, pane.slot, Extent(*self.size), self.needs, self.recent, keyboard=slot)
+            self._find_place(pane, keyboard)
             if not takes_focus and keyboard is not None and self.holds(keyboard):
                 self.split_tree.bring_to_front(keyboard.slot)  # where there was no other place
         self._settle_guide()
         if not pane.is_attached:
             self.mount(pane)
         self.rearrange()
+
+    def _find_place(self, pane: Pane, keyboard: Pane | None) -> None:
+        """Put a pane where most is seen; the others make room for a window that is too large for every place there is."""
+        covers = isinstance(pane, WindowPane) and pane.covers_keyboard
+        before = self.split_tree
+        self.split_tree = put(before, pane.slot, self.room(None if covers else keyboard))
+        if self.split_tree is not before:
+            self._made_room = pane.slot, before
 
     def close_guide(self) -> None:
         """The guide is not wanted any more."""
@@ -215,6 +235,10 @@ class Desktop(PaneHost):
     def _take_out(self, pane: Pane) -> None:
         """Forget the place of a pane."""
         self.split_tree.remove(pane.slot)
+        if self._made_room is not None and self._made_room[0] == pane.slot:
+            before, self._made_room = self._made_room[1], None
+            if sorted(before.keys) == sorted(self.split_tree.keys):
+                self.split_tree = before
         del self.slots[pane.slot]
         self.recent.remove(pane.slot)
         self._planned = None
@@ -257,13 +281,14 @@ class Desktop(PaneHost):
 
     def arrange_as(self, tree: Tree) -> None:
         """Arrange the panes as in a tree; those it does not have come where most is seen."""
-        self.enlarged = False
+        self.enlarged, self._made_room = False, None
         for slot in list(tree.keys):
             if slot not in self.slots:
                 tree.remove(slot)
         for slot in [slot for slot in self.recent if slot not in tree.keys]:
             lately = [each for each in self.recent if each in tree.keys or each == slot]
-            put(tree, slot, Extent(*self.size), self.needs, lately, keyboard=lately[0])
+            room = replace(self.room(self.slots[lately[0]]), recent=lately)
+            tree = put(tree, slot, room)
         self.split_tree = tree
         pane = self.focused_pane
         if pane is not None:
@@ -420,6 +445,10 @@ class Desktop(PaneHost):
 
     def on_mouse_up(self, event: events.MouseUp) -> None:
         self._mouse.release(event)
+
+    @on(TerminalPane.NeedsOthers)
+    def _heed_needs(self) -> None:
+        self.rearrange()
 
     @on(Pane.Enlarged)
     def enlarge(self, event: Pane.Enlarged) -> None:

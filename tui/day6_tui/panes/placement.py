@@ -1,11 +1,13 @@
-"""Where a new pane goes: where most of all panes is seen."""
+"""Where a new pane goes: where most of all panes is seen, and a window in place of what was used least recently."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from dataclasses import dataclass, replace
+from typing import NamedTuple, TypeAlias
 
-from day6_tui.panes.splits import Extent, Key, Layout, PanePlace, Tree
+from day6_tui.panes.splits import Extent, Key, Layout, Tree
 
 
 class PaneNeeds(NamedTuple):
@@ -16,6 +18,8 @@ class PaneNeeds(NamedTuple):
     full: Extent
     weight: float = 1.0
     """How much it matters that it is seen."""
+    stays: bool = False
+    """Whether it is read all the time: what opens by itself covers it only where there is no other place."""
 
     def within(self, columns: int) -> PaneNeeds:
         """What it needs if it makes do with so many columns."""
@@ -24,14 +28,23 @@ class PaneNeeds(NamedTuple):
 
 
 TERMINAL = PaneNeeds(Extent(30, 8), Extent(40, 12), Extent(80, 30))
+TELEOP = TERMINAL._replace(good=Extent(40, 10))
+"""Of a terminal in which keys drive: it goes on showing what it printed at its start."""
+
 GUIDE = PaneNeeds(Extent(30, 10), Extent(40, 18), Extent(60, 20))
 OTHER = PaneNeeds(Extent(36, 8), Extent(56, 14), Extent(90, 24))
-LESSON = PaneNeeds(Extent(34, 16), Extent(38, 21), Extent(60, 40), 2.0)
+LESSON = PaneNeeds(Extent(34, 16), Extent(38, 21), Extent(46, 40), 2.0, stays=True)
 WIDE = 100
 """From this many columns on, two panes go side by side rather than one below the other, if both would do."""
 
 FORGETTING = 0.8
 """How much less a pane counts than the one that was used after it."""
+
+YIELDING = 0.7
+"""The same when a window has to cover one: a turtle yields to a terminal that was used two others later, RViz to hardly any."""
+
+LARGER = 1.3
+"""The others make room for a picture that has a place, but none where it is comfortable, if it becomes so much larger."""
 
 
 class Spot(NamedTuple):
@@ -41,89 +54,188 @@ class Spot(NamedTuple):
     side: str
 
 
-def seen(layout: Layout, needs: Callable[[Key], PaneNeeds], recent: Sequence[Key]) -> float:
+Wanted: TypeAlias = Callable[[PaneNeeds], Extent]
+
+
+def least(needs: PaneNeeds) -> Extent:
+    """Of what a pane needs: to be of use."""
+    return needs.least
+
+
+def good(needs: PaneNeeds) -> Extent:
+    """Of what a pane needs: to be comfortable."""
+    return needs.good
+
+
+@dataclass(frozen=True)
+class Room:
+    """The desktop in which a pane gets its place, and what is known of the panes there, the new one included."""
+
+    size: Extent
+    needs: Callable[[Key], PaneNeeds]
+    recent: Sequence[Key]
+    """The panes used last, the last one first."""
+    keyboard: Key | None = None
+    """The pane that keeps the keyboard: no window covers it."""
+    family: Callable[[Key], int] = lambda key: 0
+    """Which launch opened a window, 0 for none: windows of one launch are looked at together."""
+
+    firm: bool = True
+    """Whether panes that are comfortable give to those that would be of no use; without, others are covered sooner."""
+
+    def rank(self, key: Key) -> int:
+        return self.recent.index(key) if key in self.recent else len(self.recent)
+
+    def is_terminal(self, key: Key) -> bool:
+        return self.needs(key) is TERMINAL
+
+    def fronts(self, tree: Tree) -> list[Key]:
+        """The panes in front, the one used last first."""
+        return sorted((stack.front for stack in tree.stacks()), key=self.rank)
+
+    def lay_out(self, tree: Tree) -> Layout:
+        needs = self.needs if self.firm else lambda key: self.needs(key)._replace(least=Extent(0, 0))
+        return tree.lay_out(*self.size, needs, self.recent)
+
+    def has(self, wanted: Wanted, key: Key, layout: Layout) -> bool:
+        """Whether a pane is seen, and as large as wanted."""
+        place, size = layout.places.get(key), wanted(self.needs(key))
+        return place is not None and place.width >= size.columns and place.height >= size.rows
+
+    def part(self, key: Key, layout: Layout) -> float:
+        """How much of what a pane could use it has; 0 if that is of no use."""
+        if not self.has(least, key, layout):
+            return 0.0
+        place, full = layout.places[key], self.needs(key).full
+        return min(1.0, place.width / full.columns) * min(1.0, place.height / full.rows)
+
+
+def seen(layout: Layout, room: Room) -> float:
     """How much of the panes a layout shows: of terminals and of windows those used last count most."""
     total = 0.0
     ranks = {True: -1, False: -1}
-    for key in recent:
-        place, need = layout.places.get(key), needs(key)
-        rank = ranks[_is_terminal(key, needs)] = ranks[_is_terminal(key, needs)] + 1
-        if place is None or not _can_be_used(place, need):
-            continue
-        part = min(1.0, place.width / need.full.columns) * min(1.0, place.height / need.full.rows)
-        total += need.weight * FORGETTING**rank * part**0.6
+    for key in room.recent:
+        rank = ranks[room.is_terminal(key)] = ranks[room.is_terminal(key)] + 1
+        total += room.needs(key).weight * FORGETTING**rank * room.part(key, layout) ** 0.6
     return total
 
 
-def best_spot(
-    tree: Tree,
-    key: Key,
-    size: Extent,
-    needs: Callable[[Key], PaneNeeds],
-    recent: Sequence[Key],
-    *,
-    keyboard: Key | None = None,
-) -> Spot | None:
-    """Where to put `key`, which is already in `recent`; None for an empty tree.
+def _best(tree: Tree, key: Key, spots: Sequence[Spot], room: Room, kept: Wanted | None = least) -> Spot | None:
+    """The spot with which most is seen, None if with none anything is; the new pane has what is `kept`, and nobody loses it."""
+    before = room.lay_out(tree)
+    had = [key] if kept is None else [key, *(each for each in before.places if room.has(kept, each, before))]
 
-    No pane becomes smaller than it can be used: rather one becomes a tab. A window never covers the pane with the `keyboard`,
-    and nothing covers a picture that matters more than itself while there is another place.
+    def worth(spot: Spot) -> float:
+        layout = _with(tree, key, spot, room)
+        lost = kept is not None and any(each in layout.places and not room.has(kept, each, layout) for each in had)
+        return seen(layout, room) if key in layout.places and not lost else 0.0
+
+    values = [worth(spot) for spot in spots]
+    return spots[values.index(max(values))] if values and max(values) > 0 else None
+
+
+def _with(tree: Tree, key: Key, spot: Spot, room: Room) -> Layout:
+    """How a tree looks with a new pane."""
+    trial = tree.copy()
+    trial.add(key, *spot)
+    return room.lay_out(trial)
+
+
+def _sides(tree: Tree, room: Room) -> list[Spot]:
+    """Every place beside a pane."""
+    sides = ("right", "below") if room.size.columns >= WIDE else ("below", "right")
+    return [Spot(front, side) for side in sides for front in room.fronts(tree)]
+
+
+def best_spot(tree: Tree, key: Key, room: Room) -> Spot | None:
+    """Where to put a pane; None if there is no place where it can be used.
+
+    No pane becomes smaller than it can be used: rather one becomes a tab. A window never covers the pane with the keyboard, nor
+    one that came with it; of the others the one that was used least recently, and a picture later than text.
     """
-    fronts = sorted((stack.front for stack in tree.stacks()), key=lambda front: _rank(front, recent))
-    others = [front for front in fronts if front != keyboard]
-    if _is_terminal(key, needs) and keyboard is not None and _is_terminal(keyboard, needs):
-        others = fronts  # the keyboard goes to the new one anyway
-    others = [front for front in others if needs(front).weight <= needs(key).weight] or others
-    sides = ("right", "below") if size.columns >= WIDE else ("below", "right")
-    beside = [Spot(front, side) for side in sides for front in fronts]
-    tabs = [Spot(front, "tab") for front in others]
-
-    before = tree.lay_out(*size, lambda each: needs(each).good, recent).places
-    useful = {each for each, place in before.items() if _can_be_used(place, needs(each))} | {key}
-
-    def worth(spot: Spot, *, usable: bool) -> float:
-        trial = tree.copy()
-        trial.add(key, *spot)
-        layout = trial.lay_out(*size, lambda each: needs(each).good, recent)
-        kept = all(_can_be_used(layout.places[each], needs(each)) for each in useful & layout.places.keys())
-        return seen(layout, needs, recent) if key in layout.places and (kept or not usable) else 0.0
-
-    for spots, usable in ((beside + tabs, True), (tabs, False), (beside, False)):
-        values = [worth(spot, usable=usable) for spot in spots]
-        if values and max(values) > 0:
-            return spots[values.index(max(values))]
-    return Spot((others or fronts)[-1], "tab") if fronts else None
+    if room.is_terminal(key):
+        room = replace(room, firm=False)
+        tabs = _tabs_of_terminals(tree, key, room)
+        return _best(tree, key, _sides(tree, room) + tabs, room) or _best(tree, key, tabs, room, None)
+    tabs = [spot for spot in _tabs_of_windows(tree, key, room) if not room.needs(spot.beside).stays]
+    tabs = [spot for spot in tabs if _best(tree, key, [spot], room)]
+    return _best(tree, key, _sides(tree, room) + tabs[:1], room)
 
 
-def _is_terminal(key: Key, needs: Callable[[Key], PaneNeeds]) -> bool:
-    return needs(key) is TERMINAL
+def _tabs_of_terminals(tree: Tree, key: Key, room: Room) -> list[Spot]:
+    """What a terminal may cover: the keyboard's terminal too, as it gets the keyboard; no picture that matters more."""
+    fronts = room.fronts(tree)
+    others = [front for front in fronts if front != room.keyboard]
+    if room.keyboard is not None and room.is_terminal(room.keyboard):
+        others = fronts
+    others = [front for front in others if room.needs(front).weight <= room.needs(key).weight] or others
+    return [Spot(front, "tab") for front in others]
 
 
-def _can_be_used(place: PanePlace, needed: PaneNeeds) -> bool:
-    return place.width >= needed.least.columns and place.height >= needed.least.rows
+def _tabs_of_windows(tree: Tree, key: Key, room: Room) -> list[Spot]:
+    """What a window may cover: first what was used least recently."""
+
+    def is_kin(front: Key) -> bool:
+        return any(room.family(each) == room.family(key) != 0 for each in tree.stack_of(front).keys)
+
+    fronts = room.fronts(tree)
+    weights = {front: room.needs(front).weight * YIELDING**rank for rank, front in enumerate(fronts)}
+    others = [front for front in fronts if front != room.keyboard and not is_kin(front)]
+    return [Spot(front, "tab") for front in sorted(others, key=lambda each: (room.needs(each).stays, weights[each]))]
 
 
-def put(
-    tree: Tree,
-    key: Key,
-    size: Extent,
-    needs: Callable[[Key], PaneNeeds],
-    recent: Sequence[Key],
-    *,
-    keyboard: Key | None = None,
-) -> None:
-    """Put a pane into a tree at its `best_spot`."""
-    tree.add(key, *(best_spot(tree, key, size, needs, recent, keyboard=keyboard) or (None, "right")))
-
-
-def arranged(keys: Sequence[Key], size: Extent, needs: Callable[[Key], PaneNeeds], recent: Sequence[Key]) -> Tree:
-    """A new tree with these panes, each put where it is seen best after those before it."""
-    tree = Tree()
-    for count, key in enumerate(keys, 1):
-        lately = sorted(keys[:count], key=lambda each: _rank(each, recent))
-        put(tree, key, size, needs, lately)
+def put(tree: Tree, key: Key, room: Room) -> Tree:
+    """Put a pane into a tree, and return that or, if others have to make room for it, a new one."""
+    spot = None if tree.root is None else best_spot(tree, key, room)
+    if tree.root is not None and not room.is_terminal(key) and (made := _made_room(tree, key, spot, room)) is not None:
+        return made
+    if spot is None and (fronts := room.fronts(tree)):
+        tabs = _tabs_of_terminals(tree, key, room)[::-1] if room.is_terminal(key) else _tabs_of_windows(tree, key, room)
+        spot = (tabs or [Spot(fronts[-1], "tab")])[0]
+    tree.add(key, *(spot or (None, "right")))
     return tree
 
 
-def _rank(key: Key, recent: Sequence[Key]) -> int:
-    return recent.index(key) if key in recent else len(recent)
+def _made_room(tree: Tree, key: Key, spot: Spot | None, room: Room) -> Tree | None:
+    """A new tree with a window for which there is no place in `tree`, or (a picture that matters most) none that is comfortable.
+
+    Seen are the pane with the keyboard, what came with the window and what is read all the time; of the rest, what was used last
+    first, as much as has room in comfort. None if even then the window could not be used.
+    """
+    before = room.lay_out(tree)
+    needs = room.needs(key)
+    if spot is not None:
+        heaviest = max((room.needs(each).weight for each in before.places if not room.needs(each).stays), default=0.0)
+        if needs.weight <= heaviest or room.has(good, key, _with(tree, key, spot, room)):
+            return None
+    wanted = [key] if room.keyboard is None else [key, room.keyboard]
+    beside = [each for each in before.places if room.needs(each).stays]
+    kin = [each for each in room.recent if room.family(each) == room.family(key) != 0]
+    first = sorted(dict.fromkeys([*wanted, *beside, *kin]), key=lambda each: -math.prod(room.needs(each).least))
+    made = arranged(list(dict.fromkeys([*first, *room.recent])), room, in_any_case=len(first))
+    layout = room.lay_out(made)
+    if not all(room.has(least, each, layout) for each in wanted):
+        return None
+    larger = spot is None or room.part(key, layout) >= LARGER * room.part(key, _with(tree, key, spot, room))
+    return made if larger else None
+
+
+def arranged(keys: Sequence[Key], room: Room, *, in_any_case: int | None = None) -> Tree:
+    """A new tree with these panes, the first ones seen best: what has no room beside those is a tab behind one of its sort.
+
+    Panes after the first `in_any_case` are seen only where all are comfortable.
+    """
+    tree = Tree()
+    for count, key in enumerate(keys, 1):
+        now = replace(room, recent=sorted(keys[:count], key=room.rank))
+        kept = least if in_any_case is None or count <= in_any_case else good
+        fronts = now.fronts(tree)
+        spot = _best(tree, key, _sides(tree, now), now, kept)
+        if spot is not None or not fronts:
+            tree.add(key, *(spot or (None, "right")))
+            continue
+        alike = [front for front in fronts if now.is_terminal(front) == now.is_terminal(key)] or fronts
+        tree.add(key, alike[-1], "tab")
+        tree.bring_to_front(alike[-1])
+        tree.stack_of(key).keys.sort()
+    return tree

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, Protocol, TypeAlias
 
 Key: TypeAlias = int
 """A pane's number."""
@@ -110,8 +110,21 @@ class Layout:
         return min(beside, key=lambda other: recent.index(other) if other in recent else len(recent), default=None)
 
 
-Wish = Callable[[Key], Extent]
-"""The size at which a pane can be used well."""
+class Sizes(Protocol):
+    """Below `least` a pane is useless, `good` is comfortable, more than `full` gains nothing."""
+
+    @property
+    def least(self) -> Extent: ...
+
+    @property
+    def good(self) -> Extent: ...
+
+    @property
+    def full(self) -> Extent: ...
+
+
+Wish = Callable[[Key], Sizes]
+"""The sizes that a pane wishes for."""
 
 
 class Tree:
@@ -316,11 +329,11 @@ def _folded(node: Split, room: int, recent: Sequence[Key]) -> list[Node]:
     return parts
 
 
-def _good(node: Node, wish: Wish) -> Extent:
-    """The size at which everything in a node can be used well."""
+def _extent(node: Node, wish: Wish, which: Callable[[Sizes], Extent]) -> Extent:
+    """The size at which everything in a node has `which` of its sizes."""
     if isinstance(node, Stack):
-        return wish(node.front)
-    sizes = [_good(part, wish) for part in node.parts]
+        return which(wish(node.front))
+    sizes = [_extent(part, wish, which) for part in node.parts]
     columns, rows = [size.columns for size in sizes], [size.rows for size in sizes]
     return Extent(sum(columns), max(rows)) if node.across else Extent(max(columns), sum(rows))
 
@@ -328,18 +341,47 @@ def _good(node: Node, wish: Wish) -> Extent:
 def _lengths(node: Split, length: int, wish: Wish) -> list[int]:
     """The columns or rows of the parts of a split, which fill `length`."""
     count = len(node.parts)
-    least = min(NARROWEST if node.across else LOWEST, length // count)
+    floor = min(NARROWEST if node.across else LOWEST, length // count)
     if node.shares is not None:
-        wanted = [share * length for share in node.shares]
-    else:
-        good = [max(least, _good(part, wish)[0 if node.across else 1]) for part in node.parts]
-        spare = length - sum(good)
-        if spare >= 0:
-            wanted = [each + spare * each / sum(good) for each in good]
-        else:
-            more = [each - least for each in good]
-            wanted = [least + each * (length - count * least) / max(1, sum(more)) for each in more]
-    return _whole(wanted, length, least)
+        return _whole([share * length for share in node.shares], length, floor)
+
+    def lengths(which: Callable[[Sizes], Extent]) -> list[int]:
+        return [max(floor, _extent(part, wish, which)[0 if node.across else 1]) for part in node.parts]
+
+    least, good = lengths(lambda sizes: sizes.least), lengths(lambda sizes: sizes.good)
+    if sum(good) <= length:
+        return _whole(_shared(good, length, most=lengths(lambda sizes: sizes.full)), length, floor)
+    return _whole(_cut(floor, least, good, length), length, floor)
+
+
+def _cut(floor: int, least: list[int], good: list[int], length: int) -> list[float]:
+    """Less than `good`, as all of it has no room: nobody gets less than `least` while another one has more."""
+    fixed: dict[int, float] = {}
+    while True:
+        free = [at for at in range(len(good)) if at not in fixed]
+        more = {at: good[at] - floor for at in free}
+        rest = length - sum(fixed.values()) - floor * len(free)
+        found = fixed | {at: floor + more[at] * rest / max(1, sum(more.values())) for at in free}
+        short = [at for at in free if found[at] < least[at]]
+        if not short or sum(least) > length:
+            return [found[at] for at in range(len(good))]
+        fixed |= {at: float(least[at]) for at in short}
+
+
+def _shared(good: list[int], length: int, most: list[int]) -> list[float]:
+    """What is more than `good` is shared: nobody gets more than `most` while another one still gains by it."""
+    if sum(most) <= length:
+        growth = [1 + full - each for each, full in zip(good, most, strict=True)]
+        return [full + (length - sum(most)) * each / sum(growth) for full, each in zip(most, growth, strict=True)]
+    fixed: dict[int, float] = {}
+    while True:
+        free = [at for at in range(len(good)) if at not in fixed]
+        scale = (length - sum(fixed.values())) / sum(good[at] for at in free)
+        found = fixed | {at: good[at] * scale for at in free}
+        large = [at for at in free if found[at] > most[at]]
+        if not large:
+            return [found[at] for at in range(len(good))]
+        fixed |= {at: float(most[at]) for at in large}
 
 
 def _whole(wanted: list[float], length: int, least: int) -> list[int]:

@@ -90,7 +90,7 @@ class Switching(Feature):
             self._notices.show(texts("terminal.not_arrows", keys=keys_of(here.view.terminal.title, texts)))
             return
         for pane in self._terminals.panes:
-            if pane.has_terminal and pane.view.reading_keys and "teleop" in pane.view.terminal.title:
+            if pane.drives:
                 keys, key = keys_of(pane.view.terminal.title, texts), self.key_to(pane)
                 self._notices.show(texts("terminal.arrows", keys=keys, number=pane.slot, key=key))
                 return

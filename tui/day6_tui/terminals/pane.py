@@ -14,6 +14,7 @@ from textual.geometry import Offset
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, fit
 from day6_tui.panes.pane import Pane, PaneMessage, Piece
+from day6_tui.panes.placement import TELEOP, TERMINAL, PaneNeeds
 from day6_tui.panes.splits import PanePlace
 from day6_tui.terminals.held_keys import HeldKeys
 from day6_tui.terminals.keys import encode
@@ -60,6 +61,9 @@ class TerminalPane(Pane):
             super().__init__(pane)
             self.line = line
 
+    class NeedsOthers(Said):
+        """What the pane needs has changed with what runs in it."""
+
     class CloseAsked(Said):
         """The user wants to close this terminal."""
 
@@ -75,6 +79,7 @@ class TerminalPane(Pane):
         """Until then the output counts as coming faster than it can be read."""
         self._drawn = 0.0
         self._shown_hint = ""
+        self._told_needs = self.needs
         self._drag: tuple[int, int] | None = None
 
     # -- the terminal --------------------------------------------------------------------------------------------------
@@ -133,6 +138,22 @@ class TerminalPane(Pane):
     def has_news(self) -> bool:
         return self._view is not None and bool(self._view.terminal.has_news)
 
+    @property
+    def commands(self) -> set[int]:
+        """The pids of the command that occupies it."""
+        front = self._view.terminal.shell.front if self._view is not None else None
+        return {program.pid for program in front.programs} if front is not None else set()
+
+    @property
+    def drives(self) -> bool:
+        """Whether a teleop reads its keys."""
+        return self._view is not None and self._view.reading_keys and "teleop" in self._view.terminal.title
+
+    @property
+    def needs(self) -> PaneNeeds:
+        """What it needs to be useful, with its frame."""
+        return TELEOP if self.drives else TERMINAL
+
     def close(self) -> None:
         self.post_message(self.CloseAsked(self))
 
@@ -172,6 +193,9 @@ class TerminalPane(Pane):
             if view.passed > 2 * view.lines:
                 self._behind_until = now + FLOOD_SECONDS
             more = view.has_more
+        if (needs := self.needs) is not self._told_needs:
+            self._told_needs = needs
+            self.post_message(self.NeedsOthers(self))
         hint = self._hint(self.inner_width - 2)
         if hint != self._shown_hint:
             self._shown_hint = hint

@@ -63,7 +63,7 @@ assert WATCH_SECONDS <= MOST_SECONDS
 class ClassroomPane(WindowPane[TeacherLink]):
     """Keeps what is chosen and what is seen; everything else is the roster's."""
 
-    needs = PaneNeeds(Extent(50, 10), Extent(78, 20), Extent(118, 36), 2.0)
+    needs = PaneNeeds(Extent(56, 10), Extent(78, 20), Extent(118, 36), 2.0)
 
     takes_focus = True
     key_weight = 5

@@ -17,7 +17,7 @@ from day6_tui.windows.parts.pane_list import ListPane
 class InspectorPane(ListPane[Inspector, FindingList]):
     """Keeps the list up to date."""
 
-    needs = PaneNeeds(Extent(36, 6), Extent(50, 8), Extent(70, 14))
+    needs = PaneNeeds(Extent(36, 8), Extent(50, 8), Extent(70, 14))
 
     def __init__(self, window: Window[Inspector], look: Look) -> None:
         super().__init__(window, look, FindingList(look))

@@ -53,7 +53,7 @@ ALIKE = 0.04
 class KitchenPane(WindowPane[Kitchen]):
     """Draws `Kitchen.content`; keeps only view state: what is chosen, and which part is seen."""
 
-    needs = PaneNeeds(Extent(36, 9), Extent(60, 14), Extent(110, 30))
+    needs = PaneNeeds(Extent(56, 14), Extent(60, 14), Extent(110, 30))
 
     def __init__(self, window: Window[Kitchen], look: Look) -> None:
         super().__init__(window, look)

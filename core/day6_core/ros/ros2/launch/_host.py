@@ -22,6 +22,7 @@ from typing import Any
 
 from day6_core.link.paths import LONGEST_SOCKET_PATH
 from day6_core.session import host
+from day6_core.session.display import ProgramDisplay
 from day6_core.session.program import Program
 from day6_core.session.session import Main, Session
 from day6_core.session.streams import OutputStream
@@ -172,7 +173,10 @@ class LaunchHost:
         argv, cwd = message["argv"], Path(message["cwd"])
         main, argv = self._main_of(message["kind"], argv)
         out, err = (HostedOutput(partial(self._send_output, number, fd)) for fd in (1, 2))
-        return self._machine.start_beside(argv, main, out, err, env=message["env"], cwd=cwd)
+        program = self._machine.start_beside(argv, main, out, err, env=message["env"], cwd=cwd)
+        if isinstance(program.session.display, ProgramDisplay):
+            program.session.display.belong_to(self._session.pid)
+        return program
 
     def _main_of(self, kind: str, argv: list[str]) -> tuple[Main, list[str]]:
         """Return the program for a request, and its argv. Raises LookupError if there is none."""
