@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -12,8 +13,14 @@ from day6_tui.panes.pane import Piece
 TAB_WIDTH = 24
 """Cells the name of one of several tabs may take."""
 
-SHORTEST_NAME = 6
-"""With fewer cells a tab's name says nothing: only its number is shown."""
+NAME_SHOWN = 12
+"""With fewer cells for each, only the one in front keeps its name: of the others a word of it is shown."""
+
+WORD_SHOWN = 5
+"""Cells of that word where room is short. With fewer it says nothing: rather there are fewer tabs."""
+
+FILLING = {"", "day6", "gui", "key", "launch", "node", "publisher", "py", "ros2", "rqt"}
+"""Words that are in so many names that they tell nothing."""
 
 
 class Tab(NamedTuple):
@@ -55,21 +62,35 @@ def tab_pieces(
 
 
 def _labels(look: Look, tabs: Sequence[Tab], front: int, room: int) -> list[str]:
-    """As much of the names as fits side by side, at least the numbers, and the name of the one in front as far as possible."""
+    """The names, as long as they fit side by side, or shorter ones, as far as they still tell something."""
     news = [f" {look.glyphs.news}" if tab.news else "" for tab in tabs]
     names = [tab.label for tab in tabs]
     if len(names) == 1:
         return [clip(names[0], max(1, room - 2 - len(news[0])), look.glyphs.ellipsis) + news[0]]
     room -= 2 * len(names) + sum(map(len, news))
-    width = TAB_WIDTH
-    while width > 2 and sum(min(width, cell_len(name)) for name in names) > room:
-        width -= 1
-    if width < SHORTEST_NAME and all(tab.number for tab in tabs):
-        numbers = [tab.number for tab in tabs]
-        rest = room - sum(map(len, numbers)) + len(numbers[front])
-        numbers[front] = clip(names[front], rest, look.glyphs.ellipsis) if rest >= SHORTEST_NAME else numbers[front]
-        names, width = numbers, max(map(cell_len, numbers))
-    return [clip(name, max(width, 2), look.glyphs.ellipsis) + new for name, new in zip(names, news, strict=True)]
+    words = [tab._replace(name=word).label for tab, word in zip(tabs, _words([tab.name for tab in tabs]), strict=True)]
+    stubs = [
+        clip(word, len(tab.number) + 1 + WORD_SHOWN, look.glyphs.ellipsis)
+        for tab, word in zip(tabs, words, strict=True)
+    ]
+
+    def cut(width: int, others: Sequence[str] | None = None) -> list[str]:
+        return [
+            clip(name, width, look.glyphs.ellipsis) if others is None or at == front else others[at]
+            for at, name in enumerate(names)
+        ]
+
+    widths = range(TAB_WIDTH, NAME_SHOWN - 1, -1)
+    tries = [*(cut(width) for width in widths), *(cut(width, each) for each in (words, stubs) for width in widths)]
+    found = next((each for each in tries if sum(map(cell_len, each)) <= room), tries[-1])
+    return [name + new for name, new in zip(found, news, strict=True)]
+
+
+def _words(names: Sequence[str]) -> list[str]:
+    """The first word of each name that tells something; the last one where other names begin with the same."""
+    words = [[word for word in re.split(r"[\W_]+", name) if word not in FILLING] or [name] for name in names]
+    firsts = [each[0] for each in words]
+    return [each[-1] if firsts.count(each[0]) > 1 else each[0] for each in words]
 
 
 def _that_fit(widths: Sequence[int], front: int, room: int) -> tuple[int, int]:
