@@ -187,3 +187,37 @@ async def test_a_window_of_rqt_has_the_keyboard_unless_one_goes_on_typing(tmp_pa
         window = app.desktop.panes[max(app.desktop.panes)]
         await until(app, pilot, lambda: app.desktop.focused_pane is window)
         assert app.desktop.is_shown(window)
+
+
+TWO_WINDOWS = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package="turtlesim", executable="turtlesim_node"), Node(package="rviz2", executable="rviz2"),
+    ])
+"""
+
+
+@pytest.mark.parametrize("command", ["ros2 launch two.launch.py", "ros2 run rviz2 rviz2", "rviz2"])
+async def test_f8_at_a_terminal_that_a_window_occupies_enlarges_that_window(tmp_path, command) -> None:
+    (tmp_path / "two.launch.py").write_text(TWO_WINDOWS)
+    async with opened(tmp_path, 80, 24, scene="empty") as (app, pilot):
+        await until(app, pilot, _shows(app, "student@day6:~$"))
+        terminal = app.terminals.panes[0]
+        terminal.view.terminal.run_line(command)
+        kinds = {"turtlesim", "rviz2"} if "launch" in command else {"rviz2"}
+        await until(app, pilot, lambda: {pane.window.kind for pane in app.desktop.panes.values()} == kinds)
+        await until(app, pilot, lambda: len(app.desktop.shown()) == len(kinds) + 1)
+        assert app.desktop.focused_pane is terminal, "what is typed goes where it went"
+        assert {pane.window.is_launched for pane in app.desktop.panes.values()} == {"launch" in command}
+        await pilot.press("f8")
+        newest = list(app.desktop.panes.values())[-1]
+        assert app.desktop.enlarged and app.desktop.shown() == [newest]
+        await pilot.press("f8")
+        assert not app.desktop.enlarged and app.desktop.focused_pane is terminal
+        # A terminal that is free is enlarged itself.
+        await pilot.press("f2")
+        await pilot.pause()
+        await pilot.press("f8")
+        assert app.desktop.shown() == [app.terminals.panes[-1]]

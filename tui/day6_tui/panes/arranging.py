@@ -11,8 +11,9 @@ from day6_tui.actions import Handlers
 from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.json_file import read_object
 from day6_tui.panes.layouts import VERSION, Description, build, describe, grid, presenter, roles_in, speaker
+from day6_tui.panes.pane import Pane
 from day6_tui.panes.placement import WIDE, arranged
-from day6_tui.panes.splits import Extent, Key
+from day6_tui.panes.splits import Key
 from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
 from day6_tui.windows import WindowPane
@@ -33,8 +34,8 @@ class Arranging(Feature):
         self._speaks = False
         """Whether the layout is the speaker's, which lasts until another one is chosen."""
         self._arranged: set[Key] = set()
-        self._spoke_in: TerminalPane | None = None
-        """The terminal that gets the keyboard back when the picture is put back."""
+        self._enlarged_at: TerminalPane | None = None
+        """The terminal that gets the keyboard back when the window is put back that was enlarged in its place."""
 
     def actions(self) -> Handlers:
         return {
@@ -94,7 +95,7 @@ class Arranging(Feature):
         terminals, windows = self._sorts()
         desktop = self._desktop
         order = [*terminals[:1], *windows, *terminals[1:]]
-        desktop.arrange_as(arranged(order, Extent(*desktop.size), desktop.needs, desktop.recent))
+        desktop.arrange_as(arranged(order, desktop.room()))
 
     def four_terminals(self) -> None:
         """Two by two; opens those that are missing."""
@@ -123,19 +124,30 @@ class Arranging(Feature):
                 self.speaker()
 
     def enlarge(self) -> None:
-        """Make the focused pane fill the desktop, or put it back; while somebody speaks, the picture is what is enlarged."""
-        desktop = self._desktop
-        windows = self._sorts()[1]
-        if self._speaks and windows and isinstance(desktop.focused_pane, TerminalPane) and not desktop.enlarged:
-            self._spoke_in = desktop.focused_pane
-            desktop.focus_pane(desktop.slots[windows[0]])
+        """Make the focused pane, or the window that is meant, fill the desktop; or put it back, and the keyboard, too."""
+        desktop, here = self._desktop, self._desktop.focused_pane
+        if isinstance(here, TerminalPane) and not desktop.enlarged and (picture := self._meant_at(here)) is not None:
+            self._enlarged_at = here
+            desktop.focus_pane(picture)
             desktop.toggle_enlarged()
             return
         desktop.toggle_enlarged()
-        if self._spoke_in is not None and not desktop.enlarged:
-            if desktop.holds(self._spoke_in):
-                desktop.focus_pane(self._spoke_in)
-            self._spoke_in = None
+        if self._enlarged_at is not None and not desktop.enlarged:
+            if desktop.holds(self._enlarged_at):
+                desktop.focus_pane(self._enlarged_at)
+            self._enlarged_at = None
+
+    def _meant_at(self, terminal: TerminalPane) -> Pane | None:
+        """The window that whoever is at a terminal wants to see larger, None if that is the terminal.
+
+        While somebody speaks it is the picture. Else the newest one of the command that occupies the terminal: nothing can be
+        typed there until that window is closed, which, unlike an editor, has not got the keyboard, lest it swallow what is typed.
+        """
+        desktop = self._desktop
+        if self._speaks:
+            return next((desktop.slots[slot] for slot in self._sorts()[1]), None)
+        commands = terminal.commands
+        return next((pane for pane in [*desktop.panes.values()][::-1] if pane.window.command in commands), None)
 
     # -- saved ones ----------------------------------------------------------------------------------------------------
 

@@ -51,7 +51,11 @@ class WindowPane(Pane, Generic[Model]):
     """What it needs to be useful, with its frame."""
 
     takes_focus = False
-    """Whether it takes the focus when it opens, as an editor does; otherwise the focus stays in the terminal."""
+    """Whether it takes the focus when it opens: editors, and windows of rqt that were asked for by a command in the foreground.
+
+    All others leave it in the terminal, however they were started: at RViz, the sliders or a picture one goes on typing, Ctrl-C
+    among it. F8 at the terminal that such a window occupies enlarges the window (`Arranging.enlarge`).
+    """
 
     covers_keyboard = False
     """Whether it may lie over the pane that has the keyboard, because it gets it: rather than over a lesson that one reads."""
