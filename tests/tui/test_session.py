@@ -206,3 +206,90 @@ async def test_the_ready_layouts(tmp_path) -> None:
         app.actions["layout.lesson"]()
         await pilot.pause()
         assert len(app.desktop.shown()) >= 4 and app.desktop.is_shown(picture)
+
+
+SETUP = """from setuptools import setup
+setup(
+    name="day6_publisher", version="0.0.0", packages=["day6_publisher"],
+    data_files=[
+        ("share/ament_index/resource_index/packages", ["resource/day6_publisher"]),
+        ("share/day6_publisher", ["package.xml"]),
+        ("share/day6_publisher/launch", ["turtle.launch.py"]),
+    ],
+    entry_points={"console_scripts": ["wheel_spinner = day6_publisher.wheel_spinner:main"]},
+)
+"""
+SPINNER = """import rclpy
+def main():
+    rclpy.init()
+    print("The wheels turn", flush=True)
+    rclpy.spin(rclpy.create_node("wheel_spinner"))
+"""
+LAUNCH = """from launch import LaunchDescription
+from launch_ros.actions import Node
+def generate_launch_description():
+    return LaunchDescription([Node(package="turtlesim", executable="turtlesim_node")])
+"""
+PACKAGE = """<package format="3"><name>day6_publisher</name><version>0.0.0</version><description>d</description>
+<maintainer email="a@b.cc">a</maintainer><license>MIT</license><export><build_type>ament_python</build_type></export></package>
+"""
+
+
+def write_package(home: Path) -> None:
+    """A pupil's package with a program and a launch file."""
+    texts = {"setup.py": SETUP, "package.xml": PACKAGE, "turtle.launch.py": LAUNCH, "resource/day6_publisher": ""}
+    texts["setup.cfg"] = (
+        "[develop]\nscript_dir=$base/lib/day6_publisher\n[install]\ninstall_scripts=$base/lib/day6_publisher\n"
+    )
+    texts |= {"day6_publisher/__init__.py": "", "day6_publisher/wheel_spinner.py": SPINNER}
+    for name, text in texts.items():
+        path = home / "ros2_ws/src/day6_publisher" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+@pytest.mark.parametrize("in_bashrc", [False, True])
+async def test_what_is_started_again_finds_the_pupils_own_workspace(tmp_path, in_bashrc) -> None:
+    write_package(tmp_path)
+    if in_bashrc:
+        (tmp_path / ".bashrc").write_text("source ~/ros2_ws/install/setup.bash 2> /dev/null\n")
+    runs = "ros2 run day6_publisher wheel_spinner"
+    launches = "ros2 launch day6_publisher turtle.launch.py"
+    async with opened(tmp_path, 80, 24, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        first = app.terminals.panes[0]
+        first.view.terminal.run_line(f"cd ros2_ws; colcon build; source install/setup.bash; {launches}")
+        await until(app, pilot, lambda: app.desktop.panes)
+        await pilot.press("f2")
+        await pilot.pause()
+        app.terminals.panes[-1].view.terminal.run_line(f"source ~/ros2_ws/install/setup.bash; {runs}")
+        await until(app, pilot, lambda: "The wheels turn" in screen_text(app))
+        app.exit()
+    async with opened(tmp_path, 80, 24) as (app, pilot):
+        await until(app, pilot, lambda: "Start them again?" in screen_text(app))
+        await pilot.press("y")
+        await until(
+            app, pilot, lambda: app.desktop.panes and "The wheels turn" in screen_text(app).split("[from 20")[-1]
+        )
+        typed = [[run.source.strip() for run in pane.view.terminal.runs.all] for pane in app.terminals.panes]
+        sources = ["source install/setup.bash"], ["source ~/ros2_ws/install/setup.bash"]
+        assert typed == [
+            [*([] if in_bashrc else source), each] for source, each in zip(sources, (launches, runs), strict=True)
+        ]
+
+
+async def test_what_does_not_start_again_is_seen(tmp_path) -> None:
+    left = [
+        {"folder": str(tmp_path), "text": "", "commands": commands}
+        for commands in (["ros2 run nothing nowhere"], ["sleep 1000"], [])
+    ]
+    layout = {"stack": ["terminal 1", "terminal 2", "terminal 3"], "front": "terminal 3"}
+    file = session_file(tmp_path)
+    file.parent.mkdir(parents=True)
+    file.write_text(json.dumps({"version": 1, "time": 1.0, "layout": layout, "terminals": left, "focus": "terminal 3"}))
+    async with opened(tmp_path, 80, 24) as (app, pilot):
+        await until(app, pilot, lambda: "Start them again?" in screen_text(app))
+        assert [pane.slot for pane in app.desktop.shown()] == [3]
+        await pilot.press("y")
+        await until(app, pilot, lambda: "Package 'nothing' not found" in screen_text(app))
+        assert app.desktop.focused_pane is app.terminals.panes[0], "nothing covers the pane with the keyboard"

@@ -462,7 +462,8 @@ class Day6App(TerminalApp):
                 self.session.place_windows()
             self.terminals.follow_desk()
             self.arranging.follow()
-        again = self.scenes.advance(now)
+        again = self.session.advance()
+        again = self.scenes.advance(now) or again
         self.recording.advance()
         if self.detachment.away:
             return self.notices.expire(now) or again

@@ -1,4 +1,4 @@
-"""What was on the desktop when it was left, and how it comes back: terminals with their folders and texts, and the layout.
+"""What was on the desktop when it was left, and how it comes back: terminals with folders, workspaces and texts, and the layout.
 
 The programs that ran are offered to be started again; their windows then find their old places.
 """
@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import json
 import logging
+import os
+import shlex
 import threading
 import time
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -33,6 +36,12 @@ LARGEST = 20_000_000
 
 MOST_TERMINALS = 50
 
+PREFIXES = "COLCON_PREFIX_PATH"
+"""The variable with the workspaces that were sourced, the last one first."""
+
+INTERRUPTED = 130
+"""The status after Ctrl-C."""
+
 WAITED = 60.0
 """Seconds for which windows of programs that were started again go to their old places."""
 
@@ -44,6 +53,51 @@ class Left(NamedTuple):
     text: str
     commands: list[str]
     """What ran in it: commands in the background first, each with its `&`."""
+    sourced: list[Path]
+    """The install folders of the workspaces it knew, in the order in which they are to be sourced."""
+
+
+@dataclass
+class Returning:
+    """A terminal that comes back."""
+
+    pane: TerminalPane
+    left: Left
+    to_type: list[str] = field(default_factory=list)
+    """Commands that are to be started again as soon as its workspaces are sourced."""
+    is_sourced: bool = False
+    lines_before: int = 0
+    """How many lines had been run in it when they were started."""
+
+    def type(self, home: Path) -> bool:
+        """Type what is due, once the prompt waits; return whether nothing is left."""
+        if not self.pane.has_terminal or self.pane.view.terminal.closed:
+            return True
+        terminal = self.pane.view.terminal
+        if not self.is_sourced:
+            if not self.pane.view.at_prompt:
+                return False
+            self.is_sourced = True
+            known = terminal.shell.environment.get(PREFIXES, "").split(os.pathsep)  # some have it in their .bashrc
+            for install in self.left.sourced:
+                if str(install) not in known and (install / "setup.bash").is_file():
+                    terminal.run_line(_source(install, terminal.shell.cwd, home))
+        if self.to_type:
+            self.lines_before = terminal.runs.count
+            for command in self.to_type:
+                terminal.run_line(command)
+            self.to_type = []
+        return True
+
+    @property
+    def has_failed(self) -> bool:
+        """Whether a command that was started again has ended with an error."""
+        if not self.pane.has_terminal:
+            return False
+        runs = [run for run in self.pane.view.terminal.runs.all if run.number > self.lines_before]
+        return any(
+            run.status not in (None, 0, INTERRUPTED) and run.source.strip() in self.left.commands for run in runs
+        )
 
 
 class SavedDesktop(Feature):
@@ -55,6 +109,12 @@ class SavedDesktop(Feature):
         self._layout: object = None
         """The layout that windows of programs that were started again come into, and until when."""
         self._until = 0.0
+        self._returning: list[Returning] = []
+        """The terminals in which something is still to be typed."""
+        self._started: list[Returning] = []
+        """Those in which programs were started again."""
+        self._failed: list[TerminalPane] = []
+        """Those of them in which one did not start."""
         self._views: dict[str, str] = {}
         """What the windows showed that have not come back yet, by their roles in the layout."""
         self._state: object = None
@@ -95,7 +155,10 @@ class SavedDesktop(Feature):
             if terminal.closed:
                 continue
             text = transcript(terminal.screen, without_last=not terminal.busy)
-            terminals.append({"folder": str(terminal.shell.cwd), "text": text, "commands": _commands(terminal)})
+            prefixes = terminal.shell.environment.get(PREFIXES, "").split(os.pathsep)
+            sourced = [prefix for prefix in reversed(prefixes) if prefix]
+            found_there = {"folder": str(terminal.shell.cwd), "text": text, "commands": _commands(terminal)}
+            terminals.append({**found_there, "sourced": sourced})
         focused, roles = self._desktop.focused_pane, self._arranging.roles()
         found = {
             "version": VERSION,
@@ -130,18 +193,17 @@ class SavedDesktop(Feature):
         if len(left) < 2 and not any(each.commands for each in left):
             return False
         when = time.strftime("%Y-%m-%d %H:%M", time.localtime(found["time"]))
-        panes = []
         for each in left[:MOST_TERMINALS]:
             mark = f"\n\x1b[2m[{self._look.texts('session.restored', when=when)}]\x1b[0m" if each.text else ""
             pane = self._terminals.open(cwd=each.folder if each.folder.is_dir() else None, text=each.text + mark)
             if pane is not None:
-                panes.append((pane, each.commands))
+                self._returning.append(Returning(pane, each))
         self._layout, self._views = found["layout"], views
         self._arranging.apply(self._layout)
         self._focus(str(found.get("focus", "")))
         self.in_lesson = "lesson 1" in views
         self._until = time.monotonic() + WAITED
-        self._offer([(pane, commands) for pane, commands in panes if commands])
+        self._offer([each for each in self._returning if each.left.commands])
         return True
 
     def _focus(self, role: str) -> None:
@@ -150,20 +212,21 @@ class SavedDesktop(Feature):
         if pane is not None:
             self._desktop.focus_pane(pane)
 
-    def _offer(self, stopped: list[tuple[TerminalPane, list[str]]]) -> None:
+    def _offer(self, stopped: list[Returning]) -> None:
         if not stopped:
             return
         from day6_tui.overlays.question import Answer, Question
 
         texts = self._look.texts
-        names = "\n".join(command for _, commands in stopped for command in commands)
+        names = "\n".join(command for each in stopped for command in each.left.commands)
 
         def start() -> None:
             self._until = time.monotonic() + WAITED
-            for pane, commands in stopped:
-                if pane.has_terminal:
-                    for command in commands:
-                        pane.view.terminal.run_line(command)
+            for each in stopped:
+                each.to_type = list(each.left.commands)
+            self._started = stopped
+            self._returning += [each for each in stopped if each not in self._returning]
+            self._look.wake()
 
         again = Answer("y", texts("session.start"), start)
         self._desktop.open_overlay(
@@ -176,11 +239,37 @@ class SavedDesktop(Feature):
             )
         )
 
+    def advance(self) -> bool:
+        """At every frame: type what is due in the terminals that come back, and show where something failed; True to go on."""
+        desk = self._machine.desk
+        if desk is not None and self._returning:
+            self._returning = [each for each in self._returning if not each.type(desk.home)]
+        if self._started and time.monotonic() >= self._until:
+            self._started = []
+        for each in [each for each in self._started if each.has_failed]:
+            self._started.remove(each)
+            self._failed.append(each.pane)
+            self._show(each.pane)
+        return bool(self._returning)
+
+    def _show(self, pane: TerminalPane) -> None:
+        """Bring a terminal in front, with the keyboard if it would cover the pane that has it."""
+        desktop = self._desktop
+        if not desktop.holds(pane) or desktop.is_shown(pane):
+            return
+        here = desktop.focused_pane
+        if here is not None and here.slot in desktop.split_tree.stack_of(pane.slot).keys:
+            desktop.focus_pane(pane)
+        else:
+            desktop.bring_to_front(pane)
+
     def place_windows(self) -> None:
         """A window was opened: if it belongs to the layout that was left, it goes to its old place and shows what it showed."""
         if self._layout is None or time.monotonic() >= self._until:
             return
         self._arranging.apply(self._layout)
+        for terminal in self._failed:
+            self._show(terminal)
         roles = self._arranging.roles()
         for pane in self._desktop.panes.values():
             if view := self._views.pop(roles[pane.slot], ""):
@@ -195,6 +284,16 @@ def _write(path: Path, data: bytes) -> None:
         write_private(path, data)
     except OSError as error:
         _log.warning("the session could not be saved: %s", error)
+
+
+def _source(install: Path, folder: Path, home: Path) -> str:
+    """The command that sources a workspace, as one types it in a folder."""
+    script = install / "setup.bash"
+    if install.parent == folder:
+        return f"source {shlex.quote(str(script.relative_to(folder)))}"
+    if script.is_relative_to(home):
+        return f"source ~/{shlex.quote(str(script.relative_to(home)))}"
+    return f"source {shlex.quote(str(script))}"
 
 
 def _commands(terminal: Terminal) -> list[str]:
@@ -218,6 +317,9 @@ def _views(found: object) -> dict[str, str]:
 
 def _left(found: Mapping[str, Any]) -> Left:
     folder, text, commands = found["folder"], found["text"], found["commands"]
-    if not isinstance(folder, str) or not isinstance(text, str) or not all(isinstance(each, str) for each in commands):
+    sourced = found.get("sourced", [])
+    strings = [folder, text, *commands, *sourced]
+    if not isinstance(commands, list) or not isinstance(sourced, list) or not all(isinstance(s, str) for s in strings):
         raise ValueError("no session")
-    return Left(Path(folder), text, ["".join(filter(str.isprintable, each)) for each in commands])
+    printable = [["".join(filter(str.isprintable, each)) for each in lines] for lines in (commands, sourced)]
+    return Left(Path(folder), text, printable[0], [Path(each) for each in printable[1]])
