@@ -71,10 +71,6 @@ class Hands(ABC):
         """Choose the topic of the RobotModel that was added."""
 
     @abstractmethod
-    def look_closely(self) -> None:
-        """Take up RViz's offer to show the robot large."""
-
-    @abstractmethod
     def slide(self, joint: str) -> None:
         """Move the first slider of joint_state_publisher_gui, that of `joint`, to the right."""
 
@@ -147,9 +143,6 @@ class Keyboard(Hands):
         chosen = [row for row, ground in zip(rows, grounds, strict=True) if grounds.count(ground) == 1]
         return self.screen.row(chosen[0]) if len(chosen) == 1 else ""
 
-    def look_closely(self) -> None:
-        self.screen.press("f")
-
     def slide(self, joint: str) -> None:
         self.screen.press(*["Right"] * 9)
 
@@ -209,10 +202,6 @@ class Pointer(Hands):
         self.mouse.double_click(column + 4, row)
         self.screen.wait(self.texts("rviz.type_it"))
         self.mouse.click_on(f" {topic} ")
-
-    def look_closely(self) -> None:
-        self.mouse.click_on(self.texts("rviz.offer"))
-        self.screen.wait(f"Tab {self.texts('rviz.key.panel')}")  # the bar moves when the view gets the keyboard
 
     def slide(self, joint: str) -> None:
         self.screen.wait(lambda seen: self.screen.find("●", "5 Joint"))

@@ -189,9 +189,7 @@ def test_section_5_the_wheels_turn_on_the_screen(place: Place, hands: str, lang:
         person.add_display("RobotModel")
         screen.wait(pane(person, "2 RViz", "[x]", "RobotModel", "/robot_description"))
         person.description_topic("/robot_description")
-        screen.wait(lambda seen: blue(person) > 0)
-        person.look_closely()
-        screen.wait(lambda seen: blue(person) > LARGE)
+        screen.wait(lambda seen: blue(person) > LARGE)  # without a key
         person.enlarge("2 RViz")
         screen.wait(lambda seen: not screen.pane("1 day6_display"))  # without it, RViz may be as high before
         screen.wait(lambda seen: len(screen.pane("2 RViz")) == size[1] - 4 and blue(person) > LARGE)

@@ -99,7 +99,7 @@ async def drag(
     pane = at.pane
     kinds = [events.MouseDown, *[events.MouseMove] * (len(places) - 1), events.MouseUp]
     for kind, (x, y) in zip(kinds, [*places, places[-1]], strict=True):
-        left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
+        left, top = pane.view_place.offset
         pane.post_message(mouse(pane, kind, left + x, top + y, button, shift, ctrl, alt))
         await at.settle()
     await at.settle()  # what the window asked for is done by the program now
@@ -110,7 +110,7 @@ async def hover(at: Walk, place: tuple[int, int]) -> None:
     from textual import events
 
     pane = at.pane
-    left, top = pane.inner_offset + pane.division.view_left, pane.inner_offset + pane.top
+    left, top = pane.view_place.offset
     pane.post_message(mouse(pane, events.MouseMove, left + place[0], top + place[1], 0, False, False))
     await at.settle()
     await at.settle()

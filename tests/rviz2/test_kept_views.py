@@ -97,8 +97,8 @@ def test_the_focal_point_is_marked_while_the_camera_is_moved(machine: RVizMachin
             assert marked()
             await at.until(lambda: not marked())
             seen: list[bool] = []
-            move = at.pane._dragging.move
-            at.pane._dragging.move = lambda *args: (move(*args), seen.append(at.pane.view.dragging))
+            move = at.pane._mouse.dragging.move
+            at.pane._mouse.dragging.move = lambda *args: (move(*args), seen.append(at.pane.view.dragging))
             await drag(at, (10, 10), (12, 10))
             assert seen == [True]
             machine.rviz.view.child("Focal Shape Fixed Size").set(False)
@@ -117,7 +117,7 @@ def test_a_view_is_kept_left_and_found_again(machine: RVizMachine) -> None:
             (saved,) = rviz.saved_views
             await at.press("v", "v")
             assert rviz.view.type == "TopDownOrtho"
-            at.pane._to_panel()
+            at.pane.to_panel()
             at.pane.choose(saved)
             await at.press("ctrl+r", "ctrl+u")
             await at.type("front")

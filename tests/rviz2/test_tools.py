@@ -214,6 +214,7 @@ def test_focus_camera_looks_at_what_was_clicked(machine: RVizMachine) -> None:
             machine.fix("base_link")
             machine.transform("base_link", "other")
             machine.robot(BOX)
+            await at.settle()
             before = machine.rviz.view.camera().position
             await at.press("c")
             await drag(at, (at.pane.view.columns // 2, at.pane.view.rows // 2))

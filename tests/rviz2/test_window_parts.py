@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
 from textual import events
 
-from day6_core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
-from day6_tui.windows.rviz.extent import extent
-from day6_tui.windows.rviz.sizes import NARROWEST_PANEL, NARROWEST_VIEW, divide
+from day6_tui.windows.rviz.drawer import LOWEST_VIEW, NARROWEST_PANEL, NARROWEST_VIEW, divide
 from day6_urdf import shipped_model
-from day6_urdf.kinematics import Transform
 from tests.rviz2.rviz_walk import Walk, mouse, run, walking
 
 if TYPE_CHECKING:
@@ -27,13 +22,20 @@ HALF_OF_120 = (62, 20)
 
 
 @pytest.mark.parametrize("width", range(1, 160, 3))
-def test_panel_and_view_share_all_columns_and_neither_starves(width: int) -> None:
-    panel, left, view = divide(width, panel_open=True)
-    assert panel < left and left + view == max(width, left)
-    assert view == 0 or (panel >= NARROWEST_PANEL and view >= NARROWEST_VIEW)
-    if view:
-        assert panel <= view or width < 60
-    assert divide(width, panel_open=False).view == width - 1
+@pytest.mark.parametrize("height", [1, 2, 8, 16, 40])
+@pytest.mark.parametrize("is_open", [True, False])
+def test_panel_edge_and_view_share_all_cells_and_the_view_never_starves(width: int, height: int, is_open: bool) -> None:
+    parts = divide(width, height, panel_open=is_open)
+    assert sum(part.area for part in parts) == width * height and (bool(parts.panel) is is_open or width < 3)
+    assert not any(parts[a].overlaps(parts[b]) for a, b in ((0, 1), (0, 2), (1, 2)))
+    assert parts.view.area or width < 3
+    beside = parts.panel.height == height and width >= NARROWEST_PANEL + 1 + NARROWEST_VIEW
+    if is_open and beside:
+        assert parts.panel.width >= NARROWEST_PANEL and parts.view.width >= NARROWEST_VIEW
+    elif is_open and height >= 16:
+        assert parts.view.width == width and parts.view.height >= LOWEST_VIEW
+    elif not is_open and width > 1:
+        assert (parts.view.width, parts.view.height) == (width - 1, height)
 
 
 def test_a_key_and_a_click_fold_the_panel_and_bring_it_back(machine: RVizMachine) -> None:
@@ -46,7 +48,7 @@ def test_a_key_and_a_click_fold_the_panel_and_bring_it_back(machine: RVizMachine
             assert "Frame Rate" in at.screen() and at.pane.on_panel
             middle = at.pane.body_height // 2 + 1
             assert at.screen().count("◂") == 1
-            await at.pilot.click(at.pane, offset=(at.pane.division.panel + 1, middle))
+            await at.pilot.click(at.pane, offset=(at.pane.division.panel.width + 1, middle))
             await at.settle()
             assert "Frame Rate" not in at.screen() and "▸ Displays" in at.screen()
             await at.pilot.click(at.pane, offset=(1, middle))
@@ -59,7 +61,7 @@ def test_a_key_and_a_click_fold_the_panel_and_bring_it_back(machine: RVizMachine
 def test_in_a_narrow_window_the_view_gets_all_of_it_while_it_is_used(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine, *HALF_OF_120) as at:
-            assert "Frame Rate" in at.screen() and at.pane.view.columns == 60 - 1 - at.pane.division.panel
+            assert "Frame Rate" in at.screen() and at.pane.view.columns == 60 - 1 - at.pane.division.panel.width
             await at.press("tab")
             assert "Frame Rate" not in at.screen() and at.pane.view.columns == 59
             line = at.screen().split("\n")[at.pane.region.y]
@@ -70,30 +72,19 @@ def test_in_a_narrow_window_the_view_gets_all_of_it_while_it_is_used(machine: RV
     run(walk())
 
 
-def test_in_a_very_narrow_window_they_take_turns(machine: RVizMachine) -> None:
+def test_in_a_very_narrow_window_the_panel_is_above_the_view(machine: RVizMachine) -> None:
     async def walk() -> None:
-        async with walking(machine, 46, 20) as at:
-            assert "Global Options" in at.screen() and at.pane.view.columns == 0
+        async with walking(machine, 46, 24) as at:
+            assert "Global Options" in at.screen() and (at.pane.view.columns, at.pane.view.rows) == (44, 8)
+            edge = at.pane.top + at.pane.division.edge.y + 1
+            assert "─ ▴ ─" in at.screen().splitlines()[edge + 1]
             await at.press("tab")
-            assert "Global Options" not in at.screen() and at.pane.view.columns == 43
+            assert "Global Options" not in at.screen() and (at.pane.view.columns, at.pane.view.rows) == (43, 16)
             await at.press("escape")
             assert "Global Options" in at.screen()
-
-    run(walk())
-
-
-@pytest.mark.parametrize(("width", "panel"), [(62, False), (100, True)])
-def test_a_saved_view_of_a_robot_opens_with_the_picture_in_a_narrow_window(
-    machine: RVizMachine, tmp_path: Path, width: int, panel: bool
-) -> None:
-    async def walk() -> None:
-        file = tmp_path / "robot.rviz"
-        file.write_text(
-            "Visualization Manager:\n  Displays:\n    - {Class: rviz_default_plugins/RobotModel, Name: RobotModel}\n",
-            encoding="utf-8",
-        )
-        async with walking(machine, width, 20, args=("-d", str(file))) as at:
-            assert ("Frame Rate" in at.screen()) is panel
+            await at.pilot.click(at.pane, offset=(20, edge))
+            await at.settle()
+            assert "Global Options" not in at.screen()
 
     run(walk())
 
@@ -265,7 +256,7 @@ def test_a_value_line_closes_with_its_panel_and_with_its_property(machine: RVizM
             machine.add("Grid")
             await at.settle()
             await _type_cell_size(at, machine)
-            await at.pilot.click(at.pane, offset=(at.pane.division.panel + 1, at.pane.body_height // 2 + 1))
+            await at.pilot.click(at.pane, offset=(at.pane.division.panel.width + 1, at.pane.body_height // 2 + 1))
             await at.settle()
             assert at.pane.panel.value_line is None and at.pane.has_focus and "Cell Size" not in at.screen()
             await at.press("left")
@@ -369,7 +360,7 @@ def test_the_keyboard_follows_the_panel_when_the_window_becomes_narrow_and_wide(
     async def walk() -> None:
         async with walking(machine, 100, 30) as at:
             machine.add("RobotModel")
-            at.pane._panel_open["narrow"] = False
+            at.pane.drawer.empty = False
             await at.press("down", "down")
             chosen = at.pane.panel.properties.prop
             await at.pilot.resize_terminal(*HALF_OF_120)
@@ -396,86 +387,6 @@ def test_the_frame_shows_who_has_the_keyboard_also_while_something_is_open_over_
             assert {line[0] for line in at.screen().splitlines()[3:-2]} == {"│"}
             await at.press("escape")
             assert {line[0] for line in at.screen().splitlines()[3:-2]} == {"┃"}
-
-    run(walk())
-
-
-# -- looking closer ----------------------------------------------------------------------------------------------------
-
-OFFER = "see the robot up close"
-
-
-async def _with_the_car(at: Walk, machine: RVizMachine) -> Any:
-    machine.start("robot_state_publisher", "robot_state_publisher", str(shipped_model()))
-    machine.settle()
-    machine.fix("base_link")
-    robot = machine.add("RobotModel", "/robot_description")
-    machine.until(lambda: robot.status("URDF") is not None)
-    await at.settle()
-    return robot
-
-
-@pytest.mark.parametrize("size", [(120, 40), (80, 24), HALF_OF_120])
-def test_a_robot_that_comes_is_far_away_and_f_is_offered_until_it_was_pressed(
-    machine: RVizMachine, size: tuple[int, int]
-) -> None:
-    async def walk() -> None:
-        async with walking(machine, *size) as at:
-            assert OFFER not in at.screen()
-            await _with_the_car(at, machine)
-            assert f"f  {OFFER}" in at.screen()
-            assert _blue_cells(at) < 12
-            await at.press("f")
-            assert OFFER not in at.screen()
-            await at.until(lambda: _blue_cells(at) > 60)
-            await at.press("z")
-            assert OFFER not in at.screen()
-
-    run(walk())
-
-
-def _blue_cells(at: Walk) -> int:
-    cells = at.pane.view.cells
-    return sum(1 for row in cells.back for colour in row if int(colour) & 255 > 2 * (int(colour) >> 16))
-
-
-def test_the_offer_goes_when_the_camera_moves_and_a_click_takes_it(machine: RVizMachine) -> None:
-    async def walk() -> None:
-        async with walking(machine) as at:
-            await _with_the_car(at, machine)
-            row = next(y for y, line in enumerate(at.screen().splitlines()) if OFFER in line)
-            await at.pilot.click(at.pane, offset=(at.screen().splitlines()[row].index(OFFER), row - 1))
-            await at.settle()
-            assert OFFER not in at.screen() and machine.rviz.view.child("Distance").value < 2.0
-
-    run(walk())
-
-    async def moved() -> None:
-        async with walking(machine) as at:
-            machine.fix("base_link")
-            machine.add("RobotModel", "/robot_description")
-            machine.until(lambda: machine.rviz.scene.shapes)
-            await at.settle()
-            assert OFFER in at.screen()
-            await at.press("minus")
-            assert OFFER not in at.screen()
-
-    run(moved())
-
-
-def test_a_large_robot_and_a_wrong_fixed_frame_are_offered_nothing(machine: RVizMachine) -> None:
-    async def walk() -> None:
-        async with walking(machine) as at:
-            box = '<visual><geometry><box size="4 4 2"/></geometry></visual>'
-            robot = f'<robot name="r"><link name="base_link">{box}</link></robot>'
-            machine.transform("map", "odom")
-            machine.robot(robot)
-            await at.settle()
-            assert machine.rviz.displays[-1].status("URDF") == ("Ok", "URDF parsed OK") and OFFER not in at.screen()
-            machine.fix("base_link")
-            machine.transform("map", "base_link")
-            await at.settle()
-            assert OFFER not in at.screen()
 
     run(walk())
 
@@ -567,7 +478,7 @@ def test_the_desktop_asks_before_it_ends_with_a_changed_view(machine: RVizMachin
 def test_the_mouse_turns_the_view_beside_the_edge_and_the_edge_turns_nothing(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
-            edge = at.pane.division.panel + 1
+            edge = at.pane.division.panel.width + 1
             for x, turned in ((edge, False), (edge + 1, True)):
                 yaw = machine.rviz.view.child("Yaw").value
                 for kind, column in ((events.MouseDown, x), (events.MouseMove, x + 8), (events.MouseUp, x + 8)):
@@ -576,15 +487,3 @@ def test_the_mouse_turns_the_view_beside_the_edge_and_the_edge_turns_nothing(mac
                 assert (machine.rviz.view.child("Yaw").value != yaw) is turned
 
     run(walk())
-
-
-def test_f_looks_at_whatever_there_is_without_a_robot() -> None:
-    scene = Scene(lines=[Lines([(-50.0, 0.0, 0.0), (50.0, 0.0, 0.0)], [(1.0, 1.0, 1.0, 1.0)], lattice=True)])
-    assert extent(scene) is None
-    scene.points.append(Points([(2.0, 0.0, 0.0)], [(1.0, 0.0, 0.0, 1.0)]))
-    assert extent(scene) == ((2.0, 0.0, 0.0), 1e-3)
-    scene.lines.append(Lines([(0.0, 0.0, 0.0), (4.0, 0.0, 0.0)], [(1.0, 1.0, 1.0, 1.0)]))
-    scene.shapes.append(Shape(BOX, Transform((2.0, 0.0, 0.0)), (1.0, 6.0, 0.0), (1.0, 1.0, 1.0, 1.0)))
-    assert extent(scene) == ((2.0, 0.0, 0.0), math.hypot(2.0, 3.0))
-    scene.shapes.append(Shape(BOX, Transform((9.0, 0.0, 0.0)), (2.0, 0.0, 0.0), (1.0, 1.0, 1.0, 1.0), "base_link"))
-    assert extent(scene) == ((9.0, 0.0, 0.0), 1.0)

@@ -1,46 +1,103 @@
-"""How large what is shown is, and how much of the picture it takes."""
+"""How large what is shown is, how much of the picture it takes, and how to let it take as much as there is."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from day6_core.ros.programs.rviz2.model.scene import Scene
-from day6_core.ros.programs.rviz2.model.selection import bounding_box
-from day6_core.ros.programs.rviz2.model.views import FIELD_OF_VIEW, Camera
+from day6_core.ros.programs.rviz2.model.selection import corners_of
+from day6_core.ros.programs.rviz2.model.views import FIELD_OF_VIEW, Camera, View
 from day6_urdf.model import Vector
 
+SMALL = 0.25
+"""What takes less than this part of the picture's width and of its height is a speck."""
 
-def extent(scene: Scene) -> tuple[Vector, float] | None:
-    """Centre and radius of what is visible: the robot's links if there are any, else everything but grids."""
-    robot = Scene(
+FILL = 0.9
+"""The part of the picture that is filled by what is looked at."""
+
+ROUNDS, CAUTION = 12, 0.6
+"""Steps in which the camera comes to where it fills so much, each somewhat shorter than what seems to be missing: what is near
+grows faster than the way to it shrinks."""
+
+POINT, ROOM = 1e-3, 0.5
+"""What has no larger radius, in metres, is a point, and as much of what is around it is shown."""
+
+
+def robot_of(scene: Scene) -> Scene:
+    """The links of the robots in it."""
+    return Scene(
         shapes=[each for each in scene.shapes if each.name], triangles=[each for each in scene.triangles if each.name]
     )
+
+
+def outline(scene: Scene) -> list[Vector]:
+    """Points that what is visible lies between: those of the robot's links if there are any, else of everything but grids."""
     everything = Scene(
         shapes=scene.shapes,
         triangles=scene.triangles,
         points=scene.points,
         lines=[each for each in scene.lines if not each.lattice],
     )
-    box = bounding_box(robot) or bounding_box(everything)
-    return around([box]) if box is not None else None
+    return corners_of(robot_of(scene)) or corners_of(everything)
 
 
-def around(boxes: Sequence[tuple[Vector, Vector]]) -> tuple[Vector, float] | None:
-    """Centre and radius of a ball around boxes, each given by its least and greatest corner; None for no box."""
-    if not boxes:
-        return None
-    low = [min(box[0][axis] for box in boxes) for axis in range(3)]
-    high = [max(box[1][axis] for box in boxes) for axis in range(3)]
+def ball(points: Sequence[Vector]) -> tuple[Vector, float]:
+    """Centre and radius of a ball around points, of which there must be one."""
+    low, high = ([least(point[axis] for point in points) for axis in range(3)] for least in (min, max))
     centre = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
-    return centre, max(1e-3, math.dist(low, high) / 2)
+    return centre, max(POINT, math.dist(low, high) / 2)
 
 
-def share_of_picture(camera: Camera, centre: Vector, radius: float, aspect: float) -> float:
-    """The part of the picture (`aspect` times as wide as high) that a ball takes, across its shorter side."""
-    if camera.metres is not None:
-        metres = camera.metres
-    else:
-        depth = sum((a - b) * c for a, b, c in zip(centre, camera.position, camera.forward, strict=True))
-        metres = 2 * max(depth, camera.near) * math.tan(FIELD_OF_VIEW / 2)
-    return 2 * radius / (metres * min(1.0, max(aspect, 0.01)))
+class _Span(NamedTuple):
+    """What points cover of a picture, whose edges are at -1 and 1: its middle, and how far it reaches from there."""
+
+    x: float
+    y: float
+    across: float
+    along: float
+
+    @property
+    def farthest(self) -> float:
+        """How far it reaches from the middle of the picture."""
+        return max(abs(self.x) + self.across, abs(self.y) + self.along)
+
+
+def _span(camera: Camera, points: Iterable[Vector], aspect: float) -> _Span | None:
+    """What points cover of a picture `aspect` times as wide as high; None if one is not before the camera."""
+    places: list[tuple[float, float]] = []
+    for point in points:
+        away = [a - b for a, b in zip(point, camera.position, strict=True)]
+        x, y, depth = (
+            sum(a * b for a, b in zip(away, axis, strict=True)) for axis in (camera.right, camera.up, camera.forward)
+        )
+        if depth <= camera.near:
+            return None
+        half = camera.metres / 2 if camera.metres is not None else depth * math.tan(FIELD_OF_VIEW / 2)
+        places.append((x / half / aspect, y / half))
+    (left, right), (low, high) = ((min(each), max(each)) for each in zip(*places, strict=True))
+    return _Span((left + right) / 2, (low + high) / 2, (right - left) / 2, (high - low) / 2)
+
+
+def is_speck(camera: Camera, points: Sequence[Vector], aspect: float) -> bool:
+    """Whether what lies between points is hardly seen in a picture `aspect` times as wide as high, or not at all."""
+    middle, span = _span(camera, [ball(points)[0]], aspect), _span(camera, points, aspect)
+    if middle is None or abs(middle.x) > 1 or abs(middle.y) > 1:
+        return True
+    return span is not None and max(span.across, span.along) < SMALL
+
+
+def frame(view: View, points: Sequence[Vector], aspect: float) -> None:
+    """Let what lies between points fill a picture that is `aspect` times as wide as high, seen from the same direction."""
+    centre, radius = ball(points)
+    is_point = radius <= POINT
+    radius = safe = (ROOM if is_point else radius) / min(1.0, max(0.2, aspect))
+    view.look_at(centre, safe)
+    for _ in range(0 if is_point else ROUNDS):
+        span = _span(view.camera(), points, aspect)
+        if span is None:  # it came too near
+            view.look_at(centre, safe)
+            return
+        radius *= max(0.5, min(2.0, (span.farthest / FILL) ** CAUTION))
+        view.look_at(centre, radius)

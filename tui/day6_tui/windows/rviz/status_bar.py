@@ -39,6 +39,11 @@ class StatusBar:
         self.hurry()
         self._look.wake()
 
+    @property
+    def pressing(self) -> bool:
+        """Whether it answers what somebody did, or tells what happens at the moment."""
+        return bool(self._message or self._rviz.progress or self._rviz.message is not None)
+
     def hurry(self) -> None:
         """Do not wait with the next sentence: the user did something."""
         self._made_at = -10.0

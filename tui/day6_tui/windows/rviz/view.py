@@ -158,15 +158,16 @@ class View3D:
         spans = fine.draft(pictures, now)
         return everything or spans, True
 
-    def show(self, pane: Widget, column: int, row: int) -> None:
-        """Hand the picture over, if it is one of real pixels: its upper left cell in the pane."""
+    def show(self, pane: Widget, place: Region, *, covered: int) -> None:
+        """Hand the picture over, if it is one of real pixels; `covered` of its lowest rows are text."""
         if (pictures := self._look.pixels) is None:
             return
         if self._fine is None or not self.columns or not self.rows:
             pictures.drop(pane)
         else:
-            place = Region(column, row, self.columns, self.rows)
-            pictures.show(pane, place, self._fine.cell, self._fine.pixels, self._fine.sheet.holes)
+            text = Region(0, self.rows - covered, self.columns, covered)
+            holes = [*self._fine.sheet.holes, *([text] if covered else [])]
+            pictures.show(pane, place, self._fine.cell, self._fine.pixels, holes)
 
     def _paint(self) -> Cells:
         began = time.thread_time()

@@ -17,7 +17,7 @@ from day6_core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_core.ros.programs.rviz2.model.config import ConfigError
 from day6_core.ros.programs.rviz2.model.frames import FrameBuffer
 from day6_core.ros.programs.rviz2.model.manager import RViz
-from day6_core.ros.programs.rviz2.model.status import ERROR, OK, WORDS, Status
+from day6_core.ros.programs.rviz2.model.status import ERROR, WORDS, Status
 from day6_core.ros.programs.rviz2.reading import Reader
 from day6_core.ros.programs.tf2_ros.listening import listen
 from day6_core.session.task import Signal
@@ -256,13 +256,7 @@ async def _settle(session: Session, rviz: RViz, changed: Signal) -> None:
 
 def troubles(rviz: RViz) -> dict[str, int]:
     """What is not well, as texts, with how bad it is."""
-    found = {}
-    shown = [display for display in rviz.displays if display.enabled]
-    for name, tree in [("Global Status", rviz.statuses), *((display.name, display.statuses) for display in shown)]:
-        for line in tree.children:
-            if isinstance(line, Status) and line.level != OK:
-                found[f"{name}: {line.name}: {line.value}"] = line.level
-    return found
+    return {f"{owner}: {line.name}: {line.value}": line.level for owner, line in rviz.problems()}
 
 
 def panel_text(rviz: RViz) -> list[str]:

@@ -35,7 +35,7 @@ from day6_core.ros.programs.rviz2.model.properties import (
 )
 from day6_core.ros.programs.rviz2.model.scene import Scene
 from day6_core.ros.programs.rviz2.model.selection import Selection
-from day6_core.ros.programs.rviz2.model.status import ERROR, OK, WARN, StatusList
+from day6_core.ros.programs.rviz2.model.status import ERROR, OK, WARN, Status, StatusList
 from day6_core.ros.programs.rviz2.model.tools.toolbox import Toolbox
 from day6_core.ros.programs.rviz2.model.views import VIEWS, Orbit, SavedView, View, copied, type_property
 from day6_core.session.task import Signal
@@ -414,6 +414,12 @@ class RViz:
             changed = self.statuses.put(ERROR, "Fixed Frame", problem)
         if changed:
             self.tree_changed()
+
+    def problems(self) -> list[tuple[str, Status]]:
+        """Every status of RViz and its enabled displays that is not well, with whose it is, in the order of the panel."""
+        shown = [(display.name, display.statuses) for display in self.displays if display.enabled]
+        owners = [(self.statuses.word, self.statuses), *shown]
+        return [(owner, line) for owner, statuses in owners for line in statuses.lines if line.level > OK]
 
     # -- configuration -------------------------------------------------------------------------------------------------
 

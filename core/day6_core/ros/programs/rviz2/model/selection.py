@@ -110,8 +110,8 @@ def placed_corner(low: Vector, high: Vector, bits: int) -> Vector:
     return x, y, z
 
 
-def bounding_box(scene: Scene) -> tuple[Vector, Vector] | None:
-    """The box along the axes of the fixed frame that holds everything solid of a scene; None for nothing."""
+def corners_of(scene: Scene) -> list[Vector]:
+    """Points of the fixed frame that everything solid of a scene lies between."""
     corners: list[Vector] = []
     for shape in scene.shapes:
         half = [size / 2 for size in shape.size]
@@ -130,7 +130,12 @@ def bounding_box(scene: Scene) -> tuple[Vector, Vector] | None:
 
             xyz = np.asarray(points.xyz, np.float64)
             corners += [placed(points.pose, tuple(xyz.min(axis=0))), placed(points.pose, tuple(xyz.max(axis=0)))]
-    corners = [corner for corner in corners if all(map(math.isfinite, corner))]
+    return [corner for corner in corners if all(map(math.isfinite, corner))]
+
+
+def bounding_box(scene: Scene) -> tuple[Vector, Vector] | None:
+    """The box along the axes of the fixed frame that holds everything solid of a scene; None for nothing."""
+    corners = corners_of(scene)
     if not corners:
         return None
     low_x, low_y, low_z = (min(corner[axis] for corner in corners) for axis in range(3))

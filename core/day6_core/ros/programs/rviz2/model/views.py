@@ -85,6 +85,11 @@ class View(Property):
             if each not in (self.near, self.target):
                 each.set(each.default)
 
+    @property
+    def at_start(self) -> bool:
+        """Whether it is as RViz begins: nobody has moved the camera, nor did a file."""
+        return all(each.value == each.default for each in self.children if each not in (self.near, self.target))
+
     def camera(self) -> Camera:
         raise NotImplementedError
 
