@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import pytest
+
 from day6_core.graph import EndpointKind, Graph
 from day6_core.graph.qos import Durability, QoS, Reliability
 from day6_core.ros.programs.day6_kitchen.belts import Belt, End, Hand, KitchenFacts, Refusal, select
@@ -89,14 +93,67 @@ def test_two_nodes_of_one_name_are_one_cook_who_is_counted_twice() -> None:
     assert (cook.name, cook.count) == ("/talker", 2)
 
 
-def test_the_same_type_always_looks_the_same_and_others_differ_in_letter_and_shape() -> None:
+def test_the_same_type_always_looks_the_same_and_others_differ_in_their_letter() -> None:
     dishes = Dishes()
     looks = [dishes.of(f"p/msg/{name}") for name in ("Twist", "TwistStamped", "Temperature", "Pose", "String")]
-    assert len({dish.text[1] for dish in looks}) == 5 and len({dish.text for dish in looks[:4]}) == 4
-    assert len({dish.text[0] for dish in looks[:4]}) == 4, "the first four in shape too"
+    assert len({dish.text[1] for dish in looks}) == 5
     assert dishes.of("p/msg/Twist") == looks[0]
     many = [dishes.of(f"p/msg/A{number}") for number in range(200)]
     assert all(len(dish.text) == 3 and dish.text.isascii() for dish in many)
+
+
+@pytest.mark.parametrize(
+    ("kind", "text"),
+    [
+        ("geometry_msgs/msg/Twist", "(T)"),
+        ("std_msgs/msg/String", "{S}"),
+        ("std_msgs/msg/Int32", "[I]"),
+        ("turtlesim/msg/Pose", "<P>"),
+        ("tf2_msgs/msg/TFMessage", "<F>"),
+        ("sensor_msgs/msg/Image", "#M#"),
+        ("sensor_msgs/msg/JointState", "\\J/"),
+        ("meal_msgs/msg/Soup", "=O="),
+    ],
+)
+def test_the_shape_of_a_dish_says_what_kind_of_message_it_is_whatever_else_was_seen_before(
+    kind: str, text: str
+) -> None:
+    dishes = Dishes()
+    dishes.of("geometry_msgs/msg/TransformStamped")
+    assert dishes.of(kind).text == text
+    for fine in (True, False):
+        assert [len(line) for line in dishes.of(kind).lines(fine=fine)] == [5, 5]
+        assert text[1] in "".join(dishes.of(kind).lines(fine=fine))
+
+
+def test_who_waits_for_dishes_stands_after_those_who_make_them() -> None:
+    chain = facts(
+        ("/joint_states", "/wheel_spinner", True, STRING),
+        ("/joint_states", "/robot_state_publisher", False, STRING),
+        *((topic, "/robot_state_publisher", True, STRING) for topic in ("/tf", "/tf_static", "/robot_description")),
+        *((topic, "/rviz2", False, STRING) for topic in ("/tf", "/tf_static", "/robot_description")),
+        ("/clicked_point", "/rviz2", True, STRING),
+    )
+    content = select(chain)
+    assert [cook.name for cook in content.cooks] == ["/wheel_spinner", "/robot_state_publisher", "/rviz2"]
+    assert [belt.topic for belt in content.belts] == [
+        "/joint_states",
+        "/robot_description",
+        "/tf",
+        "/tf_static",
+        "/clicked_point",
+    ]
+
+
+def test_a_command_has_the_name_that_was_typed_and_never_its_nodes() -> None:
+    ends = (
+        ("/a", "/_ros2cli_1004", False, STRING),
+        ("/a", "/talker", True, STRING),
+        ("/b", "/_ros2cli_7", True, STRING),
+    )
+    known = replace(facts(*ends), commands={"/_ros2cli_1004": "ros2 topic hz"})
+    assert {cook.title for cook in select(known).cooks} == {"ros2 topic hz", "talker", "ros2 topic pub"}
+    assert {cook.title for cook in select(facts(*ends)).cooks} == {"ros2 topic", "talker", "ros2 topic pub"}
 
 
 def test_many_messages_are_few_dishes_and_one_message_is_one() -> None:
@@ -179,3 +236,36 @@ def test_the_content_is_kept_while_nothing_changes() -> None:
     model.look(2.05)
     model.look(3.0)
     assert model.version > before[0] and not model.content.cooks
+
+
+def test_what_nobody_takes_is_counted_until_somebody_does() -> None:
+    graph, model = kitchen()
+    talker = graph.create_node("talker").create_publisher("/b", STRING, "", QoS(), lambda message: message)
+    model.look(1.0)
+    for _ in range(3):
+        talker.publish(object())
+    model.look(1.2)
+    assert model.left == {"/b": 3}
+    graph.create_node("wrong").create_subscription("/b", INT, "", QoS())
+    talker.publish(object())
+    model.look(1.6)
+    assert model.left == {"/b": 4}, "who waits for another shape takes none of them"
+    graph.create_node("listener").create_subscription("/b", STRING, "", QoS())
+    model.look(2.0)
+    talker.publish(object())
+    model.look(2.2)
+    assert model.left == {}
+
+
+def test_what_another_process_publishes_to_nobody_is_known_when_it_tells() -> None:
+    graph, model = kitchen()
+    there = graph.create_node("talker", origin="another process")
+    there.create_publisher("/b", STRING, "", QoS(), lambda message: message)
+    model.look(1.0)
+    assert model.unheard and model.rates == {"/b": None}
+    model.told = {("/talker", "/b"): 40}
+    model.look(2.0)
+    assert not model.left, "what was published before the kitchen was opened is in nobody's way"
+    model.told = {("/talker", "/b"): 42}
+    model.look(3.0)
+    assert model.left == {"/b": 2} and model.conveyor.moving == 2

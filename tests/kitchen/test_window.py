@@ -18,6 +18,10 @@ from tests.tui.screens import ToolWindow, screen_lines, step, use_window
 TWIST, POSE, STRING, INT = "geometry_msgs/msg/Twist", "turtlesim/msg/Pose", "std_msgs/msg/String", "std_msgs/msg/Int32"
 
 
+PLATE = "▀███▀"
+"""The lower line of a dish with a Twist, where a belt has lines enough."""
+
+
 class Lab:
     """A graph on which a test puts nodes, and the kitchen that shows it."""
 
@@ -66,6 +70,13 @@ class _Window(ToolWindow):
     def lines(self) -> list[str]:
         return screen_lines(self.app)[1:-1]
 
+    def belt(self, topic: str) -> list[str]:
+        """The lines of a belt below its words, down to where it runs."""
+        lines = self.lines()
+        first = next(index for index, line in enumerate(lines) if topic in line) + 1
+        last = next(index for index, line in enumerate(lines) if index >= first and ("═" in line or "·" in line))
+        return lines[first : last + 1]
+
     def line(self, text: str) -> str:
         """The first line in which a text stands."""
         return next((line for line in self.lines() if text in line), "")
@@ -108,7 +119,7 @@ def test_the_window_changes_its_size_while_dishes_are_moving() -> None:
             publisher.publish(object())
         await window.after(0.2)
         await window.after(0.6)
-        assert "(T)" in window.lines()[window.lines().index(window.line("cmd_vel")) + 1]
+        assert PLATE in window.belt("cmd_vel")[1]
         await window.press("f8")
         await window.after(0.2)
         assert "cmd_vel (T)" in window.text
@@ -121,20 +132,17 @@ def test_a_dish_moves_only_when_a_message_has_passed() -> None:
     publisher = lab.graph.endpoints(EndpointKind.PUBLISHER, topic="/turtle1/cmd_vel")[0]
 
     async def act(window: _Window) -> None:
-        def belt() -> str:
-            return window.lines()[window.lines().index(window.line("cmd_vel")) + 1]
-
         for _ in range(5):
             await window.after(0.5)
-            assert "(T)" not in belt()
+            assert PLATE not in "".join(window.belt("cmd_vel"))
         publisher.publish(object())
         places = []
         for _ in range(30):
             await window.after(0.1)
-            places.append(belt().find("(T)"))
+            places.append(window.belt("cmd_vel")[1].find(PLATE))
         moving = [place for place in places if place >= 0]
         assert moving == sorted(moving) and moving[0] < moving[-1] and places[-1] == -1
-        assert belt().index("►") - moving[-1] <= 8, "it gets as far as the cook who takes it"
+        assert window.belt("cmd_vel")[2].index("►") - moving[-1] <= 8, "it gets as far as the cook who takes it"
 
     use(lab, act)
 
@@ -147,23 +155,19 @@ def test_with_less_motion_no_dish_moves_and_the_rate_is_told() -> None:
         for _ in range(30):
             publisher.publish(object())
             await window.after(0.1)
-        lines = window.lines()
-        head = lines.index(window.line("cmd_vel"))
-        assert "(T)" not in lines[head + 1]
-        assert "Twist 10/s" in lines[head], lines[head]
+        assert PLATE not in "".join(window.belt("cmd_vel"))
+        assert "Twist 10/s" in window.line("cmd_vel"), window.text
 
     use(lab, act, reduced_motion=True)
 
 
 def test_a_cook_who_expects_another_shape_visibly_cannot_take_it() -> None:
     async def act(window: _Window) -> None:
-        lines = window.lines()
-        head = next(index for index, line in enumerate(lines) if "/chatter" in line)
-        assert "[S] String wrong shape" in lines[head]
-        assert "×(I)" in lines[head + 1] and "►" not in lines[head + 1]
+        assert "{S} String wrong shape" in window.line("/chatter")
+        assert "×[I]" in window.belt("/chatter")[-1] and "►" not in window.belt("/chatter")[-1]
         assert "belts that do not work: 1" in window.text
         await window.press("enter")
-        assert "the hatch of /listener only fits (I): nothing gets in" in window.text
+        assert "the hatch of /listener only fits [I]: nothing gets in" in window.text
         assert f"/talker publishes {STRING}" in window.text
 
     use(mismatch(), act, (120, 24))
@@ -176,8 +180,7 @@ def test_terms_that_do_not_match_are_marked_too() -> None:
     lab.hears("early", "/map", STRING)
 
     async def act(window: _Window) -> None:
-        lines = window.lines()
-        row = lines[next(index for index, line in enumerate(lines) if "/map" in line) + 1]
+        row = window.belt("/map")[-1]
         assert "×QoS" in row and "►" in row, "one of them gets it"
         await window.click("/map")
         assert "the QoS of /talker does not satisfy /late: durability" in window.text
@@ -265,7 +268,7 @@ def test_names_are_text_whatever_they_are() -> None:
     async def act(window: _Window) -> None:
         assert all(cell_len(line) <= 60 for line in screen_lines(window.app))
         await window.press("enter")
-        assert "[2]" in window.text and "×(1)" in window.text, "no letter of theirs is one of ours"
+        assert "=2=" in window.text and "×=1=" in window.text, "no letter of theirs is one of ours"
 
     use(lab, act, (60, 20))
 
@@ -286,3 +289,112 @@ def test_six_hundred_nodes_hold_nothing_up() -> None:
         assert "cook_" in window.text
 
     use(lab, act, (120, 40))
+
+
+def looks_left(window: _Window, topic: str) -> int:
+    return "".join(window.belt(topic)).count("<P>")
+
+
+def test_what_nobody_takes_piles_up_at_the_end_of_the_belt_with_its_number() -> None:
+    lab = turtle()
+    publisher = lab.graph.endpoints(EndpointKind.PUBLISHER, topic="/turtle1/pose")[0]
+
+    async def act(window: _Window) -> None:
+        await window.after(1)
+        assert not looks_left(window, "/turtle1/pose") and "left" not in window.line("/turtle1/pose")
+        for count in (1, 2, 3, 4):
+            publisher.publish(object())
+            await window.after(1)
+            assert f"nobody takes: {count} left" in window.line("/turtle1/pose"), window.text
+            assert looks_left(window, "/turtle1/pose") == min(count, 3)
+        ear = lab.hears("listener", "/turtle1/pose", POSE)
+        await window.after(1)
+        await window.after(1)
+        assert "left" not in window.line("/turtle1/pose")
+        ear.destroy()
+
+    use(lab, act, (120, 24))
+
+
+def many() -> Lab:
+    lab = Lab()
+    for number in range(12):
+        lab.says(f"cook_{number:02}", f"/topic_{number:02}", STRING)
+        lab.hears(f"cook_{number + 1:02}", f"/topic_{number:02}", STRING)
+    return lab
+
+
+@pytest.mark.parametrize("size", [(80, 24), (40, 24), (40, 12)])
+@pytest.mark.parametrize("glyphs", ["half", "ascii"])
+def test_cooks_and_belts_that_have_no_room_are_counted_with_the_key_that_shows_them(size, glyphs) -> None:
+    async def act(window: _Window) -> None:
+        await window.after(1)
+        right = "→" if glyphs == "half" else "Right"
+        told = window.line("PgDn")
+        seen = window.line("cook_").count("cook_")
+        assert f"{right} +" in told and "belts" in told, window.text
+        more = int(told.split(f"{right} +")[1].split()[0])
+        assert seen and more == 13 - seen, window.text
+        await window.press(*["right"] * 13)
+        assert ("←" if glyphs == "half" else "Left") in window.line(" cooks") and f"{right} +" not in window.text
+
+    use(many(), act, size, glyphs=glyphs)
+
+
+@pytest.mark.parametrize(
+    ("size", "rows"), [((80, 24), 8), ((80, 15), 5), ((80, 10), 3), ((80, 9), 2), ((40, 24), 8), ((22, 7), 0)]
+)
+def test_cooks_are_figures_as_large_as_the_room_allows_and_never_cut(size: tuple[int, int], rows: int) -> None:
+    lab = Lab()
+    lab.says("talker", "/chatter", STRING)
+    lab.hears("listener", "/chatter", STRING)
+
+    async def act(window: _Window) -> None:
+        figure = window.pane._plan.figure
+        assert len(figure.rows) == rows, window.text
+        for line in figure.rows:
+            assert window.text.count(line.strip()) >= 2, window.text
+        for cook in ("talker", "listener"):
+            assert cook in window.text, window.text
+
+    use(lab, act, size)
+
+
+def test_a_command_typed_by_hand_is_named_as_it_was_typed() -> None:
+    lab = turtle()
+    lab.kitchen._command_of = {1004: ["ros2", "topic", "hz", "/turtle1/pose"]}.get  # type: ignore[assignment]
+    lab.hears("_ros2cli_1004", "/turtle1/pose", POSE)
+
+    async def act(window: _Window) -> None:
+        await window.after(1)
+        assert "ros2 topic hz" in window.text and "_ros2cli" not in window.text
+        await window.click("ros2 topic hz")
+        assert "ROS: node /_ros2cli_1004" in window.text
+
+    use(lab, act, (120, 40))
+
+
+@pytest.mark.parametrize("size", [(20, 7), (40, 12), (80, 24), (120, 40)])
+@pytest.mark.parametrize("glyphs", ["half", "ascii"])
+@pytest.mark.parametrize("terminal", [{}, {"NO_COLOR": "1"}, {"TERM": "linux"}], ids=["colours", "none", "sixteen"])
+def test_fifty_nodes_with_names_of_any_length_and_a_hundred_topics_are_drawn(
+    size: tuple[int, int], glyphs: str, terminal: dict[str, str]
+) -> None:
+    lab = Lab()
+    for number in range(50):
+        name = (f"n{number}_{'x' * 200}", f"节点_{number}_很长很长的名字", f"n{number}")[number % 3]
+        lab.says(name, f"/话题/{number}", f"包_msgs/msg/类型{number}")
+        lab.says(name, f"/{'t' * 200}_{number}", STRING)
+        lab.hears("listener", f"/话题/{number}", STRING if number % 5 == 0 else f"包_msgs/msg/类型{number}")
+
+    async def act(window: _Window) -> None:
+        for publisher in lab.graph.endpoints(EndpointKind.PUBLISHER):
+            publisher.publish(object())
+        await window.after(1)
+        for key in ("enter", "down", "right", "pagedown", "left", "up", "pageup", "h", "escape"):
+            await window.press(key)
+            await window.after(0.3)
+            assert all(cell_len(line) <= size[0] for line in screen_lines(window.app)), window.text
+        assert type(window.pane).__name__ == "KitchenPane" and not window.pane._failed
+
+    use(lab, act, size, glyphs=glyphs, environ={"LANG": "C.UTF-8", **terminal})

@@ -61,5 +61,8 @@ class Overview(Protocol):
     def windows(self) -> Sequence[Window[object]]:
         """Return the open windows, the oldest first."""
 
+    def command_of(self, pid: int) -> Sequence[str]:
+        """Return the words of the command that runs as this process of the machine, none for another. Any thread may ask."""
+
     def domains(self) -> Mapping[int, Sequence[str]]:
         """Return the domains in use here, each with the full names of its nodes, hidden ones left out."""

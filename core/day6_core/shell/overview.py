@@ -47,6 +47,11 @@ class DeskOverview:
         """Return the open windows; none without a screen."""
         return self._desk.display.windows if self._desk.display is not None else ()
 
+    def command_of(self, pid: int) -> Sequence[str]:
+        """Return the words of a running command of ours; a person's own process has its name already."""
+        program = self._desk.programs.get(pid)
+        return program.session.argv if program is not None else ()
+
     def domains(self) -> Mapping[int, Sequence[str]]:
         """Return the domains whose graphs were ever used here."""
         return nodes_by_domain(self._desk.graphs.values())

@@ -25,6 +25,9 @@ TEXTS = {
     "kitchen.note.qos": "QoS differs",
     "kitchen.note.unheard": "nobody takes",
     "kitchen.note.unfilled": "nobody gives",
+    "kitchen.note.left": "{note}: {count} left",
+    "kitchen.more_cooks": "+{count} cooks",
+    "kitchen.more_belts": "+{count} belts",
     "kitchen.cook": "{name} is a cook.",
     "kitchen.cook.gives": "Puts dishes on {belts}.",
     "kitchen.cook.takes": "Takes dishes from {belts}.",
@@ -32,7 +35,7 @@ TEXTS = {
     "kitchen.cook.twins": "{count} cooks have this name, and nobody can tell them apart!",
     "kitchen.cook.ros": "ROS: node {name}, publishes {gives}, subscribes to {takes} of these topics.",
     "kitchen.belt.moves": "The belt {belt} carries {shape} from {givers} to {takers}.",
-    "kitchen.belt.unheard": "{givers} puts {shape} on the belt {belt}, but nobody takes them: they fall off at the end.",
+    "kitchen.belt.unheard": "{givers} puts {shape} on the belt {belt}, but nobody takes them: they pile up at its end.",
     "kitchen.belt.unfilled": "{takers} waits at the belt {belt} for {shape}, but nobody puts any on it.",
     "kitchen.belt.type": "{giver} puts {shape} on the belt {belt}, but the hatch of {taker} only fits {wanted}: nothing gets in.",
     "kitchen.belt.qos": (
@@ -43,14 +46,19 @@ TEXTS = {
     "kitchen.belt.qos.ros": "ROS: on {belt} the QoS of {giver} does not satisfy {taker}: {detail}.",
     "kitchen.belt.rate": "{rate} messages a second, measured.",
     "kitchen.belt.still": "No message passes at the moment.",
-    "kitchen.belt.unknown": ("How many messages pass cannot be counted from here: none comes by."),
+    "kitchen.belt.unknown": ("How many messages pass cannot be counted from here."),
     "help.kitchen": (
         "The live graph as a kitchen. Cooks are nodes, belts are topics, dishes are messages. A dish looks like its message "
         "type: the same type, the same shape, letter and colour. A cook whose hatch fits another shape gets nothing, and the "
         "belt is marked.\n\n"
+        "Shapes: ( ) a plate, what somebody is to do (Twist); { } a bowl of words (String); [ ] a box of numbers (Int32, "
+        "Float64); < > a cover over a place (Pose, TFMessage); # # a frame for what is seen (Image, Color); \\ / a cup of what "
+        "was measured (JointState, LaserScan); = = a parcel, everything else.\n\n"
         "A dish moves when a message really passed. Where many pass, only some are drawn; the number beside the type is the "
-        "measured rate. ?/s: nobody here can count them, because nobody takes them or both cooks are on another machine.\n\n"
-        "■ puts dishes on a belt, ► takes them, × cannot take them. Dotted belts are empty: nobody puts anything on them.\n\n"
+        "measured rate. ?/s: nobody here can count them. What nobody takes stays at the end of the belt; its number is counted "
+        "from when the kitchen was opened.\n\n"
+        "■ puts dishes on a belt, ► takes them, × cannot take them; a belt passes under the counters of all others. Dotted "
+        "belts are empty: nobody puts anything on them.\n\n"
         "/rosout, /parameter_events and hidden nodes are left out; h shows them. A click on a cook or a belt explains it. "
         "The kitchen itself subscribes to nothing and is not in the picture."
     ),

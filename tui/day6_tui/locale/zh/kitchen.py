@@ -22,6 +22,9 @@ TEXTS = {
     "kitchen.note.qos": "QoS 不合",
     "kitchen.note.unheard": "没人取",
     "kitchen.note.unfilled": "没人放",
+    "kitchen.note.left": "{note}，剩 {count} 盘",
+    "kitchen.more_cooks": "还有 {count} 位",
+    "kitchen.more_belts": "还有 {count} 条",
     "kitchen.cook": "{name} 是一位厨师。",
     "kitchen.cook.gives": "往 {belts} 上放菜。",
     "kitchen.cook.takes": "从 {belts} 上取菜。",
@@ -29,7 +32,7 @@ TEXTS = {
     "kitchen.cook.twins": "有 {count} 位厨师都叫这个名字，谁也分不清他们！",
     "kitchen.cook.ros": "ROS：节点 {name} 发布其中 {gives} 个话题，订阅 {takes} 个。",
     "kitchen.belt.moves": "传送带 {belt} 把 {shape} 从 {givers} 送到 {takers}。",
-    "kitchen.belt.unheard": "{givers} 往传送带 {belt} 上放 {shape}，但没有人取：菜走到头就掉下去了。",
+    "kitchen.belt.unheard": "{givers} 往传送带 {belt} 上放 {shape}，但没有人取：菜都堆在尽头。",
     "kitchen.belt.unfilled": "{takers} 在传送带 {belt} 旁边等 {shape}，但没有人往上放。",
     "kitchen.belt.type": "{giver} 往传送带 {belt} 上放的是 {shape}，而 {taker} 的窗口只进得去 {wanted}：一盘也拿不到。",
     "kitchen.belt.qos": "{giver} 往传送带 {belt} 上放 {shape}，但 {taker} 的取菜规矩和它对不上，一盘也拿不到。",
@@ -38,13 +41,16 @@ TEXTS = {
     "kitchen.belt.qos.ros": "ROS：在 {belt} 上，{giver} 的 QoS 满足不了 {taker}：{detail}。",
     "kitchen.belt.rate": "实测每秒 {rate} 条。",
     "kitchen.belt.still": "现在没有消息经过。",
-    "kitchen.belt.unknown": "消息不经过这里，数不出有多少条。",
+    "kitchen.belt.unknown": "在这里数不出有多少条。",
     "help.kitchen": (
         "正在运行的计算图，画成一间厨房。厨师是节点，传送带是话题，菜是消息。菜的样子就是消息类型：类型相同，形状、字母、颜色就相同。"
         "窗口形状不同的厨师拿不到菜，那条传送带会被标出来。\n\n"
-        "真的有消息经过，菜才会动。消息很多时只画出其中几盘；类型旁边的数字是实测的频率。"
-        "?/s 表示：消息不经过这里，数不出来（没有人取，或者两位厨师都在别的机器上）。\n\n"
-        "■ 放菜，► 取菜，× 取不了。点线表示空的传送带：没有人往上放。\n\n"
+        "形状：( ) 盘子，叫谁做什么（Twist）；{ } 碗，装文字（String）；[ ] 盒子，装数字（Int32、Float64）；"
+        "< > 罩子，盖着位置（Pose、TFMessage）；# # 画框，装看到的东西（Image、Color）；\\ / 杯子，装量出来的东西"
+        "（JointState、LaserScan）；= = 包裹，其他的都在这里。\n\n"
+        "真的有消息经过，菜才会动。消息很多时只画出其中几盘；类型旁边的数字是实测的频率。?/s 表示：在这里数不出来。"
+        "没人取的菜堆在传送带的尽头，旁边的数目从打开厨房的时候数起。\n\n"
+        "■ 放菜，► 取菜，× 取不了；传送带从别的厨师的台子下面穿过去。点线表示空的传送带：没有人往上放。\n\n"
         "/rosout、/parameter_events 和隐藏的节点不画，按 h 可以显示。点一下厨师或传送带，下面会解释。"
         "厨房自己什么也不订阅，也不在画里。"
     ),

@@ -17,21 +17,22 @@ from day6_core.ros.programs.day6_kitchen.model import Kitchen
 from day6_core.ros.programs.rqt_graph.model.drawing import CellCanvas
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
-from day6_tui.panes.cells import fit, wrap
+from day6_tui.panes.cells import clip, fit, wrap
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
+from day6_tui.windows.kitchen.figures import GLYPHS, Glyphs
 from day6_tui.windows.kitchen.picture import (
-    GLYPHS,
-    KitchenPlan,
-    Way,
-    dish_places,
+    dish_ways,
+    dish_width,
     draw_belts,
     draw_cooks,
-    ways,
+    put_dishes,
     words_of,
 )
+from day6_tui.windows.kitchen.plan import LEAST_LINES, KitchenPlan, Way, dish_places
+from day6_tui.windows.kitchen.styles import styles_of
 from day6_tui.windows.kitchen.words import KitchenWords
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ class KitchenPane(WindowPane[Kitchen]):
     def __init__(self, window: Window[Kitchen], look: Look) -> None:
         super().__init__(window, look)
         self._words = KitchenWords(look)
-        self._plan = KitchenPlan(Content(), 1, 1)
+        self._plan = KitchenPlan(Content(), 1, 1, self._glyphs)
         self._drawn: tuple[object, ...] = ()
         self._rates: dict[str, float | None] = {}
         """As they are shown."""
@@ -66,8 +67,10 @@ class KitchenPane(WindowPane[Kitchen]):
         self._head = CellCanvas(0, 0)
         self._belts = CellCanvas(0, 0)
         """What is seen of the belts, without the dishes."""
-        self._ways: dict[int, tuple[str, list[Way]]] = {}
-        """By the row of a belt: its topic and the ways on it."""
+        self._left: dict[str, int] = {}
+        """What nobody took, as it is shown."""
+        self._ways: dict[int, tuple[int, str, list[Way]]] = {}
+        """By the rows on which dishes of a belt move: which of a dish's lines that is, the belt's topic and the ways on it."""
         self._moving_rows: set[int] = set()
         self._now = 0.0
         self._x = self._y = 0
@@ -75,6 +78,8 @@ class KitchenPane(WindowPane[Kitchen]):
         self._cook = self._belt = ""
         """What is chosen; at most one of them."""
         self._explained = True
+        self._styles_of: tuple[object, dict[str, Style]] = (None, {})
+        """The colours of the desktop, and the styles made of them."""
         self._timer: Timer | None = None
 
     def on_mount(self) -> None:
@@ -131,6 +136,7 @@ class KitchenPane(WindowPane[Kitchen]):
         state = (
             model.version,
             self._rates,
+            self._left,
             self.inner_width,
             self.inner_height,
             self.look.glyphs.name,
@@ -160,6 +166,12 @@ class KitchenPane(WindowPane[Kitchen]):
             shown[topic] = before if alike else rate
         if shown != self._rates:
             self._rates = shown
+        if self._left != self.model.left:
+            self._left = dict(self.model.left)
+
+    @property
+    def _glyphs(self) -> Glyphs:
+        return GLYPHS[self.look.glyphs.canvas]
 
     def restyle(self) -> None:
         self._drawn = ()
@@ -174,48 +186,86 @@ class KitchenPane(WindowPane[Kitchen]):
             lines = wrap(self._words.belt(belt, self.model.dishes, rate), self.inner_width - 1)
         elif self._explained and cook is not None:
             lines = wrap(self._words.cook(cook), self.inner_width - 1)
-        most = max(2, self.inner_height - self._plan.head - 3)  # the line between, and one belt
+        most = max(2, self.inner_height - 4)  # the line between, a line of names, and one belt
         if len(lines) > most:
             lines[most - 1 :] = [fit(lines[most - 1], self.inner_width - 2, "").rstrip() + self.look.glyphs.ellipsis]
         return lines
 
+    def _plan_for(self, below: int) -> tuple[KitchenPlan, int]:
+        """Where everybody stands above so many lines of explanation, and the lines of that for belts.
+
+        Where not all of it is seen, one more line says so.
+        """
+        content, width, ellipsis = self.model.content, self.inner_width, self.look.glyphs.ellipsis
+        lines = max(1, self.inner_height - below)
+        plan = KitchenPlan(content, width, lines, self._glyphs, ellipsis)
+        if plan.width > width or plan.head + plan.height > lines:
+            lines -= lines >= LEAST_LINES
+            plan = KitchenPlan(content, width, lines, self._glyphs, ellipsis)
+        return plan, max(1, lines - plan.head)
+
     def _paint(self) -> None:
-        """Draw everything but the dishes, and touch what differs."""
+        """Draw everything but the dishes that move, and touch what differs."""
         content = self.model.content
         if content.belt(self._belt) is None:
             self._belt = ""
         if content.cook(self._cook) is None:
             self._cook = ""
         self._lines = self._explanation()
-        below = len(self._lines) + bool(self._lines)
-        plan = self._plan = KitchenPlan(content, self.inner_width, self.inner_height)
-        room = max(1, self.inner_height - plan.head - below)
+        plan, room = self._plan_for(len(self._lines) + bool(self._lines))
+        self._plan = plan
         self._x = max(0, min(self._x, plan.width - self.inner_width))
         self._y = max(0, min(self._y, plan.height - room))
         shift = max(0, (self.inner_width - plan.width) // 2) if plan.width < self.inner_width else 0
-        left = self._x - shift
-        glyphs = GLYPHS[self.look.glyphs.canvas]
+        left, glyphs = self._x - shift, self._glyphs
         self._head = CellCanvas(self.inner_width, plan.head, left, 0)
-        draw_cooks(self._head, plan, glyphs, self._cook, self.look.glyphs.ellipsis)
+        draw_cooks(self._head, plan, glyphs, self._cook)
         self._belts = CellCanvas(self.inner_width, room, left, self._y)
-        draw_belts(self._belts, plan, glyphs, self.model.dishes, self._label)
-        self._ways = {
-            row + 1: (belt.topic, list(ways(plan, belt))) for row, belt in plan.belts_between(self._y, self._y + room)
-        }
+        draw_belts(self._belts, plan, glyphs, self.model.dishes, self._label, self._left)
+        self._beyond = self._told_beyond()
+        self._ways = {}
+        for row, belt in plan.belts_between(self._y, self._y + room):
+            found = dish_ways(plan, belt, self._left.get(belt.topic, 0))
+            for line in range(max(1, plan.dish_lines)):
+                # Above the belt; what lies in it, on its own row.
+                at = plan.running(row // plan.step) - plan.dish_lines + line
+                self._ways[at] = (line, belt.topic, found)
         self._moving_rows = self._rows_with_dishes()
         self.touch_lines(range(self.inner_height))
         self.touch_status()
 
+    def _told_beyond(self) -> str:
+        """How many cooks and belts are not seen, and the keys that show them; '' where all are."""
+        plan, texts = self._plan, self.look.texts
+        to_the_left, to_the_right = plan.beyond(self._head.left, self._head.left + self._head.width)
+        above = -(-self._y // plan.step)
+        below = -(-max(0, plan.height - self._y - self._belts.height) // plan.step)
+        keys = ("←", "→") if self.look.glyphs.unicode else ("Left", "Right")
+        told = [
+            f"{key} {texts(name, count=count)}"
+            for key, name, count in (
+                (keys[0], "kitchen.more_cooks", to_the_left),
+                (keys[1], "kitchen.more_cooks", to_the_right),
+                ("PgUp", "kitchen.more_belts", above),
+                ("PgDn", "kitchen.more_belts", below),
+            )
+            if count
+        ]
+        return "  ".join(told)
+
+    _beyond = ""
+
     _lines: list[str] = []
 
-    def _label(self, belt: Belt) -> list[tuple[str, str]]:
+    def _label(self, belt: Belt, room: int) -> list[tuple[str, str]]:
         style = "chosen" if belt.topic == self._belt else "topic"
-        note = self._words.note(belt)
+        note = self._words.note(belt, self._left.get(belt.topic, 0))
         return words_of(
             belt,
             self.model.dishes,
             self._words.rate(self._rates.get(belt.topic, 0.0)),
             note,
+            room,
             self.inner_width,
             style,
             self.look.glyphs.ellipsis,
@@ -232,7 +282,7 @@ class KitchenPane(WindowPane[Kitchen]):
         conveyor = self.model.conveyor
         return {
             row
-            for row, (topic, found) in self._ways.items()
+            for row, (_, topic, found) in self._ways.items()
             if any(conveyor.on_the_way((topic, way.giver.cook), self._now) for way in found)
         }
 
@@ -245,9 +295,13 @@ class KitchenPane(WindowPane[Kitchen]):
         if row < self._belts.height:
             return self._segments(self._with_dishes(row), 0 if row + self._y in self._moving_rows else row)
         at = row - self._belts.height
-        if at == 0:
+        if self._beyond:
+            at -= 1
+            if at < 0:
+                return [Segment(clip(f" {self._beyond} ", width, self.look.glyphs.ellipsis), self.look.colours.key)]
+        if at == 0 and self._lines:
             return [Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)]
-        return [Segment(f" {self._lines[at - 1]}", self.look.colours.text)] if at <= len(self._lines) else ()
+        return [Segment(f" {self._lines[at - 1]}", self.look.colours.text)] if 0 < at <= len(self._lines) else ()
 
     def _with_dishes(self, row: int) -> CellCanvas:
         """The canvas in which a row of belts is found: one with this row alone where dishes move on it."""
@@ -257,11 +311,13 @@ class KitchenPane(WindowPane[Kitchen]):
         canvas = CellCanvas(0, 0, belts.left, 0)
         canvas.width, canvas.height = belts.width, 1
         canvas.text, canvas.style = [belts.text[row][:]], [belts.style[row][:]]
-        topic, found = self._ways[row + self._y]
+        canvas.top = row + self._y
+        line, topic, found = self._ways[row + self._y]
         for way in found:
             dish = self.model.dishes.of(way.giver.type)
-            for place in dish_places(way, self.model.conveyor.on_the_way((topic, way.giver.cook), self._now)):
-                canvas.put(place, 0, dish.text, f"dish{dish.colour}")
+            parts = self.model.conveyor.on_the_way((topic, way.giver.cook), self._now)
+            places = dish_places(way, parts, dish_width(self._plan))
+            put_dishes(canvas, self._plan, row + self._y, line, dish, self._glyphs, places)
         return canvas
 
     def _segments(self, canvas: CellCanvas, row: int) -> list[Segment]:
@@ -280,25 +336,14 @@ class KitchenPane(WindowPane[Kitchen]):
         return [Segment(f" {lines[at]}", self.look.colours.muted)] if 0 <= at < len(lines) else []
 
     def _style(self, name: str) -> Style:
+        return self._styles().get(name, self.background)
+
+    def _styles(self) -> dict[str, Style]:
+        """The styles of everything that is drawn, by the picture's names."""
         colours = self.look.colours
-        table = {
-            "cook": colours.strong,
-            "topic": colours.text,
-            "belt": colours.muted,
-            "faint": colours.frame,
-            "frame": colours.frame,
-            "accent": colours.accent,
-            "gives": colours.accent,
-            "takes": colours.accent,
-            "muted": colours.muted,
-            "warning": colours.warning,
-            "chosen": colours.choice,
-            "dish0": colours.topic,
-            "dish1": colours.publisher,
-            "dish2": colours.node,
-            "dish3": colours.strong,
-        }
-        return table.get(name, self.background)
+        if self._styles_of[0] is not colours:
+            self._styles_of = colours, styles_of(colours)
+        return self._styles_of[1]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
@@ -345,10 +390,11 @@ class KitchenPane(WindowPane[Kitchen]):
     def _show_belt(self, belt: Belt) -> None:
         """Choose a belt and scroll to it."""
         self._belt, self._cook = belt.topic, ""
-        row = self._plan.row(belt.topic)
-        room = max(2, self.inner_height - self._plan.head - len(self._explanation()) - 1)
-        self._y = max(row + 2 - room, min(self._y, row))
-        first, last = self._plan.ends(belt)
+        below = len(self._explanation())
+        plan, room = self._plan_for(below + bool(below))
+        row = plan.row(belt.topic)
+        self._y = max(row + plan.step - room, min(self._y, row))
+        first, last = plan.ends(belt)
         self._x = min(first, max(self._x, last + 1 - self.inner_width))
 
     def _show_cook(self, cook: Cook) -> None:

@@ -1,182 +1,130 @@
-"""The kitchen as characters: cooks stand side by side, each with a line down from it, and every belt runs across below them.
+"""The kitchen as characters: cooks behind their counters, and the belts that run between those, under all others.
 
-What is drawn is decided here, without a widget: `Plan` knows where everybody stands, `draw_cooks` and `draw_belts` fill canvases,
-`dish_places` says where dishes are. Rows of belts count from the first one, columns from the first cook.
+Pure: what is drawn follows from the plan, the counts and the places of the dishes. The names of styles are the window's.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Sequence
 
-from day6_core.ros.programs.day6_kitchen.belts import Belt, Content, Cook, Hand
+from day6_core.ros.programs.day6_kitchen.belts import Belt, Cook, Hand
 from day6_core.ros.programs.day6_kitchen.dishes import Dish, Dishes
 from day6_core.ros.programs.rqt_graph.model.drawing import CellCanvas
-from day6_tui.panes.cells import cell_len, clip
+from day6_tui.panes.cells import cell_len
+from day6_tui.windows.kitchen.figures import Glyphs
+from day6_tui.windows.kitchen.plan import PILE, SIDE, KitchenPlan, Way, clipped, ways
 
-NARROWEST, WIDEST = 14, 30
-"""Columns for one cook."""
+SMALL, LARGE = 3, 5
+"""Cells of a dish across: in the belt or on it, and where it has two lines."""
 
-STUB = 6
-"""Cells of a belt that has nobody at its other end."""
+ARROWS = 6
+"""From one arrow on a belt to the next."""
 
-DISH = 3
-"""Cells of a dish."""
+LEAST_NAME = 12
+"""Cells that the name of a topic has in any case."""
 
-TALL = 14
-"""Lines from which cooks have a frame around them, and belts a line between them."""
+PARTS = {"h": "hat", "f": "face", "s": "hand", "j": "jacket"}
+"""The styles of a figure's parts."""
 
-
-@dataclass(frozen=True)
-class Glyphs:
-    """The characters of a kitchen. `corners`: top left, top right, bottom left, bottom right of a cook's frame."""
-
-    corners: str
-    across: str
-    upright: str
-    down: str
-    """Where the line goes down from a frame."""
-    belt: str
-    crossing: str
-    """A belt that passes behind a cook's line."""
-    gives: str
-    right: str
-    left: str
-    ends_right: str
-    ends_left: str
-    gap: str
-    """A belt on which nothing lies."""
-    refused: str
+Label = Callable[[Belt, int], Sequence[tuple[str, str]]]
+"""The words above a belt as runs of text and style, for so many cells."""
 
 
-UNICODE = Glyphs("╭╮╰╯", "─", "│", "┬", "═", "╪", "■", "►", "◄", "┤", "├", "·", "×")
-CONSOLE = Glyphs("┌┐└┘", "─", "│", "┬", "═", "╪", "■", "►", "◄", "┤", "├", "·", "x")
-ASCII = Glyphs("++++", "-", "|", "+", "=", "#", "#", ">", "<", "|", "|", ".", "x")
-
-GLYPHS = {"half": UNICODE, "braille": UNICODE, "cell": CONSOLE, "ascii": ASCII}
-"""By the canvas of a set of glyphs."""
-
-
-class KitchenPlan:
-    """Where everybody stands in a window of `columns` x `lines` cells."""
-
-    def __init__(self, content: Content, columns: int, lines: int) -> None:
-        self.content = content
-        self.pitch = max(NARROWEST, min(WIDEST, columns // max(1, len(content.cooks))))
-        self.width = self.pitch * len(content.cooks)
-        self.framed = lines >= TALL
-        self.head = 3 if self.framed else 1
-        """Lines of the cooks."""
-        self.step = 3 if lines - self.head >= 3 * len(content.belts) else 2
-        """Lines of a belt."""
-        self.height = self.step * len(content.belts)
-        self._lanes = {cook.name: index * self.pitch + self.pitch // 2 for index, cook in enumerate(content.cooks)}
-
-    def lane(self, cook: str) -> int:
-        """The column of a cook's line."""
-        return self._lanes[cook]
-
-    def cook_at(self, column: int) -> Cook | None:
-        """The cook who stands there."""
-        index = column // self.pitch
-        return self.content.cooks[index] if 0 <= index < len(self.content.cooks) else None
-
-    def cooks_between(self, first: int, end: int) -> Sequence[Cook]:
-        """The cooks who stand from a column to before another one."""
-        return self.content.cooks[max(0, first // self.pitch) : max(0, -(-end // self.pitch))]
-
-    def belt_at(self, row: int) -> Belt | None:
-        """The belt of a row."""
-        index = row // self.step
-        return self.content.belts[index] if 0 <= index < len(self.content.belts) else None
-
-    def belts_between(self, first: int, end: int) -> Iterator[tuple[int, Belt]]:
-        """The belts that are seen, wholly or in part, from a row to before another one, each with its first row."""
-        for index in range(max(0, first // self.step), min(len(self.content.belts), -(-end // self.step))):
-            yield index * self.step, self.content.belts[index]
-
-    def row(self, topic: str) -> int:
-        """The first row of a belt."""
-        return next(index for index, belt in enumerate(self.content.belts) if belt.topic == topic) * self.step
-
-    def ends(self, belt: Belt) -> tuple[int, int]:
-        """The first and the last column of a belt, stubs among them."""
-        lanes = [self.lane(hand.cook) for hand in (*belt.givers, *belt.takers)]
-        first, last = min(lanes), max(lanes)
-        if not belt.givers:
-            first -= STUB
-        if not belt.takers or first == last:
-            last += STUB
-        return first, last
-
-
-def draw_cooks(canvas: CellCanvas, plan: KitchenPlan, glyphs: Glyphs, chosen: str, ellipsis: str) -> None:
-    """The cooks, in the lines above the belts."""
+def draw_cooks(canvas: CellCanvas, plan: KitchenPlan, glyphs: Glyphs, chosen: str) -> None:
+    """The cooks, and their names on the desks before them, in the lines above the belts."""
     for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         lane = plan.lane(cook.name)
-        name = cook.name + (f" ×{cook.count}" if cook.count > 1 else "")
-        text = clip(name.removeprefix("/"), plan.pitch - (5 if plan.framed else 1), ellipsis)
-        size = cell_len(text)
-        style = "chosen" if cook.name == chosen else "cook"
-        if plan.framed:
-            left = lane - (size + 2) // 2
-            frame = "accent" if cook.name == chosen else "frame"
-            across = glyphs.across * (size + 2)
-            canvas.put(left - 1, 0, glyphs.corners[0] + across + glyphs.corners[1], frame)
-            canvas.put(left - 1, 1, f"{glyphs.upright}{' ' * (size + 2)}{glyphs.upright}", frame)
-            canvas.put(left, 1, f" {text} ", style)
-            canvas.put(left - 1, 2, glyphs.corners[2] + across + glyphs.corners[3], frame)
-            canvas.put(lane, 2, glyphs.down, frame)
-        else:
-            canvas.put(lane - size // 2, 0, text, style)
+        _draw_figure(canvas, plan, lane)
+        _draw_desk(canvas, plan, cook, lane, glyphs, "chosen" if cook.name == chosen else "desk")
 
 
-Label = Callable[[Belt], Sequence[tuple[str, str]]]
-"""The words above a belt as runs of text and style, for any room."""
+def _draw_figure(canvas: CellCanvas, plan: KitchenPlan, lane: int) -> None:
+    left = lane - plan.figure.width // 2 if plan.figure.rows else lane
+    for row, (text, parts) in enumerate(zip(plan.figure.rows, plan.figure.parts, strict=True)):
+        for column, (character, part) in enumerate(zip(text, parts, strict=True)):
+            if part != " ":
+                canvas.put(left + column, plan.top + row, character, PARTS[part])
 
 
-def draw_belts(canvas: CellCanvas, plan: KitchenPlan, glyphs: Glyphs, dishes: Dishes, label: Label) -> None:
-    """The lines of all cooks, and the belts across them."""
+def _draw_desk(canvas: CellCanvas, plan: KitchenPlan, cook: Cook, lane: int, glyphs: Glyphs, style: str) -> None:
+    lines = plan.names[cook.name]
+    size = max(map(cell_len, lines))
+    left = lane - size // 2
+    for y, line in enumerate(lines, plan.head - plan.name_lines):
+        before = (size - cell_len(line)) // 2
+        text = f"{glyphs.desk[0]}{' ' * before}{line}{' ' * (size - before - cell_len(line))}{glyphs.desk[1]}"
+        canvas.put(left - 1, y, text, style)
+        if glyphs.fine:  # its ends are half a cell each, in the colour of the desk
+            canvas.put(left - 1, y, glyphs.desk[0], f"{style} end")
+            canvas.put(left + size, y, glyphs.desk[1], f"{style} end")
+    for y in range(plan.head - plan.name_lines + len(lines), plan.head if plan.reaches(cook.name, 0) else 0):
+        canvas.put(lane - SIDE, y, glyphs.counter, "counter")
+
+
+def draw_belts(
+    canvas: CellCanvas, plan: KitchenPlan, glyphs: Glyphs, dishes: Dishes, label: Label, left: dict[str, int]
+) -> None:
+    """The belts that are seen, with what is `left` on them by topic, the counters over them, and their words over all."""
+    seen = list(plan.belts_between(canvas.top, canvas.top + canvas.height))
+    for row, belt in seen:
+        _draw_belt(canvas, plan, belt, plan.running(row // plan.step), glyphs)
+        _draw_pile(canvas, plan, belt, row, dishes, left.get(belt.topic, 0))
     for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         for row in range(canvas.top, canvas.top + canvas.height):
-            canvas.put(plan.lane(cook.name), row, glyphs.upright, "frame")
-    for row, belt in plan.belts_between(canvas.top, canvas.top + canvas.height):
-        _draw_label(canvas, plan, belt, row, label(belt))
-        _draw_belt(canvas, plan, belt, row + 1, glyphs, dishes)
+            if plan.reaches(cook.name, row):
+                canvas.put(plan.lane(cook.name) - SIDE, row, glyphs.counter, "counter")
+    for row, belt in seen:
+        _draw_hands(canvas, plan, belt, plan.running(row // plan.step), glyphs, dishes)
+        _draw_label(canvas, plan, belt, row, label)
 
 
-def _draw_label(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, runs: Sequence[tuple[str, str]]) -> None:
-    room = sum(cell_len(text) for text, _ in runs)
-    x = max(canvas.left, min(plan.ends(belt)[0] + 2, canvas.left + canvas.width - room))
+def _draw_label(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, label: Label) -> None:
+    start, end = max(canvas.left, plan.ends(belt)[0] + 1), canvas.left + canvas.width
+    runs = label(belt, end - start)
+    x = max(canvas.left, min(start, end - sum(cell_len(text) for text, _ in runs)))
     for text, style in runs:
         canvas.put(x, row, text, style)
         x += cell_len(text)
 
 
-def _draw_belt(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, glyphs: Glyphs, dishes: Dishes) -> None:
+def _draw_belt(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, glyphs: Glyphs) -> None:
     first, last = plan.ends(belt)
-    empty = not belt.givers and not belt.unseen_givers
-    line = glyphs.gap if empty else glyphs.belt
-    style = "warning" if belt.refusals else "faint" if belt.lonely else "belt"
-    canvas.put(first, row, line * (last - first + 1), style)
-    lanes = {hand.cook: plan.lane(hand.cook) for hand in (*belt.givers, *belt.takers)}
-    for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
-        lane = plan.lane(cook.name)
-        if first < lane < last:
-            canvas.put(lane, row, glyphs.crossing if line == glyphs.belt else glyphs.upright, style)
+    style = "belt warning" if belt.refusals else "belt"
+    if not belt.givers and not belt.unseen_givers:
+        canvas.put(first, row, glyphs.gap * (last - first + 1), "faint")
+        return
+    canvas.put(first, row, glyphs.belt * (last - first + 1), style)
+    for way in ways(plan, belt, 1):
+        onward = way.end >= way.start
+        for column in range(way.start + (3 if onward else -3), way.end, ARROWS if onward else -ARROWS):
+            canvas.put(column, row, glyphs.onward if onward else glyphs.backward, style)
     if not belt.givers:
-        canvas.put(first, row, "?" if belt.unseen_givers else glyphs.gap, style)
-    if not belt.takers:
-        canvas.put(last, row, "?" if belt.unseen_takers else glyphs.gap, style)
+        canvas.put(first, row, "?", style)
+    if not belt.takers and belt.unseen_takers:
+        canvas.put(last, row, "?", style)
+
+
+def _draw_pile(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, dishes: Dishes, count: int) -> None:
+    """What nobody took, at the end of the belt: two side by side, and a third one on them where there is a line for it."""
+    way = next(ways(plan, belt, SMALL), None)
+    if not count or way is None:
+        return
+    dish = dishes.of(way.giver.type)
+    on = plan.running(row // plan.step) - (1 if plan.dish_lines else 0)
+    back = -SMALL if way.end >= way.start else SMALL
+    for number in range(min(count, PILE)):
+        canvas.put(way.end + number * back, on, dish.text, dish_style(dish, plan))
+    if count > PILE and plan.dish_lines > 1:
+        canvas.put(way.end + back // 2, on - 1, dish.text, dish_style(dish))
+
+
+def _draw_hands(canvas: CellCanvas, plan: KitchenPlan, belt: Belt, row: int, glyphs: Glyphs, dishes: Dishes) -> None:
+    """Who gives and who takes, on the counters at a belt."""
     for taker in belt.takers:
-        lane = lanes[taker.cook]
-        if lane in (first, last):
-            canvas.put(lane, row, glyphs.ends_left if lane == first else glyphs.ends_right, style)
         for from_left in _sides(plan, belt, taker):
-            _draw_hatch(canvas, belt, taker, lane, row, glyphs, dishes, from_left=from_left)
+            _draw_hatch(canvas, belt, taker, plan.lane(taker.cook), row, glyphs, dishes, from_left=from_left)
     for giver in belt.givers:
-        canvas.put(lanes[giver.cook], row, glyphs.gives, "gives")
+        canvas.put(plan.lane(giver.cook), row, glyphs.gives, "hatch")
 
 
 def _sides(plan: KitchenPlan, belt: Belt, taker: Hand) -> list[bool]:
@@ -190,77 +138,75 @@ def _sides(plan: KitchenPlan, belt: Belt, taker: Hand) -> list[bool]:
 def _draw_hatch(
     canvas: CellCanvas, belt: Belt, taker: Hand, lane: int, row: int, glyphs: Glyphs, dishes: Dishes, *, from_left: bool
 ) -> None:
-    """Where a taker takes: an arrow, or the shape that is waited for in vain."""
+    """Where a taker takes: an arrow, or before the counter the shape that is waited for in vain."""
     refusal = belt.refusal_of(taker)
     if refusal is None:
-        canvas.put(lane - 1 if from_left else lane + 1, row, glyphs.right if from_left else glyphs.left, "takes")
+        canvas.put(lane - SIDE if from_left else lane + SIDE, row, glyphs.right if from_left else glyphs.left, "hatch")
         return
     wanted = dishes.of(taker.type).text if refusal.why == "type" else "QoS"
     text = glyphs.refused + wanted if from_left else wanted + glyphs.refused
-    canvas.put(lane - len(text) if from_left else lane + 1, row, text, "warning")
+    canvas.put(lane - SIDE - len(text) if from_left else lane + SIDE + 1, row, text, "warning")
 
 
-class Way(NamedTuple):
-    """The way of the dishes of one cook on one belt: columns of the dish's left edge at the beginning and at the end."""
-
-    giver: Hand
-    start: int
-    end: int
+def dish_style(dish: Dish, plan: KitchenPlan | None = None) -> str:
+    """The style of a dish: that of its ware, on the ground of the belt where it lies in that."""
+    return f"dish{dish.ware}" + (" on belt" if plan is not None and not plan.dish_lines else "")
 
 
-def ways(plan: KitchenPlan, belt: Belt) -> Iterator[Way]:
-    """The ways of all dishes on a belt: from each giver to the farthest taker on either side, or off the end."""
-    places = []
-    """Of each taker: the column of its line, and how many cells before it a dish stops."""
-    for taker in belt.takers:
-        places.append((plan.lane(taker.cook), DISH + 1 if belt.refusal_of(taker) is not None else 1))
-    first, last = min(places, default=(0, 0)), max(places, default=(0, 0))
-    off_the_end = plan.ends(belt)[1] - DISH + 1
-    for giver in belt.givers:
-        lane = plan.lane(giver.cook)
-        to_the_left = bool(places) and first[0] < lane
-        if places and last[0] > lane:
-            yield Way(giver, lane + 1, max(lane + 1, last[0] - last[1] - DISH))
-        elif not to_the_left:
-            yield Way(giver, lane + 1, max(lane + 1, off_the_end))
-        if to_the_left:
-            yield Way(giver, lane - DISH, min(lane - DISH, first[0] + first[1] + 1))
+def dish_texts(plan: KitchenPlan, dish: Dish, glyphs: Glyphs) -> tuple[str, ...]:
+    """A moving dish, as many lines as a belt has for it; one that lies in the belt is a line too."""
+    return dish.lines(fine=glyphs.fine) if plan.dish_lines > 1 else (dish.text,)
 
 
-def dish_places(way: Way, on_the_way: Sequence[float]) -> list[int]:
-    """The columns of the dishes' left edges when they have made these parts (0 to 1) of their way, the first one first.
+def put_dishes(
+    canvas: CellCanvas, plan: KitchenPlan, row: int, line: int, dish: Dish, glyphs: Glyphs, places: Iterable[int]
+) -> None:
+    """One line of moving dishes on a row of belts; they pass under the counters."""
+    text = dish_texts(plan, dish, glyphs)[line]
+    seen = plan.cooks_between(canvas.left, canvas.left + canvas.width)
+    lanes = [plan.lane(cook.name) for cook in seen if plan.reaches(cook.name, row)]
+    covered = {lane + side for lane in lanes for side in range(-SIDE, SIDE + 1)}
+    for place in places:
+        for column, character in enumerate(text, place):
+            if character != " " and column not in covered:
+                canvas.put(column, row, character, dish_style(dish, plan))
 
-    Of dishes that would lie on each other only the first is drawn.
-    """
-    found: list[int] = []
-    for progress in on_the_way:
-        place = round(way.start + (way.end - way.start) * min(1.0, max(0.0, progress)))
-        if not found or abs(place - found[-1]) > DISH:
-            found.append(place)
+
+def dish_ways(plan: KitchenPlan, belt: Belt, left: int) -> list[Way]:
+    """The ways of the moving dishes of a belt; before what is `left` at its end they stop."""
+    pile = min(left, PILE) * SMALL
+    found = []
+    for way in ways(plan, belt, dish_width(plan)):
+        onward = way.end >= way.start
+        end = max(way.start, way.end - pile) if onward else min(way.start, way.end + pile)
+        found.append(way._replace(end=end))
     return found
 
 
+def dish_width(plan: KitchenPlan) -> int:
+    """Cells of a moving dish."""
+    return LARGE if plan.dish_lines > 1 else SMALL
+
+
 def words_of(
-    belt: Belt, dishes: Dishes, rate: str, note: str, room: int, style: str, ellipsis: str
+    belt: Belt, dishes: Dishes, rate: str, note: str, room: int, most: int, style: str, ellipsis: str
 ) -> list[tuple[str, str]]:
-    """The label of a belt: its name, the dish with its type, the rate, what is wrong; in at most `room` cells."""
+    """The label of a belt: its name, the dish with its type, the rate, what is wrong.
+
+    Less of it where there are only `room` cells; but of the name only what has no room in `most`.
+    """
     shapes: list[tuple[str, Dish]] = [(kind, dishes.of(kind)) for kind in dict.fromkeys(h.type for h in belt.givers)]
     shapes = shapes or [(kind, dishes.of(kind)) for kind in belt.types[:1]]
+    types = [
+        run for kind, dish in shapes for run in ((f" {dish.text}", dish_style(dish)), (f" {_short(kind)}", "muted"))
+    ]
     tail = [(f" {text}", "muted") for text in (rate,) if text] + [(f" {note}", "warning")] * bool(note)
-    for with_types in (True, False):
-        runs = []
-        for kind, dish in shapes:
-            runs.append((f" {dish.text}", f"dish{dish.colour}"))
-            if with_types:
-                runs.append((f" {kind.rsplit('/', 1)[-1]}", "muted"))
-        runs += tail
+    for runs in ([*types, *tail], [*types[::2], *tail], [*types[::2], *tail[-1:]]):
         size = sum(cell_len(text) for text, _ in runs)
-        if size + cell_len(belt.topic) <= room or not with_types:
+        if size + cell_len(belt.topic) <= room:
             break
-    left = max(8, room - size)
-    topic = belt.topic
-    if cell_len(topic) > left:  # the end tells more than the beginning
-        while cell_len(topic) + cell_len(ellipsis) > left:
-            topic = topic[1:]
-        topic = ellipsis + topic
-    return [(topic, style), *runs]
+    return [(clipped(belt.topic, max(LEAST_NAME, most - size), ellipsis), style), *runs]
+
+
+def _short(kind: str) -> str:
+    return kind.rsplit("/", 1)[-1]

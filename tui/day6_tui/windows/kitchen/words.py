@@ -21,12 +21,12 @@ class KitchenWords:
             return "?/s"
         return "" if rate <= 0 else f"{rate:.0f}/s" if rate >= 9.95 else f"{rate:.1f}/s"
 
-    def note(self, belt: Belt) -> str:
-        """What is wrong with a belt, in two words; '' if nothing is."""
+    def note(self, belt: Belt, left: int) -> str:
+        """What is wrong with a belt, in two words, and how many dishes are left on it; '' if nothing is."""
         texts = self._look.texts
-        if belt.refusals:
-            return texts(f"kitchen.note.{belt.refusals[0].why}")
-        return texts(f"kitchen.note.{belt.lonely}") if belt.lonely else ""
+        key = belt.refusals[0].why if belt.refusals else belt.lonely
+        told = texts(f"kitchen.note.{key}") if key else ""
+        return texts("kitchen.note.left", note=told, count=left) if left else told
 
     def cook(self, cook: Cook) -> str:
         """Explain a cook."""

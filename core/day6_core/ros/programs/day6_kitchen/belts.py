@@ -7,9 +7,10 @@ on other terms (QoS), stands at the belt and gets nothing: that is a `Refusal`.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
+from heapq import heapify, heappop, heappush
 
 from day6_core.graph.qos import QoS, incompatible_policies
 
@@ -42,6 +43,8 @@ class KitchenFacts:
 
     nodes: tuple[str, ...] = ()
     ends: tuple[End, ...] = ()
+    commands: Mapping[str, str] = field(default_factory=dict)
+    """By the full name of a node of `ros2`: the command that was typed, as far as it is known."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +85,13 @@ class Belt:
         return tuple(dict.fromkeys(hand.type for hand in (*self.givers, *self.takers)))
 
     @property
+    def wasted(self) -> bool:
+        """Whether whatever is put on it stays at its end, because nobody can take it."""
+        if not self.givers or self.unseen_takers:
+            return False
+        return all(self.refusal_of(taker) is not None for taker in self.takers)
+
+    @property
     def lonely(self) -> str:
         """ "unheard" if nobody takes from it, "unfilled" if nobody puts anything on it, else ''."""
         if not self.takers and not self.unseen_takers:
@@ -112,11 +122,19 @@ class Cook:
     gives: tuple[str, ...] = ()
     takes: tuple[str, ...] = ()
     count: int = 1
+    command: str = ""
+    """For a node of `ros2`, whose name says nothing: the command."""
+
+    @property
+    def title(self) -> str:
+        """What a person calls it."""
+        return self.command or self.name.removeprefix("/")
 
 
 @dataclass(frozen=True)
 class Content:
-    """What is drawn: cooks in the order in which dishes go through their hands, belts by name; `hidden` names what is not."""
+    """What is drawn: cooks in the order in which dishes go through their hands, belts in that of their first cooks; `hidden`
+    names what is not."""
 
     cooks: tuple[Cook, ...] = ()
     belts: tuple[Belt, ...] = ()
@@ -162,7 +180,10 @@ def select(facts: KitchenFacts, *, everything: bool = False) -> Content:
     drawn = set(seen_nodes)
     hidden = [name for name in facts.nodes if name not in drawn]
     hidden += [end.topic for end in facts.ends if end.topic not in shown]
-    return Content(_cooks(seen_nodes, belts), tuple(belts), tuple(dict.fromkeys(hidden)))
+    cooks = _cooks(seen_nodes, belts, facts.commands)
+    places = {cook.name: place for place, cook in enumerate(cooks)}
+    belts.sort(key=lambda belt: (min(places[hand.cook] for hand in belt.givers or belt.takers), belt.topic))
+    return Content(cooks, tuple(belts), tuple(dict.fromkeys(hidden)))
 
 
 def _belt(topic: str, ends: list[End], seen: set[str]) -> Belt:
@@ -196,25 +217,58 @@ def _refused(giver: End, taker: End) -> tuple[str, str]:
     return ("qos", ", ".join(policy.name.lower() for policy in policies)) if policies else ("", "")
 
 
-def _cooks(names: list[str], belts: list[Belt]) -> tuple[Cook, ...]:
-    """Who works together stands together; there, those who put dishes on belts from which others take come first."""
+def _command(name: str, known: Mapping[str, str], *, gives: bool) -> str:
+    """What was typed to start a node of `ros2`; where nobody knows, what its hands tell: only `pub` gives."""
+    if not name.rsplit("/", 1)[-1].startswith(f"{TYPED_BY_HAND}_") or name.rsplit("/", 1)[-1].startswith(DAEMON):
+        return ""
+    return known.get(name) or ("ros2 topic pub" if gives else "ros2 topic")
+
+
+def _cooks(names: list[str], belts: list[Belt], commands: Mapping[str, str]) -> tuple[Cook, ...]:
+    """Who works together stands together; there, nobody stands before those whose dishes they take, as far as that can be."""
     gives: dict[str, list[str]] = {}
     takes: dict[str, list[str]] = {}
-    place: dict[str, int] = {}
     for belt in belts:
         for table, hands in ((gives, belt.givers), (takes, belt.takers)):
             for name in dict.fromkeys(hand.cook for hand in hands):
                 table.setdefault(name, []).append(belt.topic)
-        if belt.givers and belt.takers:
-            for hand in belt.givers:
-                place[hand.cook] = place.get(hand.cook, 0) - 1
-            for hand in belt.takers:
-                place[hand.cook] = place.get(hand.cook, 0) + 1
-    team, counts = _teams(belts), Counter(names)
+    counts = Counter(names)
     return tuple(
-        Cook(name, tuple(gives.get(name, ())), tuple(takes.get(name, ())), counts[name])
-        for name in sorted(counts, key=lambda each: (team.get(each, len(belts)), place.get(each, 0), each))
+        Cook(
+            name,
+            tuple(gives.get(name, ())),
+            tuple(takes.get(name, ())),
+            counts[name],
+            _command(name, commands, gives=name in gives),
+        )
+        for name in _in_order(counts, belts, gives)
     )
+
+
+def _in_order(names: Iterable[str], belts: list[Belt], gives: Mapping[str, list[str]]) -> list[str]:
+    """The names in the order in which dishes pass: next comes who waits for the fewest belts that somebody later fills."""
+    fillers = {belt.topic: {hand.cook for hand in belt.givers} for belt in belts}
+    takers = {belt.topic: {hand.cook for hand in belt.takers} - fillers[belt.topic] for belt in belts}
+    waits = Counter(name for belt in belts if belt.givers for name in takers[belt.topic])
+    team = _teams(belts)
+
+    def entry(name: str) -> tuple[int, int, int, str]:
+        return team.get(name, len(belts)), waits[name], -len(gives.get(name, ())), name
+
+    heap, placed = [entry(name) for name in names], dict[str, None]()
+    heapify(heap)
+    while heap:
+        name = heappop(heap)[-1]
+        if name in placed:
+            continue
+        placed[name] = None
+        for topic in gives.get(name, ()):
+            fillers[topic].discard(name)
+            if not fillers[topic]:
+                for taker in takers[topic]:
+                    waits[taker] -= 1
+                    heappush(heap, entry(taker))
+    return list(placed)
 
 
 def _teams(belts: list[Belt]) -> dict[str, int]:

@@ -6,13 +6,47 @@ the shape. A dish moves only because a message passed; where many pass, only som
 
 from __future__ import annotations
 
+from fnmatch import fnmatchcase
 from typing import NamedTuple
 
-SHAPES = (("(", ")"), ("[", "]"), ("<", ">"), ("{", "}"))
-"""Left and right edge of a dish."""
 
-COLOURS = 4
-"""How many colours a window has to tell types apart."""
+class Ware(NamedTuple):
+    """A kind of dish, for the message types that match one of `types` (patterns of shell)."""
+
+    edges: str
+    """Left and right of the letter where a dish is three characters."""
+    fine: tuple[str, str]
+    """Where a dish is two lines of five: with block characters; `?` is the letter."""
+    plain: tuple[str, str]
+    """The same in ASCII."""
+    types: tuple[str, ...]
+
+
+WARES = (
+    # A plate: what somebody is to do.
+    Ware("()", ("  ?  ", "▀███▀"), ("  ?  ", "(___)"), ("*/Twist*", "*/Accel*", "*/Wrench*", "*/AckermannDrive*")),
+    # A bowl: words.
+    Ware("{}", ("▖ ? ▗", "▜███▛"), ("{ ? }", "{___}"), ("*/String", "*/Char", "*/Log", "*/UInt8MultiArray")),
+    # A box: numbers.
+    Ware("[]", ("▛▀▀▀▜", "▙▄?▄▟"), (".___.", "[_?_]"), ("std_msgs/*", "*_interfaces/msg/Num*")),
+    # A cover: places.
+    Ware(
+        "<>",
+        (" ▗▀▖ ", "▟▌?▐▙"),
+        ("  ^  ", "<_?_>"),
+        ("*/Pose*", "*/Point*", "geometry_msgs/*", "tf2_msgs/*", "nav_msgs/*"),
+    ),
+    # A frame: what one sees.
+    Ware("##", ("█▀▀▀█", "█▄?▄█"), ("#===#", "#_?_#"), ("*Image", "*/CameraInfo", "*/Color*", "*/Marker*")),
+    # A cup: what was measured.
+    Ware("\\/", ("▌▁▁▁▐", "▝▙?▟▘"), ("\\   /", " \\?/ "), ("sensor_msgs/*", "*/Clock", "*/Time", "*/BatteryState")),
+    # A parcel: types of one's own, and all others.
+    Ware("==", ("▄▄█▄▄", "█▄?▄█"), ("==+==", "|_?_|"), ("*",)),
+)
+"""The shapes of all dishes: the first ware that a type matches is its."""
+
+LETTERS = {"String": "S", "Twist": "T", "Pose": "P", "Int32": "I", "JointState": "J"}
+"""Types that everybody meets have the same letter every time."""
 
 TRAVEL_SECONDS = 1.8
 """How long a dish is on its way."""
@@ -25,14 +59,20 @@ WAITING = 2
 
 
 class Dish(NamedTuple):
-    """How the dishes of a type look: three characters, and the number of a colour."""
+    """How the dishes of a type look: three characters, and the number of its ware in WARES, which is that of its colour."""
 
     text: str
-    colour: int
+    ware: int
+
+    def lines(self, *, fine: bool) -> tuple[str, str]:
+        """The dish in two lines of five cells."""
+        ware = WARES[self.ware]
+        top, bottom = ware.fine if fine else ware.plain
+        return top.replace("?", self.text[1]), bottom.replace("?", self.text[1])
 
 
 class Dishes:
-    """Gives every type its looks, for as long as the window is open; the first types are alike in nothing."""
+    """Gives every type its looks, for as long as the window is open: the shape of its kind, and a letter of its own."""
 
     def __init__(self) -> None:
         self._looks: dict[str, Dish] = {}
@@ -41,17 +81,25 @@ class Dishes:
         """The looks of a type, like `geometry_msgs/msg/Twist`."""
         dish = self._looks.get(type_name)
         if dish is None:
-            number = len(self._looks)
-            left, right = SHAPES[number % len(SHAPES)]
-            dish = self._looks[type_name] = Dish(f"{left}{self._letter(type_name)}{right}", number % COLOURS)
+            number, ware = next(
+                (number, ware)
+                for number, ware in enumerate(WARES)
+                if any(fnmatchcase(type_name, pattern) for pattern in ware.types)
+            )
+            text = f"{ware.edges[0]}{self._letter(type_name)}{ware.edges[1]}"
+            dish = self._looks[type_name] = Dish(text, number)
         return dish
 
     def _letter(self, type_name: str) -> str:
         """A letter of the type's own name that no other type has; then a digit, then its first letter after all."""
         name = type_name.rsplit("/", 1)[-1]
         taken = {dish.text[1] for dish in self._looks.values()}
+        if (own := LETTERS.get(name)) and own not in taken:
+            return own
         letters = [letter for letter in name.upper() if letter.isascii() and letter.isalnum()]
-        return next((each for each in (*letters, *"123456789") if each not in taken), letters[0] if letters else "?")
+        free = [each for each in (*letters, *"123456789") if each not in taken]
+        others = [each for each in free if each not in LETTERS.values()]
+        return next(iter((*others, *free)), letters[0] if letters else "?")
 
 
 Lane = tuple[str, str]

@@ -8,9 +8,13 @@ from __future__ import annotations
 from day6_core.graph import Graph
 from day6_core.link import listen_in
 from day6_core.ros.programs._without_screen import stays
+from day6_core.ros.programs.day6_inspector.asking import Asking
 from day6_core.ros.programs.day6_kitchen.belts import Belt
 from day6_core.ros.programs.day6_kitchen.model import Kitchen
 from day6_core.session.session import Session
+
+ASK_SECONDS = 0.5
+"""Between two questions to other processes."""
 
 SETTLE_SECONDS = 0.5
 """Without a window: how long to let the graph be discovered before it is printed."""
@@ -29,12 +33,28 @@ async def main(session: Session) -> int | None:
         await session.sleep(SETTLE_SECONDS)
         _print(session, graph, name)
         return 0
-    model = Kitchen(graph, name, lambda: listen_in(graph))
+    command_of = session.overview.command_of if session.overview is not None else lambda pid: ()
+    model = Kitchen(graph, name, lambda: listen_in(graph), command_of)
     session.defer(graph.add_listener(model.on_change))
     session.defer(model.close)
     session.display.open("kitchen", "Kitchen", model)
+    session.spawn(_ask(session, model, Asking(graph)))
     await session.spin(node)
     return 0
+
+
+async def _ask(session: Session, model: Kitchen, asking: Asking) -> None:
+    """Let other processes tell what they publish, as long as one of them has nobody who takes it."""
+    async for _ in session.every(ASK_SECONDS):
+        if model.unheard:
+            asking.hear()
+            model.told = {
+                (inside.node, topic): count
+                for process in asking.processes
+                for inside in process.nodes
+                for topic, count in inside.publishers.items()
+            }
+            asking.ask()
 
 
 def _print(session: Session, graph: Graph, name: str) -> None:

@@ -1,19 +1,19 @@
-"""What the kitchen's window shows of the live graph: cooks and belts, measured rates, dishes on their way.
+"""What the kitchen's window shows of the live graph: cooks and belts, measured rates, dishes on their way and left over.
 
 It only looks. It subscribes to nothing: what passes on a topic is read from the counters of the publishers, which know what went
-through this process; and what other processes of this machine hand to each other the link can hear. Of everything else the rate
-is not known: never 0.
+through this process; what other processes of this machine hand to each other the link can hear; and what one of them publishes
+to nobody it tells when it is asked. Of everything else the rate is not known: never 0.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from day6_core.graph import EndpointKind, Graph, GraphEvent, Publisher
 from day6_core.graph.endpoints import Endpoint
 from day6_core.graph.qos import QoS, incompatible_policies
-from day6_core.ros.programs.day6_kitchen.belts import Content, End, KitchenFacts, select
+from day6_core.ros.programs.day6_kitchen.belts import TYPED_BY_HAND, Content, End, KitchenFacts, select
 from day6_core.ros.programs.day6_kitchen.dishes import Conveyor, Dishes, Lane
 from day6_core.ros.programs.day6_kitchen.rates import Rate
 
@@ -26,32 +26,50 @@ LOOK_SECONDS = 0.09
 GRAPH_SECONDS = 0.2
 """Between two looks at a graph that changes."""
 
+Told = tuple[str, str]
+"""The full name of a node and a topic that it publishes."""
+
 
 class Kitchen:
     """The model of one kitchen window. Only the window calls `look` and `show_everything`, before it draws.
 
     `content` is replaced as a whole and `version` raised when the graph changed; `rates` has messages per second by topic, None
-    for a topic of which nothing passes through this process.
+    for a topic of which nothing passes through this process. `command_of` knows what was typed to start a program here.
     """
 
-    def __init__(self, graph: Graph, own_name: str, listen_in: Callable[[], Passing | None] = lambda: None) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        own_name: str,
+        listen_in: Callable[[], Passing | None] = lambda: None,
+        command_of: Callable[[int], Sequence[str]] = lambda pid: (),
+    ) -> None:
         self._graph = graph
         self._own_name = own_name
         self._listen_in = listen_in
+        self._command_of = command_of
         self._passing: Passing | None = None
         self._stale = True
         self._looked = self._read = -1e9
-        self._counts: dict[tuple[int, bool], int] = {}
-        """What was counted at the last look, by publisher and by whether it was heard or passed through here."""
+        self._counts: dict[tuple[int, str], int] = {}
+        """What was counted at the last look, by publisher and by who counted."""
         self._measured: dict[str, Rate] = {}
         self._sent_elsewhere: set[int] = set()
         self._topics: set[str] = set()
         """The topics that are shown."""
+        self._wasted: set[str] = set()
+        """Those of them whose messages nobody takes."""
+        self.unheard = False
+        """Whether another process publishes something to nobody, so that only it can tell how much."""
+        self.told: Mapping[Told, int] = {}
+        """What other processes have told: how many messages they published. Replaced as a whole."""
         self.everything = False
         """Whether hidden nodes and topics are shown."""
         self.content = Content()
         self.version = 0
         self.rates: dict[str, float | None] = {}
+        self.left: dict[str, int] = {}
+        """By topic whose messages nobody takes: how many were counted since."""
         self.dishes = Dishes()
         self.conveyor = Conveyor()
 
@@ -91,6 +109,8 @@ class Kitchen:
             self.dishes.of(type_name)
         self.content = content
         self._topics = {belt.topic for belt in content.belts}
+        self._wasted = {belt.topic for belt in content.belts if belt.wasted}
+        self.left = {topic: count for topic, count in self.left.items() if topic in self._wasted}
         self.version += 1
 
     def _facts(self, endpoints: Iterable[Endpoint]) -> KitchenFacts:
@@ -106,32 +126,34 @@ class Kitchen:
             for endpoint in endpoints
             if endpoint.node.name != self._own_name
         ]
-        return KitchenFacts(
-            tuple(node.full_name for node in self._graph.nodes if node.name != self._own_name), tuple(ends)
-        )
+        nodes = [node for node in self._graph.nodes if node.name != self._own_name]
+        commands = {}
+        for node in nodes:
+            number = node.name.removeprefix(f"{TYPED_BY_HAND}_")
+            if node.origin is None and number.isdecimal() and (words := self._command_of(int(number))):
+                commands[node.full_name] = " ".join(words[:3])
+        return KitchenFacts(tuple(node.full_name for node in nodes), tuple(ends), commands)
 
     def _count(self, now: float) -> None:
-        counts: dict[tuple[int, bool], int] = {}
+        counts: dict[tuple[int, str], int] = {}
         fresh: dict[str, int | None] = {}
         elsewhere: list[Publisher] = []
+        self.unheard = False
         for publisher in self._graph.endpoints(EndpointKind.PUBLISHER):
             if not isinstance(publisher, Publisher):
                 continue
             topic, copies = publisher.topic, _copies(publisher)
-            passed: int | None = publisher.delivered
-            if not copies:
-                passed = None
-                if publisher.entity_id in self._sent_elsewhere and topic in self._topics:
-                    elsewhere.append(publisher)
-                    passed = self._passing.count(publisher) if self._passing is not None else None
+            passed, who = self._passed(publisher, copies, elsewhere)
             if passed is None:
                 fresh.setdefault(topic, None)
                 continue
-            key = (publisher.entity_id, copies == 0)
+            key = (publisher.entity_id, who)
             before = self._counts.get(key, passed)
             more = max(0, passed - before) // (copies or 1)
             counts[key] = before + more * (copies or 1)
             fresh[topic] = (fresh.get(topic) or 0) + more
+            if more and topic in self._wasted:
+                self.left[topic] = self.left.get(topic, 0) + more
             lane: Lane = (topic, publisher.node.full_name)
             self.conveyor.put(lane, more)
         self._counts = counts
@@ -139,6 +161,24 @@ class Kitchen:
             self._passing = self._listen_in()
         if self._passing is not None:
             self._passing.follow(elsewhere)
+        self._measure(now, fresh)
+
+    def _passed(self, publisher: Publisher, copies: int, elsewhere: list[Publisher]) -> tuple[int | None, str]:
+        """How many messages of a publisher were counted, None where nobody can, and who counted.
+
+        One whose messages go from one other process to another is put into `elsewhere`.
+        """
+        if copies:
+            return publisher.delivered, "here"
+        if publisher.topic not in self._topics:
+            return None, ""
+        if publisher.entity_id in self._sent_elsewhere:
+            elsewhere.append(publisher)
+            return (self._passing.count(publisher) if self._passing is not None else None), "heard"
+        self.unheard = True
+        return self.told.get((publisher.node.full_name, publisher.topic)), "told"
+
+    def _measure(self, now: float, fresh: Mapping[str, int | None]) -> None:
         rates: dict[str, float | None] = {}
         measured: dict[str, Rate] = {}
         for topic, more_or_none in fresh.items():
