@@ -23,6 +23,7 @@ from day6_tui.appearance.themes import NAMES, make_theme, palette
 from day6_tui.options import Options
 from day6_tui.panes.cells import clip, fit, wrap
 from tests.support.window_kinds import window_kinds
+from tests.tui.screens import opened, screen_lines, screen_text, step
 
 ROOT = Path(__file__).resolve().parents[2]
 EN, ZH = locale.catalogue("en"), locale.catalogue("zh")
@@ -116,6 +117,41 @@ def test_the_language_is_that_of_the_locale_unless_the_terminal_has_no_chinese()
     assert language_of({"LANG": "de_DE.UTF-8"}) == language_of({}, platform="linux") == "en"
     assert language_of(chinese, wide_glyphs=False) == "en"
     assert make_look(Options(), {**chinese, "TERM": "linux"}).texts.language == "en"
+
+
+@pytest.mark.parametrize("chosen", [{"lang": "zh"}, {}], ids=["option", "locale"])
+async def test_the_set_ascii_draws_in_ascii_and_says_in_chinese_what_it_says(desk, chosen: dict[str, str]) -> None:
+    environ = {"LANG": "C.UTF-8" if chosen else "zh_CN.UTF-8", "TERM": "xterm-256color"}
+    async with opened(desk, 80, 24, environ=environ, glyphs="ascii", **chosen) as (app, pilot):
+        text = screen_text(app)
+        assert ZH["welcome.question"] in text and ZH["action.quit"] in text and ZH["bar.language"] in text
+        assert [char for char in text if not char.isascii() and cell_len(char) != 2] == []
+        app.actions["language"]()
+        await step(app, pilot)
+        assert EN["welcome.question"] in screen_text(app)
+        assert [char for char in screen_text(app) if not char.isascii()] == [*EN["bar.language"]]
+
+
+@pytest.mark.parametrize(
+    ("environ", "options"),
+    [
+        ({"LANG": "C"}, {"lang": "zh"}),
+        ({"LANG": "C"}, {"lang": "zh", "glyphs": "ascii"}),
+        ({"LANG": "C", "DAY6_LANG": "zh"}, {}),
+        ({"LANG": "zh_CN.GBK"}, {}),
+    ],
+)
+async def test_where_chinese_cannot_be_written_one_line_says_why_it_is_english(
+    desk, environ: dict[str, str], options: dict[str, str]
+) -> None:
+    async with opened(desk, 80, 24, environ={**environ, "TERM": "xterm"}, **options) as (app, _):
+        assert EN["glyphs.no_chinese"] in screen_lines(app)[-1]
+        assert screen_text(app).isascii()
+
+
+async def test_nothing_is_said_of_a_language_that_nobody_asked_for(desk) -> None:
+    async with opened(desk, 80, 24, environ={"LANG": "C", "TERM": "xterm"}) as (app, _):
+        assert app.notices.text == ""
 
 
 def test_what_is_chosen_is_stronger_than_the_locale_and_an_option_than_a_variable() -> None:

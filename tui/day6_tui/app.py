@@ -37,7 +37,7 @@ from day6_core.shell.process.heap import keep_heap_small
 from day6_tui import actions
 from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.colours import colours
-from day6_tui.appearance.glyphs import choose, terminal_environ
+from day6_tui.appearance.glyphs import GLYPH_SETS, choose, detect, speaks_utf8, terminal_environ
 from day6_tui.appearance.look import Look
 from day6_tui.appearance.themes import NAMES
 from day6_tui.bars.bars import Bar
@@ -112,9 +112,10 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None, settin
     """
     environ = terminal_environ() if environ is None else environ
     glyphs = choose(options.glyphs, environ)
-    language = options.lang or language_of(environ, wide_glyphs=glyphs.chinese)
-    if not glyphs.unicode:
-        language = "en"  # Chinese cannot be written there at all
+    chinese = glyphs.chinese or GLYPH_SETS[detect(environ)].chinese
+    letters = speaks_utf8(environ)
+    wanted = options.lang or language_of(environ, wide_glyphs=chinese or not letters)
+    language = wanted if glyphs.unicode or letters else "en"  # Chinese cannot be written there at all
     sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")
     remembered = settings.text("theme") if settings is not None else ""
     theme = options.theme or (remembered if remembered in NAMES else NAMES[0])
@@ -122,6 +123,9 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None, settin
         glyphs,
         colours(theme, sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))),
         Texts(language, plain=not glyphs.unicode),
+        letters=letters,
+        chinese=chinese,
+        remark="glyphs.no_chinese" if language != wanted else "",
     )
     look.reduced_motion = options.reduced_motion
     return look
@@ -281,6 +285,8 @@ class Day6App(TerminalApp):
             part = self.options.part
             key = "notice.open_class" if part is not None and part.is_closed else "notice.open"
             self.notices.show(self.look.texts(key, port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
+        if self.look.remark:
+            self.notices.show(self.look.texts(self.look.remark), HINT_SECONDS)
         if self.settings.fault:
             text = self.look.texts("settings.fault", path=self.settings.path, reason=self.settings.fault)
             self.notices.show(one_line(text), NOTICE_SECONDS)

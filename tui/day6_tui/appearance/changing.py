@@ -31,7 +31,7 @@ class Looks:
     def next_language(self) -> None:
         """中文 or English."""
         look = self._look
-        if look.glyphs.chinese:
+        if look.chinese:
             look.texts.switch()
             if "DAY6_LANG" in os.environ:  # for programs that explain something
                 os.environ["DAY6_LANG"] = look.texts.language

@@ -23,6 +23,12 @@ class Look:
     glyphs: GlyphSet
     colours: Colours
     texts: Texts
+    letters: bool = True
+    """Whether the terminal takes letters that are not ASCII: then the set 'ascii' is one of drawings only."""
+    chinese: bool = True
+    """Whether the terminal is thought to have Chinese characters, so that this language is offered."""
+    remark: str = ""
+    """The text that says why the language isn't the one that was asked for; '' if it is."""
     reduced_motion: bool = False
     wake: Callable[[], None] = field(default=lambda: None)
     """Requests a frame: for panes whose size or state the user changed."""

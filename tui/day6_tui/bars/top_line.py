@@ -92,7 +92,7 @@ class TopLine(Feature):
         times = "×" if glyphs.unicode else "x"
         speed = texts("bar.paused") if machine.paused else f"{machine.speed:g}{times}"
         time_style = colours.hint if machine.paused else colours.bar
-        language = f" {texts('bar.language')} " if glyphs.chinese else ""
+        language = f" {texts('bar.language')} " if self._look.chinese else ""
         return [
             Piece(language, colours.bar_muted, self._actions["language"]),
             Piece(f" {mark} {speed} ", time_style, self._actions["pause"]),

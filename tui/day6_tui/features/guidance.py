@@ -63,7 +63,7 @@ class Guidance(Feature):
 
         texts, entries = self._look.texts, []
         for action in ACTIONS:
-            hidden = action.id in self._registry.hidden or (action.id == "language" and not self._look.glyphs.chinese)
+            hidden = action.id in self._registry.hidden or (action.id == "language" and not self._look.chinese)
             if action.palette and not hidden:
                 key = f"action.{action.id}"
                 names = [catalogue(language)[key] for language in LANGUAGES]

@@ -47,7 +47,10 @@ def _texts_of_scenes(language: str) -> Iterator[tuple[str, str]]:
             yield f"help.action.scene.{name}", texts.help
 
 
-_ARROWS = str.maketrans({"↑": "Up", "↓": "Down", "←": "Left", "→": "Right"})
+_ARROWS = {
+    "en": str.maketrans({"↑": "Up", "↓": "Down", "←": "Left", "→": "Right"}),
+    "zh": str.maketrans("↑↓←→", "上下左右"),
+}
 
 
 class Texts:
@@ -62,7 +65,7 @@ class Texts:
         """The text for `key` with its {fields} filled in. Raises KeyError for an unknown key."""
         text = catalogue(self.language)[key]
         if self.plain:
-            text = text.translate(_ARROWS)
+            text = text.translate(_ARROWS[self.language])
         return text.format(**values) if values else text
 
     def switch(self) -> None:

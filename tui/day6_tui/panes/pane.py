@@ -8,7 +8,7 @@ moving turtle costs its own cells.
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 from rich.segment import Segment
@@ -20,6 +20,7 @@ from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
 
+from day6_tui.appearance.characters import showable
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, harmless
 from day6_tui.textual_private.frame_screen import FrameScreen
@@ -291,8 +292,7 @@ class Pane(Surviving, Widget, can_focus=True):
             inside = Strip(harmless(self.content_line(y - 1, width - 2))).adjust_cell_length(width - 2, self.background)
             side = Segment(border.vertical, style)
             strip = Strip([side, *inside, side], width)
-        if not self.look.glyphs.unicode:
-            strip = Strip(in_ascii(strip), strip.cell_length)
+        strip = showable(strip, self.look)
         for each in self.look.filters:
             strip = strip.apply_filter(each, BLACK)
         return strip
@@ -419,19 +419,3 @@ def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
                 if cell_len(char) == 2:
                     cells.append(("", style))
     return cells
-
-
-def in_ascii(segments: Iterable[Segment]) -> Iterator[Segment]:
-    """Replace what a terminal without UTF-8 cannot show: by a similar ASCII character, else by `?` (`??` for a wide one)."""
-    for segment in segments:
-        text = segment.text
-        if not text.isascii():
-            segment = Segment("".join(c if c.isascii() else _plain(c) for c in text), segment.style, segment.control)
-        yield segment
-
-
-def _plain(char: str) -> str:
-    return _LIKENESSES.get(char) or "?" * cell_len(char)
-
-
-_LIKENESSES = dict(zip("↑↓←→…·×°–—“”‘’▸•−", "^v<>~.xo--\"\"''>*-", strict=True))

@@ -101,7 +101,8 @@ class Adaptation:
         wanted = known if known in _SHOWN_BY[kind] else _SHOWN_BY[kind][0]
         look.glyphs = GLYPH_SETS[CANVASES[0] if wanted == PIXELS else wanted]
         look.texts.plain = not look.glyphs.unicode
-        if (language if look.glyphs.chinese else "en") != look.texts.language:
+        look.letters, look.chinese = glyphs.speaks_utf8(environ), GLYPH_SETS[kind].chinese
+        if (language if look.chinese else "en") != look.texts.language:
             look.texts.switch()
             os.environ["DAY6_LANG"] = look.texts.language
         self._fit_colours(environ)

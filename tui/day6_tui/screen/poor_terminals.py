@@ -8,8 +8,8 @@ from textual.color import Color
 from textual.filter import LineFilter
 from textual.scrollbar import ScrollBarRender
 
+from day6_tui.appearance.characters import in_ascii
 from day6_tui.appearance.look import Look
-from day6_tui.panes.pane import in_ascii
 
 
 class WholeCells(ScrollBarRender):
@@ -41,15 +41,20 @@ def renderer_for(look: Look) -> type[ScrollBarRender]:
 
 
 class AsciiOnly(LineFilter):
-    """Replaces what a terminal without UTF-8 cannot show, as in our own panes."""
+    """Replaces what the set 'ascii' rules out, as in our own panes: drawings, and `letters` or not."""
+
+    def __init__(self, *, letters: bool) -> None:
+        super().__init__()
+        self._letters = letters
 
     def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
-        return list(in_ascii(segments))
+        return list(in_ascii(segments, letters=self._letters))
+
+
+_ASCII_ONLY = {letters: AsciiOnly(letters=letters) for letters in (False, True)}
+"""One of each: Textual remembers lines by their filters."""
 
 
 def filters_for(look: Look) -> list[LineFilter]:
     """What the lines of Textual's widgets have to go through."""
-    return [*([] if look.glyphs.unicode else [ASCII_ONLY]), *look.filters]
-
-
-ASCII_ONLY = AsciiOnly()
+    return [*([] if look.glyphs.unicode else [_ASCII_ONLY[look.letters]]), *look.filters]

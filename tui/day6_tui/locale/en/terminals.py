@@ -17,6 +17,7 @@ TEXTS = {
     # terminal
     "window.hidden": "{title} is open: {key} shows it",
     "terminal.stubborn": "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%",
+    "glyphs.no_chinese": "Chinese needs a UTF-8 locale, for instance LANG=C.UTF-8, so this is English",
     "input.gbk": "Your terminal sends GBK, not UTF-8: set it to UTF-8 (PuTTY: Window > Translation)",
     "input.not_utf8": "Your terminal sends bytes that are not UTF-8: set it to UTF-8",
     "pixels.slow": "Pixels come too slowly over this connection: characters draw the pictures now",

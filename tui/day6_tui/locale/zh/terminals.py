@@ -17,6 +17,7 @@ TEXTS = {
     # terminal
     "window.hidden": "{title} 打开了：按 {key} 去看",
     "terminal.stubborn": "它不理会 Ctrl-C。按 Ctrl-\\ 可以结束它；或者先按 Ctrl-Z，再输入 kill -9 %%",
+    "glyphs.no_chinese": "中文要用 UTF-8 的 locale 才能显示，比如 LANG=C.UTF-8，所以现在是英文",
     "input.gbk": "你的终端发送的是 GBK 而不是 UTF-8：请把终端编码设为 UTF-8（PuTTY：Window > Translation）",
     "input.not_utf8": "你的终端发送的不是 UTF-8：请把终端编码设为 UTF-8",
     "pixels.slow": "这条连接传送像素图太慢，已改用字符来画",

@@ -23,9 +23,9 @@ from textual.widget import Widget
 
 from day6_core.ros.programs.rqt_console.filters import FilterChoice
 from day6_core.ros.programs.rqt_console.model import Record
+from day6_tui.appearance.characters import showable
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit, harmless
-from day6_tui.panes.pane import in_ascii
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.textual_private.survival import PersonMessage, Surviving
 from day6_tui.windows.console.order import COLUMNS, Order, SortedRecords
@@ -247,7 +247,7 @@ class ConsoleTable(Surviving, ScrollView, can_focus=True):
 
     def _finished(self, segments: list[Segment], width: int) -> Strip:
         strip = Strip(harmless(segments)).adjust_cell_length(width, self._look.colours.text)
-        return strip if self._look.glyphs.unicode else Strip(in_ascii(strip), strip.cell_length)
+        return showable(strip, self._look)
 
     def _head(self, width: int) -> list[Segment]:
         """The names of the columns, with an arrow at the one by which it is sorted."""

@@ -19,9 +19,9 @@ from textual.widgets.option_list import Option
 
 from day6_core.elide import elide
 from day6_core.session.harmless import one_line
+from day6_tui.appearance.characters import showable
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, fit, wrap
-from day6_tui.panes.pane import in_ascii
 from day6_tui.textual_private.survival import PersonMessage
 from day6_tui.windows.parts.pane_list import PaneList
 
@@ -272,8 +272,7 @@ class FieldList(PaneList):
             if self.highlighted == index:
                 on = colours.choice if self.has_focus else colours.strong
             segments = self._cells(line, on)
-        strip = Strip(segments) if glyphs.unicode else Strip(in_ascii(segments))
-        return strip.adjust_cell_length(width, colours.text)
+        return showable(Strip(segments), self.look).adjust_cell_length(width, colours.text)
 
     def _cells(self, line: FieldLine, on: RichStyle | None) -> list[Segment]:
         colours, dots = self.look.colours, self.look.glyphs.ellipsis

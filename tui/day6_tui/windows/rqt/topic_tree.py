@@ -16,9 +16,9 @@ from textual.widgets.tree import TreeNode
 
 from day6_core.elide import elide
 from day6_core.session.harmless import one_line
+from day6_tui.appearance.characters import showable
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
-from day6_tui.panes.pane import in_ascii
 from day6_tui.windows.fields.field_list import without_package
 from day6_tui.windows.parts.desktop_tree import DesktopTree
 
@@ -243,7 +243,7 @@ class TopicTree(DesktopTree[TopicRow]):
 
     def render_line(self, y: int) -> Strip:
         strip = super().render_line(y) if self.root.children or y else self._remark()
-        return strip if self._look.glyphs.unicode else Strip(in_ascii(strip), strip.cell_length)
+        return showable(strip, self._look)
 
     def _remark(self) -> Strip:
         width, colours = self.size.width, self._look.colours

@@ -15,9 +15,9 @@ from textual.widgets.tree import TreeNode
 from day6_core.ros.programs.rviz2.model.display import Display
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.properties import Property
+from day6_tui.appearance.characters import showable
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import harmless
-from day6_tui.panes.pane import in_ascii
 from day6_tui.textual_private.survival import PersonMessage
 from day6_tui.windows.parts.desktop_tree import DesktopTree
 from day6_tui.windows.rviz import panel
@@ -198,9 +198,7 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
             return Strip.blank(width, look.colours.text)
         chosen = node is self.cursor_node
         segments: Iterable[Segment] = harmless(panel.segments_of(node.data, width, look, chosen, self._active))
-        return Strip(segments if look.glyphs.unicode else in_ascii(segments)).adjust_cell_length(
-            width, look.colours.text
-        )
+        return showable(Strip(segments), look).adjust_cell_length(width, look.colours.text)
 
     def on_hide(self, event: events.Hide) -> None:
         if self.has_focus:
