@@ -685,8 +685,12 @@ def test_one_step_is_one_command() -> None:
         now = _run(player, now, 6.0)
         assert player.steering.held and "".join(stage.done).count("\r") == commands
     player.steering.step()
-    _run(player, now, 6.0)
-    assert player.done and "".join(stage.done).count("\r") == 3
+    now = _run(player, now, 6.0)
+    assert player.steering.held and "".join(stage.done).count("\r") == 3
+    assert not player.done, "whoever takes single steps is not told that this one is the last"
+    player.steering.step()
+    _run(player, now, 0.1)
+    assert player.done
 
 
 @pytest.mark.parametrize(
@@ -752,6 +756,21 @@ async def test_a_paused_scene_leaves_the_terminal_to_whoever_types(desk) -> None
         assert app.scenes.player is None
         await pilot.press("f9")
         assert desk.clock.paused, "without a scene it is the world that stands"
+
+
+async def test_after_the_last_step_f9_goes_on_and_only_then_stops_the_world(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        app.scenes.play([{"terminal": "idle"}, {"type": "ros2 node list"}])
+        for typed in ("", "ros2 node list\r"):
+            await pilot.press("pagedown")
+            await step(app, pilot)
+            assert app.scenes.steering.held
+            assert desk.terminals[0].sent == typed and "go on" in screen_lines(app)[-1]
+        await pilot.press("f9")
+        await step(app, pilot)
+        assert app.scenes.player is None and not desk.clock.paused
+        await pilot.press("f9")
+        assert desk.clock.paused
 
 
 async def test_a_click_on_the_key_bar_steers_a_scene(desk) -> None:

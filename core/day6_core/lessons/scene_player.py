@@ -89,6 +89,8 @@ class ScenePlayer(Player):
     def _performing(self, actions: Iterable[Mapping[str, Any]]) -> Generator[float, None, None]:
         with suppress(StageError):
             yield from self.perform(actions).__await__()
+        self.steering.meet_command()  # it stands at its end too: who goes on by F9 would else stop the world
+        yield from self._while_held().__await__()
 
     async def _until(self, holds: Callable[[], bool], seconds: float) -> bool:
         """Wait for something, at most so long."""
