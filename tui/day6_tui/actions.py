@@ -53,6 +53,7 @@ ACTIONS: tuple[DesktopAction, ...] = (
     DesktopAction("theme"),
     DesktopAction("distro"),
     DesktopAction("glyphs"),
+    DesktopAction("letters"),
     DesktopAction("layout.load"),
     DesktopAction("layout.save"),
     DesktopAction("layout.lesson"),

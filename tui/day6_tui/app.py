@@ -230,6 +230,7 @@ class Day6App(TerminalApp):
                 "theme": self.choose_theme,
                 "distro": self.choose_distribution,
                 "glyphs": lambda: self.notices.show(self.looks.next_glyphs()),
+                "letters": lambda: self.notices.show(self.look.texts("help.action.letters"), NOTICE_SECONDS),
                 "motion": self.looks.toggle_motion,
                 "class": self.show_class,
             }

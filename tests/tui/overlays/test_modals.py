@@ -144,7 +144,7 @@ async def test_the_palette_opened_while_a_scene_plays_stays_and_keeps_the_keyboa
         await step(app, pilot)
         await step(app, pilot)
         assert isinstance(app.desktop.overlay, Menu)
-        assert "nothing by that name" in screen_text(app)
+        assert app.look.texts("menu.none") in screen_text(app)
         await pilot.press("escape")
         await step(app, pilot)
         assert app.screen.focused is app.desktop.focused_pane

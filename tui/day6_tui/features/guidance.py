@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 
 from day6_core.language import LANGUAGES
@@ -66,7 +66,7 @@ class Guidance(Feature):
             hidden = action.id in self._registry.hidden or (action.id == "language" and not self._look.chinese)
             if action.palette and not hidden:
                 key = f"action.{action.id}"
-                names = [catalogue(language)[key] for language in LANGUAGES]
+                names = [word for language in LANGUAGES for word in _names(catalogue(language), action.id)]
                 choose = self._registry[action.id]
                 entries.append(MenuEntry(texts(key), action.label, choose, also=names, words=texts("help." + key)))
         entries += [
@@ -74,3 +74,8 @@ class Guidance(Feature):
             for name, command in programs()
         ]
         self._desktop.open_overlay(Menu(self._look, "menu.palette", entries))
+
+
+def _names(texts: Mapping[str, str], id_: str) -> list[str]:
+    """The name of an action, and the other words for it."""
+    return [texts[f"action.{id_}"], *texts.get(f"sought.{id_}", "").split()]

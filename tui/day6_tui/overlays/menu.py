@@ -32,7 +32,7 @@ class MenuEntry(NamedTuple):
     choose: Callable[[], object]
     delete: Callable[[], object] | None = None
     also: Sequence[str] = ()
-    """Its names in other languages."""
+    """Its names in other languages, and other words for it."""
     words: str = ""
     """More text to search in: its explanation."""
 
@@ -43,7 +43,8 @@ MOST_WAYS = 10_000
 
 def ranked(entries: Sequence[MenuEntry], typed: str) -> list[MenuEntry]:
     """The entries that what was typed may mean, the likeliest first: those whose name begins so, those with such a word in
-    their name, in the note, in the explanation, and last those in whose name the letters occur in this order."""
+    their name, in the note, in the explanation, then those in whose name the letters occur in this order, and last those with a
+    Chinese word, which no blanks set apart, somewhere in what was typed."""
     words = typed.lower().split()
     if not words:
         return list(entries)
@@ -72,6 +73,7 @@ def _rank(entry: MenuEntry, typed: Sequence[str], search: FuzzySearch) -> tuple[
         all(each in notes for each in typed),
         all(each in f"{notes} {entry.words.lower()}" for each in typed),
         score > 0,
+        any(not name.isascii() and name in letters for name in names),
     )
     return (fits.index(True), -score) if any(fits) else None
 

@@ -28,7 +28,7 @@ TEXTS = {
     "menu.layouts": "Layouts",
     "menu.windows": "Windows and terminals",
     "menu.filter": "type to search",
-    "menu.none": "nothing by that name",
+    "menu.none": "nothing found: try another word",
     "menu.keys": "↑ ↓ choose   Enter go   Esc back",
     "menu.keys.close": "↑ ↓ choose   Enter go   Del close   Esc back",
     "menu.keys.remove": "↑ ↓ choose   Enter go   Del remove   Esc back",

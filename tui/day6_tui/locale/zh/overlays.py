@@ -28,7 +28,7 @@ TEXTS = {
     "menu.layouts": "布局",
     "menu.windows": "窗口和终端",
     "menu.filter": "输入文字来查找",
-    "menu.none": "没有这个名字",
+    "menu.none": "没找到，换个词试试",
     "menu.keys": "↑ ↓ 选择   Enter 确定   Esc 返回",
     "menu.keys.close": "↑ ↓ 选择   Enter 确定   Del 关闭   Esc 返回",
     "menu.keys.remove": "↑ ↓ 选择   Enter 确定   Del 删除   Esc 返回",
