@@ -46,7 +46,7 @@ def test_what_was_seen_is_not_taken_for_what_is_wanted(tmp_path: Path, monkeypat
     monkeypatch.setattr("day6_core.lessons.rehearsal.SOLVED_WITHIN", 0.2)
     (played,) = play(tmp_path, one="check:\n  - window: turtlesim\nsolve:\n  - type: ls\n")
     (fault,) = played.faults
-    assert "not yet 'the window turtlesim is open' (seen: Open windows: (none).)" in fault.replace("“", "")
+    assert "not yet 'the window turtlesim is open' (seen: No window is open.)" in fault.replace("“", "")
 
 
 @pytest.mark.process

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from day6_core.lessons.checks import Verdict, check
-from day6_core.lessons.checks.terminals import readable
+from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import Say
 from day6_core.workspace.manifest import Manifest, ManifestError, read_manifest
 
@@ -58,7 +58,9 @@ def file(live: Live, path: str, has: str = "", lacks: str = "") -> Verdict:
     except Unreadable as error:
         return Verdict(False, wanted, Say("file.unread", path=path, reason=error))
     if text is None:
-        return Verdict(False, wanted, Say("file.saw_none", path=path))
+        if has or lacks:
+            return Verdict(False, wanted, Say("file.saw_none", path=path))
+        return Verdict(False, Say("missing", inner=wanted))
     if has and not re.search(has, text, re.MULTILINE):
         return Verdict(False, wanted, Say("file.saw_not"))
     if lacks and re.search(lacks, text, re.MULTILINE):
@@ -68,8 +70,8 @@ def file(live: Live, path: str, has: str = "", lacks: str = "") -> Verdict:
 
 @check("folder", paths=("path",))
 def folder(live: Live, path: str) -> Verdict:
-    ok = live.path(path).is_dir()
-    return Verdict(ok, Say("folder", path=path), None if ok else Say("file.saw_none", path=path))
+    wanted, ok = Say("folder", path=path), live.path(path).is_dir()
+    return Verdict(ok, wanted if ok else Say("missing", inner=wanted))
 
 
 @check("no_file", paths=("path",))

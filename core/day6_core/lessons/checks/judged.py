@@ -28,8 +28,9 @@ def answer(live: Live, letter: str) -> Verdict:
 
 
 @check("python", event=True)
-def python(live: Live, file: str) -> Verdict:
-    memory, wanted = live.remembered, Say("python", name=file)
+def python(live: Live, file: str, zh: str = "", en: str = "") -> Verdict:
+    wanted = Say("python.wanted", zh=zh or en, en=en or zh) if zh or en else Say("python", name=file)
+    memory = live.remembered
     path = (live.folder / file).resolve()
     if live.folder.resolve() not in path.parents or not path.is_file():
         return Verdict(False, wanted, Say("python.missing", name=file), broken=True)

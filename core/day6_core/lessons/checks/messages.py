@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.lessons.checks import Verdict, check
 from day6_core.lessons.checks.graph import same
-from day6_core.lessons.checks.terminals import readable
+from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import Say
 
 if TYPE_CHECKING:

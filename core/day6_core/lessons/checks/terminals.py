@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.lessons.actions import WINDOWS
 from day6_core.lessons.checks import Verdict, check
+from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import TEXTS, Say
 from day6_core.session.plain import plain
 
@@ -58,13 +59,6 @@ def ran(
             saw = Say("ran.saw_prints")
         break
     return Verdict(False, wanted, saw)
-
-
-def readable(pattern: str) -> str:
-    """A regular expression nearly as the text it stands for."""
-    text = re.sub(r"\(\?[:=!<P][^)]*\)|^\(\?[aimsx]+\)", "…", pattern.strip("^$"))
-    text = re.sub(r"\\([.\-/+*?()\[\]$^|])", r"\1", text)
-    return re.sub(r"\\[bBsSwWdD][+*]?|\.[*+]\??", "…", text).strip("…") or pattern
 
 
 @check("running", patterns=("line",))
