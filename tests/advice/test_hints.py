@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -11,6 +9,7 @@ import pytest
 from day6_core.advice.rules import Surroundings, hint_below
 from day6_core.advice.texts import TEXTS
 from day6_core.ros.environment import program_environment
+from tests.advice.failing import failed
 
 NODE = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String, Float64\n"
 
@@ -36,7 +35,7 @@ FAULTS = {
     "f(1，2)": "the English ','",
     "x\u3000= 1": "a blank that is no ordinary one",
     "x\u00a0= 1": "a blank that is no ordinary one",
-    "class A:\n    def f(): pass\nA().f()": "f belongs to the class A, so it needs self: def f(self):",
+    "class A:\n    def f(): pass\nA().f()": "line 2 lacks self: write def f(self):",
     "'a' + 1": "str(…)",
     "import std_msg": "did you mean std_msgs?",
     "import rlcpy": "did you mean rclpy?",
@@ -62,7 +61,8 @@ FAULTS = {
     NODE + "rclpy.init()\nclass A(Node):\n  def __init__(self):\n    self.create_timer(1, print)\nA()": "super().__init__",
     NODE + "rclpy.init()\nNode('x').create_publisher(String, 'y')": "e.g. 10",
     NODE + "rclpy.init()\nNode('x').create_publisher(String, 'y', 10).publish('a')": "msg = String()",
-    NODE + "rclpy.init()\nNode('x').create_subscription(String, 'y', None, 10)": "hand over the function itself",
+    NODE + "rclpy.init()\nNode('x').create_subscription(String, 'y', None, 10)": "",
+    NODE + "rclpy.init()\nNode('x').create_subscription(String, 'y', print('x'), 10)": "hand over the function itself",
     NODE + "rclpy.init()\nNode('x').get_parameter('speed')": "self.declare_parameter('speed', VALUE)",
     NODE + "Float64().data = 1": "write 1.0 instead of 1",
     NODE + "String().data = 1": "data has to be of type str: str(…)",
@@ -72,21 +72,6 @@ FAULTS = {
     "import no_such_thing_at_all": "",
     "undefined_thing_of_mine": "",
 }  # fmt: skip
-
-
-def failed(program: str, folder: Path, name: str = "p.py") -> str:
-    """Run a program as a terminal does; return all it wrote."""
-    (folder / name).write_text(program, encoding="utf-8")
-    done = subprocess.run(
-        [sys.executable, name],
-        cwd=folder,
-        env=program_environment(),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        encoding="utf-8",
-    )
-    assert done.returncode
-    return done.stdout
 
 
 @pytest.mark.process

@@ -5,6 +5,7 @@ A file is one topic. It begins with `# TITLE | ENGLISH TITLE`; each card in it i
     ## id-of-the-card
     - says: `Package '{name}' not found`
     - look: package
+    - from: own rclpy
     - next: `ros2 pkg list`
 
     **zh** What it means, in Chinese: the first line appears by itself, what follows explains it.
@@ -15,6 +16,8 @@ A file is one topic. It begins with `# TITLE | ENGLISH TITLE`; each card in it i
 
 `says` is a whole line with {names} for what varies ({…}: not needed later), `match` a regular expression from the beginning
 of the line; there may be several. `look` names functions of the modules `lookers_*.py`. `next` is what to type.
+`from` is for a message that means something else where it comes from elsewhere: it names modules, one of which the pupil's line
+had called when it failed, or is `own` for that line itself. A card with `from` is only for a traceback that says so.
 Words alone: `- hint` (the first line is certain enough to be shown as a hint, in every language), `- echo` (the message only
 says that another one came before it), `- same` (on a real robot nothing is different). {names} in the texts are filled in; a
 brace is written twice.
@@ -38,6 +41,7 @@ from functools import lru_cache
 from pathlib import Path
 from string import Formatter
 
+from day6_core.advice.fault import Fault
 from day6_core.language import LANGUAGES
 from day6_core.ros.differences import retold
 
@@ -85,6 +89,8 @@ class Card:
     topic: str
     patterns: tuple[Pattern, ...] = ()
     look: tuple[str, ...] = ()
+    origins: frozenset[str] = frozenset()
+    """Where the exception has to come from; empty: from anywhere, known or not."""
     next: str = ""
     hint: bool = False
     echo: bool = False
@@ -95,6 +101,12 @@ class Card:
     finding_next: str = ""
     finds: tuple[Pattern, ...] = ()
     words: dict[str, CardWords] = field(default_factory=dict)
+
+    def speaks_of(self, fault: Fault | None) -> bool:
+        """Return whether this exception comes from where the card says; None: where it comes from is not known."""
+        if not self.origins:
+            return True
+        return fault is not None and not self.origins.isdisjoint(("own",) if fault.own else fault.through)
 
 
 class Pattern:
@@ -226,9 +238,9 @@ class _Reader:
         if name in _FLAGS and value is None:
             setattr(card, name, True)
             return
-        if name not in ("says", "match", "look", "next", "finding", "finds") or value is None:
+        if name not in ("says", "match", "look", "from", "next", "finding", "finds") or value is None:
             raise self._wrong(
-                "expected says, match, look, next, finding or finds with a value, or hint, echo or same without one"
+                "expected says, match, look, from, next, finding or finds with a value, or hint, echo or same without one"
             )
         if name == "finding":
             told = _FINDING.match(value)
@@ -238,6 +250,9 @@ class _Reader:
             return
         if name == "look":
             card.look = tuple(value.split())
+            return
+        if name == "from":
+            card.origins = frozenset(value.split())
             return
         if not (len(value) > 2 and value[0] == value[-1] == "`"):
             raise self._wrong(f"what {name} names stands between `")

@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from day6_core.advice import lookers_files, lookers_graph, lookers_line, lookers_values  # they register themselves
+from day6_core.advice import (  # they register themselves
+    lookers_files,
+    lookers_graph,
+    lookers_line,
+    lookers_programs,
+    lookers_values,
+)
 from day6_core.advice.card_files import Card, topics
 from day6_core.advice.fault import fault_in
 from day6_core.advice.looking import ASK_GRAPH, LOOKERS, Found, Situation
@@ -22,7 +28,7 @@ LONGEST_SHOWN = 300
 
 NARROWEST = 20
 
-_MODULES = (lookers_files, lookers_graph, lookers_line, lookers_values)
+_MODULES = (lookers_files, lookers_graph, lookers_line, lookers_programs, lookers_values)
 """Their functions have registered themselves in LOOKERS."""
 
 
@@ -52,7 +58,7 @@ def scene_of(
     letters: str = "",
 ) -> Situation:
     """Return what lookers may look at for a line of `output`, which `command` printed."""
-    fault = fault_in(output or match.line)
+    fault = match.fault or fault_in(output or match.line)
     command = simple_command(command, match.values)
     return Situation(around, match.values, command, fault, graph, tuple(commands), letters)
 
@@ -83,7 +89,7 @@ def explain(match: Match, scene: Situation, language: str) -> Explanation:
         here, next_ = sentence(template, language).format(**values), cause.next
     if not here and card.next:
         next_ = command_of(card.next, match.values)
-    fill = [filled_in(text, match.values, scene.fault) for text in (words.first, words.more, words.robot)]
+    fill = [filled_in(text, match.values, match.fault) for text in (words.first, words.more, words.robot)]
     means = "\n".join(
         filter(None, (sentence(fill[0], language) if not words.first.startswith("{") else fill[0], fill[1]))
     )
@@ -92,7 +98,7 @@ def explain(match: Match, scene: Situation, language: str) -> Explanation:
         means=means,
         here=here,
         looked=bool(card.look),
-        checks=() if here else tuple(filled_in(each, match.values, scene.fault) for each in words.checks),
+        checks=() if here else tuple(filled_in(each, match.values, match.fault) for each in words.checks),
         next=next_ if next_.isprintable() else "",
         robot=fill[2],
     )

@@ -17,6 +17,8 @@ from day6_core.facts.folders import files_in, names_in
 from day6_core.facts.names import CLOSE, nearest
 from day6_core.facts.setup_file import read_setup
 from day6_core.facts.workspaces import (
+    Package,
+    Workspace,
     executables_in,
     find_package,
     names_file,
@@ -72,9 +74,9 @@ def _of_the_workspace(name: str, scene: Situation) -> Found | None:
     unknown = why_unknown(name, scene.variables, scene.cwd)
     if unknown is None:
         return None
-    folder = _short(unknown.folder, scene)
+    folder = short(unknown.folder, scene)
     if unknown.because == "not_sourced":
-        source = f"source {_short(unknown.folder / 'setup.bash', scene)}"
+        source = f"source {short(unknown.folder / 'setup.bash', scene)}"
         return found("package.not_sourced", source, name=name, install=folder)
     return found(f"package.{unknown.because}", _build(unknown.workspace, name, scene), name=name, folder=folder)
 
@@ -99,7 +101,7 @@ def executable(scene: Situation) -> Found | None:
         has = ", ".join(installed)
         return found("executable.has", f"ros2 pkg executables {package}", package=package, names=has) if has else None
     source = lies[1]
-    setup, edit = source.folder / "setup.py", f"nano {_short(source.folder / 'setup.py', scene)}"
+    setup, edit = source.folder / "setup.py", f"nano {short(source.folder / 'setup.py', scene)}"
     said = read_setup(source.folder)
     if said.comma:
         return _comma(source.folder, said.comma, scene)
@@ -116,7 +118,7 @@ def executable(scene: Situation) -> Found | None:
 
 
 def _comma(package: Path, line: int, scene: Situation) -> Found:
-    setup = _short(package / "setup.py", scene)
+    setup = short(package / "setup.py", scene)
     return found("setup.comma", f"nano {setup}", setup=setup, line=line)
 
 
@@ -132,13 +134,9 @@ def launch_file(scene: Situation) -> Found | None:
     """A launch file that lies in `src` but is not installed, or whose name is nearly this one."""
     name, package, share = scene.value("name"), scene.value("package"), Path(scene.value("share"))
     lies = find_package(package, workspaces_around(scene.variables, scene.cwd))
-    there = lies[1].file_called(name) if lies is not None else None
-    if lies is not None and there is not None:
-        source, file = lies[1], lies[1].install_script
-        if names_file(file, there):
-            return found("launch.not_rebuilt", _build(lies[0].folder, package, scene), name=name)
-        key, place = "launch.data_files" if source.python else "launch.install", there.rpartition("/")[0] or "."
-        return found(key, f"nano {_short(file, scene)}", name=name, file=file, place=place)
+    cause = of_package_file(name, lies, scene) if lies is not None else None
+    if cause is not None:
+        return cause
     names = [
         path.name
         for path in files_in(share, most=MOST_FILES)
@@ -148,6 +146,19 @@ def launch_file(scene: Situation) -> Found | None:
     if near:
         return found("launch.near", shlex.join(["ros2", "launch", package, near]), name=name, near=near)
     return found("launch.others", "", package=package, names=", ".join(sorted(set(names)))) if names else None
+
+
+def of_package_file(name: str, lies: tuple[Workspace, Package], scene: Situation) -> Found | None:
+    """A file of a package's sources that is not among its installed ones: setup.py does not name it, or it was not built."""
+    workspace, source = lies
+    there = source.file_called(name)
+    if there is None:
+        return None
+    file = source.install_script
+    if names_file(file, there):
+        return found("launch.not_rebuilt", _build(workspace.folder, source.name, scene), name=name)
+    key, place = "launch.data_files" if source.python else "launch.install", there.rpartition("/")[0] or "."
+    return found(key, f"nano {short(file, scene)}", name=name, file=short(file, scene), place=place)
 
 
 @looker
@@ -176,9 +187,9 @@ def path(scene: Situation) -> Found | None:
     if near and len(whole.name) > 2:
         right = name.removesuffix(whole.name) + near if name.endswith(whole.name) else near
         return found("path.near", _again(scene, name, right), name=name, near=right)
-    elsewhere = _elsewhere(whole.name, scene)
-    if elsewhere is not None:
-        return found("path.elsewhere", f"cd {_short(elsewhere.parent, scene)}", name=whole.name, place=elsewhere)
+    there = elsewhere(whole.name, scene)
+    if there is not None:
+        return found("path.elsewhere", f"cd {short(there.parent, scene)}", name=whole.name, place=there)
     return None
 
 
@@ -211,12 +222,12 @@ def prefix_path(scene: Situation) -> Found | None:
 def build_folder(scene: Situation) -> Found | None:
     """A build that was started in the folder `src`, or a workspace within a workspace."""
     if scene.cwd.name == "src":
-        return found("folder.src", f"cd {_short(scene.cwd.parent, scene)}", workspace=scene.cwd.parent)
+        return found("folder.src", f"cd {short(scene.cwd.parent, scene)}", workspace=scene.cwd.parent)
     outer = next(
         (above for above in scene.cwd.parents if (above / "src").is_dir() and (above / "install").is_dir()), None
     )
     if outer is not None and (scene.cwd / "package.xml").is_file():
-        return found("folder.package", f"cd {_short(outer, scene)}", workspace=outer)
+        return found("folder.package", f"cd {short(outer, scene)}", workspace=outer)
     workspace = scene.home / "ros2_ws"
     if any((workspace / "src").glob("*/package.xml")) and scene.cwd != workspace and not (scene.cwd / "src").is_dir():
         return found("folder.nothing", "cd ~/ros2_ws")
@@ -282,12 +293,12 @@ def _again(scene: Situation, wrong: str, right: str) -> str:
 
 def _build(workspace: Path, package: str, scene: Situation) -> str:
     """The line that builds one package and makes it known here."""
-    go = "" if workspace == scene.cwd else f"cd {_short(workspace, scene)}; "
+    go = "" if workspace == scene.cwd else f"cd {short(workspace, scene)}; "
     return f"{go}colcon build --packages-select {shlex.quote(package)}; source install/setup.bash"
 
 
-def _short(place: Path, scene: Situation) -> str:
-    """A path as one types it: from here, from home, or whole; quoted where that is needed."""
+def short(place: Path, scene: Situation) -> str:
+    """Return a path as one types it: from here, from home, or whole; quoted where that is needed."""
     for base, beginning in ((scene.cwd, ""), (scene.home, "~/")):
         if place != base and place.is_relative_to(base) and (beginning or base != scene.home):
             rest = place.relative_to(base).as_posix()
@@ -295,8 +306,8 @@ def _short(place: Path, scene: Situation) -> str:
     return "~" if place == scene.home else "." if place == scene.cwd else shlex.quote(str(place))
 
 
-def _elsewhere(name: str, scene: Situation) -> Path | None:
-    """The one file of that name below home's workspace or this folder; None if there is none, or several."""
+def elsewhere(name: str, scene: Situation) -> Path | None:
+    """Return the one file of that name below home's workspace or this folder; None if there is none, or several."""
     if len(name) < 3 or "." not in name:
         return None
     roots = [root for root in (scene.cwd, scene.home / "ros2_ws" / "src", scene.home) if root.is_dir()]

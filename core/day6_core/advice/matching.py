@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from day6_core.advice.card_files import Card, all_cards
+from day6_core.advice.fault import Fault, faults_in
 from day6_core.session.plain import without_sequences
 
 MOST_LINES = 400
@@ -35,11 +36,12 @@ _CALM = re.compile(r"(?:\[[\w.-]+-\d+\] )?\[(?:INFO|DEBUG)\] \[[^\]]*\] \[(?!rcl
 
 @dataclass(frozen=True)
 class Match:
-    """A line, its card, and what the card's pattern found in it."""
+    """A line, its card, what the card's pattern found in it, and the exception if the line is one's of a traceback."""
 
     line: str
     card: Card
     values: Mapping[str, str]
+    fault: Fault | None = None
 
 
 def plain_lines(output: str) -> list[str]:
@@ -61,17 +63,17 @@ def forms(line: str) -> list[str]:
     return found
 
 
-def card_for(line: str) -> Match | None:
-    """Return the first card for a line, None if there is none."""
+def card_for(line: str, fault: Fault | None = None) -> Match | None:
+    """Return the first card for a line, None if there is none; `fault` is the exception that the line tells of."""
     if not line or line.isspace() or _CALM.match(line):
         return None
     candidates = forms(line[:LONGEST_LINE])[::-1]
     for card in all_cards():
-        for pattern in card.patterns:
+        for pattern in card.patterns if card.speaks_of(fault) else ():
             for form in candidates:
                 values = pattern.match(form)
                 if values is not None:
-                    return Match(line, card, values)
+                    return Match(line, card, values, fault)
     return None
 
 
@@ -79,11 +81,13 @@ def cards_in(output: str) -> Iterator[Match]:
     """Yield the lines of an output that have a card, the last first; after all others those that only echo another one."""
     echoes: list[Match] = []
     seen: set[str] = set()
+    faults = {fault.said: fault for fault in reversed(faults_in(output))}
     for line in reversed(plain_lines(output)[-MOST_LINES:]):
         if line in seen:
             continue
         seen.add(line)
-        match = card_for(line)
+        fault = next((faults[form] for form in forms(line) if form in faults), None)
+        match = card_for(line, fault)
         if match is None:
             continue
         if match.card.echo:

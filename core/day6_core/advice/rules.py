@@ -11,11 +11,12 @@ from functools import lru_cache
 from pathlib import Path
 
 from day6_core.advice import known
+from day6_core.advice.callbacks import cause_in_source
 from day6_core.advice.fault import Fault, fault_in
 from day6_core.advice.matching import card_for, cards_in
 from day6_core.advice.texts import TEXTS
 from day6_core.advice.typed import PUNCTUATION, chinese_sign, near_choice, slip_of_command
-from day6_core.advice.wording import filled_in
+from day6_core.advice.wording import filled_in, without_line
 from day6_core.facts.names import CLOSE, nearest
 from day6_core.facts.workspaces import packages_lacking_comma, why_unknown, workspaces_around
 from day6_core.language import language_of
@@ -122,13 +123,14 @@ def hint_about_folder(packages: int, around: Surroundings) -> str:
 
 
 def _say(key: str, language: str, **values: object) -> str:
-    return TEXTS[key][language == "zh"].format(**values)
+    text = TEXTS[key][language == "zh"]
+    return (text if values.get("line", True) else without_line(text)).format(**values)
 
 
 def _explain(fault: Fault, around: Surroundings, language: str) -> str:
     rule = _RULES.get(fault.kind)
     return (rule(fault, around, language) if rule is not None else "") or _by_card(
-        f"{fault.kind}: {fault.message}", fault, language
+        f"{fault.kind}: {fault.message}" if fault.message else fault.kind, fault, language
     )
 
 
@@ -140,7 +142,7 @@ def _of_a_tool(output: str, language: str) -> str:
 
 def _by_card(line: str, fault: Fault | None, language: str) -> str:
     """The first line of its card, if that is certain enough for a hint."""
-    match = card_for(line)
+    match = card_for(line, fault)
     if match is None or not match.card.hint:
         return ""
     return filled_in(match.card.words[language].first, match.values, fault)
@@ -161,7 +163,7 @@ def first_line_below(output: str, around: Surroundings) -> str:
     match = next(cards_in(output), None)
     if match is None or match.card.echo:
         return ""
-    return TEXTS["card.below"][1].format(first=filled_in(match.card.words["zh"].first, match.values, fault_in(output)))
+    return TEXTS["card.below"][1].format(first=filled_in(match.card.words["zh"].first, match.values, match.fault))
 
 
 @lru_cache(maxsize=16)
@@ -171,7 +173,7 @@ def in_short(message: str, line: int, language: str) -> str:
     fault = Fault(kind, rest, "", line)
     if kind == "SyntaxError" and (text := _syntax(fault, Surroundings({}, Path()), language)):
         return text
-    match = card_for(message)
+    match = card_for(message, fault)
     return filled_in(match.card.words[language].first, match.values, fault) if match is not None else ""
 
 
@@ -184,8 +186,12 @@ def dimmed(line: str) -> str:
 
 
 def _no_file(fault: Fault, around: Surroundings, language: str) -> str:
-    found = re.search(r"No such file or directory: '(/home/[^']*)'", fault.message)
-    return _home(found[1], "home.launch" if around.launch else "home.python", around, language) if found else ""
+    found = re.search(r"No such file or directory: '((?:/home|~|\$HOME)/[^']*)'", fault.message)
+    if found is None or "subprocess" in fault.through:
+        return ""
+    if found[1].startswith(("~", "$")):
+        return _say("home.short", language, wrong=found[1][: found[1].find("/")], rest=found[1][found[1].find("/") :])
+    return _home(found[1], "home.launch" if around.launch else "home.python", around, language)
 
 
 def _home(word: str, key: str, around: Surroundings, language: str) -> str:
@@ -265,7 +271,7 @@ def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
     if found is None:
         return ""
     kind, name = found[1], found[2]
-    if name.startswith("_") and "rclpy" in Path(fault.file).parts:
+    if name.startswith("_") and "rclpy" in fault.through:
         return _say("no_super", language, kind=kind)
     layouts = known.fields_of(kind, around.variables)
     if not layouts or any(fields != layouts[0][1] for _, fields in layouts):
@@ -300,6 +306,16 @@ def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
     return _say("chinese", language, line=fault.line, wrong=wrong, right=right)
 
 
+def _of_source(fault: Fault, around: Surroundings, language: str) -> str:
+    """What stands in the pupil's file where the message alone fits several causes."""
+    cause = cause_in_source(fault, around.cwd)
+    return _say(cause[0], language, **cause[1]) if cause is not None else ""
+
+
+def _runtime(fault: Fault, around: Surroundings, language: str) -> str:
+    return _no_setup(fault, around, language) or _of_source(fault, around, language)
+
+
 def cause_of(fault: Fault, around: Surroundings, language: str) -> str:
     """Return what a rule finds to be the cause of an exception here, '' if nothing is certain."""
     rule = _RULES.get(fault.kind)
@@ -313,5 +329,8 @@ _RULES: dict[str, Callable[[Fault, Surroundings, str], str]] = {
     "NameError": _no_name,
     "AttributeError": _no_attribute,
     "SyntaxError": _syntax,
-    "RuntimeError": _no_setup,
+    "RuntimeError": _runtime,
+    "TypeError": _of_source,
+    "ValueError": _of_source,
+    "UnboundLocalError": _of_source,
 }

@@ -12,6 +12,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{wrong} does not exist: your home folder is {home}. In Python write os.path.expanduser('{right}')",
         "没有 {wrong}：你的主目录是 {home}。在 Python 里写 os.path.expanduser('{right}')",
     ),
+    "home.short": (
+        "Python does not know what {wrong} is; the shell does. Write os.path.expanduser('~{rest}')",
+        "Python 不认识 {wrong}，只有终端认识它。要写 os.path.expanduser('~{rest}')",
+    ),
+    "program.example": (
+        "{wrong} is the home folder in the example, and your home folder is {home}: write your own path",
+        "{wrong} 是例子里的主目录，你的主目录是 {home}：要换成你自己的路径",
+    ),
+    "program.elsewhere": (
+        "{name} is not in {folder}, where the command was typed, but here: {place}",
+        "{name} 不在输入命令的文件夹 {folder} 里，它在 {place}",
+    ),
     "home.launch": (
         (
             "{wrong} does not exist: your home folder is {home}. In a launch file write os.path.expanduser('{right}'), or for a "
@@ -193,6 +205,19 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_super": (
         "the first line of __init__ has to be super().__init__('NAME'): only then is a {kind} a node",
         "__init__ 里要先写 super().__init__('节点名')，类 {kind} 才是一个节点",
+    ),
+    "self.lacks": ("line {line} lacks self: write {right}", "第 {line} 行少了 self：要写 {right}"),
+    "callback.called": (
+        "line {line} calls the function at once: hand over the function itself, without (): {right}",
+        "第 {line} 行马上调用了函数：要把函数本身交出去，后面不写 ()：{right}",
+    ),
+    "callback.no_message": (
+        "a subscription calls {name} with the message, and line {line} takes none: write {right}",
+        "订阅会把消息交给 {name}，可是第 {line} 行没有接它：要写 {right}",
+    ),
+    "timer.arguments": (
+        "a timer calls {name} without arguments: in line {line} write {right}",
+        "定时器调用 {name} 的时候不给参数：第 {line} 行要写 {right}",
     ),
     "chinese": (
         "line {line} has a Chinese '{wrong}'. Code needs the English '{right}': switch the input method to English",

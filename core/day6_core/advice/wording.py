@@ -33,10 +33,16 @@ _WITHOUT_LINE = (
 """What a text says where no traceback tells the line."""
 
 
+def without_line(text: str) -> str:
+    """Return a text for where no traceback tells the line in the pupil's file."""
+    for named, unnamed in _WITHOUT_LINE:
+        text = text.replace(named, unnamed)
+    return text
+
+
 def _fill(text: str, values: dict[str, str], fault: Fault | None) -> str:
     if fault is None or not fault.line:
-        for named, unnamed in _WITHOUT_LINE:
-            text = text.replace(named, unnamed)
+        text = without_line(text)
     place = {"line": str(fault.line) if fault is not None else "", "file": fault.file if fault else ""}
     numbered = [values[str(number)] for number in range(len(values)) if str(number) in values]
     return str(Formatter().vformat(text, numbered, _Values(place | values)))

@@ -13,7 +13,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from day6_core.advice.card_files import Card, all_cards, names_of
-from day6_core.advice.fault import PLACE
+from day6_core.advice.fault import own_places
 from day6_core.advice.matching import Sighting, sightings
 from day6_core.advice.wording import command_of
 from day6_core.facts.names import absolute
@@ -23,9 +23,6 @@ from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import ORDER, Finding, finding
 from day6_core.ros.programs.day6_inspector.frame_rules import of_extrapolation, of_frame
 from day6_core.ros.programs.day6_inspector.outputs import LineOutput, outputs, shortened
-
-_OWN = Path(__file__).resolve().parents[3]
-"""Where this program is: in a checkout, not among the libraries."""
 
 _ERROR = re.compile(
     r"^([A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Exists|Exit|Warning)\w*)(?::[ ]?(.*))?$", re.MULTILINE
@@ -175,17 +172,7 @@ def _type_in(source: str) -> str:
 
 def own_frame(output: LineOutput) -> tuple[str, int] | None:
     """Return file and line of the last frame of a traceback that is not in a library."""
-    last = None
-    for file, line in PLACE.findall(output.text):
-        parts = Path(file).parts
-        if "site-packages" in parts and "install" not in parts:
-            continue
-        if file.startswith("<") or (any(part.startswith("python3") for part in parts[:-1]) and "install" not in parts):
-            continue
-        if {"day6_core", "ros", "python"} <= set(parts) or "rclpy" in parts or _OWN in Path(file).parents:
-            continue
-        last = file, int(line)
-    return last
+    return next(iter(reversed([*own_places(output.text)])), None)
 
 
 def _open(output: LineOutput) -> str:
