@@ -73,7 +73,7 @@ def simple_command(source: str, values: Mapping[str, str]) -> str:
             commands.append("")
             continue
         commands[-1] += char
-    commands = [command.strip() for command in commands if command.strip()]
+    commands = [command.strip() for command in commands if command.split()[:1] not in ([], ["why"], ["explain"])]
     named = [command for command in commands if any(value and value in command for value in values.values())]
     return (named or commands or [""])[-1]
 

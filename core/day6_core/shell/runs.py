@@ -25,6 +25,8 @@ class Run:
         self.status: int | None = None
         self.written = 0
         """Characters it printed, with those that are not kept any more."""
+        self._explained = 0
+        """How many of them there were when it last explained some itself (`ls x; why`)."""
         self._parts: deque[str] = deque()
         self._size = 0
 
@@ -32,6 +34,16 @@ class Run:
     def output(self) -> str:
         """The end of what the terminal was given while this ran, with its control sequences."""
         return "".join(list(self._parts))
+
+    @property
+    def unexplained(self) -> str:
+        """What of the output came after its last explanation."""
+        count = self.written - self._explained
+        return self.output[-count:] if count else ""
+
+    def explained(self) -> None:
+        """Note that what it printed so far was explained, and that the explanation is among it."""
+        self._explained = self.written
 
     def keep(self, text: str, longest: int = LONGEST_OUTPUT) -> None:
         """Add to the output. Any thread."""

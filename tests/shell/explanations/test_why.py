@@ -35,6 +35,13 @@ def test_why_explains_the_last_message_and_says_what_to_type(machine: Any, tall:
     assert said(tall, "why 9 > out; echo $?").endswith("1 student@day6:~$")
 
 
+def test_why_in_the_same_line_explains_what_came_before_it(tall: Any) -> None:
+    said(tall, "ls first")
+    seen = said(tall, "ls nothing; why")
+    assert "There is no file or folder nothing" in seen and "folder first" not in seen
+    assert "There is no file or folder first" in said(tall, "why")  # a line with why in it is not explained again
+
+
 def test_a_program_that_a_package_of_ros_does_not_have(tall: Any) -> None:
     said(tall, "ros2 run turtlesim nope")
     assert "turtlesim has these programs: draw_square, mimic" in said(tall, "why")

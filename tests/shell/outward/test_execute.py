@@ -54,6 +54,41 @@ def test_exec_runs_a_file_with_arguments_or_standard_input(tmp_path: Path) -> No
     assert day6("exec", "-c", "cat; read x", cwd=tmp_path, stdin="typed\n").stdout == "typed\n"
 
 
+WHY = {
+    # What failed before `why` -> its card.
+    "ros2 run turtlesm turtlesim_node": "No package is called turtlesm, but there is turtlesim",
+    "ls nothing": "There is no file or folder nothing",
+    "ros2 topic lsit": "did you mean list?",
+    "python3 slip.py": "nothing is called cuont here; did you mean count?",
+    "(ls nothing)": "There is no file or folder nothing",
+    "ls nothing 2>&1 | cat": "There is no file or folder nothing",
+    "ls nothing\necho then": "There is no file or folder nothing",
+    "python3 nothing.py": "There is no file or folder",
+}
+
+
+@pytest.mark.parametrize("line", WHY)
+@pytest.mark.parametrize("then", ["; why", "\nwhy", " || true; if true; then why; fi"])
+def test_why_in_exec_explains_what_the_script_printed(tmp_path: Path, line: str, then: str) -> None:
+    (tmp_path / "slip.py").write_text("count = 1\nprint(cuont)\n")
+    result = day6("exec", "--home", "h", "-c", f"{line}{then}", cwd=tmp_path)
+    told = " ".join(result.stdout.split())
+    assert (result.returncode, WHY[line].lower() in told.lower()) == (0, True), result
+
+
+def test_why_in_exec_explains_each_failure_once_and_else_reads_what_is_piped_in(tmp_path: Path) -> None:
+    script = "ls nothing; why; cat missing 2>/dev/null; ls second; why > card; why > again; echo $?; cat card"
+    result = day6("exec", "--home", "h", "-c", script, cwd=tmp_path)
+    assert result.stdout.count("no file or folder nothing") == 1 == result.stdout.count("no file or folder second")
+    assert "\n1\n" in result.stdout and result.stderr.endswith("lately has a card\n")  # `why > again` has nothing left
+    piped = day6(
+        "exec", "--home", "h", "-c", "why", cwd=tmp_path, stdin="ls: cannot access 'x': No such file or directory\n"
+    )
+    assert "no file or folder x" in piped.stdout
+    nothing = day6("exec", "--home", "h", "-c", "true; why", cwd=tmp_path)
+    assert nothing.returncode == 1 and "no card" in nothing.stderr
+
+
 def test_exec_without_its_file_says_so(tmp_path: Path) -> None:
     result = day6("exec", "nowhere.sh", cwd=tmp_path)
     assert (result.returncode, result.stderr) == (127, "day6-tui exec: nowhere.sh: No such file or directory\n")

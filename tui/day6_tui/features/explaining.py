@@ -38,7 +38,7 @@ class Explaining(Feature):
         if match is None or not pane.has_terminal:
             return False
         terminal = pane.view.terminal
-        runs = ((found, run) for found, run in explained_lines(terminal) if found.line.strip() == line.strip())
+        runs = ((found, run) for found, run in explained_lines(terminal.runs) if found.line.strip() == line.strip())
         found, run = next(runs, (match, None))
         return self._show(found, pane, run.output if run is not None else line, run.source if run is not None else "")
 

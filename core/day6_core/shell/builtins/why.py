@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.language import language_of
 from day6_core.session.session import Session
+from day6_core.session.streams import InputStream
 from day6_core.session.threads import in_thread
 from day6_core.shell.language.interpreter import shell_of
 
@@ -18,14 +19,13 @@ if TYPE_CHECKING:
     from day6_core.advice.card_files import Card
     from day6_core.advice.matching import Match
     from day6_core.graph.graph import Graph
-    from day6_core.shell.runs import Run
-    from day6_core.shell.terminal import Terminal
+    from day6_core.shell.runs import Run, Runs
 
-_OWN = re.compile(r"(?:^|[;&|])\s*(?:why|explain)\b")
+_OWN = re.compile(r"(?:^|[;&|({\n]|\b(?:then|do|else))\s*(?:why|explain)\b")
 
 
 def is_own(source: str) -> bool:
-    """Return whether a line that was run only explains others."""
+    """Return whether a line that was run explains others, and so is not to be explained when it has ended."""
     return _OWN.search(source) is not None
 
 
@@ -45,16 +45,19 @@ async def why(session: Session) -> int:
     number = int(words[0]) if len(words) == 1 and words[0].isdecimal() and len(words[0]) < 4 else 1
     if words and not (len(words) == 1 and words[0].isdecimal()):
         return await explain(session)
-    terminal = _terminal_of(session)
-    if terminal is None:
+    runs = _runs_of(session)
+    if runs is None:
         if session.stdin.isatty():
             return await _list(session, "")
         return await _explain_text(session, await _read(session), number)
-    match, run = await in_thread(partial(_nth, terminal, max(number, 1)))
+    match, run = await in_thread(partial(_nth, runs, max(number, 1)))
     if match is None or run is None:
         session.print_error(_say(session, "card.nothing"))
         return 1
-    return await _show(session, match, run.output, run.source)
+    status = await _show(session, match, run.output, run.source)
+    if runs.running is not None:
+        runs.running.explained()
+    return status
 
 
 async def explain(session: Session) -> int:
@@ -62,7 +65,7 @@ async def explain(session: Session) -> int:
     if _refused(session):
         return 1
     text = " ".join(session.argv[1:]).strip()
-    if not text and not session.stdin.isatty() and session.name == "explain" and _terminal_of(session) is None:
+    if not text and not session.stdin.isatty() and session.name == "explain" and _runs_of(session) is None:
         text = await _read(session)
     if not text.strip():
         return await _list(session, "")
@@ -90,25 +93,33 @@ async def _read(session: Session) -> str:
     return "".join(kept)
 
 
-def _terminal_of(session: Session) -> Terminal | None:
-    """The terminal of the desktop in which this was typed; None in a pipe, and in a real terminal."""
+def _runs_of(session: Session) -> Runs | None:
+    """What was run before in the terminal of the desktop in which this was typed, or in the script of `exec` that this is in.
+
+    None in a pipe, in a real terminal, and in a script that has run nothing yet: it is asked about its input.
+    """
+    from day6_core.session.real_streams import RealInput
     from day6_core.shell.terminal import Terminal
 
     terminal = session.stdin.terminal_of()
-    return terminal if isinstance(terminal, Terminal) else None
+    if isinstance(terminal, Terminal):
+        return terminal.runs
+    own_input = isinstance(session.stdin, RealInput) or type(session.stdin) is InputStream
+    runs = shell_of(session).runs if session.host is not None and own_input else None
+    return runs if runs is not None and runs.running is not None and runs.running.written else None
 
 
-def _nth(terminal: Terminal, number: int) -> tuple[Match | None, Run | None]:
-    return next(islice(explained_lines(terminal), number - 1, None), (None, None))
+def _nth(runs: Runs, number: int) -> tuple[Match | None, Run | None]:
+    return next(islice(explained_lines(runs), number - 1, None), (None, None))
 
 
-def explained_lines(terminal: Terminal) -> Iterator[tuple[Match, Run]]:
-    """Yield the lines with a card that the terminal printed, the last first, each with what was run."""
+def explained_lines(runs: Runs) -> Iterator[tuple[Match, Run]]:
+    """Yield the lines with a card that were printed, the last first, each with what was run."""
     from day6_core.advice.matching import cards_in
 
-    for run in reversed(terminal.runs.all):
-        if not is_own(run.source):
-            yield from ((match, run) for match in cards_in(run.output))
+    for run in reversed(runs.all):
+        if run is runs.running or not is_own(run.source):
+            yield from ((match, run) for match in cards_in(run.unexplained if run is runs.running else run.output))
 
 
 def _match_in(text: str, number: int) -> Match | None:

@@ -32,6 +32,7 @@ from day6_core.shell.language.words import SyntaxProblem, Word
 
 if TYPE_CHECKING:
     from day6_core.shell.desk import Desk
+    from day6_core.shell.runs import Runs
 
 LONGEST_VALUE = 16 * 1024 * 1024
 """Characters of a variable. A bash that keeps doubling one ends with this message too, once memory is used up."""
@@ -54,6 +55,8 @@ class Shell(ShellState):
         """Jobs being waited for, the innermost last."""
         self._interrupted = False
         """Whether Ctrl-C came between two commands of the line."""
+        self.runs: Runs | None = None
+        """What the script of `day6-tui exec` has printed, if something in it will ask `why`; a terminal has its own."""
         self.wanted: WeakKeyDictionary[Session, Exception] = WeakKeyDictionary()
         """What built-ins request after they have returned: to exit, to break out of a loop …"""
 
@@ -107,6 +110,7 @@ class Shell(ShellState):
         twin = Shell(self.desk, env=dict(self.variables), cwd=self.cwd, interactive=False, name=self.name)
         twin.inherit(self)
         twin.unbound_status = 1
+        twin.runs = self.runs
         twin.outer_jobs = self.jobs if self.outer_jobs is None or self.jobs.jobs else self.outer_jobs
         return twin
 

@@ -7,6 +7,7 @@ import io
 import signal
 import sys
 from pathlib import Path
+from typing import TextIO
 
 from day6_core.session.folder import working_folder
 from day6_core.session.program import Program
@@ -15,11 +16,30 @@ from day6_core.session.scheduler import STUCK_SECONDS
 from day6_core.session.session import Session
 from day6_core.session.signals import from_system
 from day6_core.session.streams import InputStream
+from day6_core.shell.builtins.why import is_own
 from day6_core.shell.desk import Desk
 from day6_core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_core.shell.language.redirection import Streams
+from day6_core.shell.runs import Run, Runs
 
 TIMED_OUT = 124
+
+
+class KeptOutput(RealOutput):
+    """Our own output, of which the end is kept for `why`; so what a script starts writes through this, too."""
+
+    def __init__(self, file: TextIO, run: Run) -> None:
+        super().__init__(file)
+        self._run = run
+
+    def write(self, text: str) -> int:
+        """Write and keep. Raises BrokenPipeError and WriteError."""
+        self._run.keep(text)
+        return super().write(text)
+
+    def fileno(self) -> int | None:
+        """None: a process with the descriptor would write past us."""
+        return None
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -75,6 +95,10 @@ def run(
     shell.name = name
     shell.arguments = arguments
     stdout, stderr = RealOutput(sys.stdout), RealOutput(sys.stderr)
+    if is_own(commands):
+        shell.runs = Runs()
+        kept = shell.runs.begin(commands, shell.cwd, desk.clock.now_ns())
+        stdout, stderr = KeptOutput(sys.stdout, kept), KeptOutput(sys.stderr, kept)
     streams = Streams(stdin if stdin is not None else InputStream(), stdout, stderr)
 
     async def script(session: Session) -> int:
