@@ -207,6 +207,7 @@ def test_output_that_tells_of_no_trouble_has_no_card() -> None:
         "daemon",
         "waiting",
         "has died",
+        " 0 packages finished",
     )
     lines = {line for line in lines if not any(each in line for each in said_on_purpose)}
     told = {line: match.card.id for line in lines if (match := card_for(line)) is not None}

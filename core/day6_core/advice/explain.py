@@ -18,7 +18,7 @@ from day6_core.advice.looking import ASK_GRAPH, LOOKERS, Found, Situation
 from day6_core.advice.matching import Match
 from day6_core.advice.rules import Surroundings
 from day6_core.advice.texts import TEXTS
-from day6_core.advice.wording import command_of, filled_in, sentence, with_gaps
+from day6_core.advice.wording import at_home, command_of, filled_in, sentence, with_gaps
 from day6_core.facts.graph import GraphFacts
 from day6_core.session.harmless import one_line
 from day6_core.width import char_width, text_width
@@ -59,8 +59,8 @@ def scene_of(
 ) -> Situation:
     """Return what lookers may look at for a line of `output`, which `command` printed."""
     fault = match.fault or fault_in(output or match.line)
-    command = simple_command(command, match.values)
-    return Situation(around, match.values, command, fault, graph, tuple(commands), letters)
+    simple = simple_command(command, match.values)
+    return Situation(around, match.values, simple, fault, graph, tuple(commands), letters, command)
 
 
 def simple_command(source: str, values: Mapping[str, str]) -> str:
@@ -86,21 +86,25 @@ def explain(match: Match, scene: Situation, language: str) -> Explanation:
     if cause is not None:
         template = TEXTS[cause.key][language == "zh"]
         values = {key: one_line(str(value)) for key, value in cause.values.items()}
-        here, next_ = sentence(template, language).format(**values), cause.next
+        here, next_ = at_home(sentence(template, language).format(**values), scene.variables), cause.next
     if not here and card.next:
         next_ = command_of(card.next, match.values)
-    fill = [filled_in(text, match.values, match.fault) for text in (words.first, words.more, words.robot)]
+
+    def said(text: str) -> str:
+        return at_home(filled_in(text, match.values, match.fault), scene.variables)
+
+    first = said(words.first)
     means = "\n".join(
-        filter(None, (sentence(fill[0], language) if not words.first.startswith("{") else fill[0], fill[1]))
+        filter(None, (sentence(first, language) if not words.first.startswith("{") else first, said(words.more)))
     )
     return Explanation(
         line=one_line(match.line.strip())[:LONGEST_SHOWN],
         means=means,
         here=here,
         looked=bool(card.look),
-        checks=() if here else tuple(filled_in(each, match.values, match.fault) for each in words.checks),
+        checks=() if here else tuple(map(said, words.checks)),
         next=next_ if next_.isprintable() else "",
-        robot=fill[2],
+        robot=said(words.robot),
     )
 
 

@@ -23,6 +23,7 @@ from day6_core.facts.workspaces import (
     find_package,
     names_file,
     packages_lacking_comma,
+    refused_manifests,
     sourced_prefixes,
     why_unknown,
     workspaces_around,
@@ -75,6 +76,10 @@ def _of_the_workspace(name: str, scene: Situation) -> Found | None:
     if unknown is None:
         return None
     folder = short(unknown.folder, scene)
+    if unknown.because == "refused":
+        return found(
+            "package.refused", f"nano {short(unknown.folder / 'package.xml', scene)}", name=name, folder=folder
+        )
     if unknown.because == "not_sourced":
         source = f"source {short(unknown.folder / 'setup.bash', scene)}"
         return found("package.not_sourced", source, name=name, install=folder)
@@ -174,7 +179,7 @@ def path(scene: Situation) -> Found | None:
         rest = home[1]
         right = f"~{rest}"
         again = _again(scene, name, right) if (scene.home / rest.lstrip("/")).exists() else ""
-        return found("home", again, wrong=name.removesuffix(rest) or name, home=scene.home, right=right, rest=rest)
+        return found("home", again, wrong=name.removesuffix(rest) or name, right=right, rest=rest)
     whole = Path(os.path.normpath(scene.cwd / os.path.expanduser(name).replace("~", str(scene.home), 1)))
     if not name or whole.exists():
         return None
@@ -232,6 +237,17 @@ def build_folder(scene: Situation) -> Found | None:
     if any((workspace / "src").glob("*/package.xml")) and scene.cwd != workspace and not (scene.cwd / "src").is_dir():
         return found("folder.nothing", "cd ~/ros2_ws")
     return None
+
+
+@looker
+def manifests(scene: Situation) -> Found | None:
+    """A package.xml that colcon does not take for one."""
+    left_out = next(refused_manifests(scene.cwd), None)
+    if left_out is None:
+        return None
+    manifest, reason = left_out
+    edit = f"nano {short(manifest, scene)}"
+    return found(f"manifest.{reason.because}", edit, file=short(manifest, scene), what=reason.what, line=reason.line)
 
 
 @looker

@@ -7,7 +7,7 @@ import shlex
 
 from day6_core.advice import known
 from day6_core.advice.looking import Found, Situation, found, looker
-from day6_core.advice.typed import Slip, chinese_sign, near_choice, slip_of_command
+from day6_core.advice.typed import Slip, chinese_sign, lacking_in_shell, near_choice, slip_of_command
 from day6_core.ros.differences import value
 from day6_core.ros.program_index import executables, packages
 
@@ -41,6 +41,13 @@ def chinese_cause(scene: Situation) -> Found | None:
         return None
     words = scene.words() or scene.command.split()
     slip = chinese_sign(words, scene.command)
+    return of_slip(slip) if slip is not None else None
+
+
+@looker
+def shell_lacks(scene: Situation) -> Found | None:
+    """Something of bash that this terminal does not have."""
+    slip = lacking_in_shell(scene.line or scene.command)
     return of_slip(slip) if slip is not None else None
 
 

@@ -20,7 +20,7 @@ def program_file(scene: Situation) -> Found | None:
     """A file that a program opens: of somebody else's home, of a package that does not install it, or nearly another's name."""
     name = scene.value("name")
     if (foreign := re.match(r"(/home/[^/]+)(/.*)?$", name)) is not None and not Path(foreign[1]).exists():
-        return found("program.example", "", name=name, wrong=foreign[1], home=scene.home)
+        return found("program.example", "", name=name, wrong=foreign[1])
     if not name or (whole := scene.cwd / name).exists():
         return None
     if (shared := _SHARED.search(name.replace("\\", "/"))) is not None:

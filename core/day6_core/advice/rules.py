@@ -13,12 +13,13 @@ from pathlib import Path
 from day6_core.advice import known
 from day6_core.advice.callbacks import cause_in_source
 from day6_core.advice.fault import Fault, fault_in
+from day6_core.advice.foreign_modules import NOT_HERE, OF_ROS_1, PIP, SAMPLES
 from day6_core.advice.matching import card_for, cards_in
 from day6_core.advice.texts import TEXTS
-from day6_core.advice.typed import PUNCTUATION, chinese_sign, near_choice, slip_of_command
-from day6_core.advice.wording import filled_in, without_line
+from day6_core.advice.typed import PUNCTUATION, chinese_sign, lacking_in_shell, near_choice, slip_of_command
+from day6_core.advice.wording import at_home, filled_in, without_line
 from day6_core.facts.names import CLOSE, nearest
-from day6_core.facts.workspaces import packages_lacking_comma, why_unknown, workspaces_around
+from day6_core.facts.workspaces import packages_lacking_comma, refused_manifests, why_unknown, workspaces_around
 from day6_core.language import language_of
 from day6_core.ros import differences
 from day6_core.ros.distribution import current
@@ -26,20 +27,6 @@ from day6_urdf.explain import Hint, hints_wanted
 
 _FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
 """Packages whose types are seldom meant."""
-
-_PIP = {"cv2": "opencv-python", "serial": "pyserial", "PIL": "pillow", "sklearn": "scikit-learn", "yaml": "pyyaml"} | {
-    name: name for name in ("matplotlib", "numpy", "pandas", "pygame", "requests", "scipy", "transforms3d")
-}
-"""Python packages that lessons use: module -> what pip calls it."""
-
-_SAMPLES = {
-    "Node": "from rclpy.node import Node",
-    "LaunchDescription": "from launch import LaunchDescription",
-    "get_package_share_directory": "from ament_index_python.packages import get_package_share_directory",
-    "glob": "from glob import glob",
-}
-"""Names that the lessons' programs import, and how."""
-
 
 _HINTED = re.compile(r"^(?:\x1b\[\d*m)*(?:提示：|意思：|hint: )", re.MULTILINE)
 """Whether what was printed has been explained already."""
@@ -61,7 +48,7 @@ def hint_below(output: str, around: Surroundings) -> str:
     language = language_of(around.variables)
     fault = fault_in(output)
     text = _explain(fault, around, language) if fault is not None else _of_a_tool(output, language)
-    return Hint(0, 0, text).sentence("", language) if text else ""
+    return _hint(text, around)
 
 
 def hint_about_command(
@@ -95,7 +82,7 @@ def hint_about_command(
     if not text and (choice := _CHOICE.search(output)) is not None:
         near = near_choice(choice[1], re.findall(r"[\w.-]+", choice[2]))
         text = _say("choice.near", language, name=choice[1], near=near) if near else ""
-    return Hint(0, 0, text).sentence("", language) if text else ""
+    return _hint(text, around)
 
 
 _CHOICE = re.compile(r"invalid choice: '([^'\n]*)' \(choose from ([^\n]*)\)")
@@ -106,7 +93,13 @@ def hint_about_quote(quote: str, around: Surroundings) -> str:
     if not hints_wanted(around.variables):
         return ""
     language = language_of(around.variables)
-    return Hint(0, 0, _say("quote.open", language, quote=quote)).sentence("", language)
+    return _hint(_say("quote.open", language, quote=quote), around)
+
+
+def hint_about_syntax(line: str, around: Surroundings) -> str:
+    """Return the same for a line that the shell could not read: it uses something of bash that this one does not have."""
+    slip = lacking_in_shell(line) if hints_wanted(around.variables) else None
+    return _hint(_say(slip.key, language_of(around.variables), **slip.values), around) if slip is not None else ""
 
 
 def hint_about_folder(packages: int, around: Surroundings) -> str:
@@ -117,9 +110,18 @@ def hint_about_folder(packages: int, around: Surroundings) -> str:
     language, text = language_of(around.variables), ""
     if packages and around.cwd.name == "src":
         text = _say("folder.src", language, workspace=around.cwd.parent)
+    elif (left_out := next(refused_manifests(around.cwd), None)) is not None:
+        manifest, reason = left_out
+        values = {"file": manifest, "what": reason.what, "line": reason.line}
+        text = _say(f"manifest.{reason.because}", language, **values)
     elif not packages and around.cwd != home / "ros2_ws" and any((home / "ros2_ws" / "src").glob("*/package.xml")):
         text = _say("folder.nothing", language)
-    return Hint(0, 0, text).sentence("", language) if text else ""
+    return _hint(text, around)
+
+
+def _hint(text: str, around: Surroundings) -> str:
+    """A text as the line of a hint, '' if it is empty."""
+    return Hint(0, 0, at_home(text, around.variables)).sentence("", language_of(around.variables)) if text else ""
 
 
 def _say(key: str, language: str, **values: object) -> str:
@@ -163,7 +165,8 @@ def first_line_below(output: str, around: Surroundings) -> str:
     match = next(cards_in(output), None)
     if match is None or match.card.echo:
         return ""
-    return TEXTS["card.below"][1].format(first=filled_in(match.card.words["zh"].first, match.values, match.fault))
+    first = filled_in(match.card.words["zh"].first, match.values, match.fault)
+    return TEXTS["card.below"][1].format(first=at_home(first, around.variables))
 
 
 @lru_cache(maxsize=16)
@@ -203,7 +206,7 @@ def _home(word: str, key: str, around: Surroundings, language: str) -> str:
     rest = found[1]
     if rest and not (home / rest.split("/")[1]).exists():
         return ""
-    return _say(key, language, wrong=word.removesuffix(rest) or word, home=home, right=f"~{rest}", rest=rest)
+    return _say(key, language, wrong=word.removesuffix(rest) or word, right=f"~{rest}", rest=rest)
 
 
 # -- modules and names -----------------------------------------------------------------------------------------------------
@@ -223,8 +226,13 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
     turtlesim = differences.value("turtlesim.interfaces")
     if whole in differences.VALUES["turtlesim.interfaces"][0] and whole != turtlesim:
         return _say("module.moved", language, name=whole, distro=current(), now=turtlesim)
-    if whole in _PIP:
-        return _say("module.pip", language, name=whole, package=_PIP[whole])
+    if whole in OF_ROS_1:
+        return _say("module.ros1", language, name=whole, now=OF_ROS_1[whole])
+    if whole in NOT_HERE:
+        apt = f"ros-{current()}-{whole.replace('_', '-')}"
+        return _say("module.not_here", language, name=whole, apt=apt)
+    if whole in PIP:
+        return _say("module.pip", language, name=whole, package=PIP[whole])
     near = nearest(whole, known.modules(around.variables), CLOSE)
     return _say("module.near", language, name=whole, near=near) if near else ""
 
@@ -254,7 +262,7 @@ def _no_name(fault: Fault, around: Surroundings, language: str) -> str:
     if found is None:
         return ""
     name, near = found[1], found[2]
-    line = _SAMPLES.get(name, "")
+    line = SAMPLES.get(name, "")
     if not line:
         homes = [home for home in known.types_called(name, around.variables) if not home.startswith(_FOR_EXAMPLES)]
         if len({home.partition("/")[0] for home in homes}) == 1:

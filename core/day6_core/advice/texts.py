@@ -5,20 +5,20 @@ from __future__ import annotations
 # A rule's key -> English, Chinese.
 TEXTS: dict[str, tuple[str, str]] = {
     "home": (
-        "{wrong} does not exist: your home folder is {home}. Write {right}, or $HOME{rest}",
-        "没有 {wrong}：你的主目录是 {home}。可以写 {right}，或者 $HOME{rest}",
+        "there is no {wrong} here: your home folder is ~. Write {right}, or $HOME{rest}",
+        "这里没有 {wrong}：你的主目录写成 ~。可以写 {right}，或者 $HOME{rest}",
     ),
     "home.python": (
-        "{wrong} does not exist: your home folder is {home}. In Python write os.path.expanduser('{right}')",
-        "没有 {wrong}：你的主目录是 {home}。在 Python 里写 os.path.expanduser('{right}')",
+        "there is no {wrong} here: your home folder is ~. In Python write os.path.expanduser('{right}')",
+        "这里没有 {wrong}：你的主目录写成 ~。在 Python 里写 os.path.expanduser('{right}')",
     ),
     "home.short": (
         "Python does not know what {wrong} is; the shell does. Write os.path.expanduser('~{rest}')",
         "Python 不认识 {wrong}，只有终端认识它。要写 os.path.expanduser('~{rest}')",
     ),
     "program.example": (
-        "{wrong} is the home folder in the example, and your home folder is {home}: write your own path",
-        "{wrong} 是例子里的主目录，你的主目录是 {home}：要换成你自己的路径",
+        "{wrong} is the home folder in the example, and there is none here (yours is ~): write your own path",
+        "{wrong} 是例子里的主目录，这里没有（你的主目录是 ~）：要换成你自己的路径",
     ),
     "program.elsewhere": (
         "{name} is not in {folder}, where the command was typed, but here: {place}",
@@ -26,11 +26,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "home.launch": (
         (
-            "{wrong} does not exist: your home folder is {home}. In a launch file write os.path.expanduser('{right}'), or for a "
+            "there is no {wrong} here: your home folder is ~. In a launch file write os.path.expanduser('{right}'), or for a "
             "file that setup.py installs: os.path.join(get_package_share_directory('PACKAGE'), 'FOLDER', 'FILE')"
         ),
         (
-            "没有 {wrong}：你的主目录是 {home}。在 launch 文件里写 os.path.expanduser('{right}')；如果文件由 setup.py 安装，"
+            "这里没有 {wrong}：你的主目录写成 ~。在 launch 文件里写 os.path.expanduser('{right}')；如果文件由 setup.py 安装，"
             "就写 os.path.join(get_package_share_directory('包名'), '文件夹', '文件名')"
         ),
     ),
@@ -45,6 +45,22 @@ TEXTS: dict[str, tuple[str, str]] = {
     "build_failed": (
         "{name} is in {folder}, but its last build failed. See why: cd {workspace}; colcon build --packages-select {name}",
         "{name} 在 {folder} 里，但上一次编译失败了。看看为什么：cd {workspace}; colcon build --packages-select {name}",
+    ),
+    "refused": (
+        "{name} is in {folder}, but colcon leaves it out: its package.xml is not right. See why: cd {workspace}; colcon build",
+        "{name} 在 {folder} 里，可是 colcon 跳过了它：它的 package.xml 写得不对。看看为什么：cd {workspace}; colcon build",
+    ),
+    "manifest.xml": (
+        "{file} is not right in line {line} ({what}), so colcon leaves its package out",
+        "{file} 第 {line} 行写得不对（{what}），所以 colcon 跳过了这个包",
+    ),
+    "manifest.root": (
+        "in {file} everything has to be inside <package> and not <{what}>, so colcon leaves its package out",
+        "{file} 的内容要写在 <package> 里，不是 <{what}>，所以 colcon 跳过了这个包",
+    ),
+    "manifest.lacks": (
+        "{file} lacks <{what}>, so colcon leaves its package out",
+        "{file} 里少了 <{what}>，所以 colcon 跳过了这个包",
     ),
     "command.near": (
         "there is no command {name}; did you mean {near}?",
@@ -181,6 +197,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         "in {distro} the interfaces of turtlesim are in {now}: write {now} for {name}, in package.xml too",
         "在 {distro} 里，turtlesim 的接口在 {now} 里：把 {name} 写成 {now}，package.xml 里也一样",
     ),
+    "module.not_here": (
+        (
+            "{name} is a package of ROS that day6-tui does not have, and pip does not have it either. "
+            "On a real robot: sudo apt install {apt}"
+        ),
+        "{name} 是 ROS 的功能包，day6-tui 里没有，用 pip 也装不上。真机上运行：sudo apt install {apt}",
+    ),
+    "module.ros1": (
+        "{name} belongs to ROS 1, and this is ROS 2: here it is {now}",
+        "{name} 是 ROS 1 的，这里是 ROS 2：要用 {now}",
+    ),
     "module.pip": (
         "the Python package for {name} is not installed. Run: pip3 install {package}",
         "还没有安装 {name} 用的 Python 包。可以运行：pip3 install {package}",
@@ -205,6 +232,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_super": (
         "the first line of __init__ has to be super().__init__('NAME'): only then is a {kind} a node",
         "__init__ 里要先写 super().__init__('节点名')，类 {kind} 才是一个节点",
+    ),
+    "shell.arrays": (
+        "this terminal has no arrays; a real bash does. Put the values into one text: NAME='1 2 3'; for x in $NAME; do …",
+        "这个终端没有数组，真的 bash 才有。把值写在一段文字里：名字='1 2 3'; for x in $名字; do …",
+    ),
+    "shell.no_process": (
+        "this terminal does not know {word} …); a real bash does. Write into a file first: COMMAND > FILE",
+        "这个终端不认识 {word} …)，真的 bash 才认识。先写进文件：命令 > 文件",
+    ),
+    "shell.lacks": (
+        "{word} is a command of bash that this terminal does not have",
+        "{word} 是 bash 的命令，这个终端没有",
     ),
     "self.lacks": ("line {line} lacks self: write {right}", "第 {line} 行少了 self：要写 {right}"),
     "callback.called": (
@@ -244,6 +283,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "package.build_failed": (
         "{name} lies in {folder}, but its last build failed: what colcon build prints says why",
         "{name} 在 {folder} 里，可是上一次编译失败了：colcon build 的输出说明了原因",
+    ),
+    "package.refused": (
+        "{name} lies in {folder}, but its package.xml is not right, so colcon leaves it out",
+        "{name} 在 {folder} 里，可是它的 package.xml 写得不对，所以 colcon 跳过了它",
     ),
     "package.now_known": (
         "{name} is known now. It was not when the command was run: run it again",

@@ -18,6 +18,10 @@ PUNCTUATION = {"“": '"', "”": '"', "‘": "'", "’": "'", "。": ".", "、"
 """Characters whose counterpart in code Unicode does not know."""
 
 _PROMPT = re.compile(r"[\w.-]+@[\w.-]+:\S*[$%#]|[\w./~-]*[$%]")
+_ARRAY = re.compile(
+    r"(?:^|[\s;&|])\w+(?:\[[^]\s]*\])?\+?=\(|(?:^|[\s;&|])\w+\[[^]\s]*\]\+?=|\$\{[#!]?\w+\["
+    r"|\b(?:declare|typeset|local|read) -[aA]\b|\b(?:mapfile|readarray)(?![\w.-])"
+)
 _OPTION = re.compile(r"-[A-Za-z]{1,2}|--[a-z][\w-]*")
 _TAKE_A_NAME = frozenset({"mkdir", "touch", "python3", "source", "nano", "export", "rmdir"})
 """Commands that are nothing without what follows, long enough to be seen in front of it."""
@@ -44,6 +48,8 @@ def slip_of_command(name: str, line: str, commands: Iterable[str], letters: str 
         return None
     if line.strip() == name and len(name) == 1 and name.lower() in letters:
         return Slip("command.answer", {"name": name.lower()})
+    if (slip := lacking_in_shell(name)) is not None:
+        return slip
     for rule in (_prompt, _apart) if "/" in name else (_prompt, _apart, _other_case, _turned, _near):
         if (slip := rule(name, line, known)) is not None:
             return slip
@@ -64,6 +70,18 @@ def chinese_sign(words: Sequence[str], line: str) -> Slip | None:
         if wrong.isspace():
             return Slip("chinese.blank", {}, right)
         return Slip("chinese.typed", {"wrong": wrong, "right": _in_code(wrong)}, right)
+    return None
+
+
+def lacking_in_shell(line: str) -> Slip | None:
+    """Return what a line uses of bash that this terminal does not have, None if it uses nothing of it."""
+    plain = re.sub(r"'[^']*'|\"[^\"$]*\"", "''", line)
+    if _ARRAY.search(plain):
+        return Slip("shell.arrays", {})
+    if (process := re.search(r"(?:^|\s)[<>]\(", plain)) is not None:
+        return Slip("shell.no_process", {"word": process[0].strip()})
+    if (word := re.match(r"(?:select|coproc|exec)(?![\w.-])", plain.strip())) is not None:
+        return Slip("shell.lacks", {"word": word[0]})
     return None
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from collections.abc import Mapping
 from string import Formatter
@@ -14,6 +15,12 @@ from day6_core.session.harmless import one_line
 def filled_in(text: str, values: Mapping[str, str], fault: Fault | None = None) -> str:
     """Return a card's text with what its pattern found, and the place of the fault."""
     return _fill(text, {name: one_line(value) for name, value in values.items()}, fault)
+
+
+def at_home(text: str, variables: Mapping[str, str]) -> str:
+    """Return a text with ~ for the home folder, as the prompt shows it: the folder of a desktop may have a long path."""
+    home = variables.get("HOME", "").rstrip("/")
+    return re.sub(rf"(?<![\w./-]){re.escape(home)}(?![\w.-])", "~", text) if home else text
 
 
 def command_of(text: str, values: Mapping[str, str]) -> str:

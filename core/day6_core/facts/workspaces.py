@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from day6_core.facts.folders import LONGEST_FILE, files_in, names_in, text_of
+from day6_core.facts.manifests import Refused, refused
 from day6_core.facts.setup_file import EntryPoint, read_setup
 
 MOST_PACKAGES = 100
@@ -101,7 +102,7 @@ def is_sourced(package: str, install: Path, variables: Mapping[str, str]) -> boo
 
 
 class Unknown(NamedTuple):
-    """Why a terminal does not know a package of a workspace: 'not_sourced', 'not_built' or 'build_failed'."""
+    """Why a terminal does not know a package of a workspace: 'not_sourced', 'not_built', 'build_failed' or 'refused'."""
 
     because: str
     workspace: Path
@@ -120,9 +121,18 @@ def why_unknown(package: str, variables: Mapping[str, str], cwd: Path) -> Unknow
     for workspace in workspaces:
         folder = _source_of(package, workspace)
         if folder is not None:
+            if refused(folder / "package.xml") is not None:
+                return Unknown("refused", workspace, folder)
             failed = text_of(workspace / "build" / package / "colcon_build.rc").strip() not in ("", "0")
             return Unknown("build_failed" if failed else "not_built", workspace, folder)
     return None
+
+
+def refused_manifests(workspace: Path) -> Iterator[tuple[Path, Refused]]:
+    """Yield the package.xml files below `src` that colcon does not take, each with the reason."""
+    for manifest in _manifests_in(workspace / "src")[0]:
+        if (reason := refused(manifest)) is not None:
+            yield manifest, reason
 
 
 def executables_in(prefix: Path, package: str) -> list[str]:

@@ -43,7 +43,7 @@ def test_a_path_typed_from_the_article_is_told_where_home_is(machine: Any, seat:
     seen = "".join(seat.wait_prompt().split())  # lines break anywhere, by the length of the home folder's name
     for told in (
         "No such file or directory",
-        "hint: /home/student does not exist",
+        "hint: there is no /home/student here: your home folder is ~.",
         "~/ros2_ws/src, or $HOME/ros2_ws/src",
     ):
         assert "".join(told.split()) in seen

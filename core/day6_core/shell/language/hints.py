@@ -87,6 +87,16 @@ def hint_at_open_quote(shell: Shell, problem: str) -> str:
     return f"{dimmed(hint)}\n" if hint else ""
 
 
+def hint_at_syntax(shell: Shell, source: str) -> str:
+    """Return the line, with its end, for somebody whose one line could not be read; '' where nothing is certain."""
+    from day6_core.advice.rules import Surroundings, dimmed, hint_about_syntax
+
+    if shell.desk.searching() or "\n" in source.strip():
+        return ""
+    hint = hint_about_syntax(source.strip(), Surroundings(shell.variables, shell.cwd))
+    return f"{dimmed(hint)}\n" if hint else ""
+
+
 _OPEN_QUOTE = re.compile(r"looking for matching `(['\"`])'")
 
 

@@ -24,7 +24,7 @@ from day6_core.shell.language import parser, syntax
 from day6_core.shell.language.compound import run_compound
 from day6_core.shell.language.control_flow import DiscardLine, ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_core.shell.language.expansion import ExpansionProblem, UnboundProblem, expand, expand_text
-from day6_core.shell.language.hints import Printed, hint_below_command
+from day6_core.shell.language.hints import Printed, hint_at_syntax, hint_below_command
 from day6_core.shell.language.jobs import Job, JobTable
 from day6_core.shell.language.redirection import Streams, redirect
 from day6_core.shell.language.shell_state import MAX_DEPTH, NOT_FOUND, ShellState
@@ -127,6 +127,8 @@ class Shell(ShellState):
                     await self.run_tree(line, streams)
         except SyntaxProblem as problem:
             streams.stderr.write(f"{self.name}: {problem}\n")
+            if streams.stderr.isatty():
+                streams.stderr.write(hint_at_syntax(self, source))
             self.status = 2
         return self.status
 

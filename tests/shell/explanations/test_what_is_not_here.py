@@ -1,0 +1,116 @@
+"""What a real machine has and this one doesn't: the hint says so, and doesn't blame the pupil's line."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import pytest
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="a terminal there has no pty")
+
+
+def said(seat: Any, line: str) -> str:
+    """What a command prints, without line breaks of the screen."""
+    seat.line("clear")
+    seat.line(line)
+    return " ".join(seat.wait_prompt().split())
+
+
+@pytest.fixture
+def tall(machine: Any, seat_at: Any) -> Any:
+    """A terminal that shows a whole card."""
+    return seat_at(machine.desk, 160, 50)
+
+
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [
+        ("a=(1 2 3)", "this terminal has no arrays"),
+        ("a=(1 2 3); echo ${a[0]}", "this terminal has no arrays"),
+        ("a+=(4)", "this terminal has no arrays"),
+        ("a[0]=3", "this terminal has no arrays"),
+        ("readarray lines", "this terminal has no arrays"),
+        ("cat <(ls)", "this terminal does not know <( …)"),
+        ("coproc ls", "coproc is a command of bash that this terminal does not have"),
+        ("exec ls", "exec is a command of bash that this terminal does not have"),
+    ],
+)
+def test_what_this_terminal_lacks_of_bash_is_told_at_once(tall: Any, typed: str, told: str) -> None:
+    assert f"hint: {told}" in said(tall, typed)
+    card = said(tall, "why")
+    assert told.capitalize() in card or told in card
+    assert "wrong place" not in card and "What to check" not in card
+
+
+def test_an_array_that_is_asked_for_is_explained(tall: Any) -> None:
+    said(tall, "echo ${a[0]}")
+    assert "This terminal has no arrays" in said(tall, "why")
+
+
+@pytest.mark.parametrize("typed", ["echo hi (there)", "echo 'a=(1)' (b)", "a = (1)", "echo a; )"])
+def test_what_is_wrong_in_bash_too_is_not_called_an_array(tall: Any, typed: str) -> None:
+    seen = said(tall, typed)
+    assert "syntax error" in seen and "hint" not in seen
+    card = said(tall, "why")
+    assert "The shell does not understand how this line is written" in card and "arrays" not in card
+
+
+@pytest.mark.process
+@pytest.mark.parametrize(
+    ("module", "told"),
+    [
+        ("cv_bridge", "sudo apt install ros-jazzy-cv-bridge"),
+        ("nav2_msgs.action", "sudo apt install ros-jazzy-nav2-msgs"),
+        ("rospy", "rospy belongs to ROS 1, and this is ROS 2: here it is rclpy"),
+        ("tf.transformations", "tf belongs to ROS 1, and this is ROS 2: here it is tf2_ros"),
+    ],
+)
+def test_a_package_of_ros_that_is_not_here_is_not_looked_for_in_pip(
+    machine: Any, tall: Any, module: str, told: str
+) -> None:
+    (machine.desk.home / "camera.py").write_text(f"import {module}\n")
+    seen = said(tall, "python3 camera.py")
+    assert "hint: " in seen and told in seen and "pip3" not in seen
+    card = said(tall, "why")
+    assert told in card and "pip3" not in card and "Type next" not in card
+    tall.line("export DAY6_LANG=zh")
+    assert "提示：" in said(tall, "python3 camera.py")
+
+
+def test_a_package_of_c_plus_plus_says_plainly_why_it_is_not_built(machine: Any, tall: Any) -> None:
+    assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_cmake --node-name go car").status == 0
+    assert "has no C++ compiler" in said(tall, "cd ~/ros2_ws; colcon build")
+    card = said(tall, "why")
+    assert "car is a package of C++" in card and "nothing is wrong with it" in card and "ament_python" in card
+    said(tall, "ros2 run car go")
+    assert "its last build failed" in said(tall, "why")
+
+
+@pytest.mark.parametrize(
+    ("manifest", "told"),
+    [
+        ("<package><name>car</name></package>", "src/car/package.xml lacks <version>"),
+        ("<robot/>", "everything has to be inside <package> and not <robot>"),
+        ("<package><name>car</package>", "src/car/package.xml is not right in line 1 (mismatched tag)"),
+        ("", "src/car/package.xml is not right in line 1 (no element found)"),
+    ],
+)
+def test_a_manifest_that_colcon_passes_over_in_silence_is_named(
+    machine: Any, tall: Any, manifest: str, told: str
+) -> None:
+    package = machine.desk.home / "ros2_ws" / "src" / "car"
+    package.mkdir()
+    (package / "package.xml").write_text(manifest)
+    seen = said(tall, "cd ~/ros2_ws; colcon build")
+    assert "0 packages finished" in seen and f"{told}" in seen and "so colcon leaves its package out" in seen
+    card = said(tall, "why")
+    assert told in card.replace("In src", "in src") and "Type next nano src/car/package.xml" in card
+    said(tall, "ros2 run car go")
+    card = said(tall, "why")
+    assert "its package.xml is not right, so colcon leaves it out" in card
+    assert "Type next nano src/car/package.xml" in card
+
+
+def test_a_program_that_ends_itself_has_a_card(machine: Any) -> None:
+    assert "the program ended itself" in machine.run("explain 'SystemExit: 1'").out.lower()
