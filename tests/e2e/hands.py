@@ -21,6 +21,8 @@ class Hands(ABC):
     def __init__(self, screen: Terminal, lang: str) -> None:
         self.screen = screen
         self.texts = Texts(lang)
+        self.rviz = "2 RViz"
+        """The title of RViz's pane."""
 
     def has(self, title: str) -> None:
         """Wait until the pane with this title has the keyboard: its frame is the bright one; and F2, F4, F8 are in the bar."""
@@ -112,7 +114,7 @@ class Keyboard(Hands):
         self.screen.press("Left")
 
     def fixed_frame(self, old: str, new: str) -> None:
-        self.go_to("2 RViz")
+        self.go_to(self.rviz)
         self.screen.press("Down", "Enter")
         self.screen.wait(self.texts("rviz.type_it"))
         self.screen.send(new)
@@ -136,10 +138,10 @@ class Keyboard(Hands):
 
     def _chosen_line(self) -> str:
         """The chosen line of RViz's panel, the only one that is not on the panel's background."""
-        if (title := self.screen.find("2 RViz")) is None:
-            return ""
-        rows = range(title[1] + 2, self.screen.rows - 4)  # below the tools
-        grounds = [self.screen.colours(title[0] + 2, row)[1] for row in rows]
+        left, top, _, bottom = self.screen.inside(self.rviz)
+        # Below the tools, above the buttons.
+        rows = range(top + 1, next((row for row in range(top, bottom) if "Add" in self.screen.row(row)), top))
+        grounds = [self.screen.colours(left + 1, row)[1] for row in rows]
         chosen = [row for row, ground in zip(rows, grounds, strict=True) if grounds.count(ground) == 1]
         return self.screen.row(chosen[0]) if len(chosen) == 1 else ""
 

@@ -160,7 +160,7 @@ class Terminal(Screen):
 
     def find(self, text: str, title: str = "") -> tuple[int, int] | None:
         """Column and row in which a text begins, None where it is not on the screen (inside the pane with this `title`)."""
-        left, top, right, bottom = self._inside(title) if title else (0, 0, self.columns, self.rows)
+        left, top, right, bottom = self.inside(title) if title else (0, 0, self.columns, self.rows)
         for row in range(top, bottom):
             columns = [column for column in self.columns_of(row) if left <= column < right]
             at = "".join(self._picture.buffer[row][column].data[:1] for column in dict.fromkeys(columns)).find(text)
@@ -170,19 +170,19 @@ class Terminal(Screen):
 
     def pane(self, title: str) -> list[str]:
         """The lines inside the pane whose title contains this, in their whole width; [] where there is none."""
-        left, top, right, bottom = self._inside(title)
+        left, top, right, bottom = self.inside(title)
         rows = [self._picture.buffer[row] for row in range(top, bottom)]
         return ["".join(cells[column].data for column in range(left, right)) for cells in rows]
 
     def cells(self, title: str) -> list[tuple[str, str, str]]:
         """Text, foreground and background of every cell inside a pane."""
-        left, top, right, bottom = self._inside(title)
+        left, top, right, bottom = self.inside(title)
         rows = [self._picture.buffer[row] for row in range(top, bottom)]
         return [
             (cells[column].data, cells[column].fg, cells[column].bg) for cells in rows for column in range(left, right)
         ]
 
-    def _inside(self, title: str) -> tuple[int, int, int, int]:
+    def inside(self, title: str) -> tuple[int, int, int, int]:
         """The first column and row inside the frame of a pane, and those behind the last; all 0 where there is no such pane."""
         rows = [
             "".join(self._picture.buffer[row][x].data or "\0" for x in range(self.columns)) for row in range(self.rows)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.e2e.hands import PROMPT, Keyboard, Pointer
-from tests.e2e.lesson_files import LAUNCH, SETUP, SPINNER_SCRIPT, URDF, WHEEL_SPINNER
+from tests.e2e.lesson_files import LAUNCH, SETUP, SPINNER_SCRIPT, TALKER, URDF, WHEEL_SPINNER
 
 if TYPE_CHECKING:
     from tests.e2e.hands import Hands
@@ -126,6 +126,9 @@ def test_section_2_messages_are_seen_while_the_turtle_moves(
 LARGE = 25
 """Cells of the chassis, at least, in a car that is looked at closely: at 80x24 it has 100."""
 
+CLOSE = 60
+"""And in one that shares 80x24 with two terminals and RViz's own panel: there it has about 75."""
+
 PACKAGE = "ros2_ws/src/day6_publisher"
 
 
@@ -147,7 +150,7 @@ def write_package(person: Hands, place: Place) -> None:
 
 def blue(person: Hands) -> int:
     """How many cells of RViz's picture show the chassis, whatever the light does to its colour."""
-    return sum(is_blue(fore) or is_blue(ground) for _, fore, ground in person.screen.cells("2 RViz"))
+    return sum(is_blue(fore) or is_blue(ground) for _, fore, ground in person.screen.cells(person.rviz))
 
 
 @cache
@@ -164,7 +167,7 @@ def turning(person: Hands) -> Callable[[str], bool]:
     pictures = set()
 
     def seen(_: str) -> bool:
-        pictures.add(tuple(person.screen.cells("2 RViz")[: -2 * person.screen.columns]))  # without the words below it
+        pictures.add(tuple(person.screen.cells(person.rviz)[: -2 * person.screen.columns]))  # without the words below it
         return len(pictures) > 3 and blue(person) > LARGE
 
     return seen
@@ -216,3 +219,85 @@ def test_section_5_the_wheels_turn_on_the_screen(place: Place, hands: str, lang:
             lambda seen: screen.cells("2 RViz") != before and blue(person) > LARGE,
             lambda seen: "\n".join(screen.pane("5 Joint")).count("0.000 rad") == 1,
         )
+
+
+# -- the whole day in one desktop --------------------------------------------------------------------------------------
+
+
+def test_from_the_kitchen_to_the_two_publishers_in_one_desktop(place: Place) -> None:
+    """Sections 2 to 5.4 as a class does them: 80x24, Chinese, keyboard only, and nothing is closed in between."""
+    with desk(place, "keyboard", "zh", (80, 24)) as person:
+        _section_2(person)
+        _sections_3_and_4(person, place)
+        _section_5(person)
+
+
+def _section_2(person: Hands) -> None:
+    screen = person.screen
+    person.run("ros2 run turtlesim turtlesim_node")
+    screen.wait("2 TurtleSim", pose(5.54))
+    person.new_terminal(3)
+    person.run("ros2 run turtlesim turtle_teleop_key")
+    screen.wait("'q' to quit.")
+    screen.press("Up")
+    screen.wait(pose(7.56), "Use arrow keys to move the turtle.")  # the turtle has moved
+    person.new_terminal(4)
+    person.run("ros2 node list")
+    screen.wait_lines("/teleop_turtle", "/turtlesim")
+    person.run("clear; ros2 topic list")
+    screen.wait_lines("/turtle1/cmd_vel", "/turtle1/pose")
+    person.run("clear; ros2 topic echo /turtle1/cmd_vel")
+    screen.wait("4 echo")
+    person.go_to("3 ")
+    screen.press("Up")
+    screen.wait(lambda seen: pose(7.56) not in seen and "2 TurtleSim" in seen, twist(person, 2.0, 0.0))
+    person.new_terminal(5)
+    person.run("rqt_graph")
+    screen.wait(pane(person, "6 rqt_graph", "/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel"))
+
+
+def _sections_3_and_4(person: Hands, place: Place) -> None:
+    screen = person.screen
+    person.new_terminal(7)
+    write_package(person, place)
+    (place.home / PACKAGE / "day6_publisher/talker.py").write_text(TALKER, encoding="utf-8")
+    script = "'talker = day6_publisher.talker:main',\n" + SPINNER_SCRIPT
+    (place.home / PACKAGE / "setup.py").write_text(SETUP.replace("@SCRIPTS@", script), encoding="utf-8")
+    person.run("clear; colcon build --packages-select day6_publisher")
+    screen.wait("1 package finished")
+    person.run("clear; source install/setup.bash; ros2 run day6_publisher talker")
+    screen.wait(lambda seen: re.search(r"Publishing: Hello from Day 6: \d", "".join(screen.pane("7 "))))
+    person.new_terminal(8)
+    person.run("source ~/ros2_ws/install/setup.bash; ros2 topic echo /chatter")
+    # Both ends of the belt at once: what is sent and what arrives.
+    screen.wait(
+        pane(person, "7 ", "Publishing: Hello from Day 6"),
+        lambda seen: re.search(r"data: ['\"]?Hello from Day 6: \d+", "".join(screen.pane("8 "))),
+    )
+    screen.press("Ctrl-C")
+    person.run("clear; ros2 topic info /chatter")
+    screen.wait(pane(person, "8 ", "Type: std_msgs/msg/String", "Publisher count: 1", "Subscription count: 0"))
+    person.run("clear; check_urdf ~/ros2_ws/src/day6_publisher/urdf/day6_bot.urdf")
+    screen.wait(pane(person, "8 ", "robot name is: day6_bot", "root Link: base_link has 3 child(ren)"))
+
+
+def _section_5(person: Hands) -> None:
+    screen = person.screen
+    person.run("clear; ros2 launch day6_publisher day6_display.launch.py")
+    person.rviz = "9 RViz"
+    # RViz pops up, and nothing but a grid is in it.
+    screen.wait(pane(person, person.rviz, "Global Status: Error"))
+    assert not blue(person)
+    person.fixed_frame("map", "base_link")
+    screen.wait(pane(person, person.rviz, "Fixed Frame base_link"))
+    person.add_display("RobotModel")
+    screen.wait(pane(person, person.rviz, "RobotModel"))
+    person.description_topic("/robot_description")
+    screen.wait(lambda seen: blue(person) > LARGE)  # framed by itself
+    person.new_terminal(10)
+    person.run("source ~/ros2_ws/install/setup.bash; ros2 run day6_publisher wheel_spinner")
+    screen.wait("10 ", turning(person), lambda seen: blue(person) > CLOSE)
+    person.new_terminal(11)
+    person.run("ros2 run joint_state_publisher_gui joint_state_publisher_gui")
+    # Two publishers: the sliders say so, and the wheels that twitch are seen beside them.
+    screen.wait(pane(person, "12 Joint", "left_wheel_joint", "wheel_spinner"), turning(person))

@@ -9,6 +9,7 @@ import pytest
 from geometry_msgs.msg import Point, PoseStamped
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from sensor_msgs.msg import JointState, LaserScan
+from std_msgs.msg import String
 from visualization_msgs.msg import Marker, MarkerArray
 
 from day6_urdf import shipped_model
@@ -132,6 +133,14 @@ def test_tf_lets_a_frame_fade_that_nobody_renews(machine: RVizMachine) -> None:
 def test_a_new_robot_model_has_no_topic(machine: RVizMachine) -> None:
     machine.open()
     assert lines(machine.add("RobotModel")) == {"Topic": ("Error", "Error subscribing: Empty topic name")}
+
+
+def test_the_usual_topic_is_offered_before_what_else_fits(machine: RVizMachine) -> None:
+    machine.open()
+    display = machine.add("RobotModel")
+    for topic in ("chatter", "robot_description"):
+        machine.node.create_publisher(String, topic, 1)
+    assert display.topic.options == ["/robot_description", "/chatter"]
 
 
 def test_a_topic_on_which_nothing_came_is_ok(machine: RVizMachine) -> None:

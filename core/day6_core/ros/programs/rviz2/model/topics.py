@@ -31,6 +31,8 @@ class TopicDisplay(Display):
 
     topic_name = "Topic"
     default_topic = ""
+    usual_topic = ""
+    """The one that is offered first, where somebody publishes it."""
     depth = 5
     transient_local = False
     asks_who_sent = False
@@ -56,7 +58,8 @@ class TopicDisplay(Display):
         self._subscribed: tuple[Any, ...] = ()
 
     def _topics(self) -> list[str]:
-        return [name for name, types in self.rviz.topics() if self.message_type in types]
+        found = [name for name, types in self.rviz.topics() if self.message_type in types]
+        return sorted(found, key=lambda name: name != self.usual_topic)
 
     def choose_topic(self, topic: str) -> None:
         self.topic.set(topic)

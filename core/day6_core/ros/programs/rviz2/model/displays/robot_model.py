@@ -32,6 +32,7 @@ class RobotModelDisplay(TopicDisplay):
     selectable = True
     message_type = "std_msgs/msg/String"
     topic_name = "Description Topic"
+    usual_topic = "/robot_description"
     default_topic = ""
     depth = 1
     transient_local = True
