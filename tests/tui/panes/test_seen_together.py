@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests.support.stepped_machine import SteppedMachine
-from tests.tui.fakes import FakeDesk
+from tests.tui.fakes import FakeDesk, FakeSimulation
 from tests.tui.screens import opened, screen_lines, screen_text, step
 
 SMALL, WIDE = (80, 24), (120, 40)
@@ -174,3 +174,24 @@ async def test_tabs_that_are_not_seen_tell_what_they_are() -> None:
                 numbers = [at for at, word in enumerate(words) if word.isdigit()]
                 assert not any(words[at + 1].isdigit() for at in numbers if at + 1 < len(words)), line
         assert "2 TurtleSim" in screen_text(one.app)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (200, 60), (20, 5)])
+async def test_fifty_windows_at_a_time_are_all_reached_by_their_keys(size: Any) -> None:
+    desk = FakeDesk()
+    async with opened(desk, *size, lang="en", scene="empty") as (app, pilot):
+        for number in range(50):
+            desk.display.open("turtlesim", f"Turtle {number}", FakeSimulation(), chosen=number == 49)
+        await step(app, pilot)
+        reached = set()
+        for _ in range(51):
+            await pilot.press("f3")
+            pane = app.desktop.focused_pane
+            assert app.desktop.is_shown(pane) and app.screen.focused is pane.focus_target
+            reached.add(pane.slot)
+        await step(app, pilot)
+        assert reached == set(app.desktop.slots) and len(reached) == 51
+        for window in desk.display.windows:
+            window.close()
+        await step(app, pilot)
+        assert not app.desktop.panes and app.desktop.focused_pane is app.terminals.panes[0]

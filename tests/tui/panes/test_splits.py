@@ -112,14 +112,18 @@ def test_the_neighbour_is_the_pane_beside_and_of_several_the_one_used_last() -> 
 
 
 def place(size: tuple[int, int], *kinds: str, launch: dict[int, int] | None = None) -> tuple[Layout, list[int]]:
-    """Open panes one after the other: terminals (T) take the keyboard, windows do not; `launch` says which came with which."""
+    """Open panes one after the other: terminals (T, D if keys drive) take the keyboard, windows do not; `launch` says which
+    came with which."""
     tree, recent = Tree(), []
-    needs = {number: TERMINAL if kind == "T" else needs_of(kind) for number, kind in enumerate(kinds, 1)}
+    needs = {number: TERMINAL if kind in "TD" else needs_of(kind) for number, kind in enumerate(kinds, 1)}
+    driven = {number for number, kind in enumerate(kinds, 1) if kind == "D"}
     for number, kind in enumerate(kinds, 1):
         keyboard = recent[0] if recent else None
-        recent.insert(0 if kind == "T" else 1, number)
+        recent.insert(0 if kind in "TD" else 1, number)
         family = (launch or {}).get
-        room = Room(Extent(*size), needs.__getitem__, recent, keyboard, lambda key, family=family: family(key, 0))
+        room = Room(
+            Extent(*size), needs.__getitem__, recent, keyboard, lambda key, family=family: family(key, 0), driven
+        )
         tree = put(tree, number, room)
     return tree.lay_out(*size, needs.__getitem__, recent), recent
 
@@ -196,6 +200,13 @@ def test_the_kitchen_opens_large_and_the_inspector_is_no_strip() -> None:
 def test_a_lesson_takes_no_more_columns_than_it_needs(width: int, lesson: int) -> None:
     layout, _ = place((width, 38), "T", "lesson")
     assert layout.places[2].width <= lesson
+
+
+def test_beside_a_lesson_an_echo_covers_the_turtle_rather_than_the_remote_control() -> None:
+    layout, _ = place((80, 22), "D", "lesson", "turtlesim", "T")
+    assert layout.places.keys() == {1, 2, 4} and layout.places[1].height >= 10 and layout.places[4].height >= 11
+    layout, _ = place((80, 22), "T", "lesson", "turtlesim", "T")
+    assert layout.places.keys() == {4, 2, 3}, "a terminal in which nothing drives is a tab, as ever"
 
 
 def test_no_window_covers_a_lesson_that_is_read() -> None:

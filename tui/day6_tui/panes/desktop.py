@@ -147,7 +147,9 @@ class Desktop(PaneHost):
             pane = self.slots.get(slot)
             return pane.window.command if isinstance(pane, WindowPane) and pane.window.is_launched else 0
 
-        return Room(Extent(*self.size), needs, self.recent, keyboard.slot if keyboard is not None else None, family)
+        driven = {pane.slot for pane in self.terminals() if pane.drives}
+        slot = keyboard.slot if keyboard is not None else None
+        return Room(Extent(*self.size), needs, self.recent, slot, family, driven)
 
     @property
     def _has_lesson(self) -> bool:

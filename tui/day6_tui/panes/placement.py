@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple, TypeAlias
 
@@ -80,8 +80,11 @@ class Room:
     family: Callable[[Key], int] = lambda key: 0
     """Which launch opened a window, 0 for none: windows of one launch are looked at together."""
 
+    driven: Collection[Key] = ()
+    """The terminals in which keys drive."""
     firm: bool = True
-    """Whether panes that are comfortable give to those that would be of no use; without, others are covered sooner."""
+    """Whether comfortable panes give to those that would be of no use, and none vanishes where there is no room for all: not for
+    terminals, whose places people know by heart."""
 
     def rank(self, key: Key) -> int:
         return self.recent.index(key) if key in self.recent else len(self.recent)
@@ -127,6 +130,8 @@ def _best(tree: Tree, key: Key, spots: Sequence[Spot], room: Room, kept: Wanted 
 
     def worth(spot: Spot) -> float:
         layout = _with(tree, key, spot, room)
+        if room.firm and spot.side != "tab" and len(layout.places) <= len(before.places):
+            return 0.0  # a desktop that is too small would show both as tabs
         lost = kept is not None and any(each in layout.places and not room.has(kept, each, layout) for each in had)
         return seen(layout, room) if key in layout.places and not lost else 0.0
 
@@ -163,13 +168,18 @@ def best_spot(tree: Tree, key: Key, room: Room) -> Spot | None:
 
 
 def _tabs_of_terminals(tree: Tree, key: Key, room: Room) -> list[Spot]:
-    """What a terminal may cover: the keyboard's terminal too, as it gets the keyboard; no picture that matters more."""
+    """What a terminal may cover: the keyboard's terminal too, as it gets the keyboard; no picture that matters more.
+
+    Rather than the only terminal, in which keys drive, it covers a picture: what is opened then listens to these keys.
+    """
     fronts = room.fronts(tree)
     others = [front for front in fronts if front != room.keyboard]
     if room.keyboard is not None and room.is_terminal(room.keyboard):
         others = fronts
-    others = [front for front in others if room.needs(front).weight <= room.needs(key).weight] or others
-    return [Spot(front, "tab") for front in others]
+    light = [front for front in others if room.needs(front).weight <= room.needs(key).weight]
+    if light and all(front in room.driven for front in light):
+        light = [front for front in others if front not in room.driven and not room.needs(front).stays] or light
+    return [Spot(front, "tab") for front in light or others]
 
 
 def _tabs_of_windows(tree: Tree, key: Key, room: Room) -> list[Spot]:

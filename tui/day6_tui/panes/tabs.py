@@ -68,22 +68,24 @@ def _labels(look: Look, tabs: Sequence[Tab], front: int, room: int) -> list[str]
     if len(names) == 1:
         return [clip(names[0], max(1, room - 2 - len(news[0])), look.glyphs.ellipsis) + news[0]]
     room -= 2 * len(names) + sum(map(len, news))
-    words = [tab._replace(name=word).label for tab, word in zip(tabs, _words([tab.name for tab in tabs]), strict=True)]
-    stubs = [
-        clip(word, len(tab.number) + 1 + WORD_SHOWN, look.glyphs.ellipsis)
-        for tab, word in zip(tabs, words, strict=True)
-    ]
-
-    def cut(width: int, others: Sequence[str] | None = None) -> list[str]:
-        return [
-            clip(name, width, look.glyphs.ellipsis) if others is None or at == front else others[at]
-            for at, name in enumerate(names)
-        ]
-
-    widths = range(TAB_WIDTH, NAME_SHOWN - 1, -1)
-    tries = [*(cut(width) for width in widths), *(cut(width, each) for each in (words, stubs) for width in widths)]
-    found = next((each for each in tries if sum(map(cell_len, each)) <= room), tries[-1])
+    found = _names_that_fit(tabs, front, room, look.glyphs.ellipsis)
     return [name + new for name, new in zip(found, news, strict=True)]
+
+
+def _names_that_fit(tabs: Sequence[Tab], front: int, room: int, ellipsis: str) -> list[str]:
+    names = [tab.label for tab in tabs]
+    lengths = [cell_len(name) for name in names]
+    for width in range(TAB_WIDTH, NAME_SHOWN - 1, -1):
+        if sum(min(width, length) for length in lengths) <= room:
+            return [clip(name, width, ellipsis) for name in names]
+    words = [tab._replace(name=word).label for tab, word in zip(tabs, _words([tab.name for tab in tabs]), strict=True)]
+    stubs = [clip(word, len(tab.number) + 1 + WORD_SHOWN, ellipsis) for tab, word in zip(tabs, words, strict=True)]
+    for others in (words, stubs):
+        rest = room - sum(map(cell_len, others)) + cell_len(others[front])
+        if rest >= min(NAME_SHOWN, lengths[front]):
+            break
+    others[front] = clip(names[front], max(NAME_SHOWN, min(TAB_WIDTH, rest)), ellipsis)
+    return others
 
 
 def _words(names: Sequence[str]) -> list[str]:
