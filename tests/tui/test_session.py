@@ -278,10 +278,11 @@ async def test_what_is_started_again_finds_the_pupils_own_workspace(tmp_path, in
         ]
 
 
-async def test_what_does_not_start_again_is_seen(tmp_path) -> None:
+@pytest.mark.parametrize("and_so", ["", " &"])
+async def test_what_does_not_start_again_is_seen(tmp_path, and_so: str) -> None:
     left = [
         {"folder": str(tmp_path), "text": "", "commands": commands}
-        for commands in (["ros2 run nothing nowhere"], ["sleep 1000"], [])
+        for commands in ([f"ros2 run nothing nowhere{and_so}"], ["sleep 1000"], [])
     ]
     layout = {"stack": ["terminal 1", "terminal 2", "terminal 3"], "front": "terminal 3"}
     file = session_file(tmp_path)

@@ -25,6 +25,7 @@ from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
 
 if TYPE_CHECKING:
+    from day6_core.shell.language.jobs import Job
     from day6_core.shell.terminal import Terminal
 
 _log = logging.getLogger(__name__)
@@ -68,6 +69,8 @@ class Returning:
     is_sourced: bool = False
     lines_before: int = 0
     """How many lines had been run in it when they were started."""
+    jobs: list[Job] = field(default_factory=list)
+    """Those in the background: the shell forgets them when they have ended."""
 
     def type(self, home: Path) -> bool:
         """Type what is due, once the prompt waits; return whether nothing is left."""
@@ -89,15 +92,16 @@ class Returning:
             self.to_type = []
         return True
 
-    @property
     def has_failed(self) -> bool:
         """Whether a command that was started again has ended with an error."""
         if not self.pane.has_terminal:
             return False
-        runs = [run for run in self.pane.view.terminal.runs.all if run.number > self.lines_before]
-        return any(
-            run.status not in (None, 0, INTERRUPTED) and run.source.strip() in self.left.commands for run in runs
-        )
+        terminal = self.pane.view.terminal
+        self.jobs += [job for job in list(terminal.shell.jobs.jobs) if job not in self.jobs]
+        runs = [run for run in terminal.runs.all if run.number > self.lines_before]
+        ended = [run.status for run in runs if run.source.strip() in self.left.commands]
+        ended += [job.status for job in self.jobs if job.finished]
+        return any(status not in (None, 0, INTERRUPTED) for status in ended)
 
 
 class SavedDesktop(Feature):
@@ -246,7 +250,7 @@ class SavedDesktop(Feature):
             self._returning = [each for each in self._returning if not each.type(desk.home)]
         if self._started and time.monotonic() >= self._until:
             self._started = []
-        for each in [each for each in self._started if each.has_failed]:
+        for each in [each for each in self._started if each.has_failed()]:
             self._started.remove(each)
             self._failed.append(each.pane)
             self._show(each.pane)
