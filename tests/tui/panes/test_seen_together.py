@@ -148,16 +148,23 @@ async def test_windows_of_one_launch_are_seen_together() -> None:
         assert one.keyboard is one.terminals[-1]
 
 
-async def test_a_kitchen_that_is_closed_gives_everything_its_place_back() -> None:
-    for size in (SMALL, WIDE):
-        async with pupil(size) as one:
-            await _section_2(one)
-            before = dict(one.app.desktop.plan_now().places)
-            rviz = await one.window("rviz2")
-            assert one.size(rviz) >= (72, 14) and one.size(one.keyboard) >= (40, 8)
-            rviz.close()
-            await step(one.app, one.pilot)
-            assert one.app.desktop.plan_now().places == before
+@pytest.mark.parametrize("size", [SMALL, WIDE])
+async def test_when_a_large_window_is_closed_everything_stands_as_before_unless_somebody_moved_it(size: Any) -> None:
+    async with pupil(size) as one:
+        await _section_2(one)
+        before = dict(one.app.desktop.plan_now().places)
+        rviz = await one.window("rviz2")
+        assert one.size(rviz) >= (72, 14) and one.size(one.keyboard) >= (40, 8)
+        await one.press("f3", "f3", "f3")
+        one.app.desktop.focus_pane(one.terminals[-1])
+        rviz.close()
+        await step(one.app, one.pilot)
+        assert one.app.desktop.plan_now().places == before
+        rviz = await one.window("rviz2")
+        one.app.desktop.split_tree.swap(rviz.slot, one.keyboard.slot)
+        rviz.close()
+        await step(one.app, one.pilot)
+        assert one.app.desktop.plan_now().places != before
 
 
 async def test_tabs_that_are_not_seen_tell_what_they_are() -> None:

@@ -19,7 +19,7 @@ from day6_tui.panes import splits
 from day6_tui.panes.border_mouse import FrameMouse
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Pane, Piece
-from day6_tui.panes.placement import GUIDE, LESSON, TELEOP, TERMINAL, WIDE, PaneNeeds, Room, put
+from day6_tui.panes.placement import GUIDE, LESSON, OTHER, TELEOP, TERMINAL, WIDE, PaneNeeds, Room, put
 from day6_tui.panes.splits import Extent, PanePlace, Tree
 from day6_tui.panes.tabs import Tab, tab_pieces
 from day6_tui.terminals.pane import TerminalPane
@@ -86,8 +86,11 @@ class Desktop(PaneHost):
         """On a small screen the guide makes room for a terminal whose text no longer fits."""
         self._last_focus: Pane | None = None
         self._mouse = FrameMouse(self)
-        self._made_room: tuple[int, Tree] | None = None
-        """The window for which the others made room, and how they stood before: there they go back when it closes."""
+        self._made_room: tuple[int, Tree, object] | None = None
+        """The window for which the others made room, and how they stood before: there they go back when it closes.
+
+        At last what the tree then looks like if nobody has moved anything, nor opened or closed another pane.
+        """
         self._planned: tuple[Size, splits.Layout] | None = None
         """The places at a size, until something changes."""
 
@@ -132,8 +135,9 @@ class Desktop(PaneHost):
         """What a pane needs to be useful."""
         pane = self.slots.get(slot)
         found = pane.needs if isinstance(pane, TerminalPane | WindowPane) else GUIDE
-        if found.least.columns + LESSON.least.columns > self.size.width and self._has_lesson:
-            found = found.within(self.size.width - LESSON.good.columns)
+        beside = self.size.width - LESSON.good.columns
+        if found.least.columns + LESSON.least.columns > self.size.width and beside >= OTHER.least.columns:
+            return found.within(beside) if self._has_lesson else found
         return found
 
     def room(self, keyboard: Pane | None = None) -> Room:
@@ -210,7 +214,9 @@ class Desktop(PaneHost):
         before = self.split_tree
         self.split_tree = put(before, pane.slot, self.room(None if covers else keyboard))
         if self.split_tree is not before:
-            self._made_room = pane.slot, before
+            without = self.split_tree.copy()
+            without.remove(pane.slot)
+            self._made_room = pane.slot, before, without.shape
 
     def close_guide(self) -> None:
         """The guide is not wanted any more."""
@@ -238,9 +244,9 @@ class Desktop(PaneHost):
         """Forget the place of a pane."""
         self.split_tree.remove(pane.slot)
         if self._made_room is not None and self._made_room[0] == pane.slot:
-            before, self._made_room = self._made_room[1], None
-            if sorted(before.keys) == sorted(self.split_tree.keys):
-                self.split_tree = before
+            if self.split_tree.shape == self._made_room[2]:
+                self.split_tree = self._made_room[1]
+            self._made_room = None
         del self.slots[pane.slot]
         self.recent.remove(pane.slot)
         self._planned = None

@@ -153,6 +153,17 @@ class Tree:
                 return stack
         raise KeyError(key)
 
+    @property
+    def shape(self) -> object:
+        """What stands where, whatever is in front: equal for trees in which it is the same."""
+
+        def shape_of(node: Node | None) -> object:
+            if isinstance(node, Split):
+                return node.across, [shape_of(part) for part in node.parts], node.shares
+            return set(node.keys) if node is not None else None
+
+        return shape_of(self.root)
+
     def copy(self) -> Tree:
         def copied(node: Node) -> Node:
             if isinstance(node, Stack):
