@@ -249,5 +249,5 @@ def test_an_image_lies_in_the_corner_of_the_view_in_its_own_shape(machine: RVizM
     picture = paint(rviz.scene, rviz.view.camera(), 80, 60, 1.0, QUALITIES["High"])
     assert picture.colour[59, 79].tolist() == [0.0, 0.0, 1.0] and picture.colour[42, 44].tolist() == [1.0, 0.0, 0.0]
     assert picture.colour[41, 44].tolist() != [1.0, 0.0, 0.0] and picture.colour[42, 43].tolist() != [1.0, 0.0, 0.0]
-    assert [label[2] for label in picture.labels][-1] == "Image"
+    assert [label.words for label in picture.labels][-1] == "Image"
     assert display.picture_size == "20x10"

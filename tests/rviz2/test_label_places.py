@@ -6,18 +6,26 @@ import math
 from itertools import pairwise
 
 import numpy as np
+import pytest
 
-from day6_core.ros.programs.rviz2.model.scene import BOX, Scene, Shape
+from day6_core.ros.programs.rviz2.model.scene import BOX, Label, Scene, Shape
 from day6_core.ros.programs.rviz2.model.views import Orbit
 from day6_tui.panes.cells import cell_len
-from day6_tui.render.cells import Cells, cells_of, pixel_aspect
+from day6_tui.render.cells import MIXED, Cells, cells_covered, cells_of, pixel_aspect, pixels_per_cell
 from day6_tui.render.label_places import LabelPiece, LabelPlaces
 from day6_tui.render.painter import QUALITIES, paint
+from day6_tui.render.picture import PictureText
 from day6_urdf.kinematics import Transform
+
+WHITE = (255, 255, 255)
+
+
+def _placed(places: LabelPlaces, texts: list[tuple[float, float, str]], *size: int) -> list[list[LabelPiece]]:
+    return places.place([PictureText(*text, WHITE) for text in texts], *size)
 
 
 def _pieces(texts: list[tuple[float, float, str]], columns: int = 60, rows: int = 20) -> list[list[LabelPiece]]:
-    return LabelPlaces().place(texts, columns, rows)
+    return _placed(LabelPlaces(), texts, columns, rows)
 
 
 def _cells(texts: list[tuple[float, float, str]], columns: int = 60, rows: int = 20) -> list[tuple[int, int]]:
@@ -68,7 +76,7 @@ def test_a_name_that_has_no_room_over_its_point_stands_beside_with_a_hook() -> N
     at_the_point = [*left, (30, 10, "x")]
     assert _pieces([*at_the_point, (30, 10, "frames")])[21] == [(30, 11, "╰─frames")]
     ascii_places = LabelPlaces(unicode=False)
-    assert ascii_places.place([*at_the_point, (30, 10, "frames")], 60, 20)[21] == [(30, 11, "`-frames")]
+    assert _placed(ascii_places, [*at_the_point, (30, 10, "frames")], 60, 20)[21] == [(30, 11, "`-frames")]
     right = [(36.0, float(row), "b" * 8) for row in range(20)]  # from column 32
     assert _pieces([*right, (29, 10, "frames")])[20] == [(22, 10, "frames─")]
     assert _pieces([*right, (30, 10, "x"), (30, 10, "frames")])[21] == [(23, 11, "frames─╯")]
@@ -89,12 +97,12 @@ def test_the_lines_of_a_text_stay_together_and_in_their_order() -> None:
 def test_a_name_keeps_its_place_until_it_must_move() -> None:
     places = LabelPlaces()
     both = [(30.5, 10.5, "base_link"), (30.5, 10.5, "base_footprint")]
-    places.place(both, 60, 20)
+    _placed(places, both, 60, 20)
     # The other one turns away slowly; as long as its name beside it would touch, it stays a row below.
     rows = []
     for step in range(40):
         x = 30.5 + step / 2
-        (_, other) = places.place([both[0], (x, 10.5, "base_footprint")], 60, 20)
+        (_, other) = _placed(places, [both[0], (x, 10.5, "base_footprint")], 60, 20)
         rows.append(other[0].row)
     assert rows[:10] == [11] * 10 and rows[-1] == 10
     assert sum(a != b for a, b in pairwise(rows)) == 1
@@ -102,9 +110,9 @@ def test_a_name_keeps_its_place_until_it_must_move() -> None:
 
 def test_a_name_at_the_edge_of_a_cell_does_not_tremble() -> None:
     places = LabelPlaces()
-    shaking = [places.place([(30 + 0.1 * (-1) ** n, 10 - 0.2 * (-1) ** n, "odom")], 60, 20) for n in range(6)]
+    shaking = [_placed(places, [(30 + 0.1 * (-1) ** n, 10 - 0.2 * (-1) ** n, "odom")], 60, 20) for n in range(6)]
     assert all(each == shaking[0] for each in shaking)
-    assert places.place([(31.5, 12.5, "odom")], 60, 20) == [[(29, 12, "odom")]]
+    assert _placed(places, [(31.5, 12.5, "odom")], 60, 20) == [[(29, 12, "odom")]]
 
 
 def test_a_robot_that_turns_takes_its_names_along() -> None:
@@ -116,7 +124,7 @@ def test_a_robot_that_turns_takes_its_names_along() -> None:
         for corner, name in enumerate(names[1:]):
             angle = math.radians(step + 90 * corner)
             texts.append((30 + 8 * math.cos(angle), 10 + 3 * math.sin(angle), name))
-        found = places.place(texts, 60, 20)
+        found = _placed(places, texts, 60, 20)
         for (x, y, name), pieces in zip(texts, found, strict=True):
             assert pieces, name
             place = pieces[0].column - x, pieces[0].row - y
@@ -128,9 +136,9 @@ def test_a_robot_that_turns_takes_its_names_along() -> None:
 
 def test_only_the_cells_of_a_name_are_sent_again() -> None:
     picture = paint(Scene(), Orbit(list, lambda: None).camera(), 60, 40, pixel_aspect("half"), QUALITIES["High"])
-    picture.labels = [(30.0, 20.0, "odom", (255, 255, 255))]
+    picture.labels = [PictureText(30.0, 20.0, "odom", WHITE)]
     before = cells_of(picture, "half")
-    picture.labels = [(32.0, 20.0, "odom", (255, 255, 255))]
+    picture.labels = [PictureText(32.0, 20.0, "odom", WHITE)]
     assert cells_of(picture, "half").changes(before) == [(10, 28, 34)]
 
 
@@ -139,7 +147,7 @@ def test_a_name_has_one_ground_that_it_can_be_read_on() -> None:
 
     def cells(under: list[float]) -> Cells:
         picture = paint(Scene(), camera, 60, 40, pixel_aspect("half"), QUALITIES["High"])
-        picture.labels = [(30.0, 20.0, "odom", (255, 255, 255))]
+        picture.labels = [PictureText(30.0, 20.0, "odom", WHITE)]
         picture.colour[20:22, 28:32] = np.array(under)[None, :, None]
         picture.kind[20:22, 28:32] = 1
         return cells_of(picture, "half", step=1)
@@ -170,3 +178,93 @@ def _brightness(mode: str, across: int, down: int) -> float:
 def test_braille_is_as_bright_as_half_blocks() -> None:
     half, braille = _brightness("half", 1, 2), _brightness("braille", 2, 4)
     assert abs(braille - half) < 0.1 * half
+
+
+# -- beside a robot ----------------------------------------------------------------------------------------------------
+
+
+def _named_car(columns: int, rows: int, mode: str, *, colourless: bool = False) -> tuple[Cells, np.ndarray]:
+    """The car as large as it can be, with the names of its frames, and the cells it covers."""
+    from day6_tui.windows.rviz.extent import frame, outline
+    from tests.rviz2.test_pictures import car_scene
+
+    scene = car_scene(0.3)
+    for name, place in CAR_FRAMES:
+        scene.labels.append(Label(name, place, (1.0, 1.0, 1.0, 1.0), is_name=True))
+    view = Orbit(list, lambda: None)
+    frame(view, outline(scene), columns / rows / 2)
+    across, down = pixels_per_cell(mode)
+    picture = paint(scene, view.camera(), columns * across, rows * down, pixel_aspect(mode), QUALITIES["High"])
+    return cells_of(picture, mode, colourless=colourless), cells_covered(picture.robot, across, down)
+
+
+CAR_FRAMES = [
+    ("base_link", (0.0, 0.0, 0.0)),
+    ("caster", (0.1, 0.0, 0.02)),
+    ("left_wheel", (0.0, 0.15, 0.05)),
+    ("right_wheel", (0.0, -0.15, 0.05)),
+]
+SIZES = [(36, 17), (47, 10), (56, 8), (75, 10), (74, 34)]
+
+
+@pytest.mark.parametrize("mode", ["half", MIXED, "braille", "ascii"])
+@pytest.mark.parametrize("size", SIZES)
+def test_no_name_covers_the_robot_and_all_have_room_beside_it(mode: str, size: tuple[int, int]) -> None:
+    cells, robot = _named_car(*size, mode)
+    names = [(row, column, words.strip("─-")) for row, labels in cells.labels.items() for column, words, *_ in labels]
+    longest = size[0] / 3
+    assert {words for _, _, words in names} == {name for name, _ in CAR_FRAMES if len(name) <= longest}
+    assert robot.mean() > 0.15
+    for row, labels in cells.labels.items():
+        for column, words, *_ in labels:
+            assert not robot[row, column : column + cell_len(words)].any(), words
+
+
+def test_names_stand_on_a_dark_chip_but_for_terminals_without_colour() -> None:
+    cells, _ = _named_car(47, 10, MIXED)
+    assert {ground for labels in cells.labels.values() for *_, ground in labels} == {0x181818}
+    cells, _ = _named_car(47, 10, MIXED, colourless=True)
+    assert {ground for labels in cells.labels.values() for *_, ground in labels} == {-1}
+
+
+def test_a_name_too_long_for_the_picture_or_without_room_is_left_out() -> None:
+    robot = np.zeros((6, 30), bool)
+    robot[2:4, 10:20] = True
+    name = PictureText(15.0, 3.0, "a" * 10, WHITE, is_name=True)
+    assert LabelPlaces().place([name], 30, 6, robot) == [[(10, 4, "a" * 10)]]
+    assert LabelPlaces().place([name._replace(words="a" * 11)], 30, 6, robot) == [[]]
+    robot[:, 5:25] = True
+    assert LabelPlaces().place([name], 30, 6, robot) == [[]]
+    # What a program writes there is no name, and stays at its place.
+    assert LabelPlaces().place([name._replace(is_name=False)], 30, 6, robot) == [[(10, 3, "a" * 10)]]
+
+
+def test_a_name_in_the_row_of_its_point_touches_the_robot() -> None:
+    robot = np.zeros((6, 40), bool)
+    robot[:, 10:20] = True
+    name = PictureText(18.0, 3.0, "wheel", WHITE, is_name=True)
+    assert LabelPlaces().place([name, name._replace(x=11.0)], 40, 6, robot) == [[(20, 3, "─wheel")], [(4, 3, "wheel─")]]
+    assert LabelPlaces(unicode=False).place([name], 40, 6, robot) == [[(20, 3, "-wheel")]]
+
+
+def test_a_name_beside_a_robot_does_not_change_sides_for_little() -> None:
+    places, robot = LabelPlaces(), np.zeros((1, 40), bool)
+    robot[:, 10:20] = True
+    columns = []
+    for x in (17.0, 15.5, 14.5, 13.5, 10.5, 13.5, 15.5):
+        ((piece,),) = places.place([PictureText(x, 0.0, "wheel", WHITE, is_name=True)], 40, 1, robot)
+        columns.append(piece.column)
+    assert columns == [20, 20, 20, 20, 4, 4, 4]
+
+
+# -- small pictures ----------------------------------------------------------------------------------------------------
+
+
+def test_a_small_picture_has_its_lines_in_dots_and_its_solids_in_half_blocks() -> None:
+    cells, robot = _named_car(47, 10, MIXED)
+    is_dots = (cells.chars >= 0x2800) & (cells.chars < 0x2900)
+    assert is_dots.sum() > 20 and not is_dots[robot & (cells.back != 0x303030)].any()
+    inside = np.isin(cells.chars, [ord(" "), ord("▀")]) & robot
+    assert inside.sum() > 0.7 * robot.sum()
+    cells, _ = _named_car(47, 10, MIXED, colourless=True)
+    assert {chr(char) for char in cells.chars.reshape(-1)} & set("▄▀█") == set("▄▀█")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from day6_tui.panes.cells import cell_len
+from day6_tui.render.picture import Array, PictureText
 
 ROWS = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
 """How far a text may be moved down or up, in the order in which that is tried."""
@@ -16,6 +17,14 @@ CENTRED, RIGHT, LEFT = range(3)
 
 STAYS = 0.75
 """Cells that a point may be away from the middle of a cell it was in: one on an edge would go to and fro."""
+
+LEAST_SHARE = 3
+"""A name that is longer than the picture's width divided by this is left out where a robot is seen."""
+
+STAYS_BESIDE = 4
+"""Cells that another place beside a robot must be nearer for a name to move there."""
+
+_Span = tuple[int, int] | None
 
 _UNICODE = {"down": "│", "aside": "─", (RIGHT, 1): "╰", (RIGHT, -1): "╭", (LEFT, 1): "╯", (LEFT, -1): "╮"}
 _ASCII = {"down": "|", "aside": "-", (RIGHT, 1): "`", (RIGHT, -1): ",", (LEFT, 1): "'", (LEFT, -1): "."}
@@ -60,29 +69,39 @@ class LabelPlaces:
         self._size = (0, 0)
         self._kept: dict[tuple[str, int], _Label] = {}
 
-    def place(self, texts: Sequence[tuple[float, float, str]], columns: int, rows: int) -> list[list[LabelPiece]]:
+    def place(
+        self, texts: Sequence[PictureText], columns: int, rows: int, robot: Array | None = None
+    ) -> list[list[LabelPiece]]:
         """The pieces of texts that shall stand above the cells (x, y); none of one that there is no room for.
 
         The earlier text has the better place. A text is centred, or as near to that as the edges allow. Of all rows close by the
         nearest in which it touches no other is taken; if there is none, it stands to the right of its point, or to the left.
-        The lines of a text stay together.
+        The lines of a text stay together. Where a robot is seen, in the cells `robot`, names stand beside it or are left out.
         """
         if self._size != (columns, rows):
             self._size, self._kept = (columns, rows), {}
         taken = _Taken(columns, rows)
+        beside = _spans(robot) if robot is not None and robot.any() else None
         kept: dict[tuple[str, int], _Label] = {}
         found: list[tuple[_Label, list[LabelPiece]] | None] = []
         numbers: Counter[str] = Counter()
-        for x, y, words in texts:
-            key = words, numbers[words]
-            numbers[words] += 1
-            placed = self._placed(x, y, words, self._kept.get(key), taken)
+        for text in texts:
+            key = text.words, numbers[text.words]
+            numbers[text.words] += 1
+            if text.is_name and beside is not None:
+                placed = self._beside(text, self._kept.get(key), taken, beside)
+            else:
+                placed = self._placed(text.x, text.y, text.words, self._kept.get(key), taken)
             found.append(placed)
             if placed is not None:
                 kept[key] = placed[0]
                 taken.add(placed[1])
         self._kept = kept
-        return [[] if each is None else [*each[1], *self._strokes(each[0], taken)] for each in found]
+        leaders = [beside is None or not text.is_name for text in texts]
+        return [
+            [] if each is None else [*each[1], *(self._strokes(each[0], taken) if leads else ())]
+            for each, leads in zip(found, leaders, strict=True)
+        ]
 
     def _placed(
         self, x: float, y: float, words: str, before: _Label | None, taken: _Taken
@@ -101,6 +120,42 @@ class LabelPlaces:
             if taken.are_free(lines):
                 return label, lines
         return None
+
+    def _beside(
+        self, text: PictureText, before: _Label | None, taken: _Taken, robot: Sequence[_Span]
+    ) -> tuple[_Label, list[LabelPiece]] | None:
+        """A name as near to its point as it does not cover the robot; None if there is no room, or it is too long for it."""
+        width = cell_len(text.words)
+        if width * LEAST_SHARE > taken.columns:
+            return None
+        x, y = (
+            (_steady(text.x, before.x), _steady(text.y, before.y)) if before is not None else (int(text.x), int(text.y))
+        )
+        best: tuple[float, _Label, list[LabelPiece]] | None = None
+        for down in ROWS:
+            for side, start, words in self._ways(x, y + down, down, text.words, taken, robot):
+                piece = LabelPiece(start, y + down, words)
+                way = abs(start + cell_len(words) / 2 - x) + 2 * abs(down)
+                if before is not None and before.spot == (side, down):
+                    way -= STAYS_BESIDE
+                if (best is None or way < best[0]) and taken.is_free(piece):
+                    best = way, _Label(x, y, text.words, Spot(side, down)), [piece]
+        return best and (best[1], best[2])
+
+    def _ways(
+        self, x: int, row: int, down: int, words: str, taken: _Taken, robot: Sequence[_Span]
+    ) -> Iterator[tuple[int, int, str]]:
+        """The side, the first cell and the text of a name in a row in which the robot may be."""
+        width = cell_len(words)
+        if not 0 <= row < taken.rows:
+            return
+        span, middle = robot[row], max(0, min(x - width // 2, taken.columns - width))
+        if span is None or middle >= span[1] or middle + width <= span[0]:
+            yield CENTRED, middle, words
+        if span is not None:
+            hook = self._signs["aside"] if not down else ""
+            yield RIGHT, max(span[1], x + 1), hook + words
+            yield LEFT, min(span[0], x) - width - len(hook), words + hook
 
     def _lines(self, label: _Label, taken: _Taken) -> list[LabelPiece]:
         """The lines of a text, and what of its leader is beside the one nearest to the point."""
@@ -163,6 +218,15 @@ class _Taken:
             return False
         rows = range(piece.row - margin, piece.row + margin + 1)
         return all(left > end or first > left + width for row in rows for first, end in self._spans.get(row, ()))
+
+
+def _spans(covered: Array) -> list[_Span]:
+    """The first cell of a row that is covered, and the one behind the last."""
+    spans: list[_Span] = []
+    for row in covered:
+        columns = row.nonzero()[0]
+        spans.append((int(columns[0]), int(columns[-1]) + 1) if len(columns) else None)
+    return spans
 
 
 def _steady(place: float, before: int) -> int:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Overlay, Scene, Sight
-from day6_tui.render.picture import EMPTY, SURFACE, Array, RenderedPicture
+from day6_tui.render.picture import EMPTY, SURFACE, Array, PictureText, RenderedPicture
 
 SHARE = 0.45
 """Of the view's width and height that one picture may take."""
@@ -46,8 +46,8 @@ def _paint(picture: RenderedPicture, overlay: Overlay, bottom: int, paint: Paint
     flat = (y * picture.width + x).reshape(-1)
     colours = shrunk.reshape(-1, 3)
     picture.put(flat, np.float32(NEAREST), colours, 1.0, SURFACE, colours.mean(axis=1))
-    picture.labels = [each for each in picture.labels if not (each[0] >= left - 1 and top <= each[1] < bottom)]
-    picture.labels.append((left + across / 2, float(top), overlay.name, LABEL))
+    picture.labels = [each for each in picture.labels if not (each.x >= left - 1 and top <= each.y < bottom)]
+    picture.labels.append(PictureText(left + across / 2, float(top), overlay.name, LABEL))
     return top
 
 

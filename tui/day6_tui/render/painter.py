@@ -12,7 +12,7 @@ from day6_core.ros.programs.rviz2.model.views import Camera
 from day6_tui.render.lattice import paint_lattice
 from day6_tui.render.lines import Segments, paint_points
 from day6_tui.render.overlays import paint_overlays
-from day6_tui.render.picture import SURFACE, Array, RenderedPicture
+from day6_tui.render.picture import SURFACE, Array, PictureText, RenderedPicture
 from day6_tui.render.solids import paint_solids
 from day6_tui.render.triangles import paint_triangles
 
@@ -78,10 +78,10 @@ def _enlarged(picture: RenderedPicture, width: int, height: int) -> RenderedPict
     """Every pixel becomes a block."""
     rows = np.minimum(np.arange(height) * picture.height // max(1, height), picture.height - 1)
     columns = np.minimum(np.arange(width) * picture.width // max(1, width), picture.width - 1)
-    for name in ("colour", "depth", "kind", "shade"):
+    for name in ("colour", "depth", "kind", "shade", "robot"):
         setattr(picture, name, getattr(picture, name)[rows][:, columns])
     across, down = width / picture.width, height / picture.height
-    picture.labels = [(x * across, y * down, text, colour) for x, y, text, colour in picture.labels]
+    picture.labels = [text._replace(x=text.x * across, y=text.y * down) for text in picture.labels]
     picture.width, picture.height = width, height
     return picture
 
@@ -94,7 +94,8 @@ def _place_labels(picture: RenderedPicture, scene: Scene) -> None:
     for label, column, row, depth in zip(scene.labels, x, y, seen[:, 2], strict=True):
         if depth > picture.near and 0 <= column < picture.width and 0 <= row < picture.height and label.colour[3] > 0.1:
             red, green, blue = (int(255 * max(0.0, min(1.0, part))) for part in label.colour[:3])
-            picture.labels.append((float(column), float(row), label.text, (red, green, blue)))
+            text = PictureText(float(column), float(row), label.text, (red, green, blue), label.is_name)
+            picture.labels.append(text)
 
 
 def _paint_image(picture: RenderedPicture, image: Image) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,17 @@ LINE = 2
 """Kinds of pixels; lines have four kinds, by their direction: 2 flat, 3 upright, 4 rising, 5 falling."""
 
 FAR = 1e9
+
+
+class PictureText(NamedTuple):
+    """A text at a pixel."""
+
+    x: float
+    y: float
+    words: str
+    colour: tuple[int, int, int]
+    is_name: bool = False
+    """Whether it only names what is there, and so should leave a robot to be seen."""
 
 
 class RenderedPicture:
@@ -42,8 +53,9 @@ class RenderedPicture:
         self.kind: Array = np.zeros((height, width), np.uint8)
         self.shade: Array = np.zeros((height, width), np.float32)
         """The brightness of a pixel's surface, 0..1: what characters without colour show."""
-        self.labels: list[tuple[float, float, str, tuple[int, int, int]]] = []
-        """Texts at pixels: x, y, text, colour."""
+        self.robot: Array = np.zeros((height, width), bool)
+        """The pixels where a robot's links are, also behind what is drawn over them."""
+        self.labels: list[PictureText] = []
         self.position: Array = np.array(camera.position, np.float64)
         self.axes: Array = np.array([camera.right, camera.up, camera.forward], np.float64)
         self.parallel = camera.metres is not None

@@ -128,6 +128,8 @@ def _paint(picture: RenderedPicture, solid: _Solid, light: Array, levels: int) -
     rows, columns = np.nonzero(hit)
     flat = (rows + top) * picture.width + columns + left
     picture.put(flat, depth, colour * shade[:, None], shape.colour[3], SURFACE, shade)
+    if shape.name:
+        picture.robot.reshape(-1)[flat] = True
 
 
 def _shade(normal: Array, light: Array, levels: int) -> Array:

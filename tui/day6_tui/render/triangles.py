@@ -100,6 +100,7 @@ def _paint(picture: RenderedPicture, mesh: Triangles, light: Array, levels: int)
             shade[part],
             tint[part],
             mesh.colour[3],
+            is_robot=bool(mesh.name),
         )
         begin = end
 
@@ -111,6 +112,8 @@ def _fill(
     shade: Array,
     tint: Array,
     alpha: float,
+    *,
+    is_robot: bool,
 ) -> None:
     left, top, columns, areas = box
     which = np.repeat(np.arange(len(areas)), areas)
@@ -148,3 +151,5 @@ def _fill(
     depth, which = depth[first], which[first]
     light = shade[which]
     picture.put(flat, depth, tint[which] * light[:, None], alpha, SURFACE, light)
+    if is_robot:
+        picture.robot.reshape(-1)[flat] = True

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
+
+import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Scene
 from day6_core.ros.programs.rviz2.model.selection import corners_of
@@ -64,19 +66,15 @@ class _Span(NamedTuple):
         return max(abs(self.x) + self.across, abs(self.y) + self.along)
 
 
-def _span(camera: Camera, points: Iterable[Vector], aspect: float) -> _Span | None:
+def _span(camera: Camera, points: Sequence[Vector], aspect: float) -> _Span | None:
     """What points cover of a picture `aspect` times as wide as high; None if one is not before the camera."""
-    places: list[tuple[float, float]] = []
-    for point in points:
-        away = [a - b for a, b in zip(point, camera.position, strict=True)]
-        x, y, depth = (
-            sum(a * b for a, b in zip(away, axis, strict=True)) for axis in (camera.right, camera.up, camera.forward)
-        )
-        if depth <= camera.near:
-            return None
-        half = camera.metres / 2 if camera.metres is not None else depth * math.tan(FIELD_OF_VIEW / 2)
-        places.append((x / half / aspect, y / half))
-    (left, right), (low, high) = ((min(each), max(each)) for each in zip(*places, strict=True))
+    away = np.asarray(points, np.float64) - np.array(camera.position)
+    x, y, depth = np.array([camera.right, camera.up, camera.forward]) @ away.T
+    if depth.min() <= camera.near:
+        return None
+    half = depth * math.tan(FIELD_OF_VIEW / 2) if camera.metres is None else np.full(len(depth), camera.metres / 2)
+    across, along = x / half / aspect, y / half
+    left, right, low, high = (float(each) for each in (across.min(), across.max(), along.min(), along.max()))
     return _Span((left + right) / 2, (low + high) / 2, (right - left) / 2, (high - low) / 2)
 
 
@@ -90,14 +88,28 @@ def is_speck(camera: Camera, points: Sequence[Vector], aspect: float) -> bool:
 
 def frame(view: View, points: Sequence[Vector], aspect: float) -> None:
     """Let what lies between points fill a picture that is `aspect` times as wide as high, seen from the same direction."""
-    centre, radius = ball(points)
+    middle, radius = ball(points)
     is_point = radius <= POINT
     radius = safe = (ROOM if is_point else radius) / min(1.0, max(0.2, aspect))
-    view.look_at(centre, safe)
+    centre = middle
+    view.look_at(centre, radius)
     for _ in range(0 if is_point else ROUNDS):
-        span = _span(view.camera(), points, aspect)
+        camera = view.camera()
+        span = _span(camera, points, aspect)
         if span is None:  # it came too near
-            view.look_at(centre, safe)
+            view.look_at(middle, safe)
             return
+        centre = _moved(camera, centre, span.x * aspect * CAUTION, span.y * CAUTION)
         radius *= max(0.5, min(2.0, (span.farthest / FILL) ** CAUTION))
         view.look_at(centre, radius)
+
+
+def _moved(camera: Camera, centre: Vector, across: float, along: float) -> Vector:
+    """A point moved to the right and up, in halves of the picture's height: what is near reaches farther from its middle."""
+    depth = sum((a - b) * c for a, b, c in zip(centre, camera.position, camera.forward, strict=True))
+    half = depth * math.tan(FIELD_OF_VIEW / 2) if camera.metres is None else camera.metres / 2
+    x, y, z = (
+        place + half * (right * across + up * along)
+        for place, right, up in zip(centre, camera.right, camera.up, strict=True)
+    )
+    return x, y, z

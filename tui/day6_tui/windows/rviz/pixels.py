@@ -13,6 +13,7 @@ from day6_tui.appearance.look import Look
 from day6_tui.panes.canvas import Span
 from day6_tui.pixels.pictures import Pictures
 from day6_tui.pixels.sheet import Sheet, Text
+from day6_tui.render.cells import cells_covered, chip_of
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.painter import QUALITIES, paint
 from day6_tui.render.picture import Array, RenderedPicture
@@ -103,13 +104,16 @@ class PixelView:
 
     def _put_labels(self, picture: RenderedPicture) -> list[Span]:
         red, green, blue = picture.background
-        ground = red << 16 | green << 8 | blue
+        ground, chip = red << 16 | green << 8 | blue, chip_of(picture.background)
         texts: list[Text] = []
         if self.cursor is not None:
             texts.append((*self.cursor, "╋", pixel_style(CURSOR, ground)))
-        wanted = [(x / self.cell[0], y / self.cell[1], text) for x, y, text, _ in picture.labels]
-        for pieces, (_, _, _, colour) in zip(self._places.place(wanted, *self._size), picture.labels, strict=True):
-            style = pixel_style(colour[0] << 16 | colour[1] << 8 | colour[2], ground)
+        across, down = self.cell
+        wanted = [text._replace(x=text.x / across, y=text.y / down) for text in picture.labels]
+        robot = cells_covered(picture.robot, across, down)
+        for pieces, text in zip(self._places.place(wanted, *self._size, robot), wanted, strict=True):
+            red, green, blue = text.colour
+            style = pixel_style(red << 16 | green << 8 | blue, chip if text.is_name else ground)
             texts += [(*piece, style) for piece in pieces]
         return self.sheet.put(texts)
 

@@ -49,7 +49,7 @@ from day6_tui.windows.rviz.tree import PropertyTree
 from day6_tui.windows.rviz.view import View3D
 from day6_tui.windows.rviz.view_mouse import ViewMouse
 
-LOWEST_WITH_PROBLEMS = 8
+LOWEST_WITH_PROBLEMS = 12
 """Rows inside a window that has a line for a problem; in a lower one it takes that of the description."""
 
 

@@ -13,12 +13,12 @@ from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.scene import Shape
 from day6_core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.appearance.look import Look
-from day6_tui.panes.canvas import PIXELS_PER_CELL, Span
-from day6_tui.render.cells import Cells, cells_of, pixel_aspect
+from day6_tui.panes.canvas import Span
+from day6_tui.render.cells import MIXED, Cells, cells_of, pixel_aspect, pixels_per_cell
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.painter import QUALITIES, paint
 from day6_tui.render.picking import Screen, point_at
-from day6_tui.render.picture import Array
+from day6_tui.render.picture import Array, PictureText
 
 if TYPE_CHECKING:
     from day6_tui.pixels.pictures import Pictures
@@ -34,6 +34,9 @@ SHARE = 0.2
 """The share of time that painting may take: a slow machine paints less often."""
 
 SLOWEST_SECONDS = 1.0
+
+NARROW, LOW = 60, 15
+"""Columns, and rows, below which lines are drawn as finely as characters can."""
 
 FOCUS_SECONDS = 0.6
 """How long a key shows the focal point."""
@@ -171,18 +174,25 @@ class View3D:
 
     def _paint(self) -> Cells:
         began = time.thread_time()
-        mode, quality = self._look.glyphs.canvas, QUALITIES[self._rviz.quality.value]
-        across, down = PIXELS_PER_CELL[mode]
+        mode, quality = self._mode, QUALITIES[self._rviz.quality.value]
+        across, down = pixels_per_cell(mode)
         camera = self._rviz.view.camera()
         width, height = self.columns * across, self.rows * down
         picture = paint(self._rviz.scene.beside(self.focus), camera, width, height, pixel_aspect(mode), quality)
         if self.cursor is not None:
             x, y = (self.cursor[0] + 0.5) * across, (self.cursor[1] + 0.5) * down
-            picture.labels.insert(0, (x, y, self._cross, CURSOR))
+            picture.labels.insert(0, PictureText(x, y, self._cross, CURSOR))
         colourless = self._look.colours.colourless
         cells = cells_of(picture, mode, quality.step, colourless=colourless, places=self._places)
         self._cost = 0.7 * self._cost + 0.3 * (time.thread_time() - began)
         return cells
+
+    @property
+    def _mode(self) -> str:
+        """How pixels become cells."""
+        canvas = self._look.glyphs.canvas
+        is_small = self.columns < NARROW or self.rows < LOW
+        return MIXED if is_small and canvas == "half" else canvas
 
     @property
     def _cross(self) -> str:

@@ -121,6 +121,8 @@ class Label:
     text: str
     position: Vector
     colour: Colour
+    is_name: bool = False
+    """Whether it only names what is there: it should not cover that."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -178,7 +178,7 @@ class TFDisplay(Display):
             if self.axes.value:
                 scene.axes(frame.pose, AXIS_LENGTH * scale, AXIS_RADIUS * scale, alpha, grey)
             if self.names.value:
-                scene.labels.append(Label(frame.name, frame.pose.xyz, (1.0, 1.0, 1.0, alpha)))
+                scene.labels.append(Label(frame.name, frame.pose.xyz, (1.0, 1.0, 1.0, alpha), is_name=True))
             parent = self.rviz.frames.pose(frame.parent.value) if frame.parent.value else None
             if self.arrows.value and parent is not None:
                 _draw_arrow(scene, frame.pose, parent, scale, grey, alpha)
