@@ -16,10 +16,10 @@ from day6_urdf.model import Vector
 SMALL = 0.25
 """What takes less than this part of the picture's width and of its height is a speck."""
 
-FILL = 0.9
-"""The part of the picture that is filled by what is looked at."""
+FILL, TOLERANCE = 0.9, 0.03
+"""The part of the picture that is filled by what is looked at, and how much more it may be."""
 
-ROUNDS, CAUTION = 12, 0.6
+ROUNDS, CAUTION = 16, 0.6
 """Steps in which the camera comes to where it fills so much, each somewhat shorter than what seems to be missing: what is near
 grows faster than the way to it shrinks."""
 
@@ -88,20 +88,23 @@ def is_speck(camera: Camera, points: Sequence[Vector], aspect: float) -> bool:
 
 def frame(view: View, points: Sequence[Vector], aspect: float) -> None:
     """Let what lies between points fill a picture that is `aspect` times as wide as high, seen from the same direction."""
-    middle, radius = ball(points)
+    centre, radius = ball(points)
     is_point = radius <= POINT
-    radius = safe = (ROOM if is_point else radius) / min(1.0, max(0.2, aspect))
-    centre = middle
-    view.look_at(centre, radius)
+    radius = (ROOM if is_point else radius) / min(1.0, max(0.2, aspect))
+    best, fills = (centre, radius), 0.0
+    view.look_at(*best)
     for _ in range(0 if is_point else ROUNDS):
         camera = view.camera()
         span = _span(camera, points, aspect)
         if span is None:  # it came too near
-            view.look_at(middle, safe)
-            return
-        centre = _moved(camera, centre, span.x * aspect * CAUTION, span.y * CAUTION)
-        radius *= max(0.5, min(2.0, (span.farthest / FILL) ** CAUTION))
+            radius *= 2
+        else:
+            if fills < span.farthest <= FILL + TOLERANCE:
+                best, fills = (centre, radius), span.farthest
+            centre = _moved(camera, centre, span.x * aspect * CAUTION, span.y * CAUTION)
+            radius *= max(0.5, min(2.0, (span.farthest / FILL) ** CAUTION))
         view.look_at(centre, radius)
+    view.look_at(*best)
 
 
 def _moved(camera: Camera, centre: Vector, across: float, along: float) -> Vector:
