@@ -252,6 +252,30 @@ def test_who_opens_the_panel_by_hand_keeps_it(machine: RVizMachine, size: tuple[
     run(walk())
 
 
+@pytest.mark.parametrize("size", [*NARROW, (78, 11)])
+def test_when_the_wheels_start_the_car_is_on_the_screen_and_they_turn(
+    machine: RVizMachine, size: tuple[int, int]
+) -> None:
+    from sensor_msgs.msg import JointState
+
+    async def walk() -> None:
+        async with walking(machine, *in_pane(size)) as at:
+            await with_the_car(at, machine)
+            pictures = set()
+            for step in range(6):
+                message = JointState(name=["left_wheel_joint", "right_wheel_joint"], position=[0.4 * step] * 2)
+                message.header.stamp = machine.stamp()
+                machine.publish("/joint_states", message)
+                await at.until(lambda: at.pane.view._painted[:1] == (machine.rviz.version,))
+                cells = at.pane.view.cells
+                pictures.add((cells.front.tobytes(), cells.back.tobytes(), cells.chars.tobytes()))
+                assert is_whole(at) and max(blue_part(at)) > 0.5
+            assert len(pictures) > 3
+            assert "▲" not in at.screen() and at.pane.panel_open is (size[0] > 72)
+
+    run(walk())
+
+
 def test_a_value_being_typed_is_not_taken_away(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine, *in_pane((58, 20))) as at:
