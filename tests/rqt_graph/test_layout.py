@@ -113,23 +113,36 @@ def test_a_window_too_narrow_gets_shorter_labels() -> None:
     assert any(route.edge.label == "/turtle1/…/feedback" for route in narrow.routes)
 
 
-def test_where_topics_have_no_room_between_two_boxes_they_stand_above_and_below_the_line() -> None:
+def test_where_a_picture_has_no_room_every_edge_is_a_line_with_its_topic_from_start_to_end() -> None:
     boxes, edges = LESSON
-    assert text(fitted(boxes, [*edges, BACK], 42, 5)) == [
-        "            /turtle1/cmd_vel",
-        "( /teleop_turtle )◀──▶( /turtlesim )",
-        "           /turtle1/…/feedback",
+    assert text(fitted(boxes, edges, 52, 3)) == ["/teleop_turtle ───/turtle1/cmd_vel──▶ /turtlesim"]
+    more = [*edges, BACK, Edge("/turtlesim", "/follower", "/turtle1/pose", "/turtle1/pose")]
+    boxes = [*boxes, Box("/follower", ("/follower",), "node"), Box("/alone", ("/alone",), "node")]
+    assert text(fitted(boxes, more, 70, 4)) == [
+        "/teleop_turtle ───/turtle1/cmd_vel─────▶ /turtlesim",
+        "/turtlesim ─────┬─/turtle1/…/feedback──▶ /teleop_turtle",
+        "                └─/turtle1/pose────────▶ /follower",
+        "/alone",
     ]
-    third = Box("/a", ("/a",), "node")
-    chain = fitted([third, *boxes], [Edge("/a", "/teleop_turtle", "/a/long/name", "l"), *edges], 50, 3)
-    assert text(chain)[0].split() == ["/a/long/name", "/turtle1/cmd_vel"] and chain.width <= 50
-    # What skips a box has no line of its own there: no names rather than wrong ones.
-    skipping = fitted([third, *boxes], [Edge("/a", "/turtlesim", "/far", "f"), *edges, *chain_edges(boxes)], 30, 5)
-    assert not any(route.edge.label for route in skipping.routes)
+    assert text(fitted(boxes, more, 42, 9)) == [
+        "/teleop_turtle",
+        " └─/turtle1/cmd_vel─────▶ /turtlesim",
+        "/turtlesim",
+        " ├─/turtle1/…/feedback──▶ /teleop_turtle",
+        " └─/turtle1/pose────────▶ /follower",
+        "/alone",
+    ]
+    assert "".join(text(fitted(boxes, more, 42, 9, ellipsis="~"), ASCII)).isascii()
 
 
-def chain_edges(boxes: list[Box]) -> list[Edge]:
-    return [Edge("/a", boxes[0].key, "/near", "n")]
+def test_lines_that_are_too_many_for_the_window_go_on_below_it_and_keep_their_names() -> None:
+    boxes = [Box(f"/n{number}", (f"/node_{number}",), "node") for number in range(20)]
+    edges = [
+        Edge(f"/n{a}", f"/n{b}", f"/from_{a}_to_{b}", f"t{a}{b}") for a in range(20) for b in (a + 1, a + 7) if b < 20
+    ]
+    picture = fitted(boxes, edges, 42, 12)
+    assert picture.width <= 42 and picture.height > 12
+    assert all(route.edge.label in "\n".join(text(picture)) for route in picture.routes)
 
 
 def test_an_overview_takes_its_room_from_the_edges_and_keeps_boxes_names_and_arrows() -> None:
@@ -153,10 +166,24 @@ def test_long_names_of_topics_drawn_as_boxes_are_shortened_before_the_boxes_beco
 
 @pytest.mark.parametrize(
     ("longest", "short"),
-    [(50, FEEDBACK), (28, "/turtle1/…/_action/feedback"), (20, "/turtle1/…/feedback"), (10, "…/feedback")],
+    [
+        (50, FEEDBACK),
+        (28, "/turtle1/…/_action/feedback"),
+        (20, "/turtle1/…/feedback"),
+        (16, "/turtl…/feedback"),
+        (10, "…/feedback"),
+        (6, "/tu…ck"),
+        (1, "…"),
+    ],
 )
 def test_a_label_keeps_its_first_and_last_parts(longest: int, short: str) -> None:
     assert elide(FEEDBACK, longest, "…") == short
+
+
+def test_names_that_differ_at_one_end_differ_when_they_are_short() -> None:
+    names = ["/joint_state_publisher", "/robot_state_publisher", "/robot_state_listener", "/机器人的关节状态发布节点"]
+    short = [elide(name, 16, "…") for name in names]
+    assert len(set(short)) == 4 and all(measure(each) <= 16 for each in short)
 
 
 def test_a_pulse_runs_from_start_to_end() -> None:
@@ -169,6 +196,20 @@ def test_a_pulse_runs_from_start_to_end() -> None:
         row = canvas.text[1]
         places.append(row.index("●"))
     assert places == sorted(set(places))
+
+
+def test_a_pulse_never_stands_on_a_letter() -> None:
+    boxes, edges = LESSON
+    for picture in (fitted(boxes, [*edges, BACK], 100, 20), fitted(boxes, [*edges, BACK], 42, 9)):
+        plain = text(picture)
+        for route in picture.routes:
+            for step in range(100):
+                canvas = draw(picture, UNICODE)
+                draw_pulse(canvas, route, step / 100, UNICODE)
+                shown = ["".join(run for run, _ in row).rstrip() for row in canvas.rows()]
+                for before, after in zip(plain, shown, strict=True):
+                    changed = [old for old, new in zip(before, after, strict=True) if old != new]
+                    assert all(old in UNICODE.drawn for old in changed), (before, after)
 
 
 def test_an_empty_graph_is_an_empty_picture() -> None:

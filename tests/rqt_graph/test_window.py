@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from rich.cells import cell_len
 from textual import events
 
 from day6_core.graph import Graph
@@ -210,32 +211,123 @@ def test_the_keys_that_save_and_open_are_those_of_the_other_windows(key: str, ti
     use(LESSON, act)
 
 
-def test_boxes_keep_their_frames_and_names_where_there_is_room_though_none_for_the_names_of_topics() -> None:
-    names = ["/talker_of_the_robot", "/listener", "/simulator", "/broadcaster1", "/broadcaster2"]
-    talker, listener, simulator, *broadcasters = names
+ROBOT = GraphContent(
+    {
+        "/joint_states": ("/joint_state_publisher",),
+        "/tf": ("/robot_state_publisher", "/odometry"),
+        "/scan": ("/lidar",),
+        "/cmd_vel": ("/navigator",),
+        "/odom": ("/odometry",),
+        "/map": ("/mapper",),
+    },
+    {
+        "/joint_states": ("/robot_state_publisher",),
+        "/tf": ("/mapper", "/navigator"),
+        "/scan": ("/mapper", "/navigator"),
+        "/cmd_vel": ("/base_driver",),
+        "/odom": ("/navigator",),
+        "/map": ("/navigator",),
+    },
+)
+"""Seven nodes, and topics that several of them share."""
+
+TURTLES = GraphContent(
+    {"/turtle1/cmd_vel": ("/teleop_turtle",), "/turtle1/pose": ("/turtlesim",)},
+    {"/turtle1/cmd_vel": ("/turtlesim",), "/turtle1/pose": ("/follower",)},
+)
+
+
+@pytest.mark.parametrize(
+    ("facts", "size"),
+    [(TURTLES, (40, 24)), (TURTLES, (40, 15)), (TURTLES, (80, 10)), (ROBOT, (80, 24)), (ROBOT, (120, 40))],
+)
+@pytest.mark.parametrize("glyphs", ["half", "cell", "ascii"])
+def test_in_a_small_window_every_topic_has_its_name_and_its_direction(
+    facts: GraphContent, size: tuple[int, int], glyphs: str
+) -> None:
+    async def act(window: _Window) -> None:
+        assert all(node in window.text for node in facts.nodes), window.text
+        arrows = window.pane._glyphs.right + window.pane._glyphs.left
+        for route in window.pane._picture.routes:
+            y = route.label_at[1]
+            row = "".join(text for text, _ in window.pane._rows[y - window.pane._view.y])
+            assert route.edge.key in row and any(arrow in row for arrow in arrows), row
+
+    use(facts, act, size, glyphs=glyphs)
+
+
+def test_an_end_of_a_line_is_the_node_wherever_its_name_stands() -> None:
+    async def act(window: _Window) -> None:
+        lines = screen_lines(window.app)
+        y = next(y for y, line in enumerate(lines) if "/scan" in line and "/navigator" in line)
+        await window.pilot.click(offset=(lines[y].index("/navigator") + 1, y))
+        await step(window.app, window.pilot)
+        assert "/navigator: 5 arrows in, 1 out" in window.text
+        seen = set()
+        for _ in range(7):
+            await window.press("j")
+            seen.add(window.pane._chosen)
+        assert seen == set(ROBOT.nodes)
+
+    use(ROBOT, act)
+
+
+def test_where_the_controls_have_no_room_the_key_that_shows_what_is_hidden_is_told() -> None:
+    facts = GraphContent({**TURTLES.publishers, "/turtle1/color_sensor": ("/turtlesim",)}, TURTLES.subscribers)
+
+    async def small(window: _Window) -> None:
+        assert "[x]" not in window.text and "s shows what is hidden (1)" in window.text
+        await window.press("s")
+        assert "l shows what is hidden (1)" in window.text
+        await window.press("l")
+        assert "nothing is hidden" in window.text
+
+    async def in_chinese(window: _Window) -> None:
+        assert "按 s 显示" in window.text
+
+    async def tall(window: _Window) -> None:
+        assert "[x] Dead sinks" in window.text and "shows what" not in window.text
+
+    use(facts, small, (80, 14))
+    use(facts, small, (40, 24))
+    use(facts, in_chinese, (80, 14), lang="zh")
+    use(facts, tall, (80, 24))
+
+
+@pytest.mark.parametrize("size", [(20, 9), (40, 12), (80, 24), (120, 40)])
+@pytest.mark.parametrize("glyphs", ["half", "ascii"])
+def test_fifty_nodes_with_names_of_any_length_are_drawn(size: tuple[int, int], glyphs: str) -> None:
+    names = [(f"/n{n}_{'x' * 200}", f"/节点_{n}_很长的名字", f"/n{n}")[n % 3] for n in range(50)]
     facts = GraphContent(
-        {
-            "/chatter": (talker,),
-            "/tf": tuple(broadcasters),
-            "/turtle2/cmd_vel": (listener,),
-            **{f"/turtle{n}/pose": (simulator,) for n in (1, 2)},
-        },
-        {
-            "/chatter": (listener,),
-            "/tf": (listener,),
-            "/turtle2/cmd_vel": (simulator,),
-            **{f"/turtle{n + 1}/pose": (each,) for n, each in enumerate(broadcasters)},
-        },
+        {f"/话题/{n}/{'t' * (n % 3) * 90}": (names[n % 50],) for n in range(100)},
+        {f"/话题/{n}/{'t' * (n % 3) * 90}": (names[(n * 7 + 3) % 50],) for n in range(100)},
     )
 
     async def act(window: _Window) -> None:
-        assert all(f"│ {name} │" in window.text for name in names)
+        for key in ("down", "plus", "minus", "v", "t", "t", "t", "j", "k", "s", "n"):
+            await window.press(key)
+            assert all(cell_len(line) <= size[0] for line in screen_lines(window.app)), window.text
+        assert type(window.pane).__name__ == "RqtGraphPane" and not window.pane._failed
 
-    async def with_topics(window: _Window) -> None:
-        assert "/chatter" in window.text and "/tf" in window.text
+    use(facts, act, size, glyphs=glyphs)
 
-    use(facts, act, (100, 30))
-    use(facts, with_topics, (120, 40))
+
+def test_messages_run_along_the_lines_and_leave_every_letter() -> None:
+    async def act(window: _Window) -> None:
+        counts = {"/turtle1/cmd_vel": 0, "/turtle1/pose": 0}
+        window.model.activity = lambda: dict(counts)
+        seen, now = set(), 1e9  # later than any frame that was drawn so far
+        for beat in range(40):
+            counts.update(dict.fromkeys(counts, beat))
+            now += 0.1
+            window.pane.pull(now)
+            await window.pilot.pause()
+            rows = screen_lines(window.app)
+            seen |= {(y, x) for y, row in enumerate(rows) for x, char in enumerate(row) if char == "●"}
+            assert all(name in window.text for name in (*counts, *TURTLES.nodes)), window.text
+        assert len({y for y, _ in seen}) >= 2 and len(seen) > 6
+
+    use(TURTLES, act, (40, 24))
 
 
 @pytest.mark.parametrize("size", [(80, 24), (120, 40)])

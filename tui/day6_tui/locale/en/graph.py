@@ -4,6 +4,7 @@ TEXTS = {
     "rqt.hidden": "{count} hidden: {reasons}",
     "rqt.hides": "{option} hides {names}",
     "rqt.hides_some": "{option} {count}",
+    "rqt.shown_by": "{keys} shows what is hidden ({count})",
     "rqt.separator": "; ",
     "rqt.nothing_hidden": "nothing is hidden",
     "rqt.empty": "No node is publishing or subscribing.",

@@ -4,6 +4,7 @@ TEXTS = {
     "rqt.hidden": "藏起了 {count} 个：{reasons}",
     "rqt.hides": "{option} 藏起 {names}",
     "rqt.hides_some": "{option} {count} 个",
+    "rqt.shown_by": "按 {keys} 显示隐藏的 {count} 个",
     "rqt.separator": "；",
     "rqt.nothing_hidden": "没有藏起任何东西",
     "rqt.empty": "现在没有节点在发布或订阅。",

@@ -42,6 +42,15 @@ NAMESPACES = Switch("n", "namespaces", "Namespaces")
 SWITCHES = {switch.key: switch for switch in (*HIDE, *GROUP, *VIEW)}
 
 
+FILTERS = {"node filter": "/", "topic filter": ":"}
+"""What hides, but is no check box, and the key that asks for it."""
+
+
+def key_of(option: str) -> str:
+    """The key of what hides, by the label that stands in `Hidden`; '' for none."""
+    return next((switch.key for switch in HIDE if switch.label == option), FILTERS.get(option, ""))
+
+
 def switched(options: GraphOptions, key: str) -> GraphOptions:
     """Return the options after a key of SWITCHES, `t` (next type) or `n` (namespace boxes one deeper)."""
     if key == "t":

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from rich.style import Style
 
-from day6_core.ros.programs.rqt_graph.model.drawing import Highlight, measure
+from day6_core.ros.programs.rqt_graph.model.drawing import Highlight, is_framed, measure
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, LaidOutGraph, Rect, Route
 from day6_tui.appearance.colours import background_of, foreground_of
 from day6_tui.pixels.bands import Array
@@ -54,7 +54,8 @@ class GraphPicture:
                 surface.disc(*self._along(route, part), PULSE_RADIUS, self._colour("pulse"))
         for box, rect in picture.boxes.values():
             colour = self._colour(_style_name(box, marked, highlight))
-            self._box(surface, rect, colour, rounded=box.shape == "node")
+            if rect.height > 1 or is_framed(box, rect):
+                self._box(surface, rect, colour, rounded=box.shape == "node")
         return surface.pixels()
 
     def texts(self, picture: LaidOutGraph, warnings: Iterable[str], highlight: Highlight | None) -> list[Text]:
@@ -64,7 +65,7 @@ class GraphPicture:
             style = self._style_of(_style_name(box, marked, highlight))
             first = rect.y if rect.height == 1 else rect.y + 1 + (rect.height - 2 - len(box.lines)) // 2
             for number, line in enumerate(box.lines[: max(1, rect.height - 2)]):
-                column = rect.x + 2 if rect.height == 1 else rect.x + (rect.width - measure(line)) // 2
+                column = rect.x + (rect.width - measure(line)) // 2
                 found.append((column, first + number, line, style))
         for route in picture.routes:
             if route.label_at is not None:

@@ -35,13 +35,26 @@ from day6_tui.panes.pane import Piece
 from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
 from day6_tui.windows import WindowPane
-from day6_tui.windows.graph.options import GROUP, HIDE, NAMESPACES, SWITCHES, VIEW, Switch, switched, text_of
+from day6_tui.windows.graph.options import (
+    GROUP,
+    HIDE,
+    NAMESPACES,
+    SWITCHES,
+    VIEW,
+    Switch,
+    key_of,
+    switched,
+    text_of,
+)
 from day6_tui.windows.graph.view import Viewport
 from day6_tui.windows.parts.buttons import Button, button_line, in_lines
 
 if TYPE_CHECKING:
     from day6_tui.pixels.pictures import Pictures
     from day6_tui.windows.graph.pixels import GraphPicture
+
+TALL = 12
+"""Lines from which on there is room for the controls below the picture."""
 
 PULSE_SECONDS = 1.2
 """How long a pulse takes along an edge."""
@@ -113,14 +126,22 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             return [Piece(f" {self.look.texts('rqt.loaded', name=self.graph.loaded)} ", self.look.colours.muted)]
         if self._chosen:
             return [Piece(f" {self._about_chosen()} ", self.look.colours.text)]
-        hidden = self.graph.content.hidden
-        count = sum(len(each.names) for each in hidden)
+        count = sum(len(each.names) for each in self.graph.content.hidden)
         if not count:
             return [Piece(f" {self.look.texts('rqt.nothing_hidden')} ", self.look.colours.muted)]
+        if not self._switch_rows():
+            return [self._told_keys(count)]
         text = self._told_hidden(count, "rqt.hides")
         if cell_len(text) + 2 > self.inner_width:  # not all names can be told: rather how many each box hides
             text = self._told_hidden(count, "rqt.hides_some")
         return [Piece(f" {text} ", self.look.colours.muted)]
+
+    def _told_keys(self, count: int) -> Piece:
+        """Where the controls have no room: how much is hidden, and the keys that show it; a click is the first of them."""
+        keys = [key for each in self.graph.content.hidden if (key := key_of(each.option))]
+        text = self.look.texts("rqt.shown_by", count=count, keys="/".join(keys))
+        first = partial(self._switch, keys[0]) if keys and keys[0] in SWITCHES else None
+        return Piece(f" {text} ", self.look.colours.muted, first)
 
     def _told_hidden(self, count: int, each_told: str) -> str:
         texts = self.look.texts
@@ -312,18 +333,23 @@ class RqtGraphPane(WindowPane[RqtGraph]):
 
     def _switch_rows(self) -> int:
         """Lines for the check boxes: those that hide and, if there is room, those that group."""
-        return len(self._switch_lines(self.inner_width))
+        return len(self._switch_lines(self.inner_width)) or bool(self.graph.content.trouble)
+
+    @property
+    def _is_tall(self) -> bool:
+        return self.inner_height >= TALL
 
     def _switch_lines(self, width: int) -> list[list[Segment | Button]]:
-        """The check boxes as they flow into lines, at most a fifth of the window."""
+        """The check boxes as they flow into lines, at most a fifth of the window; none where those that hide need more."""
         texts, most = self.look.texts, max(1, self.inner_height // 5)
-        state = (self.graph.options, width, most, texts.language)
+        state = (self.graph.options, width, most, self._is_tall, texts.language)
         if state == self._controls_for:
             return self._controls
         lines = self._flowing("rqt.hide", HIDE, width)
         more = self._flowing("rqt.group", (NAMESPACES, *GROUP, *VIEW), width)
         self._controls_for = state
-        self._controls = [*lines, *more] if len(lines) + len(more) <= most else lines[:most]
+        all_fit = len(lines) + len(more) <= most
+        self._controls = [*lines, *more] if all_fit else lines if len(lines) <= most and self._is_tall else []
         return self._controls
 
     def _flowing(self, head: str, switches: Sequence[Switch], width: int) -> list[list[Segment | Button]]:
@@ -396,9 +422,9 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             super().on_click(event)
             return
         x, y = event.x - 1 + self._view.x, event.y - 1 + self._view.y
-        for key, (_, rect) in self._picture.boxes.items():
+        for box, rect in self._picture.boxes.values():
             if rect.x <= x < rect.x + rect.width and rect.y <= y < rect.y + rect.height:
-                self._choose("" if key == self._chosen else key)
+                self._choose("" if box.key == self._chosen else box.key)
                 return
         self._choose("")
 
@@ -407,9 +433,8 @@ class RqtGraphPane(WindowPane[RqtGraph]):
 
     def _choose_next(self, step: int) -> None:
         """Choose the next box: column by column, from above."""
-        places = sorted(
-            self._picture.boxes, key=lambda key: (lambda rect: (rect.x, rect.y))(self._picture.boxes[key][1])
-        )
+        boxes = sorted(self._picture.boxes.values(), key=lambda placed: (placed[1].x, placed[1].y))
+        places = list(dict.fromkeys(box.key for box, _ in boxes))
         if places:
             at = places.index(self._chosen) + step if self._chosen in places else (0 if step > 0 else -1)
             self._choose(places[at % len(places)])

@@ -37,6 +37,11 @@ class Glyphs:
     pulse: str
 
     @property
+    def drawn(self) -> str:
+        """All of them that edges are drawn with."""
+        return self.lines[1:] + self.right + self.left + self.up + self.down
+
+    @property
     def across(self) -> str:
         """A horizontal line."""
         return self.lines[_EAST | _WEST]
@@ -172,11 +177,25 @@ class Highlight:
 
 
 def draw_pulse(canvas: CellCanvas, route: Route, progress: float, glyphs: Glyphs) -> None:
-    """Put a pulse on an edge; `progress` runs from 0 (start) to 1 (end)."""
-    if route.cells:
-        x, y = route.cells[min(int(progress * len(route.cells)), len(route.cells) - 1)]
-        if canvas.shows(x, y) and canvas.text[y - canvas.top][x - canvas.left]:
+    """Put a pulse on an edge; `progress` runs from 0 (start) to 1 (end). It goes on behind what is written."""
+    cells = [cell for cell in route.cells if not _is_written(route, cell)]
+    if cells:
+        x, y = cells[min(int(progress * len(cells)), len(cells) - 1)]
+        if canvas.shows(x, y) and canvas.text[y - canvas.top][x - canvas.left] in glyphs.drawn:
             canvas.put(x, y, glyphs.pulse, "pulse")
+
+
+def _is_written(route: Route, cell: Cell) -> bool:
+    """Whether a cell of an edge is one of its label's."""
+    if route.label_at is None:
+        return False
+    x, y = route.label_at
+    return cell[1] == y and x <= cell[0] < x + measure(route.edge.label)
+
+
+def is_framed(box: Box, rect: Rect) -> bool:
+    """Whether a box of one row has something around its name."""
+    return measure(box.lines[0]) + 4 <= rect.width
 
 
 def _draw_frame(canvas: CellCanvas, name: str, rect: Rect, glyphs: Glyphs) -> None:
@@ -221,8 +240,7 @@ def _draw_box(canvas: CellCanvas, box: Box, rect: Rect, glyphs: Glyphs, style: s
     x, y, width, height = rect.x, rect.y, rect.width, rect.height
     if height == 1:
         left, right = ("( ", " )") if round_shape else ("[ ", " ]")
-        framed = measure(box.lines[0]) + 4 <= width
-        canvas.put(x, y, f"{left}{box.lines[0]}{right}" if framed else box.lines[0], style)
+        canvas.put(x, y, f"{left}{box.lines[0]}{right}" if is_framed(box, rect) else box.lines[0], style)
         return
     corners = glyphs.round_corners if round_shape else glyphs.square_corners
     slanted = round_shape and glyphs.slanted

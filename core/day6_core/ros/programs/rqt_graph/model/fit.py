@@ -4,47 +4,67 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from enum import Enum
+from functools import cached_property
 from itertools import groupby
 from typing import NamedTuple
 
 from day6_core.elide import elide
 from day6_core.ros.programs.rqt_graph.model.drawing import measure
 from day6_core.ros.programs.rqt_graph.model.layout import layout
+from day6_core.ros.programs.rqt_graph.model.lines import as_lines, flow
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, Edge, LaidOutGraph, Rect, Route
 
 
-class Form(NamedTuple):
-    """How a graph is drawn: boxes with a frame above and below or on one line, the longest topic and node name (0: any)."""
+class Shape(Enum):
+    """What a graph is drawn as."""
 
-    roomy: bool
+    ROOMY = "boxes with a frame above and below"
+    FLAT = "boxes of one line"
+    BESIDE = "lines, the edges beside the node that they leave"
+    BELOW = "lines, the edges below it"
+
+
+class Form(NamedTuple):
+    """How a graph is drawn: its shape, the longest topic and node name (0: any), and whether topics are named at all."""
+
+    shape: Shape
     topic: int = 0
     node: int = 0
     labels: bool = True
-    stacked: bool = False
-    """Topics above and below the line instead of in it, where all boxes stand in one row; else as the next form."""
+
+    @property
+    def lines(self) -> bool:
+        """Whether each edge has a row of its own."""
+        return self.shape in (Shape.BESIDE, Shape.BELOW)
 
 
 FORMS = (
-    Form(True),
-    Form(True, 26),
-    Form(True, 26, 26),
-    Form(True, 16, 26),
-    Form(True, 16, 16),
-    Form(True, 11, 16),
-    Form(False),
-    Form(False, 26),
-    Form(False, 26, 26),
-    Form(False, 16, 26),
-    Form(False, 26, 26, stacked=True),
-    Form(False, 11, 16),
-    Form(True, 11, labels=False),
-    Form(True, 11, 26, labels=False),
-    Form(True, 11, 16, labels=False),
-    Form(False, 11, 16, labels=False),
+    Form(Shape.ROOMY),
+    Form(Shape.ROOMY, 26),
+    Form(Shape.ROOMY, 26, 26),
+    Form(Shape.ROOMY, 16, 26),
+    Form(Shape.ROOMY, 16, 16),
+    Form(Shape.FLAT),
+    Form(Shape.FLAT, 26),
+    Form(Shape.FLAT, 26, 26),
+    Form(Shape.FLAT, 16, 26),
+    Form(Shape.BESIDE),
+    Form(Shape.BELOW),
+    Form(Shape.BESIDE, 26, 26),
+    Form(Shape.BELOW, 26, 26),
+    Form(Shape.BESIDE, 16, 16),
+    Form(Shape.BELOW, 16, 16),
+    Form(Shape.BESIDE, 14, 12),
+    Form(Shape.BELOW, 11, 14),
+    Form(Shape.ROOMY, 11, labels=False),
+    Form(Shape.ROOMY, 11, 26, labels=False),
+    Form(Shape.ROOMY, 11, 16, labels=False),
+    Form(Shape.FLAT, 11, 16, labels=False),
 )
-"""From the largest picture to the smallest, as a user zooms out."""
+"""From the largest picture to the smallest, as a user zooms out. What is named in full comes before what is drawn."""
 
-_LEAST_ROOMY = max(form for form, (roomy, *_) in enumerate(FORMS) if roomy)
+_LEAST_ROOMY = max(number for number, form in enumerate(FORMS) if form.shape is Shape.ROOMY)
 
 _LARGE = 60
 """From this many boxes on only the smallest form is tried: no other fits a terminal, and layouts take time."""
@@ -69,22 +89,38 @@ class Forms:
             base = _LEAST_ROOMY if roomy else OVERVIEW - 1
             return overview(self.picture(base, width, height), width, height, self._ellipsis)
         if form not in self._pictures:
-            self._pictures[form] = _formed(self._boxes, self._edges, FORMS[form], self._ellipsis)
+            boxes, edges = _shortened(self._boxes, self._edges, FORMS[form], self._ellipsis)
+            if FORMS[form].lines:
+                below = FORMS[form].shape is Shape.BELOW
+                self._pictures[form] = as_lines(boxes, edges, self._flow, below=below)
+            else:
+                self._pictures[form] = layout(boxes, edges, measure, roomy=FORMS[form].shape is Shape.ROOMY)
         return self._pictures[form]
 
     def best(self, width: int, height: int) -> int:
-        """The first form that fits the window."""
-        for form in range(len(FORMS)) if len(self._boxes) < _LARGE else (OVERVIEW - 1,):
-            if self._fits(form, width, height):
-                return form
-        return OVERVIEW
+        """The first form that fits the window; where none does, lines that are wholly seen across, and go on below."""
+        if len(self._boxes) >= _LARGE:
+            return OVERVIEW - 1 if self._fits(OVERVIEW - 1, width, height) else OVERVIEW
+        forms = [number for number, form in enumerate(FORMS) if not form.lines or self._has_lines]
+        longer = [number for number in forms if FORMS[number].lines and self._size(number, width, height)[0] <= width]
+        return next((number for number in forms if self._fits(number, width, height)), (*longer, OVERVIEW)[0])
+
+    @cached_property
+    def _flow(self) -> dict[str, int]:
+        return flow(self._boxes, self._edges)
+
+    @property
+    def _has_lines(self) -> bool:
+        """Whether it can be drawn as lines: boxes around namespaces need a picture, and without edges there is no line."""
+        return bool(self._edges) and not any(box.cluster for box in self._boxes)
 
     def next(self, form: int, step: int, width: int, height: int) -> int:
         """The next smaller (step 1) or larger (-1) form that looks different; the same one if there is none."""
         last = OVERVIEW - 1 if self._fits(OVERVIEW - 1, width, height) else OVERVIEW
         now = self._size(form, width, height)
         others = range(form + step, last + 1 if step > 0 else -1, step)
-        return next((other for other in others if self._size(other, width, height) != now), form)
+        drawn = (other for other in others if other == OVERVIEW or not FORMS[other].lines or self._has_lines)
+        return next((other for other in drawn if self._size(other, width, height) != now), form)
 
     def _fits(self, form: int, width: int, height: int) -> bool:
         across, down = self._size(form, width, height)
@@ -105,58 +141,16 @@ def fitted(
 
 def unfitted(boxes: Sequence[Box], edges: Sequence[Edge]) -> LaidOutGraph:
     """Lay out a graph with everything in full."""
-    return _formed(boxes, edges, FORMS[0], "")
+    return layout(list(boxes), list(edges), measure)
 
 
-def _formed(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> LaidOutGraph:
-    """Lay out a graph in one form; names that are too long for it are shortened in their middle."""
-    if form.stacked:
-        smaller = FORMS[FORMS.index(form) + 1]
-        return _stacked(boxes, edges, form, ellipsis) or _formed(boxes, edges, smaller, ellipsis)
+def _shortened(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> tuple[list[Box], list[Edge]]:
+    """What a form shows of the names; those that are too long for it lack their middle."""
     if form.node:
         boxes = [replace(box, lines=tuple(elide(line, form.node, ellipsis) for line in box.lines)) for box in boxes]
     if form.topic:
         edges = [replace(edge, label=elide(edge.label, form.topic, ellipsis) * form.labels) for edge in edges]
-    return layout(list(boxes), list(edges), measure, roomy=form.roomy)
-
-
-def _stacked(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> LaidOutGraph | None:
-    """Boxes in one row with short lines between neighbours; what flows to the right stands above the line, the rest below.
-
-    None where the boxes do not stand so.
-    """
-    picture = _formed(boxes, edges, form._replace(stacked=False, labels=False), ellipsis)
-    rects = sorted((rect for _, rect in picture.boxes.values()), key=lambda rect: rect.x)
-    if picture.height != 1 or not picture.routes or picture.clusters:
-        return None
-    before = {key: rects.index(rect) for key, (_, rect) in picture.boxes.items()}
-    names = {(edge.start, edge.end, edge.key): edge.label for edge in edges}
-    taken: dict[int, int] = {}  # row -> the first column that is free
-    placed: list[tuple[Route, int, int]] = []
-    for route in sorted(picture.routes, key=lambda route: min(before[route.edge.start], before[route.edge.end])):
-        edge = route.edge
-        left, right = sorted((before[edge.start], before[edge.end]))
-        if right != left + 1:
-            return None
-        label = elide(names[edge.start, edge.end, edge.key], form.topic, ellipsis)
-        gap = (rects[left].x + rects[left].width + rects[right].x) // 2
-        x, step = max(0, gap - measure(label) // 2), -1 if before[edge.start] == left else 1
-        row = step
-        while taken.get(row, 0) > x:
-            row += step
-        taken[row] = x + measure(label) + 1
-        placed.append((replace(route, edge=replace(edge, label=label)), x, row))
-    down = -min(0, *taken)
-    routes = tuple(
-        replace(route, cells=tuple((x, y + down) for x, y in route.cells), label_at=(label_x, row + down))
-        for route, label_x, row in placed
-    )
-    return LaidOutGraph(
-        max(picture.width, *(end - 1 for end in taken.values())),
-        down + 1 + max(0, *taken),
-        {key: (box, replace(rect, y=rect.y + down)) for key, (box, rect) in picture.boxes.items()},
-        routes,
-    )
+    return list(boxes), list(edges)
 
 
 def overview(picture: LaidOutGraph, width: int, height: int, ellipsis: str = "…") -> LaidOutGraph:
