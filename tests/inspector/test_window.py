@@ -159,3 +159,27 @@ def test_nothing_is_wrong_is_only_said_of_what_was_looked_at() -> None:
         assert "nothing is wrong in what was looked at" in text and "not looked at: the files" in text
 
     use(Model(unseen=("files",)), act)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_a_command_in_a_sentence_is_drawn_as_code_and_not_between_backticks(lang: str) -> None:
+    command = "ros2 run lamp blink **x**"
+    about = finding("not_built", "error", line=command, package="lamp", folder="src/lamp")
+
+    async def act(app: Any, pilot: Any) -> None:
+        text = screen_text(app)
+        assert "`" not in text and command in text, text
+        parts = [part for strip in app.screen._compositor.render_strips() for part in strip]
+        code = app.look.colours.publisher.color
+        assert command in [part.text for part in parts if part.style and part.style.color == code]
+
+    use(Model((SLIP, about)), act, (120, 30), lang=lang)  # the first one has the cursor
+
+
+@pytest.mark.parametrize("quiet", ["drill", "exam"])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_what_it_says_while_it_is_quiet_has_no_backticks_either(quiet: str, lang: str) -> None:
+    async def act(app: Any, pilot: Any) -> None:
+        assert "ros2 topic info" in screen_text(app) and "`" not in screen_text(app)
+
+    use(Model(quiet=quiet), act, (100, 30), lang=lang)

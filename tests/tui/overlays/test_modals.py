@@ -225,6 +225,7 @@ async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk:
             app.screen.action_turn(1)
             await pilot.pause()
             seen.add(screen_lines(app)[1].partition("Help: ")[2].partition(" ━")[0])
+            assert "`" not in screen_text(app), "commands are drawn as code"
         assert seen == {app.look.texts(f"manual.{page}") for page in pages()}
         burst(app, "tab", *"tread", "ctrl+u", *"Randomize")
         await step(app, pilot)
@@ -235,6 +236,12 @@ async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk:
         await pilot.press("enter")
         await step(app, pilot)
         assert app.desktop.overlay is None
+
+
+def test_a_command_in_the_manual_is_code_also_where_it_goes_on_in_the_next_line() -> None:
+    from day6_tui.overlays.manual import page_of
+
+    assert page_of("Type `ros2 topic echo /a` here", 17) == "Type `ros2 topic`  \n`echo /a` here"
 
 
 async def test_the_manual_begins_with_the_keys_of_the_focused_window(desk: FakeDesk) -> None:

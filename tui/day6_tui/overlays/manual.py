@@ -42,6 +42,18 @@ def escaped(text: str) -> str:
     return _PUNCTUATION.sub(r"\\\1", text)
 
 
+def with_code(lines: Iterable[str]) -> list[str]:
+    """Lines as Markdown; what stands between ` stays code, and may go on in the next line."""
+    found, inside = [], False
+    for line in lines:
+        parts = []
+        for number, part in enumerate(line.split("`")):
+            inside = inside != bool(number)
+            parts.append(f"`{part}`" if inside and part else escaped(part))
+        found.append("".join(parts))
+    return found
+
+
 def key_list(keys: Iterable[tuple[str, str]], width: int) -> str:
     """A paragraph of Markdown with a line for each key and what it does, in lines of at most `width` cells."""
     lines = []
@@ -59,7 +71,7 @@ def page_of(text: str, width: int) -> str:
     blocks: list[str] = []
     for block in text.split("\n\n"):
         lines = block.split("\n")
-        words = [escaped(part) for line in lines if "\t" not in line for part in wrap(line, width)]
+        words = with_code(part for line in lines if "\t" not in line for part in wrap(line, width))
         keys = [(key, name) for key, tab, name in (line.partition("\t") for line in lines) if tab]
         blocks += ["  \n".join(words)] if words else []
         blocks += [key_list(keys, width)] if keys else []

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from itertools import groupby
 
 from rich.segment import Segment
 from rich.style import Style
 
 from day6_core.session.harmless import one_line
 from day6_tui.appearance.colours import Colours
-from day6_tui.panes.cells import cell_len, wrap
+from day6_tui.panes.cells import cell_len
+from day6_tui.panes.marks import marked_lines
 
 Line = list[Segment]
 
-_MARK = re.compile(r"`([^`]+)`|\*\*([^*]+)\*\*")
 _ITEM = re.compile(r"(\s*)(-|\d+\.)\s+(.*)\Z")
 
 
@@ -37,12 +36,12 @@ def text_lines(
         item = _ITEM.match(paragraph)
         if item is not None:
             mark = "· " if item[2] == "-" else f"{item[2]} "
-            lines = _wrapped(item[3], width - cell_len(mark), colours, plain)
+            lines = marked_lines(item[3], width - cell_len(mark), plain, colours.publisher, colours.strong)
             found += [
                 [Segment(mark if not at else " " * cell_len(mark), plain), *line] for at, line in enumerate(lines)
             ]
         else:
-            found += _wrapped(paragraph, width, colours, plain)
+            found += marked_lines(paragraph, width, plain, colours.publisher, colours.strong)
     return found
 
 
@@ -115,31 +114,3 @@ def _head(text: str, width: int) -> str:
         if used > max(2, width):
             return text[:at]
     return text
-
-
-def _wrapped(text: str, width: int, colours: Colours, plain: Style) -> list[Line]:
-    """One paragraph with its marks taken out and drawn as styles."""
-    letters, styles = "", []
-    at = 0
-    for match in _MARK.finditer(text):
-        before = text[at : match.start()]
-        marked = match[1] if match[1] is not None else match[2]
-        letters += before + marked
-        styles += [plain] * len(before) + [colours.publisher if match[1] is not None else colours.strong] * len(marked)
-        at = match.end()
-    rest = one_line(text[at:])
-    letters += rest
-    styles += [plain] * len(rest)
-    found: list[Line] = []
-    at = 0
-    for line in wrap(letters, width):
-        at = max(at, letters.find(line, at)) if line else at
-        cells = list(zip(line, styles[at : at + len(line)], strict=False))
-        found.append(
-            [
-                Segment("".join(char for char, _ in run), style)
-                for style, run in groupby(cells, key=lambda cell: cell[1])
-            ]
-        )
-        at += len(line)
-    return found

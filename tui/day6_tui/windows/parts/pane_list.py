@@ -17,7 +17,8 @@ from textual.widgets import OptionList
 
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
-from day6_tui.panes.cells import fit, wrap
+from day6_tui.panes.cells import harmless, wrap
+from day6_tui.panes.marks import Line, marked_lines
 from day6_tui.panes.scrollbars import colour_scrollbar
 from day6_tui.textual_private.survival import Surviving
 from day6_tui.windows import WindowPane
@@ -60,23 +61,25 @@ class ListRow(Visual):
         self._below = below
         self._below_style = below_style or style
 
-    def _lines(self, width: int) -> list[tuple[str, RichStyle]]:
+    def _lines(self, width: int) -> list[Line]:
         before = f" {self._mark} " if self._mark else " "
         room = max(10, width - len(before) - 1)
-        lines = [(line, self._style) for line in wrap(self._text, room)]
+        code = self._list.look.colours.publisher
+        lines = marked_lines(self._text, room, self._style, code)
         if self._below:
-            lines += [(line, self._below_style) for line in wrap(self._below, room)]
-        return [
-            ((before if not number else " " * len(before)) + line, style) for number, (line, style) in enumerate(lines)
-        ]
+            lines += [[Segment(line, self._below_style)] for line in wrap(self._below, room)]
+        heads = (before, " " * len(before))
+        return [[Segment(heads[min(at, 1)], self._style), *line] for at, line in enumerate(lines)]
 
     def render_strips(self, width: int, height: int | None, style: Style, options: RenderOptions) -> list[Strip]:
         entries = self._list
         chosen = entries.highlighted == self._index and entries.has_focus
-        choice = entries.look.colours.choice
-        return [
-            Strip([Segment(fit(line, width), choice if chosen else drawn)], width) for line, drawn in self._lines(width)
-        ]
+        strips = []
+        for line in self._lines(width):
+            if chosen:
+                line = [Segment("".join(segment.text for segment in line), entries.look.colours.choice)]
+            strips.append(Strip(list(harmless(line))).adjust_cell_length(width, line[0].style))
+        return strips
 
     def get_optimal_width(self, rules: Any, container_width: int) -> int:
         return container_width

@@ -180,6 +180,7 @@ def draw_pulse(canvas: CellCanvas, route: Route, progress: float, glyphs: Glyphs
     """Put a pulse on an edge; `progress` runs from 0 (start) to 1 (end). It goes on behind what is written."""
     cells = [cell for cell in route.cells if not _is_written(route, cell)]
     if cells:
+        cells = cells[:-1] or cells  # the arrow stays
         x, y = cells[min(int(progress * len(cells)), len(cells) - 1)]
         if canvas.shows(x, y) and canvas.text[y - canvas.top][x - canvas.left] in glyphs.drawn:
             canvas.put(x, y, glyphs.pulse, "pulse")
