@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from rich.segment import Segment
 from rich.style import Style
 from textual import events, on
 from textual.widgets import OptionList
@@ -17,7 +18,8 @@ from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.prompt import before_replacing
-from day6_tui.panes.cells import cell_len
+from day6_tui.panes.cells import cell_len, clip
+from day6_tui.panes.marks import Line
 from day6_tui.panes.pane import Piece
 from day6_tui.windows.parts.pane_list import ListPane, ListRow, PaneList
 
@@ -30,8 +32,9 @@ class PluginRow(ListRow):
         self._group = group
         self._least = least
 
-    def _lines(self, width: int) -> list[tuple[str, Style]]:
-        return [(f" {self._group if width >= self._least else ''}{self._text}", self._style)]
+    def _lines(self, width: int) -> list[Line]:
+        text = f" {self._group if width >= self._least else ''}{self._text}"
+        return [[Segment(clip(text, width), self._style)]]
 
 
 class PluginList(PaneList):
