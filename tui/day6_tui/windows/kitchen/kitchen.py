@@ -6,6 +6,7 @@ Up and Down choose a belt, Left and Right a cook; what is chosen is explained be
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from rich.segment import Segment
@@ -17,7 +18,7 @@ from day6_core.ros.programs.day6_kitchen.model import Kitchen
 from day6_core.ros.programs.rqt_graph.model.drawing import CellCanvas
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
-from day6_tui.panes.cells import clip, fit, wrap
+from day6_tui.panes.cells import fit, wrap
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.placement import PaneNeeds
 from day6_tui.panes.splits import Extent
@@ -34,6 +35,7 @@ from day6_tui.windows.kitchen.picture import (
 from day6_tui.windows.kitchen.plan import LEAST_LINES, KitchenPlan, Way, dish_places
 from day6_tui.windows.kitchen.styles import styles_of
 from day6_tui.windows.kitchen.words import KitchenWords
+from day6_tui.windows.parts.buttons import Button, button_line
 
 if TYPE_CHECKING:
     from textual.timer import Timer
@@ -77,6 +79,10 @@ class KitchenPane(WindowPane[Kitchen]):
         """The first column and row that are seen."""
         self._cook = self._belt = ""
         """What is chosen; at most one of them."""
+        self._lines: list[str] = []
+        """The explanation of it."""
+        self._beyond: list[Button] = []
+        """What is not seen."""
         self._explained = True
         self._styles_of: tuple[object, dict[str, Style]] = (None, {})
         """The colours of the desktop, and the styles made of them."""
@@ -234,28 +240,29 @@ class KitchenPane(WindowPane[Kitchen]):
         self.touch_lines(range(self.inner_height))
         self.touch_status()
 
-    def _told_beyond(self) -> str:
-        """How many cooks and belts are not seen, and the keys that show them; '' where all are."""
+    def _told_beyond(self) -> list[Button]:
+        """How many cooks and belts are not seen, and the keys that show them; none where all are, or no line is left for it."""
         plan, texts = self._plan, self.look.texts
+        if self._head.height + self._belts.height + len(self._lines) + bool(self._lines) >= self.inner_height:
+            return []
         to_the_left, to_the_right = plan.beyond(self._head.left, self._head.left + self._head.width)
         above = -(-self._y // plan.step)
         below = -(-max(0, plan.height - self._y - self._belts.height) // plan.step)
-        keys = ("←", "→") if self.look.glyphs.unicode else ("Left", "Right")
-        told = [
-            f"{key} {texts(name, count=count)}"
-            for key, name, count in (
-                (keys[0], "kitchen.more_cooks", to_the_left),
-                (keys[1], "kitchen.more_cooks", to_the_right),
-                ("PgUp", "kitchen.more_belts", above),
-                ("PgDn", "kitchen.more_belts", below),
+        arrows = self.look.glyphs.unicode
+        return [
+            Button(told, texts(name, count=count), partial(self._press_and_show, key))
+            for key, told, name, count in (
+                ("left", "←" if arrows else "Left", "kitchen.more_cooks", to_the_left),
+                ("right", "→" if arrows else "Right", "kitchen.more_cooks", to_the_right),
+                ("pageup", "PgUp", "kitchen.more_belts", above),
+                ("pagedown", "PgDn", "kitchen.more_belts", below),
             )
             if count
         ]
-        return "  ".join(told)
 
-    _beyond = ""
-
-    _lines: list[str] = []
+    def _press_and_show(self, key: str) -> None:
+        self._press(key, "")
+        self._redraw()
 
     def _label(self, belt: Belt, room: int) -> list[tuple[str, str]]:
         style = "chosen" if belt.topic == self._belt else "topic"
@@ -298,7 +305,7 @@ class KitchenPane(WindowPane[Kitchen]):
         if self._beyond:
             at -= 1
             if at < 0:
-                return [Segment(clip(f" {self._beyond} ", width, self.look.glyphs.ellipsis), self.look.colours.key)]
+                return button_line(self, y, self._beyond, width)
         if at == 0 and self._lines:
             return [Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)]
         return [Segment(f" {self._lines[at - 1]}", self.look.colours.text)] if 0 < at <= len(self._lines) else ()
@@ -384,7 +391,9 @@ class KitchenPane(WindowPane[Kitchen]):
         names = [cook.name for cook in self.model.content.cooks]
         if not names:
             return
-        at = names.index(self._cook) + step if self._cook in names else (0 if step > 0 else len(names) - 1)
+        before, after = self._plan.beyond(self._head.left, self._head.left + self._head.width)
+        seen = range(before, max(before + 1, len(names) - after))
+        at = names.index(self._cook) + step if self._cook in names else seen[0 if step > 0 else -1]
         self._show_cook(self.model.content.cooks[max(0, min(at, len(names) - 1))])
 
     def _show_belt(self, belt: Belt) -> None:
