@@ -48,7 +48,8 @@ class GraphPicture:
             self._box(surface, rect, self._colour("cluster"), rounded=False, inset=0.5)
         styles = {route: highlight.edge(route.edge) if highlight else "edge" for route in picture.routes}
         for route in sorted(picture.routes, key=lambda route: styles[route] != "faded"):
-            self._edge(surface, route, self._colour(styles[route]))
+            _, rect = picture.boxes[route.edge.start]
+            self._edge(surface, route, rect, self._colour(styles[route]))
         for route, part in pulses.items():
             if route.cells and part <= 1:
                 surface.disc(*self._along(route, part), PULSE_RADIUS, self._colour("pulse"))
@@ -102,7 +103,8 @@ class GraphPicture:
             outline += [(middle_x + radius * math.cos(angle), middle_y + radius * math.sin(angle)) for angle in angles]
         surface.polygon(outline, self._ground, colour, LINE_WIDTH)
 
-    def _edge(self, surface: Surface, route: Route, colour: int) -> None:
+    def _edge(self, surface: Surface, route: Route, box: Rect, colour: int) -> None:
+        """A line from its `box`, with an arrow head."""
         spots = [self._middle(*cell) for cell in route.cells]
         if not spots:
             return
@@ -113,7 +115,9 @@ class GraphPicture:
         reach = abs(ux) * self.cell[0] / 2 + abs(uy) * self.cell[1] / 2
         tip = x + ux * reach, y + uy * reach
         start = spots[0]
-        if len(spots) > 1:  # from the box itself
+        x0, y0 = route.cells[0]
+        inside = box.x <= x0 < box.x + box.width and box.y <= y0 < box.y + box.height
+        if len(spots) > 1 and not inside:  # from the box itself
             right, down = (
                 (spots[1][0] > start[0]) - (spots[1][0] < start[0]),
                 (spots[1][1] > start[1]) - (spots[1][1] < start[1]),
