@@ -67,7 +67,7 @@ def test_by_keys_from_the_list_to_the_end(place: Place, lessons: Path, lang: str
         screen.press("Enter")  # types the command; Return is the pupil's
         screen.wait(lambda seen: re.search(r"\$ ros2 run", seen))
         screen.press("Enter")
-        screen.wait("TurtleSim", texts("lesson.next.key"))
+        screen.wait("TurtleSim", texts("lesson.next.key", next=texts("lesson.key.next.day")))
         screen.press("F5")
         screen.wait(texts("lesson.own"))
         screen.wait(lambda seen: any("✓" in line for line in seen.split("\n")))
@@ -93,8 +93,8 @@ def test_by_mouse_with_the_command_typed(place: Place, lessons: Path, lang: str,
         screen.wait(texts("lesson.hint", number=1, all=3))
         mouse.click_on("student@day6")
         screen.line(COMMAND)
-        screen.wait("TurtleSim", texts("lesson.next.key"))
-        mouse.click_on(texts("lesson.next.key"))
+        screen.wait("TurtleSim", texts("lesson.next.key", next=texts("lesson.key.next.day")))
+        mouse.click_on(texts("lesson.next.key", next=texts("lesson.key.next.day")))
         screen.wait(texts("lesson.own"))
 
 
@@ -217,7 +217,7 @@ def test_the_keyboard_is_where_the_step_is_done(place: Place, lang: str, size: t
     ) as screen:
         screen.wait("student@day6:~$", texts("lesson.step", number=1, all=4), f"F5 {texts('lesson.hint.key')}")
         screen.line("echo one")
-        screen.wait(seen_whole(texts("lesson.solved", key="F5")))
+        screen.wait(seen_whole(texts("lesson.solved", key="F5", go_on=texts("lesson.go_on"))))
         screen.press("F5")
         screen.wait(texts("lesson.step", number=2, all=4), seen_whole(texts("lesson.answer", letters=letters)))
         screen.line("echo two")
@@ -232,7 +232,7 @@ def test_the_keyboard_is_where_the_step_is_done(place: Place, lang: str, size: t
         screen.press("F5")
         screen.wait(keyboard_at(title))
         screen.press("a", "b", "Enter")
-        screen.wait(seen_whole(texts("lesson.solved", key="Enter")))
+        screen.wait(seen_whole(texts("lesson.solved", key="Enter", go_on=texts("lesson.go_on"))))
         screen.press("Enter")
         screen.wait(texts("lesson.step", number=3, all=4), keyboard_at(title))  # there is only something to choose
         screen.press("Left")
@@ -240,13 +240,13 @@ def test_the_keyboard_is_where_the_step_is_done(place: Place, lang: str, size: t
         screen.press("Right")
         screen.wait(texts("lesson.step", number=3, all=4))  # an answer is one to the question that is seen
         screen.press("a", "Enter")
-        screen.wait(seen_whole(texts("lesson.solved", key="Enter")))
+        screen.wait(seen_whole(texts("lesson.solved", key="Enter", go_on=texts("lesson.go_on"))))
         screen.press("Enter")
         screen.wait(texts("lesson.step", number=4, all=4), keyboard_at("1 ~"))  # there is something to be typed
         screen.press("Up", "Up", "Up", "Enter")
-        screen.wait(seen_whole(texts("lesson.solved", key="F5")))
+        screen.wait(seen_whole(texts("lesson.solved", key="F5", go_on=texts("lesson.go_on.day"))))
         screen.press("F5")
-        told = texts("lesson.finished", title=title, solved=4, all=4, hints=0)
+        told = texts("lesson.finished", title=title, how=texts("lesson.finished.best"))
         screen.wait(seen_whole(told), keyboard_at(texts("lesson.title")))
 
 

@@ -60,8 +60,16 @@ def test_what_a_pupil_reads_of_a_pattern_would_be_right() -> None:
 
 def test_an_empty_list_is_told_in_a_sentence() -> None:
     empty = Say("package.saw", names=()), Say("node.saw", name="/talker", nodes=()), Say("running.saw", lines=())
-    assert [each.text("zh") for each in empty] == ["现在一个也没有。", "没有节点 /talker，现在一个节点也没有。", "现在什么也没有运行。"]
-    assert [each.text("en") for each in empty] == ["There is none at all.", "There is no node /talker, nor any other.", "Nothing runs now."]
+    assert [each.text("zh") for each in empty] == [
+        "现在一个也没有。",
+        "没有节点 /talker，现在一个节点也没有。",
+        "现在什么也没有运行。",
+    ]
+    assert [each.text("en") for each in empty] == [
+        "There is none at all.",
+        "There is no node /talker, nor any other.",
+        "Nothing runs now.",
+    ]
     assert Say("package.saw", names=("a", "b")).text("zh") == "现在有：a, b。"
 
 

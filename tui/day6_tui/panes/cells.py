@@ -58,7 +58,7 @@ def wrap(text: str, width: int) -> list[str]:
                 word = word.lstrip()
                 size = cell_len(word)
             while size > width:
-                head = set_cell_size(word, width).rstrip()
+                head = _head(set_cell_size(word, width).rstrip())
                 lines.append(head)
                 word = word[len(head) :]
                 size = cell_len(word)
@@ -66,6 +66,18 @@ def wrap(text: str, width: int) -> list[str]:
             used += size
         lines.append(line.rstrip())
     return lines
+
+
+_GOES_ON = ("/", "_-.:=,")
+"""Signs at the end of a line that say that a path or name goes on below, without a blank: the best first."""
+
+
+def _head(text: str) -> str:
+    """What to show of a word before a break: up to a sign that shows the break to be none of the word's own."""
+    for signs in _GOES_ON:
+        if (end := max(text.rfind(sign) for sign in signs) + 1) > len(text) // 2:
+            return text[:end]
+    return text
 
 
 _NO_LINE_START = set("，。、；：！？）》」』”’…")

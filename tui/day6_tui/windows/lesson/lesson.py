@@ -17,7 +17,7 @@ from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.placement import LESSON
 from day6_tui.windows import WindowPane
-from day6_tui.windows.lesson.page import Action, LessonEntry, PageRow, list_rows, step_rows
+from day6_tui.windows.lesson.page import Action, LessonEntry, PageRow, list_rows, of_the_end, step_rows
 
 if TYPE_CHECKING:
     from day6_core.lessons.course import Course
@@ -223,7 +223,8 @@ class LessonPane(WindowPane["Course"]):
         if state.lesson is None:
             return pieces
         if state.solved:
-            pieces.append(Piece(f" {texts('lesson.next.key')} ", colours.choice, self._next))
+            told = texts("lesson.next.key", next=texts(of_the_end("lesson.key.next", state)))
+            pieces.append(Piece(f" {told} ", colours.choice, self._next))
         elif state.hints < HINTS:
             pieces.append(Piece(f" {there}{texts('lesson.hint.key')} ", colours.accent, self._doing("hint")))
         return pieces
@@ -240,7 +241,7 @@ class LessonPane(WindowPane["Course"]):
                 ("[ ]", texts("lesson.key.speed")),
                 ("D", texts("lesson.key.stop")),
             ]
-        keys = [("Enter", texts("lesson.key.next"))] if state.solved else []
+        keys = [("Enter", texts(of_the_end("lesson.key.next", state)))] if state.solved else []
         if not state.solved and state.hints < HINTS:
             keys.append(("h", texts("lesson.key.hint")))
         if not state.solved and state.hints >= HINTS and state.step.command:

@@ -115,13 +115,11 @@ def _topic(topic: str, look: Look) -> str:
 def _finished_rows(lesson: Lesson, course: Course, look: Look, width: int) -> list[PageRow]:
     """What the pupil has done of the lesson that ends here."""
     done = [course.progress.step(lesson.name, step.name) for step in lesson.steps]
-    words = look.texts(
-        "lesson.finished",
-        title=lesson.title[look.texts.language],
-        solved=sum(bool(each.solved) for each in done),
-        all=len(done),
-        hints=sum(each.hints for each in done),
-    )
+    solved, hints = sum(bool(each.solved) for each in done), sum(each.hints for each in done)
+    complete = solved == len(done)
+    how = ("all" if hints else "best") if complete else ("some" if hints else "unhelped")
+    told = look.texts(f"lesson.finished.{how}", solved=solved, all=len(done), hints=hints)
+    words = look.texts("lesson.finished", title=lesson.title[look.texts.language], how=told)
     return [PageRow([Segment(f" {line}", look.colours.publisher)]) for line in wrap(words, width - 2)]
 
 
@@ -248,6 +246,13 @@ def _answer(
     return rows
 
 
+def of_the_end(key: str, state: State) -> str:
+    """The text that says what comes after this step: another one, or the end of the lesson."""
+    if not state.is_last or state.lesson is None:
+        return key
+    return f"{key}.drill" if state.lesson.is_drill else f"{key}.day"
+
+
 def _mark(look: Look, good: bool) -> str:
     if not look.glyphs.unicode:
         return "[x]" if good else "[ ]"
@@ -276,7 +281,8 @@ def _checks(state: State, look: Look, width: int, *, here: bool) -> list[PageRow
         rows += [PageRow([]), *(PageRow([Segment(f" {line}", colours.publisher)]) for line in told)]
     if state.solved:
         key = "lesson.already" if state.before_asked else "lesson.solved"
-        told = wrap(look.texts(key, key="Enter" if here else "F5"), width - 2)
+        go_on = look.texts(of_the_end("lesson.go_on", state))
+        told = wrap(look.texts(key, key="Enter" if here else "F5", go_on=go_on), width - 2)
         rows += [PageRow([]), *(PageRow([Segment(f" {line}", colours.publisher)], news="solved") for line in told)]
     return rows
 
