@@ -54,8 +54,8 @@ def test_whoever_did_everything_alone_is_praised_and_others_hear_what_they_did()
     ("lesson", "index", "zh", "en"),
     [
         (DAY, 0, "按 F5 去下一步。", "F5 goes on to the next step."),
-        (DAY, len(DAY.steps) - 1, "按 F5 完成今天的课。", "F5 ends today's lesson."),
-        (DRILL, 0, "按 F5 完成这个练习。", "F5 ends this drill."),
+        (DAY, len(DAY.steps) - 1, "按 F5 完成今天的课。", "F5 finishes today's lesson."),
+        (DRILL, 0, "按 F5 完成这个练习。", "F5 finishes this drill."),
     ],
     ids=["first", "last", "drill"],
 )
@@ -63,8 +63,13 @@ def test_the_last_step_says_that_it_is_the_end(lesson: Lesson, index: int, zh: s
     course: Any = SimpleNamespace(kept=SimpleNamespace(failed=""))
     for lang, told in (("zh", zh), ("en", en)):
         state = State(lesson, index, solved=True)
-        rows = step_rows(course, state, look(lang), 120, lambda what: lambda: None, here=False)
-        assert told in text_of([row for row in rows if row.news == "solved"], lang)
+        asked: list[str] = []
+        rows = step_rows(course, state, look(lang), 120, lambda what: lambda: asked.append(what), here=False)
+        solved = [row for row in rows if row.news == "solved"]
+        assert told in text_of(solved, lang)
+        assert solved[0].action is not None
+        solved[0].action()
+        assert asked == ["next"], "a click on the sentence does what it says"
 
 
 PATH = "~/ros2_ws/src/day6_publisher/day6_publisher/wheel_spinner.py"

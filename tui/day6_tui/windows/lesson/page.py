@@ -181,7 +181,7 @@ def step_rows(
             PageRow([Segment(f"  {line}", look.colours.accent)], news="question") for line in wrap(told, width - 4)
         ]
     rows.append(PageRow([]))
-    rows += _checks(state, look, width, here=here)
+    rows += _checks(state, look, width, doing, here=here)
     rows += _hints(state, page, look, width, doing)
     rows += _problems(course, state, look, width, doing)
     if notes and page.teacher:
@@ -259,7 +259,7 @@ def _mark(look: Look, good: bool) -> str:
     return "✓" if good else "·"
 
 
-def _checks(state: State, look: Look, width: int, *, here: bool) -> list[PageRow]:
+def _checks(state: State, look: Look, width: int, doing: Callable[[str], Action], *, here: bool) -> list[PageRow]:
     colours, language = look.colours, look.texts.language
     rows: list[PageRow] = []
     if state.lesson is not None and state.lesson.is_drill and not state.hints and not state.solved:
@@ -283,7 +283,8 @@ def _checks(state: State, look: Look, width: int, *, here: bool) -> list[PageRow
         key = "lesson.already" if state.before_asked else "lesson.solved"
         go_on = look.texts(of_the_end("lesson.go_on", state))
         told = wrap(look.texts(key, key="Enter" if here else "F5", go_on=go_on), width - 2)
-        rows += [PageRow([]), *(PageRow([Segment(f" {line}", colours.publisher)], news="solved") for line in told)]
+        solved = [PageRow([Segment(f" {line}", colours.publisher)], doing("next"), "solved") for line in told]
+        rows += [PageRow([]), *solved]
     return rows
 
 
