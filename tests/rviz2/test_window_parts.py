@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from textual import events
 
+from day6_core.lessons.catalogue import days
+from day6_tui.windows.rviz.buttons import ADD
 from day6_tui.windows.rviz.drawer import LOWEST_VIEW, NARROWEST_PANEL, NARROWEST_VIEW, divide
+from day6_tui.windows.rviz.hints import panel_hints
 from day6_urdf import shipped_model
 from tests.rviz2.rviz_walk import Walk, mouse, run, walking
 
@@ -98,9 +101,31 @@ def test_the_four_buttons_are_at_the_lower_left(machine: RVizMachine, width: int
     async def walk() -> None:
         async with walking(machine, width, height, glyphs=glyphs) as at:
             row = at.line("Duplicate")[1:].split("│")[0].split("|")[0].split("<")[0].split("◂")[0]
-            assert [word for word in row.split() if "^" not in word] == ["Add", "Duplicate", "Remove", "Rename"]
+            assert [word for word in row.split() if "^" not in word and word != "a"] == [
+                "Add",
+                "Duplicate",
+                "Remove",
+                "Rename",
+            ]
             assert ("^X" in row) is (width == 120)
             assert at.screen().splitlines().index(at.line("Duplicate")) == at.pane.top + at.pane.body_height + 1
+
+    run(walk())
+
+
+def test_the_lesson_the_button_and_the_key_bar_name_the_same_key(machine: RVizMachine) -> None:
+    (step,) = [step for step in days()[-1].steps if "(Add)" in step.pages["en"].do + step.pages["en"].body]
+    for page in step.pages.values():
+        assert f"`{ADD.shown}`" in page.do + page.body
+
+    async def walk() -> None:
+        async with walking(machine, 120, 40) as at:
+            assert f"Add {ADD.shown} " in at.line("Duplicate")
+            assert (ADD.shown, "rviz.key.add") in panel_hints()
+            for key in (ADD.key, "ctrl+n"):
+                await at.press(key)
+                assert at.app.desktop.overlay is not None
+                await at.press("escape")
 
     run(walk())
 

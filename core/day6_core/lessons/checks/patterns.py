@@ -35,7 +35,9 @@ def _example(tokens: list[str]) -> str:
             often = tokens.pop() if tokens and _QUANTIFIER.fullmatch(tokens[-1]) else ""
             if token == "." and often:
                 piece = ANYTHING
-            elif (often.startswith(("*", "{0", "{,")) and piece != ANYTHING) or (often[:1] == "?" and ANYTHING in piece):
+            elif (often.startswith(("*", "{0", "{,")) and piece != ANYTHING) or (
+                often[:1] == "?" and ANYTHING in piece
+            ):
                 piece = ""
             written.append(piece)
     return "".join(written) if first is None else first

@@ -143,7 +143,7 @@ TEXTS = {
         "Tab\tpanel or view; in a narrow window the picture comes first: when a robot is there, the panel folds until Tab\n"
         "Enter\tchange a value, open a branch\n"
         "Space\tcheck box\n/\tfind a property, also in closed branches\n"
-        "^N or a\tadd a display, like the button Add at the lower left (↓ below the last line or Shift Tab goes there)\n"
+        "a or ^N\tadd a display, like the button Add at the lower left (↓ below the last line or Shift Tab goes there)\n"
         "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
         "d\thide or show the panel, like the arrow at its edge\n"
         "arrows\tturn the view, with Shift pan it\n+ -\tzoom\n"

@@ -15,24 +15,27 @@ from day6_tui.textual_private.survival import Surviving
 
 
 class Label(NamedTuple):
-    """What a button is called, and its key with Ctrl."""
+    """What a button is called, and its key as people read it."""
 
     name: str
-    letter: str
+    shown: str
 
     @property
     def key(self) -> str:
-        return f"ctrl+{self.letter}"
+        return self.shown.lower().replace("^", "ctrl+")
 
 
-LABELS = (Label("Add", "n"), Label("Duplicate", "d"), Label("Remove", "x"), Label("Rename", "r"))
+ADD = Label("Add", "a")
+"""Its key is said here, in the key bar and in the lessons; RViz's own, ^N, does the same."""
+
+LABELS = (ADD, Label("Duplicate", "^D"), Label("Remove", "^X"), Label("Rename", "^R"))
 """From the left (displays_panel.cpp). All but the first are about the display that is chosen in the tree."""
 
 
 def texts_in(width: int) -> list[str]:
     """What stands on the buttons of a row of `width` cells: the names, with air and with their keys if there is room."""
-    for form in (" {name} ^{key} ", "{name} ^{key}", " {name} ", "{name}"):
-        texts = [form.format(name=label.name, key=label.letter.upper()) for label in LABELS]
+    for form in (" {name} {key} ", "{name} {key}", " {name} ", "{name}"):
+        texts = [form.format(name=label.name, key=label.shown) for label in LABELS]
         if sum(map(len, texts)) + len(texts) - 1 <= width:
             break
     return texts

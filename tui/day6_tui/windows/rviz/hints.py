@@ -9,6 +9,7 @@ from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.tools.interact import Interact, Thing
 from day6_core.ros.programs.rviz2.model.tools.pose import PoseTool
 from day6_core.ros.programs.rviz2.model.tools.tool import CAMERA, GROUND, Tool
+from day6_tui.windows.rviz.buttons import ADD
 from day6_tui.windows.rviz.control_keys import ControlKeys
 
 ARROWS = "arrows"
@@ -23,7 +24,7 @@ def panel_hints() -> Hints:
     return [
         ("Tab", "rviz.key.view"),
         ("Enter", "rviz.key.edit"),
-        ("^N", "rviz.key.add"),
+        (ADD.shown, "rviz.key.add"),
         ("f", "rviz.key.focus"),
     ]
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from day6_core.ros.programs.rviz2.model.properties import BOOL, Property
 from day6_core.ros.programs.rviz2.model.views import SavedView
 from day6_tui.windows.rviz import dialogs
-from day6_tui.windows.rviz.buttons import LABELS, PanelButton
+from day6_tui.windows.rviz.buttons import ADD, LABELS, PanelButton
 from day6_tui.windows.rviz.control_keys import ControlKeys
 from day6_tui.windows.rviz.hand import Hand
 from day6_tui.windows.rviz.hints import Hints, panel_hints, view_hints
@@ -62,7 +62,7 @@ class WindowKeys:
             "r": partial(pane.request, self._rviz.reset),
             "slash": self._find,
             "ctrl+n": partial(dialogs.add, pane),
-            "a": partial(dialogs.add, pane),
+            ADD.key: partial(dialogs.add, pane),
             "ctrl+s": partial(dialogs.save, pane),
             "ctrl+o": partial(dialogs.load, pane),
             "w": partial(dialogs.save_as, pane),
