@@ -45,12 +45,12 @@ def test_nano_and_the_desktop_lose_no_text_without_a_question(place: Place) -> N
         screen.send("\x13")
         screen.wait("not saved: File too large")
         screen.press("F2", "Ctrl-Q")
-        screen.wait("Something would be lost", "hello.txt")
+        screen.wait("Not everything is saved", "hello.txt")
         screen.press("Esc")
-        screen.wait_gone("Something would be lost")
+        screen.wait_gone("Not everything is saved")
         assert "all my work" in screen.look() and screen.status is None
         screen.press("Ctrl-Q")
-        screen.wait("Something would be lost")
+        screen.wait("Not everything is saved")
         screen.send("y")
         assert screen.wait_end() == 0
     assert not list(place.work.rglob(".day6-*")) and not list(place.home.rglob(".day6-*"))

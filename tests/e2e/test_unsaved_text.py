@@ -94,9 +94,9 @@ def test_where_no_copy_can_be_made_it_is_told_and_leaving_asks(place: Place) -> 
             screen.send("\x13")
             screen.wait("not saved: Permission denied")
             screen.press("F2", "Ctrl-Q")
-            screen.wait("Something would be lost", "work.txt")
+            screen.wait("Not everything is saved", "work.txt")
             screen.press("Esc")
-            screen.wait_gone("Something would be lost")
+            screen.wait_gone("Not everything is saved")
             screen.kill(signal.SIGTERM)
             assert screen.wait_end() != 0
             assert b"work.txt (Permission denied)" in screen.output

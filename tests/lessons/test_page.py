@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -64,7 +65,8 @@ def test_the_last_step_says_that_it_is_the_end(lesson: Lesson, index: int, zh: s
     for lang, told in (("zh", zh), ("en", en)):
         state = State(lesson, index, solved=True)
         asked: list[str] = []
-        rows = step_rows(course, state, look(lang), 120, lambda what: lambda: asked.append(what), here=False)
+        doing = partial(partial, asked.append)
+        rows = step_rows(course, state, look(lang), 120, doing, here=False)
         solved = [row for row in rows if row.news == "solved"]
         assert told in text_of(solved, lang)
         assert solved[0].action is not None

@@ -492,7 +492,10 @@ def test_the_desktop_asks_before_it_ends_with_a_changed_view(machine: RVizMachin
             assert at.app.leaving.lost() == []
             await changed(at)
             await at.press("ctrl+q")
-            assert "Something would be lost" in at.screen() and "RViz" in at.screen()
+            assert "Not everything is saved" in at.screen() and "RViz" in at.screen()
+            at.app.look.texts.language = "zh"
+            await at.press("escape", "ctrl+q")
+            assert "RViz 的设置还没保存，退出就没有了" in at.screen()
             await at.press("escape", "ctrl+s")
             await at.settle()
             assert at.app.leaving.lost() == []

@@ -381,7 +381,7 @@ async def test_another_speed_is_shown_with_what_it_does_not_reach(desk) -> None:
         app.actions["slower"]()
         await step(app, pilot)
         assert desk.clock.speed == 0.5
-        assert "0.5×" in screen_lines(app)[0] and "student processes run at normal speed" in screen_lines(app)[-1]
+        assert "0.5×" in screen_lines(app)[0] and "your own programs keep normal speed" in screen_lines(app)[-1]
 
 
 async def test_a_click_on_a_tab_shows_its_pane(desk) -> None:

@@ -65,7 +65,9 @@ class Leaving(Feature):
 
         texts = self._look.texts
         if lost:
-            title, text, yes = texts("quit.title"), texts("quit.lost", what="; ".join(lost)), texts("quit.anyway")
+            what = texts("list.comma").join(lost)
+            what += " " * what[-1].isascii()  # between a Latin name and the Chinese behind it
+            title, text, yes = texts("quit.title"), texts("quit.lost", what=what).rstrip(), texts("quit.anyway")
         else:
             text = "\n".join([*self._about_running(running), *self._about_class(joined)])
             title, yes = texts("quit.running" if running else "quit.class"), texts("quit.leave")

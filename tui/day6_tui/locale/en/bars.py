@@ -30,7 +30,7 @@ TEXTS = {
     "bar.help": "F1 Help",
     "bar.starting": "starting …",
     "bar.playing": "typing for you",
-    "bar.external": "student processes run at normal speed",
+    "bar.external": "your own programs keep normal speed",
     # presenting
     "bar.scene.paused": "paused: type what you like",
     "bar.scene.pause": "pause",

@@ -15,7 +15,7 @@ TEXTS = {
     "layout.own": "saved",
     "layout.foreign": "not a file of layouts of version {version}",
     "layout.unreadable": "{file}: {reason}",
-    "session.title": "As you left it",
+    "session.title": "Go on from last time",
     "session.ask": "When you left, these were running. Start them again?\n\n{what}",
     "session.back": "Not now",
     "session.start": "Start again",

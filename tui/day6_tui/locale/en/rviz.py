@@ -59,7 +59,7 @@ TEXTS = {
     "rviz.leave.save": "to {file}, then close",
     "rviz.leave.discard": "close without saving",
     "rviz.leave.cancel": "go on",
-    "rviz.unsaved": "the view of RViz (^S in its window saves it)",
+    "rviz.unsaved": "the settings of RViz",
     "rviz.quality": "quality: {name}",
     "rviz.nothing_to_focus": "there is nothing to look at yet",
     "rviz.view_saved": "view saved as {name}: its line below Views (Enter) leads back, ^R renames it, ^X removes it",

@@ -60,7 +60,7 @@ TEXTS = {
     "bag.menu.open": "打开 bag",
     "bag.menu.record": "录制 bag",
     "help.rqt_bag": (
-        "时间线上的 bag：每个话题一行，消息越多，柱越高。红线是播放头。\n\n"
+        "时间线上的 bag：每个话题一行，消息越多，柱越高。红色的竖线是播放头。\n\n"
         "勾选一个话题（Enter），它的消息就会发布，服务质量与录制时相同：播放头移到哪里，就发布那里最新的一条；"
         "播放时发布每一条。所以 Plot 和 RViz 跟着播放头走。（真正的 rqt_bag 只在播放时发布。）"
         "坐标系要往回走，RViz 得按 bag 的时钟走：rqt_bag 加 --clock，RViz 设 use_sim_time。\n\n"

@@ -30,7 +30,7 @@ TEXTS = {
     "bar.help": "F1 帮助",
     "bar.starting": "正在启动……",
     "bar.playing": "正在替你输入",
-    "bar.external": "学生进程仍按正常速度运行",
+    "bar.external": "你自己的程序还是正常速度",
     # 演示
     "bar.scene.paused": "已暂停，可以自己输入",
     "bar.scene.pause": "暂停",

@@ -5,7 +5,7 @@ TEXTS = {
     "help.action.record": "把屏幕上的一切写进一个文件，可以用 asciinema 或 day6-tui cast 播放；按键不会被录下来",
     "record.running": "录制 {time}",
     "record.file": "把屏幕录制到",
-    "record.note": "录的是屏幕上的画面，不录按键。F7“录制”停下。播放：day6-tui cast 文件",
+    "record.note": "录的是屏幕上的画面，不录按键。按 F7 选“录制”就停下。播放：day6-tui cast 文件",
     "record.no_name": "文件要有名字",
     "record.not_here": "在这个系统上不能录制屏幕",
     "record.broken": "录制 {file} 停下了：{reason}",

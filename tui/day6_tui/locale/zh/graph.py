@@ -1,12 +1,12 @@
 """rqt_graph."""
 
 TEXTS = {
-    "rqt.hidden": "藏起了 {count} 个：{reasons}",
-    "rqt.hides": "{option} 藏起 {names}",
+    "rqt.hidden": "已隐藏 {count} 个：{reasons}",
+    "rqt.hides": "{option} 隐藏了 {names}",
     "rqt.hides_some": "{option} {count} 个",
     "rqt.shown_by": "按 {keys} 显示隐藏的 {count} 个",
     "rqt.separator": "；",
-    "rqt.nothing_hidden": "没有藏起任何东西",
+    "rqt.nothing_hidden": "没有隐藏任何东西",
     "rqt.empty": "现在没有节点在发布或订阅。",
     "rqt.type": "类型",
     "rqt.hide": "隐藏",
@@ -33,7 +33,7 @@ TEXTS = {
     "rqt.topic": "{name}：{arriving} 个发布者，{leaving} 个订阅者",
     "help.rqt_graph": (
         "谁在和谁说话。圆角框是节点（真正的 rqt_graph 画的是椭圆），箭头和方框是话题。"
-        "有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器藏起了什么。\n\n"
+        "有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器隐藏了什么。\n\n"
         "拖动或方向键：移动。滚轮、+ 和 -：缩放，从完整的名字一直到全景。v（Fit）让整张图回到窗口里，直到你再次移动它。"
         "边上的箭头和数字表示：那个方向的外面还有几个框。点一下框，或者按 j、k，可以选中它，最下面一行会介绍它。"
     ),
