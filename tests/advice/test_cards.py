@@ -157,6 +157,14 @@ def test_the_texts_of_the_beginner_faults_have_their_cards(line: str, card: str)
     assert explain(match, scene_of(match, HERE), "zh").means
 
 
+def test_a_package_that_python_does_not_find_is_named_and_not_its_message() -> None:
+    match = card_for("importlib.metadata.PackageNotFoundError: No package metadata was found for day6_publisher")
+    assert match is not None
+    shown = explain(match, scene_of(match, HERE), "zh")
+    assert "没有叫 day6_publisher 的包" in as_text(shown, "zh", 200)
+    assert match.values["name"] == "day6_publisher"
+
+
 def test_a_line_is_known_with_anything_before_it() -> None:
     plain = "ModuleNotFoundError: No module named 'rclpy'"
     for line in (
