@@ -12,6 +12,7 @@ from day6_core.lessons.actions import filled
 from day6_core.lessons.player import Steering
 from day6_core.lessons.scene import scenes
 from day6_core.lessons.scene_player import ScenePlayer
+from day6_tui.features.lessons import OPENING_SECONDS
 from day6_tui.options import Options
 from tests.support.waiting import Deadline
 from tests.tui.fakes import FakeSimulation, turtle
@@ -813,3 +814,40 @@ async def test_who_speaks_has_a_big_terminal_and_f8_shows_the_picture(desk) -> N
         for _ in range(3):
             await step(app, pilot)
         assert len(app.desktop.plan_now().places) > 2, "another layout ends it"
+
+
+@pytest.mark.parametrize("early", [False, True], ids=["slow lessons", "slow desk"])
+async def test_f5_shows_at_once_that_the_lessons_come_and_enter_waits_for_them(desk, monkeypatch, early: bool) -> None:
+    async with opened(desk, 80, 24, lang="zh") as (app, pilot):
+        started: list[str] = []
+        monkeypatch.setattr(app.machine, "start", lambda name, main: started.append(name))
+        if early:
+            monkeypatch.setattr(app.machine, "desk", None)
+        await pilot.press("f5")
+        await step(app, pilot)
+        assert app.look.texts("lesson.coming") in screen_lines(app)[-1]
+        await pilot.press("enter", "enter")
+        await step(app, pilot)
+        assert app.scenes.player is None and desk.terminals[0].sent == "", "neither the choice nor the terminal had it"
+        if early:
+            monkeypatch.undo()
+            monkeypatch.setattr(app.machine, "start", lambda name, main: started.append(name))
+            app.lessons.look_back()
+        assert started == ["lesson"]
+        move_on(OPENING_SECONDS)
+        await step(app, pilot)
+        assert app.look.texts("lesson.coming") not in screen_lines(app)[-1]
+        app.desktop.focus_pane(app.terminals.current)
+        await pilot.press("enter")
+        await step(app, pilot)
+        assert desk.terminals[0].sent == "\r", "what does not come keeps no key for ever"
+
+
+async def test_a_lesson_that_was_named_leaves_enter_to_the_terminal(desk, monkeypatch) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        monkeypatch.setattr(app.machine, "start", lambda name, main: None)
+        app.lessons.open("day2")
+        app.desktop.focus_pane(app.terminals.current)
+        await pilot.press("l", "s", "enter")
+        await step(app, pilot)
+        assert app.look.texts("lesson.coming") in screen_lines(app)[-1] and desk.terminals[0].sent == "ls\r"

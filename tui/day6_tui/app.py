@@ -205,7 +205,9 @@ class Day6App(TerminalApp):
             offers=self.classroom.offers,
         )
         self.top = Bar(look, top.pieces, name="top")
-        self.bottom = Bar(look, KeyLine(parts, self.scenes, self.actions).pieces, name="bottom")
+        self.bottom = Bar(
+            look, KeyLine(parts, self.scenes, self.actions, lambda: self.lessons.is_coming()).pieces, name="bottom"
+        )
 
     def _make_actions(self) -> actions.Actions:
         """What can be chosen: offered by whoever does it; what makes no sense here is hidden."""
@@ -365,6 +367,8 @@ class Day6App(TerminalApp):
         if isinstance(event, TYPED):
             if is_leaving(self):
                 return  # while leaving, there is nothing left to receive keys
+            if isinstance(event, events.Key) and event.key == "enter" and self.lessons.keeps_enter():
+                return
             self.desktop.keep_keyboard()
             self.classroom.typed_at = time.monotonic()
         await super().on_event(event)
@@ -483,7 +487,7 @@ class Day6App(TerminalApp):
         if self.machine.desk is not None:
             again = self._pull(now)
             self.desktop.yield_to_full_terminals()
-        again = self.notices.expire(now) or again
+        again = self.notices.expire(now) or self.lessons.is_coming() or again
         if not self.frames.rate or now - self._barred >= BAR_SECONDS:
             self._barred = now if self.machine.desk is not None else 0.0  # the first look at the desk does not wait
             self.top.pull(now)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from day6_core.speeds import in_words
@@ -19,16 +20,20 @@ SCENE_KEYS = 46
 class KeyLine(Feature):
     """The keys of the focused pane before those of the desktop."""
 
-    def __init__(self, parts: Parts, scenes: ScenePlay, actions: Actions) -> None:
+    def __init__(self, parts: Parts, scenes: ScenePlay, actions: Actions, coming: Callable[[], bool]) -> None:
         super().__init__(parts)
         self._scenes = scenes
         self._actions = actions
+        self._coming = coming
+        """Whether the lessons were asked for and are not there yet."""
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """From the left, as many as fit; nothing from the right."""
         look, texts = self._look, self._look.texts
         if self._notices.text:
             return [Piece(f" {self._notices.text} ", look.colours.hint)], []
+        if self._coming():
+            return [Piece(f" {texts('lesson.coming')} ", look.colours.hint)], []
         if self._scenes.player is not None:
             return self._scene(width), []
         pane = self._desktop.focused_pane

@@ -44,6 +44,8 @@ class Lessons(Feature):
         self._opening_until = 0.0
         self._wanted = False
         """Whether F5 was pressed before there was a desk."""
+        self._named = False
+        """Whether a certain lesson was asked for: then the keyboard stays in the terminal."""
 
     def actions(self) -> Handlers:
         return {"lessons": self.toggle, "pupil": self.ask_pupil}
@@ -80,7 +82,7 @@ class Lessons(Feature):
 
     def open(self, first: str = "", *, demo: bool = False) -> None:
         """Open the window at a lesson, else at that of the last time; with `demo` it is played by itself."""
-        desk = self._machine.desk
+        desk, self._named = self._machine.desk, bool(first)
         if desk is None:
             self._wanted = True  # a quick key: the desk comes right after the first frame
             return
@@ -101,6 +103,18 @@ class Lessons(Feature):
                 self._look.texts.language if demo else "",
             ),
         )
+
+    def is_coming(self) -> bool:
+        """Whether the window was asked for and is not there yet, which takes a moment on a slow machine."""
+        if not self._wanted and time.monotonic() >= self._opening_until:
+            return False
+        if self.pane is not None:
+            self._opening_until = 0.0
+        return self.pane is None
+
+    def keeps_enter(self) -> bool:
+        """Whether Enter is meant for the window that is coming, and for nothing that has the keyboard until then."""
+        return self.is_coming() and not self._named and self._desktop.overlay is None
 
     def go_to(self, name: str) -> bool:
         """Open the window at a lesson, or have it show that; False if it is known to have no such lesson."""

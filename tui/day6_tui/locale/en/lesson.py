@@ -2,6 +2,7 @@
 
 TEXTS = {
     "lesson.title": "Lessons",
+    "lesson.coming": "The lessons are coming …",
     "lesson.days": "Six days",
     "lesson.none": "there are no lessons here",
     "lesson.drill.open": "Not mended yet. Look for the cause; h gives a hint.",

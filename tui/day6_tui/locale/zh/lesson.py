@@ -2,6 +2,7 @@
 
 TEXTS = {
     "lesson.title": "课程",
+    "lesson.coming": "课程马上就来……",
     "lesson.days": "六天的课程",
     "lesson.none": "这里没有课程",
     "lesson.drill.open": "还没有修好。先自己找找原因，想不出来再按 h。",
