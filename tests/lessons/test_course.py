@@ -301,13 +301,12 @@ def test_a_drill_waits_until_nothing_else_runs(room: Classroom) -> None:
     room.desk.graph.create_node("mine")
     (room.home / "a.txt").write_text("right")
     room.open("slip")
-    room.wait(lambda: room.course.state.problem == "something-runs")
-    assert not (room.home / "drills").exists()
+    room.wait(lambda: room.course.state.leftovers == ("/mine",))
+    assert not (room.home / "drills").exists() and not room.course.state.problem
     room.go(1.0)
     assert not room.solved(), "without the fault there was nothing to mend"
     assert not room.course.progress.step("slip", "slip").solved
     room.desk.graph.nodes[0].destroy()
-    room.ask(room.course.again)
     room.wait(lambda: (room.home / "drills" / "slip" / "a.txt").is_file() and room.course.state.verdicts)
     assert not room.solved()
 
@@ -316,7 +315,7 @@ def test_a_drill_that_is_closed_while_it_waits_makes_no_fault(room: Classroom) -
     drills(room, 1)
     room.desk.graph.create_node("mine")
     room.open("slip0")
-    room.wait(lambda: room.course.state.working)
+    room.wait(lambda: room.course.state.leftovers)
     room.ask(room.course.close)
     room.wait(lambda: room.course.state.lesson is None)
     room.desk.graph.nodes[0].destroy()

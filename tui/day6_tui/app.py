@@ -185,7 +185,7 @@ class Day6App(TerminalApp):
         self.scenes = ScenePlay(parts, options.robot, visibly=fps > 0)
         self.arranging = Arranging(parts)
         self.session = SavedDesktop(parts, self.arranging)
-        self.lessons = Lessons(parts, options.lessons)
+        self.lessons = Lessons(parts, self.arranging, options.lessons)
         self.looks = looks = Looks(self, look)
         self.explaining = Explaining(parts)
         self.detachment = Detachment(self, options.keeper)
@@ -201,6 +201,7 @@ class Day6App(TerminalApp):
             self.actions,
             doors=options.has_doors,
             recording=self.recording.words,
+            lesson=self.lessons.pieces,
             classroom=self._class_pieces,
             offers=self.classroom.offers,
         )
@@ -473,6 +474,7 @@ class Day6App(TerminalApp):
                 self.session.place_windows()
             self.terminals.follow_desk()
             self.arranging.follow()
+            self.lessons.follow()
         again = self.session.advance()
         again = self.scenes.advance(now) or again
         self.recording.advance()

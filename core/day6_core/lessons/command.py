@@ -61,8 +61,9 @@ def main(words: list[str]) -> int:
 
 
 def _list() -> int:
-    for lesson in offer().all:
-        kind = f"drill {lesson.fault:2}" if lesson.is_drill else "lesson  "  # the number of its fault
+    found = offer()
+    for lesson in found.all:
+        kind = f"drill {found.drills.index(lesson) + 1:2}" if lesson.is_drill else "lesson  "
         print(f"{kind}  {lesson.name:24} {lesson.minutes:3} min  {lesson.title['zh']} / {lesson.title['en']}")
     return 0
 

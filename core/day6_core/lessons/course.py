@@ -157,7 +157,6 @@ class Course:
         self._desk.searching = self.searching
         if lesson.is_drill:
             self._go_to(opened, 0)
-            self._start(opened.inject())
             return
         progress.last, progress.last_title = name, dict(lesson.title)
         self._go_to(opened, index)
@@ -309,7 +308,10 @@ class Course:
     def look(self) -> None:
         """Ask the checks of the step."""
         opened, state = self.opened, self.state
-        if opened is None or state.solved or (opened.lesson.is_drill and (state.working or not opened.injected)):
+        if opened is None or state.solved or (opened.lesson.is_drill and state.working):
+            return
+        if opened.lesson.is_drill and not opened.injected:
+            self._begin_drill(opened)
             return
         if state.leftovers:
             running = opened.live.nodes()
@@ -328,6 +330,14 @@ class Course:
         else:
             seconds = done.seconds + time.monotonic() - opened.began
             self._note(solved=time.time(), seconds=round(seconds, 1), passed_over=False)
+
+    def _begin_drill(self, opened: OpenLesson) -> None:
+        """Make the fault of a drill as soon as nothing else runs, and tell what does."""
+        running = tuple(dict.fromkeys(opened.live.nodes()))
+        self._set(leftovers=running)
+        if not running and not opened.injecting:
+            opened.injecting = True
+            self._start(opened.inject())
 
     @property
     def _done(self) -> StepDone:

@@ -60,6 +60,8 @@ class Step:
     needs: tuple[str, ...] = ()
     before: tuple[Action, ...] = ()
     command: str = ""
+    see: tuple[str, ...] = ("terminal",)
+    """What has to be on the screen beside the lesson: terminals, and windows by kind. The first one gets the keyboard."""
     pages: Mapping[str, Page] = field(default_factory=dict)
     lines: Mapping[str, int] = field(default_factory=dict)
     """The lines of the keys of the yaml block."""

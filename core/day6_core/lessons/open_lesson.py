@@ -23,9 +23,6 @@ if TYPE_CHECKING:
 LOOK_SECONDS = 0.25
 """Between two looks at the machine."""
 
-ENDING_SECONDS = 6.0
-"""How long a drill waits for what ran before it."""
-
 
 class OpenLesson:
     """One lesson from its opening to its closing. Everything that takes time raises StageError where it does not work."""
@@ -42,6 +39,8 @@ class OpenLesson:
         """When the step began (`time.monotonic`)."""
         self.shown = False
         """Whether the solution of this step was played for the pupil."""
+        self.injecting = False
+        """Whether making that fault was begun, once: what goes wrong with it is told."""
         self.injected = False
         """Whether the fault of this drill is there: what is right without it is no solution."""
         self.prepared: set[str] = set()
@@ -81,9 +80,6 @@ class OpenLesson:
     async def inject(self) -> None:
         """Make the fault of a drill in a home folder of its own, so that no file of the pupil's is touched."""
         live = self.live
-        # Those of the drill before may just be ending.
-        if not await live.session.until(lambda: self._closed or not live.nodes(), ENDING_SECONDS, LOOK_SECONDS):
-            raise StageError("something-runs")
         if self._closed:
             return
         folder = live.desk.home / "drills"

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_core.language import LANGUAGES
-from day6_core.lessons.actions import action_mistake
+from day6_core.lessons.actions import WINDOWS, action_mistake
 from day6_core.lessons.blocks import Block, blocks
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import HINTS, Action, Answer, Lesson, Page, Step, Wrong
@@ -21,8 +21,11 @@ from day6_core.width import text_width
 PARTS = ("do", "hints", "answers", "teacher")
 PICTURE_LINES, PICTURE_COLUMNS = 9, 34
 
+SEEN = ("terminal", *WINDOWS)
+"""What `see` may name."""
+
 _HEAD = ("lesson", "drill", "order", "minutes", "title", "fault", "topic")
-_STEP = ("check", "solve", "wrong", "needs", "before", "command")
+_STEP = ("check", "solve", "wrong", "needs", "before", "command", "see")
 _WRONG = ("do", "says", "undo")
 _HINT = re.compile(r"\d+\.(?:\s+(.*))?\Z")
 _ANSWER = re.compile(r"-\s+([a-z]):\s+(.*?)(?:\s*\|\s*(.*))?\Z")
@@ -220,10 +223,19 @@ class _Reader:
             tuple(map(str, needs)),
             self._actions(data, "before", line),
             str(data.get("command", typed)).rstrip("\n"),
+            self._seen(data, line),
             pages,
             dict(data.lines),
             data.broken,
         )
+
+    def _seen(self, data: MarkedMap, line: int) -> tuple[str, ...]:
+        """What the step has on the screen."""
+        given = self._source.list(data, "see", line)
+        for at, each in enumerate(given):
+            if each not in SEEN:
+                self._wrong(line_of(given, at) or line, f"see: there is no window '{each}'{meant(str(each), SEEN)}")
+        return tuple(map(str, given)) or ("terminal",)
 
     def _wrong_answers(self, data: MarkedMap, line: int) -> tuple[Wrong, ...]:
         found = []

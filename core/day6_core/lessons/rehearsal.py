@@ -48,7 +48,7 @@ def rehearse(
     and tests. Raises TimeoutError.
     """
     played: list[Played] = []
-    with _apart():
+    with apart():
         desk = Desk(home, domain_id=0)
         done = threading.Event()
 
@@ -88,7 +88,7 @@ def _needed(lesson: Lesson, name: str | None) -> set[str]:
 
 
 @contextmanager
-def _apart() -> Iterator[None]:
+def apart() -> Iterator[None]:
     """A meeting place of this process's own, so that nobody else's nodes are seen."""
     before = {name: os.environ.get(name) for name in ("DAY6_RUNTIME_DIR", "DAY6_LINK", "ROS_DOMAIN_ID")}
     short = "/tmp" if os.name == "posix" and os.access("/tmp", os.W_OK | os.X_OK) else None  # it holds sockets

@@ -24,6 +24,7 @@ class TopLine(Feature):
         *,
         doors: bool,
         recording: Callable[[], str],
+        lesson: Callable[[], list[Piece]],
         classroom: Callable[[bool], list[Piece]],
         offers: Callable[[bool], list[Piece]],
     ) -> None:
@@ -31,6 +32,7 @@ class TopLine(Feature):
         self._actions = actions
         self._doors = doors
         self._recording = recording
+        self._lesson = lesson
         self._classroom = classroom
         """What the pupil of a class has to see; in short words, if asked for."""
         self._offers = offers
@@ -40,7 +42,13 @@ class TopLine(Feature):
         """From the left and from the right; in short words where not all that matters has room."""
         switches = self._switches()
         for short in (False, True):
-            left = [*self._name(), *self._recorded(), *self._classroom(short), *self._door_pieces(short)]
+            left = [
+                *self._name(),
+                *self._lesson(),
+                *self._recorded(),
+                *self._classroom(short),
+                *self._door_pieces(short),
+            ]
             left += self._offers(short)
             if sum(cell_len(piece.text) for piece in (*left, *switches)) <= width:
                 break

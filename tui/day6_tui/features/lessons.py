@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING
 from day6_core.shell.user import login_name
 from day6_tui.actions import Handlers
 from day6_tui.bars.notices import NOTICE_SECONDS
-from day6_tui.panes.pane import Pane, PaneMessage
+from day6_tui.features.step_view import EDITOR, TERMINAL, TYPED_INTO, kind_of, show_step
+from day6_tui.panes.arranging import Arranging
+from day6_tui.panes.pane import Pane, PaneMessage, Piece
 from day6_tui.parts import Feature, Parts
 from day6_tui.textual_private.survival import PersonMessage
 
 if TYPE_CHECKING:
-    from day6_core.lessons.document import Lesson
     from day6_tui.windows.lesson.lesson import LessonPane
 
 OPENING_SECONDS = 3.0
@@ -26,20 +27,26 @@ PUPIL = "pupil"
 
 
 class LessonAsked(PaneMessage, PersonMessage):
-    """The lesson window asks: to go to the 'terminal', what was 'opened'."""
+    """The lesson window asks to go to the 'terminal', or on to the 'next' step."""
 
-    def __init__(self, pane: Pane, what: str, *, lesson: Lesson | None = None) -> None:
+    def __init__(self, pane: Pane, what: str) -> None:
         super().__init__(pane)
         self.what = what
-        self.lesson = lesson
 
 
 class Lessons(Feature):
     """Owns the lesson window of the desktop."""
 
-    def __init__(self, parts: Parts, folder: Path | None = None) -> None:
+    def __init__(self, parts: Parts, arranging: Arranging, folder: Path | None = None) -> None:
         super().__init__(parts)
+        self._arranging = arranging
         self._folder = folder
+        self._at: object = None
+        """The lesson and step that were on the screen at the last frame."""
+        self._slots: frozenset[int] = frozenset()
+        """The panes that there were then."""
+        self._goes_on = False
+        """Whether the person has asked for the next step: the keyboard goes where that is done."""
         self._last: dict[str, str] = {}
         self._opening_until = 0.0
         self._wanted = False
@@ -65,20 +72,29 @@ class Lessons(Feature):
     def toggle(self) -> None:
         """Open the lessons; where they are open go on to the next step if this one is solved, else there or back."""
         pane = self.pane
-        if pane is not None:
-            self._opening_until = 0.0
         if pane is None:
             self.open()
-        elif not self._desktop.is_shown(pane):
-            self._desktop.go_to_pane(pane)
-        elif pane.course.state.solved:
-            pane.course.request(pane.course.next)
-            if self._desktop.focused_pane is pane:
-                self.back_to_work()
+            return
+        self._opening_until = 0.0
+        if pane.course.state.solved:
+            self._go_on(pane)
         elif self._desktop.focused_pane is pane:
             self.back_to_work()
         else:
             self._desktop.go_to_pane(pane)
+
+    def _go_on(self, pane: LessonPane) -> None:
+        self._goes_on = True
+        self.back_to_work()  # quick fingers type before the step is there
+        pane.course.request(pane.course.next)
+
+    def pieces(self) -> list[Piece]:
+        """For the upper line: that the step is solved, where its page is covered."""
+        pane, colours = self.pane, self._look.colours
+        if pane is None or not pane.course.state.solved or self._desktop.is_shown(pane):
+            return []
+        words = self._look.texts("lesson.done.key")
+        return [Piece(f" {words} ", colours.choice, self.toggle), Piece("  ", colours.bar)]
 
     def open(self, first: str = "", *, demo: bool = False) -> None:
         """Open the window at a lesson, else at that of the last time; with `demo` it is played by itself."""
@@ -128,17 +144,53 @@ class Lessons(Feature):
         return True
 
     def back_to_work(self) -> None:
-        """Give the keyboard to what was used before the lesson: a terminal, an editor, RViz."""
-        others = [self._desktop.slots[slot] for slot in self._desktop.recent]
-        if (pane := next((each for each in others if each is not self.pane), None)) is not None:
+        """Give the keyboard to what the step is done in."""
+        if (pane := self._work()) is not None:
             self._desktop.go_to_pane(pane)
+
+    def _work(self) -> Pane | None:
+        """What the step is done in: the window it names first if that is open, else the terminal or editor used last."""
+        step = self.pane.course.state.step if self.pane is not None else None
+        first = step.see[0] if step is not None else TERMINAL
+        used = [self._desktop.slots[slot] for slot in self._desktop.recent]
+        kinds = [(first, EDITOR), TYPED_INTO]
+        return next((pane for these in kinds for pane in used if kind_of(pane) in these), None)
 
     def handle(self, event: LessonAsked) -> None:
         """Do what the window asks for."""
-        if event.what == "terminal":
+        if event.what == "next" and self.pane is not None:
+            self._go_on(self.pane)
+        elif event.what == "terminal":
             self.back_to_work()
-        elif event.what == "opened" and (lesson := self.pane) is not None and lesson.takes_focus:
-            self._desktop.focus_pane(lesson)  # something has to be chosen there; what is open over it stays
+
+    def follow(self) -> None:
+        """Where a step has begun or a pane was opened: have on the screen what the step speaks of, and the keyboard there."""
+        pane, desktop = self.pane, self._desktop
+        if pane is None or not desktop.size.width:
+            self._at = None
+            return
+        state, slots = pane.course.state, frozenset(desktop.slots)
+        at = (state.lesson.name, state.index) if state.lesson is not None else ()
+        if (at, slots) == (self._at, self._slots):
+            return
+        begins, new = at != self._at, [desktop.slots[slot] for slot in sorted(slots - self._slots)]
+        self._at, self._slots = at, slots
+        work = next((each for each in new if kind_of(each) in TYPED_INTO), self._work())
+        if begins:
+            new = []
+            self._give_keyboard(pane, work)
+        if work is not None and not desktop.enlarged and not self._arranging.speaks:
+            show_step(desktop, pane, state.step.see if state.step is not None else (TERMINAL,), work, new)
+
+    def _give_keyboard(self, pane: LessonPane, work: Pane | None) -> None:
+        """A step has begun: where something has to be chosen the keyboard is in its window, what is open over it stays."""
+        if self._goes_on:
+            self._desktop.enlarged = False
+        if pane.takes_focus:
+            self._desktop.focus_pane(pane)
+        elif self._goes_on and work is not None:
+            self._desktop.focus_pane(work)
+        self._goes_on = False
 
     @property
     def where(self) -> str:

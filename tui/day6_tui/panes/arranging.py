@@ -116,6 +116,11 @@ class Arranging(Feature):
         self._arranged = {*terminals, *windows}
         self._desktop.arrange_as(speaker(terminals, windows, wide=self._is_wide))
 
+    @property
+    def speaks(self) -> bool:
+        """Whether the layout is the speaker's, in which everything has its place."""
+        return self._speaks
+
     def follow(self) -> None:
         """Give what has been opened or closed its place, while somebody speaks."""
         if self._speaks:

@@ -18,6 +18,12 @@ DEEPEST = 20
 SPOKEN = 0.6
 """The part of the desktop that the terminal gets when one speaks."""
 
+PAGE, PAGE_COLUMNS = 0.375, (38, 45)
+"""The part of the desktop that the page of a lesson gets, and the fewest and the most columns."""
+
+LOWER_TALLER = (0.46, 0.54)
+"""The parts of two terminals of a lesson: in the lower one, the newer, `ros2 topic echo` shows a whole Twist at 80x24."""
+
 PRESENTED = 0.7
 """The part of the desktop that the picture gets when one presents."""
 
@@ -124,6 +130,35 @@ def speaker(terminals: Sequence[Key], windows: Sequence[Key], *, wide: bool) -> 
         shares = [SPOKEN, 1 - SPOKEN]
         tree.root.shares = shares if wide else shares[::-1]
     return tree
+
+
+def lesson(
+    page: Key,
+    done_in: Sequence[Key],
+    pictures: Sequence[Key],
+    terminals: Sequence[Key],
+    windows: Sequence[Key],
+    columns: int,
+) -> Tree:
+    """A step of a lesson: its page on the right, the panes it is done in on the left, and pictures below both by turns.
+
+    The other `terminals` are tabs of the last one it is done in, the other `windows` of the last picture. The desktop has
+    so many `columns`.
+    """
+    left, right = list(done_in), [page]
+    for picture in pictures:
+        min((left, right), key=len).append(picture)
+    behind: dict[Key, list[Key]] = {}
+    behind.setdefault(left[max(0, len(done_in) - 1)], []).extend(terminals)
+    behind.setdefault([page, *pictures][-1], []).extend(windows)
+
+    def column(keys: Sequence[Key]) -> Node:
+        places: list[Node] = [Stack([key, *behind.get(key, ())], key) for key in keys]
+        shares = list(LOWER_TALLER) if keys == done_in and len(keys) == len(LOWER_TALLER) else None
+        return Split(False, places, shares) if len(places) > 1 else places[0]
+
+    part = max(PAGE_COLUMNS[0], min(PAGE_COLUMNS[1], PAGE * columns)) / max(columns, 2 * PAGE_COLUMNS[0])
+    return Tree(Split(True, [column(left), column(right)], [1 - part, part]))
 
 
 def _add_stack(tree: Tree, keys: Sequence[Key], side: str) -> None:

@@ -13,19 +13,16 @@ from day6_core.lessons.document import HINTS
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.features.lessons import LessonAsked
+from day6_tui.panes.cells import cell_len
 from day6_tui.panes.host import PaneHost
 from day6_tui.panes.pane import Piece
 from day6_tui.panes.placement import LESSON
 from day6_tui.windows import WindowPane
-from day6_tui.windows.lesson.page import Action, LessonEntry, PageRow, list_rows, of_the_end, step_rows
+from day6_tui.windows.lesson.page import Action, LessonEntry, PageRow, list_rows, of_the_end, step_page
 
 if TYPE_CHECKING:
     from day6_core.lessons.course import Course
     from day6_core.lessons.state import State
-
-
-SHORT = 15
-"""Lines of a window that shares its half of the screen, with the kitchen for instance."""
 
 
 class LessonPane(WindowPane["Course"]):
@@ -50,6 +47,8 @@ class LessonPane(WindowPane["Course"]):
         self._follow = True
         """Whether the chosen lesson has to be brought into sight."""
         self._rows: list[PageRow] = []
+        self._pinned: list[PageRow] = []
+        """What stays in sight below the rows that scroll."""
         self._entries: list[LessonEntry] = []
         self._built_for: object = None
         """What the rows were made of."""
@@ -57,8 +56,6 @@ class LessonPane(WindowPane["Course"]):
         """What everything was last drawn for."""
         self._shown: object = self
         """The lesson and step whose page was built last: at first none."""
-        self._told: object = self
-        """The lesson and step that the desktop was told of."""
 
     # -- what is shown -------------------------------------------------------------------------------------------------
 
@@ -83,10 +80,6 @@ class LessonPane(WindowPane["Course"]):
         return self.course.state.lesson.name if self.course.state.lesson is not None else ""
 
     def pull(self, now: float) -> bool:
-        state = self.course.state
-        if self._place(state) != self._told:
-            self._told = self._place(state)
-            self.post_message(LessonAsked(self, "opened", lesson=state.lesson))
         if self._key() != self._touched_for:
             self.touch()
         return False
@@ -115,45 +108,71 @@ class LessonPane(WindowPane["Course"]):
             self.has_focus,
         )
 
-    def _choose_last(self) -> None:
+    def _choose_last(self, left: object) -> None:
+        """Stand on the lesson or drill that was `left`, or after one that is finished, else on that of the last time."""
         finished = self.course.state.finished
         names = [lesson.name for lesson in self.course.offer.all]
-        last = finished.name if finished is not None else self.course.progress.last
+        shown = left[0] if isinstance(left, tuple) else self.course.progress.last
+        last = finished.name if finished is not None else shown
         if last in names:
             self.chosen = names.index(last)
             if finished is not None and self.chosen + 1 < len(names):
                 self.chosen += 1
         self._follow = True
 
+    @property
+    def _scrolling(self) -> int:
+        """Lines in which rows scroll: those above what is pinned and the line before that."""
+        return self.inner_height - len(self._pinned) - bool(self._pinned)
+
+    @property
+    def _more(self) -> bool:
+        return self._top + self._scrolling < len(self._rows)
+
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         if self._key() != self._built_for:
             self._build(width)
-        at = self._top + y
-        if at >= len(self._rows):
+        below = y - self._scrolling
+        if self._pinned and not below:
+            return self._divider(y, width)
+        rows, at = (self._pinned, below - 1) if self._pinned and below > 0 else (self._rows, self._top + y)
+        if at >= len(rows):
             return []
-        row = self._rows[at]
+        row = rows[at]
         if row.action is not None:
             self.add_hit(y + self.inner_offset, 1, 1 + width, row.action)
         return row.line
+
+    def _divider(self, y: int, width: int) -> Iterable[Segment]:
+        """The line above the task; it tells of what goes on below it."""
+        colours, line = self.look.colours, self.look.glyphs.border.horizontal
+        told = self._more_words() if self._more else ""
+        if told:
+            self.add_hit(y + self.inner_offset, 1, 1 + width, self._page_down)
+        rest = max(0, width - 3 - cell_len(told))
+        return [Segment(f" {line * rest}", colours.frame), Segment(told, colours.muted), Segment(line, colours.frame)]
+
+    def _more_words(self) -> str:
+        return f" {'' if self.has_focus else 'F5 '}{self.look.texts('lesson.more')} "
 
     def _build(self, width: int) -> None:
         version = self.course.version  # before what it counts: the course goes on meanwhile
         state = self.course.state
         if self._place(state) != self._shown:
-            self._shown = self._place(state)
+            left, self._shown = self._shown, self._place(state)
             self._picked = ""
             self._top = 0
             self._news = {}
             if state.step is None:
-                self._choose_last()
+                self._choose_last(left)
+        self._pinned, self._entries = [], []
         if state.step is None:
             self._rows, self._entries = list_rows(self.course, self.look, width, self.chosen, self._open_entry)
             if self._follow:
                 self._follow = False
                 self._keep_chosen_in_sight()
         else:
-            self._entries = []
-            self._rows = step_rows(
+            page = step_page(
                 self.course,
                 state,
                 self.look,
@@ -162,26 +181,25 @@ class LessonPane(WindowPane["Course"]):
                 notes=self._notes,
                 here=self.has_focus,
                 picked=self._picked[-1:],
-                short=self.inner_height < SHORT,
             )
+            self._rows, self._pinned = page.laid_out(self.inner_height)
             self._show_news(state)
-        self._top = max(0, min(self._top, len(self._rows) - self.inner_height))
+        self._top = max(0, min(self._top, len(self._rows) - self._scrolling))
         self._built_for = (version, *self._key()[1:])
 
     def _show_news(self, state: State) -> None:
-        """Scroll to what has just come up: a hint, that the step is solved, what stands in the way."""
+        """Scroll to what has just come up: a hint, a question, what stands in the way."""
         news: dict[str, object] = {
             "problem": (state.missing, state.leftovers, state.problem, state.mistakes),
             "question": all(verdict.ok for verdict in state.verdicts if verdict.wanted.key != "answer"),
             "answer": state.answer,
             "hint": state.hints,
             "notes": self._notes,
-            "solved": state.solved,
         }
         for what, now in news.items():
             rows = [at for at, row in enumerate(self._rows) if row.news == what]
-            if rows and self._news.get(what, now) != now and rows[-1] >= self._top + self.inner_height:
-                self._top = min(rows[0], rows[-1] - self.inner_height + 1)
+            if rows and self._news.get(what, now) != now and rows[-1] >= self._top + self._scrolling:
+                self._top = min(rows[0], rows[-1] - self._scrolling + 1)
         self._news = news
 
     def _keep_chosen_in_sight(self) -> None:
@@ -213,21 +231,15 @@ class LessonPane(WindowPane["Course"]):
 
     def status_right(self) -> list[Piece]:
         texts, colours, state = self.look.texts, self.look.colours, self.course.state
-        more = self._top + self.inner_height < len(self._rows)
-        there = "" if self.has_focus else "F5 "
-        pieces = (
-            [Piece(f" {there}{texts('lesson.more')} ", colours.muted, lambda: self._scroll(self.inner_height - 2))]
-            if more and not state.solved  # there is no room for both, and it is time to go on
-            else []
-        )
-        if state.lesson is None:
-            return pieces
         if state.solved:
             told = texts("lesson.next.key", next=texts(of_the_end("lesson.key.next", state)))
-            pieces.append(Piece(f" {told} ", colours.choice, self._next))
-        elif state.hints < HINTS:
-            pieces.append(Piece(f" {there}{texts('lesson.hint.key')} ", colours.accent, self._doing("hint")))
-        return pieces
+            return [Piece(f" {told} ", colours.choice, self._go_on)]
+        if self._more and not self._pinned:
+            return [Piece(self._more_words(), colours.muted, self._page_down)]
+        if state.lesson is None or state.hints >= HINTS:
+            return []
+        there = "" if self.has_focus else "F5 "
+        return [Piece(f" {there}{texts('lesson.hint.key')} ", colours.accent, self._doing("hint"))]
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts, state, drills = self.look.texts, self.course.state, self.course.offer.drills
@@ -289,6 +301,9 @@ class LessonPane(WindowPane["Course"]):
     def _next(self) -> None:
         self.course.request(self.course.next)
 
+    def _go_on(self) -> None:
+        self.post_message(LessonAsked(self, "next"))  # and to where that is done
+
     def _open_entry(self, number: int) -> None:
         self.chosen = number
         if number < len(self._entries):
@@ -296,8 +311,11 @@ class LessonPane(WindowPane["Course"]):
             self.course.request(lambda: self.course.open(name))
         self.touch()
 
+    def _page_down(self) -> None:
+        self._scroll(max(1, self._scrolling - 1))
+
     def _scroll(self, rows: int) -> None:
-        self._top = max(0, min(self._top + rows, len(self._rows) - self.inner_height))
+        self._top = max(0, min(self._top + rows, len(self._rows) - self._scrolling))
         self.touch()
 
     def _enter(self) -> None:
@@ -308,14 +326,13 @@ class LessonPane(WindowPane["Course"]):
             letter, self._picked = self._picked[-1], ""
             self.course.request(lambda: self.course.choose(letter))
         elif state.solved:
-            self._next()
-            self.post_message(LessonAsked(self, "terminal"))  # where the next step is done
+            self._go_on()
         elif state.hints >= HINTS and state.step.command:
             self.post_message(self.CommandChosen(self, state.step.command))  # Return is the pupil's
 
     def on_key(self, event: events.Key) -> None:
         state = self.course.state
-        page = max(1, self.inner_height - 2)
+        page = max(1, self._scrolling - 1)
         letters = {answer.letter for answer in state.step.pages["zh"].answers} if state.step is not None else set()
         in_list = {
             "down": lambda: self._choose(1),

@@ -24,6 +24,12 @@ if TYPE_CHECKING:
 
 Action = Callable[[], object]
 
+PROSE_ROWS = 3
+"""Lines that are left to read above a task that stays in sight."""
+
+PICTURE_ROWS = 6
+"""Where fewer lines of text would follow the picture, it comes after them: what it shows is on the screen by then."""
+
 
 class PageRow(NamedTuple):
     """A line of the page, and what a click on it does."""
@@ -31,7 +37,7 @@ class PageRow(NamedTuple):
     line: Line
     action: Action | None = None
     news: str = ""
-    """What has come to be seen here: 'solved', 'hint', 'answer', 'problem', 'notes'."""
+    """What has come to be seen here: 'hint', 'question', 'answer', 'problem', 'notes'."""
 
 
 class LessonEntry(NamedTuple):
@@ -99,11 +105,10 @@ def list_rows(
         if drills[0] is offer.drills[0]:
             more = wrap(texts("lesson.drills.more"), width - 4)
             rows += [PageRow([Segment(f"   {line}", colours.muted)]) for line in more]
-        for before, lesson in zip((None, *drills), drills, strict=False):
+        for number, (before, lesson) in enumerate(zip((None, *drills), drills, strict=False), 1):
             if before is None or before.topic != lesson.topic:
                 rows.append(PageRow([Segment(clip(f"   {_topic(lesson.topic, look)}", width), colours.accent)]))
-            number = f"{lesson.fault:2} " if lesson.fault else ""
-            entry(lesson, f"{number}{lesson.title[texts.language]}")
+            entry(lesson, f"{number:2} {lesson.title[texts.language]}")
     return rows, entries
 
 
@@ -146,7 +151,49 @@ def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[PageR
     return rows
 
 
-def step_rows(
+class StepPage(NamedTuple):
+    """The page of a step in its parts, each without empty lines around it."""
+
+    title: list[PageRow]
+    picture: list[PageRow]
+    prose: list[PageRow]
+    """What is read: text, answers, hints, notes for the teacher."""
+    problems: list[PageRow]
+    do: list[PageRow]
+    checks: list[PageRow]
+    told: list[PageRow]
+    """What comes next: that it is solved, how a question is answered."""
+
+    def laid_out(self, height: int) -> tuple[list[PageRow], list[PageRow]]:
+        """What scrolls in a window of so many lines, and what stays below it: as much of the task as leaves room to read."""
+        head, task = [self.title, self.picture, self.prose], (self.problems, self.do, self.checks, self.told)
+        whole = _joined([*head, *task])
+        if len(whole) <= height:
+            return whole, []
+        room = height - PROSE_ROWS - 1  # the line between them
+        if len(self.do) > room:
+            # No room for both: what to do comes first, and says where the rest is.
+            return _joined([self.do, self.problems, self.checks, self.told, *head]), []
+        stays = [self.do]
+        for part in (self.told, self.problems, self.checks):
+            if sum(map(len, (*stays, part))) <= room:
+                stays.append(part)
+        left = [part for part in task if part not in stays]
+        pinned = [row for part in task if part in stays for row in part]
+        if height - len(pinned) < len(self.title) + len(self.picture) + PICTURE_ROWS:
+            return [*self.title, *_joined([self.prose, *left, self.picture])], pinned
+        return _joined([*head, *left]), pinned
+
+
+def _joined(parts: list[list[PageRow]]) -> list[PageRow]:
+    """The parts with an empty line between them."""
+    rows: list[PageRow] = []
+    for part in filter(None, parts):
+        rows += [*([PageRow([])] if rows else []), *part]
+    return rows
+
+
+def step_page(
     course: Course,
     state: State,
     look: Look,
@@ -156,38 +203,34 @@ def step_rows(
     notes: bool = False,
     here: bool = True,
     picked: str = "",
-    short: bool = False,
-) -> list[PageRow]:
-    """The page of the step: picture, text, what to do, how far the checks are, hints, answers, `notes` for the teacher.
+) -> StepPage:
+    """The page of the step, with the `notes` for the teacher.
 
     `here`: the keyboard is in this window, so that its keys need no F5 before them. `picked`: the answer that Enter gives.
-    `short`: there is room for some lines only, so that what to do comes first.
     """
     assert state.step is not None
     page: Page = state.step.pages[look.texts.language]
-    rows = _heading(state, page, look, width)
-    body = [PageRow([Segment(" ", look.colours.text), *line]) for line in _text(page.body, width - 2, look)]
-    parts = [_picture(page, look, width), [*body, PageRow([])], _do(page, look, width)]
-    if short:
-        parts = [[*parts[2], PageRow([])], parts[0], parts[1][:-1]]
-    rows += [row for part in parts for row in part]
-    rows += [PageRow([])] if page.answers else []
-    for answer in page.answers:
-        rows += _answer(answer, state, look, width, doing, picked=answer.letter == picked)
-    if page.answers and not state.solved:
-        letters = texts_list(look, [answer.letter for answer in page.answers])
-        told = look.texts("lesson.answer.here" if here else "lesson.answer", letters=letters)
-        rows += [
-            PageRow([Segment(f"  {line}", look.colours.accent)], news="question") for line in wrap(told, width - 4)
-        ]
-    rows.append(PageRow([]))
-    rows += _checks(state, look, width, doing, here=here)
-    rows += _hints(state, page, look, width, doing)
-    rows += _problems(course, state, look, width, doing)
+    prose = [_indented(_text(page.body, width - 2, look), look)]
+    prose.append(
+        [row for each in page.answers for row in _answer(each, state, look, width, doing, each.letter == picked)]
+    )
+    prose += _hints(state, page, look, width)
     if notes and page.teacher:
         lines = [[Segment(look.texts("lesson.notes"), look.colours.accent)], *_text(page.teacher, width - 2, look)]
-        rows += [PageRow([]), *(PageRow([Segment(" ", look.colours.text), *line], news="notes") for line in lines)]
-    return rows
+        prose.append(_indented(lines, look, "notes"))
+    return StepPage(
+        _heading(page, look, width),
+        _picture(page, look, width),
+        _joined(prose),
+        _problems(course, state, look, width, doing),
+        _do(page, look, width),
+        _checks(state, look, width),
+        _told(state, page, look, width, doing, here=here),
+    )
+
+
+def _indented(lines: list[Line], look: Look, news: str = "") -> list[PageRow]:
+    return [PageRow([Segment(" ", look.colours.text), *line], news=news) for line in lines]
 
 
 def _text(markdown: str, width: int, look: Look, style: Style | None = None) -> list[Line]:
@@ -199,10 +242,8 @@ def texts_list(look: Look, words: list[str]) -> str:
     return look.texts("list.comma").join(words)
 
 
-def _heading(state: State, page: Page, look: Look, width: int) -> list[PageRow]:
-    colours = look.colours
-    assert state.lesson is not None
-    return [PageRow([Segment(f" {line}", colours.strong)]) for line in wrap(page.title, width - 2)] + [PageRow([])]
+def _heading(page: Page, look: Look, width: int) -> list[PageRow]:
+    return [PageRow([Segment(f" {line}", look.colours.strong)]) for line in wrap(page.title, width - 2)]
 
 
 def _picture(page: Page, look: Look, width: int) -> list[PageRow]:
@@ -211,11 +252,10 @@ def _picture(page: Page, look: Look, width: int) -> list[PageRow]:
     colours = look.colours
     size = max(map(cell_len, page.picture))
     left = max(0, (width - size) // 2)
-    rows = [
+    return [
         PageRow([Segment(" " * left, colours.text), Segment(clip(line, width - left), colours.node)])
         for line in page.picture
     ]
-    return [*rows, PageRow([])]
 
 
 def _do(page: Page, look: Look, width: int) -> list[PageRow]:
@@ -228,21 +268,21 @@ def _do(page: Page, look: Look, width: int) -> list[PageRow]:
 
 
 def _answer(
-    answer: Answer, state: State, look: Look, width: int, doing: Callable[[str], Action], *, picked: bool
+    answer: Answer, state: State, look: Look, width: int, doing: Callable[[str], Action], picked: bool
 ) -> list[PageRow]:
     colours, letter, reason = look.colours, answer.letter, answer.reason
     chosen = state.answer == letter
     style = colours.publisher if chosen and state.solved else colours.warning if chosen else colours.text
     style = colours.choice if picked else style
     lines = _text(answer.text, width - 6, look, style)
+    news = "answer" if chosen else "question"
     rows = [
-        PageRow([Segment(f"  {letter}) " if not at else "     ", style), *line], doing(f"answer {letter}"))
+        PageRow([Segment(f"  {letter}) " if not at else "     ", style), *line], doing(f"answer {letter}"), news)
         for at, line in enumerate(lines)
     ]
     if chosen and reason:
-        rows += [
-            PageRow([Segment("     ", colours.text), *line]) for line in _text(reason, width - 6, look, colours.muted)
-        ]
+        reasons = _text(reason, width - 6, look, colours.muted)
+        rows += [PageRow([Segment("     ", colours.text), *line], news=news) for line in reasons]
     return rows
 
 
@@ -259,7 +299,7 @@ def _mark(look: Look, good: bool) -> str:
     return "✓" if good else "·"
 
 
-def _checks(state: State, look: Look, width: int, doing: Callable[[str], Action], *, here: bool) -> list[PageRow]:
+def _checks(state: State, look: Look, width: int) -> list[PageRow]:
     colours, language = look.colours, look.texts.language
     rows: list[PageRow] = []
     if state.lesson is not None and state.lesson.is_drill and not state.hints and not state.solved:
@@ -276,29 +316,36 @@ def _checks(state: State, look: Look, width: int, doing: Callable[[str], Action]
         if not verdict.ok and verdict.saw is not None:
             for line in _text(verdict.saw.text(language), room, look, colours.muted):
                 rows.append(PageRow([Segment(f" {' ' * cell_len(mark)} ", colours.muted), *line]))
-    if state.done_before and not state.solved:
-        told = wrap(look.texts("lesson.done_before"), width - 2)
-        rows += [PageRow([]), *(PageRow([Segment(f" {line}", colours.publisher)]) for line in told)]
+    return rows
+
+
+def _told(
+    state: State, page: Page, look: Look, width: int, doing: Callable[[str], Action], *, here: bool
+) -> list[PageRow]:
+    """What comes next."""
+    texts, colours = look.texts, look.colours
+    told: list[tuple[str, Style]] = []
     if state.solved:
         key = "lesson.already" if state.before_asked else "lesson.solved"
-        go_on = look.texts(of_the_end("lesson.go_on", state))
-        told = wrap(look.texts(key, key="Enter" if here else "F5", go_on=go_on), width - 2)
-        solved = [PageRow([Segment(f" {line}", colours.publisher)], doing("next"), "solved") for line in told]
-        rows += [PageRow([]), *solved]
-    return rows
+        go_on = texts(of_the_end("lesson.go_on", state))
+        told.append((texts(key, key="Enter" if here else "F5", go_on=go_on), colours.publisher))
+    elif state.done_before:
+        told.append((texts("lesson.done_before"), colours.publisher))
+    if page.answers and not state.solved:
+        letters = texts_list(look, [answer.letter for answer in page.answers])
+        told.append((texts("lesson.answer.here" if here else "lesson.answer", letters=letters), colours.accent))
+    lines = [(line, style) for words, style in told for line in wrap(words, width - 2)]
+    if state.solved:
+        return [PageRow([Segment(f" {line}", style)], doing("next"), "solved") for line, style in lines]
+    return [PageRow([Segment(f" {line}", style)]) for line, style in lines]
 
 
-def _hints(state: State, page: Page, look: Look, width: int, doing: Callable[[str], Action]) -> list[PageRow]:
-    colours, texts = look.colours, look.texts
-    rows: list[PageRow] = []
+def _hints(state: State, page: Page, look: Look, width: int) -> list[list[PageRow]]:
+    found: list[list[PageRow]] = []
     for number, hint in enumerate(page.hints[: state.hints], 1):
-        head = texts("lesson.hint", number=number, all=HINTS)
-        rows.append(PageRow([]))
-        rows.append(PageRow([Segment(f" {head}", colours.accent)]))
-        rows += [
-            PageRow([Segment(" ", look.colours.text), *line], news="hint") for line in _text(hint, width - 2, look)
-        ]
-    return rows
+        head = PageRow([Segment(f" {look.texts('lesson.hint', number=number, all=HINTS)}", look.colours.accent)])
+        found.append([head, *_indented(_text(hint, width - 2, look), look, "hint")])
+    return found
 
 
 def _problems(course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action]) -> list[PageRow]:
@@ -307,20 +354,19 @@ def _problems(course: Course, state: State, look: Look, width: int, doing: Calla
     rows: list[PageRow] = []
 
     def say(text: str, action: Action | None = None) -> None:
-        rows.append(PageRow([]))
         rows.extend(
             PageRow([Segment(f" {line}", colours.warning)], action, "problem") for line in wrap(text, width - 2)
         )
 
     if state.leftovers and not state.working:
-        say(texts("lesson.leftovers", names=texts_list(look, list(state.leftovers[:3]))), doing("clear"))
+        key = "lesson.something_runs" if state.lesson is not None and state.lesson.is_drill else "lesson.leftovers"
+        say(texts(key, names=texts_list(look, list(state.leftovers[:3]))), doing("clear"))
     if state.missing and state.lesson is not None and not state.working:
         steps = [state.lesson.step(name) for name in state.missing]
         names = texts_list(look, [step.pages[texts.language].title for step in steps if step is not None])
         say(texts("lesson.missing", names=names), doing("prepare"))
     if state.problem:
-        key = "lesson.something_runs" if state.problem == "something-runs" else "lesson.problem"
-        say(texts(key, reason=state.problem))
+        say(texts("lesson.problem", reason=state.problem))
     if state.mistakes is not None:
         for each in state.mistakes.mistakes[:5]:
             say(f"{state.mistakes.path.name}:{each.line}: {each.text}")

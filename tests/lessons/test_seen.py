@@ -1,0 +1,153 @@
+"""At 80x24 every step of the six days has on the screen what it speaks of, and the keyboard where it is done.
+
+A day is played once, as its solutions say, and what the screen shows is noted at the beginning of each step and at its end.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, NamedTuple
+
+import pytest
+
+from day6_core.lessons.catalogue import days
+from day6_core.lessons.document import Lesson, Step
+from day6_core.lessons.rehearsal import apart
+from day6_core.shell.desk import Desk
+from day6_tui.app import Day6App
+from day6_tui.features.step_view import EDITOR, NARROWEST, TERMINAL, kind_of
+from day6_tui.options import Options
+from tests.support.waiting import Deadline
+from tests.tui.screens import UTF8, make_look, screen_text
+
+pytestmark = [pytest.mark.process, pytest.mark.long]
+
+FAST = 2.0
+"""How fast the world is; a program of day 3 sleeps for fifteen seconds of the wall's, and is waited for for forty of the world's."""
+
+LONGEST = 90.0
+
+STEPS = [pytest.param(lesson, step, id=f"{lesson.name}-{step.name}") for lesson in days() for step in lesson.steps]
+
+
+class Seen(NamedTuple):
+    """What there is to see at one moment."""
+
+    kinds: list[str]
+    """Those of the panes that are shown, and as large as they need."""
+    keyboard: str
+    """The kind of the pane that has it."""
+    text: str
+
+
+class Played(NamedTuple):
+    """A day: what was seen when each step began and when it was solved, and why it did not go on."""
+
+    seen: dict[str, tuple[Seen, Seen]]
+    ended: str
+
+
+class Player:
+    """One day, played on the desktop."""
+
+    def __init__(self, app: Day6App, pilot: Any) -> None:
+        self._app, self._pilot = app, pilot
+        self.seen: dict[str, tuple[Seen, Seen]] = {}
+
+    @property
+    def _course(self) -> Any:
+        return self._app.lessons.pane.course if self._app.lessons.pane is not None else None
+
+    async def _until(self, condition: Callable[[], object]) -> None:
+        deadline = Deadline(LONGEST)
+        while not condition():
+            assert not deadline.is_over(), screen_text(self._app)
+            self._app.frames.step()
+            await self._pilot.pause(0.02)
+
+    async def _look(self) -> Seen:
+        for _ in range(5):  # everything has its place
+            self._app.frames.step()
+            await self._pilot.pause(0.02)
+        desktop = self._app.desktop
+        plan = desktop.plan_now().places
+        kinds = [
+            kind_of(desktop.slots[slot])
+            for slot, place in plan.items()
+            if place.width >= NARROWEST and place.height >= desktop.needs(slot).least.rows
+        ]
+        return Seen(kinds, kind_of(desktop.focused_pane), screen_text(self._app))
+
+    async def play(self, lesson: Lesson) -> None:
+        await self._until(lambda: self._course is not None and self._course.state.step is not None)
+        for number, step in enumerate(lesson.steps):
+            await self._until(lambda number=number: self._course.state.index == number)
+            begun = await self._look()
+            done: list[bool] = []
+
+            async def solve(step: Step = step, done: list[bool] = done) -> None:
+                await self._course.opened.stage.perform([{"terminal": "idle"}, *step.solve])
+                done.append(True)
+
+            if not self._course.state.solved:
+                self._course.request(lambda solve=solve: self._course._start(solve()))
+                await self._until(lambda done=done: done or self._course.state.problem)
+                await self._until(lambda: self._course.state.solved or self._course.state.problem)
+            assert not self._course.state.problem, (step.name, self._course.state.problem)
+            self.seen[step.name] = begun, await self._look()
+            await self._pilot.press("f5")
+
+
+@cache
+def played(day: str) -> Played:
+    """Play a day."""
+    lesson = next(lesson for lesson in days() if lesson.name == day)
+
+    async def play(home: Path) -> Played:
+        given = Options(fps=0, lang="zh", lesson=lesson.name)
+        desk = Desk(home, domain_id=0)
+        desk.set_speed(FAST)
+        app = Day6App(given, desk=desk, look=make_look(given, UTF8))
+        desk.start()
+        try:
+            async with app.run_test(size=(80, 24)) as pilot:
+                player, ended = Player(app, pilot), ""
+                try:
+                    await player.play(lesson)
+                except AssertionError as error:
+                    ended = str(error)
+                return Played(player.seen, ended)
+        finally:
+            desk.hurry()
+            desk.close()
+
+    with apart(), TemporaryDirectory() as folder:
+        return asyncio.run(play(Path(folder)))
+
+
+@pytest.mark.parametrize(("lesson", "step"), STEPS)
+def test_a_step_has_what_it_speaks_of_on_the_screen(lesson: Lesson, step: Step) -> None:
+    day = played(lesson.name)
+    assert step.name in day.seen, day.ended
+    begun, done = day.seen[step.name]
+    first_words = step.pages["zh"].do.replace("`", "")[:2].strip()
+    for seen in (begun, done):
+        assert "lesson" in seen.kinds, seen.text
+        assert f"▸ {first_words}" in seen.text
+    asks = all(check.name == "answer" for check in step.checks)
+    at_work = {"lesson"} if asks else {step.see[0], EDITOR, TERMINAL if step is lesson.steps[0] else ""}
+    assert begun.keyboard in at_work, begun.text
+    for kind in step.see:
+        assert done.kinds.count(kind) >= step.see.count(kind), (kind, done.text)
+
+
+def test_the_echo_is_seen_whole_beside_the_remote_control() -> None:
+    text = played("day3").seen["echo"][1].text
+    wanted = ["linear:", "  x: 2.0", "  y: 0.0", "  z: 0.0", "angular:", "  x: 0.0", "  y: 0.0", "  z: 0.0", "---"]
+    echoed = [line[1:].split("│")[0].split("┃")[0].rstrip() for line in text.split("\n")]
+    assert any(echoed[at : at + len(wanted)] == wanted for at in range(len(echoed))), text
+    assert "'q' to quit." in text and "θ" in text
