@@ -18,16 +18,16 @@ from day6_core.lessons.catalogue import days
 from day6_core.lessons.document import Lesson, Step
 from day6_core.lessons.rehearsal import apart
 from day6_core.shell.desk import Desk
-from day6_tui.app import Day6App
+from day6_tui.app import Day6App, make_look
 from day6_tui.features.step_view import EDITOR, NARROWEST, TERMINAL, kind_of
 from day6_tui.options import Options
 from tests.support.waiting import Deadline
-from tests.tui.screens import UTF8, make_look, screen_text
+from tests.tui.screens import UTF8, screen_text
 
 pytestmark = [pytest.mark.process, pytest.mark.long]
 
 FAST = 2.0
-"""How fast the world is; a program of day 3 sleeps for fifteen seconds of the wall's, and is waited for for forty of the world's."""
+"""How fast the world is. The program of day 3 sleeps for fifteen seconds of the wall's; forty of the world's are waited."""
 
 LONGEST = 90.0
 
@@ -80,7 +80,8 @@ class Player:
             for slot, place in plan.items()
             if place.width >= NARROWEST and place.height >= desktop.needs(slot).least.rows
         ]
-        return Seen(kinds, kind_of(desktop.focused_pane), screen_text(self._app))
+        keyboard = desktop.focused_pane
+        return Seen(kinds, kind_of(keyboard) if keyboard is not None else "", screen_text(self._app))
 
     async def play(self, lesson: Lesson) -> None:
         await self._until(lambda: self._course is not None and self._course.state.step is not None)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from day6_core.lessons.document import Lesson, Step
 from day6_core.lessons.following import FollowedFile
 from day6_core.lessons.live import Live
-from day6_core.lessons.player import StageError, Steering
+from day6_core.lessons.player import Steering
 from day6_core.lessons.progress import Progress
 from day6_core.lessons.stage import Stage
 

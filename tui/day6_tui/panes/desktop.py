@@ -253,8 +253,9 @@ class Desktop(PaneHost):
 
     def _heir(self) -> Pane | None:
         """Who gets the keyboard when its owner has gone: the visible pane used last."""
-        shown = self.plan_now().places
-        return next((self.slots[slot] for slot in self.recent if slot in shown), None)
+        places = self.plan_now().places
+        shown = [self.slots[slot] for slot in self.recent if slot in places]
+        return next((pane for pane in shown if pane.inherits), shown[0] if shown else None)
 
     def show_windows(self, windows: list[Window[object]]) -> list[WindowPane[object]]:
         """Make the panes agree with the display's list; return the new ones that have no place of their own."""

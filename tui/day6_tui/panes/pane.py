@@ -83,6 +83,9 @@ class Pane(Surviving, Widget, can_focus=True):
     keeps_focus = False
     """Whether a terminal that opens by itself leaves it the keyboard."""
 
+    inherits = True
+    """Whether it gets the keyboard of a pane that has gone, where there is another one too."""
+
     key_weight = 2
     """The weight on the key line of its keys after the first one: F2, F4 and F8 are needed more, and buttons for the mouse."""
 

@@ -49,7 +49,7 @@ TEXTS = {
     "lesson.key.clear": "end what runs",
     "lesson.missing": "This step needs an earlier one: {names}. Press P (capital) and I set it up.",
     "lesson.problem": "That did not work: {reason}",
-    "lesson.something_runs": "Still running: {names}. End them with Ctrl-C, or F5, then C (capital), and I do it; the drill then begins.",
+    "lesson.something_runs": "Still running: {names}. Ctrl-C ends them, or I do: F5, then C (capital). The drill begins then.",
     "lesson.not_saved": "Your progress was not saved: {reason}",
     "lesson.key.choose": "choose",
     "lesson.key.open": "open",

@@ -76,6 +76,11 @@ class LessonPane(WindowPane["Course"]):
         """While something is typed for a hall the keys that hold it and set its pace are needed here."""
         return self.course.demonstration is not None
 
+    @property
+    def inherits(self) -> bool:  # type: ignore[override]
+        """After an editor was closed the terminal is what a step is done in."""
+        return self.takes_focus
+
     def kept_view(self) -> str:
         return self.course.state.lesson.name if self.course.state.lesson is not None else ""
 
