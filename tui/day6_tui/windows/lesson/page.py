@@ -173,7 +173,7 @@ class StepPage(NamedTuple):
         room = height - PROSE_ROWS - 1  # the line between them
         if len(self.do) > room:
             # No room for both: what to do comes first, and says where the rest is.
-            return _joined([self.do, self.problems, self.checks, self.told, *head]), []
+            return _joined([self.do, self.told, self.problems, self.checks, *head]), []
         stays = [self.do]
         for part in (self.told, self.problems, self.checks):
             if sum(map(len, (*stays, part))) <= room:
