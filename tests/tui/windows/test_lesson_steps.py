@@ -45,7 +45,7 @@ def test_where_all_has_room_nothing_is_pinned() -> None:
 
 
 def test_the_task_stays_below_what_scrolls() -> None:
-    found, pinned = page().laid_out(12)
+    found, pinned = page().laid_out(13)
     assert texts_of(pinned) == ["do 0", "do 1", "check 0", "check 1"]
     assert "text 11" in texts_of(found) and "do 0" not in texts_of(found)
 

@@ -27,6 +27,9 @@ Action = Callable[[], object]
 PROSE_ROWS = 3
 """Lines that are left to read above a task that stays in sight."""
 
+READ_ROWS = 8
+"""Lines that are left to read above checks that stay in sight: otherwise they scroll with the text."""
+
 PICTURE_ROWS = 6
 """Where fewer lines of text would follow the picture, it comes after them: what it shows is on the screen by then."""
 
@@ -175,8 +178,8 @@ class StepPage(NamedTuple):
             # No room for both: what to do comes first, and says where the rest is.
             return _joined([self.do, self.told, self.problems, self.checks, *head]), []
         stays = [self.do]
-        for part in (self.told, self.problems, self.checks):
-            if sum(map(len, (*stays, part))) <= room:
+        for part, spared in ((self.told, 0), (self.problems, 0), (self.checks, READ_ROWS - PROSE_ROWS)):
+            if sum(map(len, (*stays, part))) <= room - spared:
                 stays.append(part)
         left = [part for part in task if part not in stays]
         pinned = [row for part in task if part in stays for row in part]
