@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from day6_urdf.chinese import english, numbers, sign_in, sign_outside_quotes
 from day6_urdf.report import Diagnostic, Report
 
 
@@ -150,6 +151,8 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
         '颜色是四个 0 到 1 的数（红、绿、蓝、不透明度），"{0}" 不行',
     ),
     (r"Unable to parse component \[(.*)\]", '"{0}" is not a number', '"{0}" 不是数'),
+    (r"inertia element (\w+) is not a valid double", "{0} is not a number", "{0} 不是数"),
+    (r"(\w+) \[(.*)\] is not a float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
     (r"(\S+) value \((.*)\) is not a valid float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
     (r"(\S+) \[(.*)\] is not a valid float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
     (
@@ -212,17 +215,75 @@ def hint_of(report: Report, text: str = "", language: str = "en") -> Hint | None
     `text` is the description, from which similar link names are suggested.
     """
     for diagnostic in sorted(report.diagnostics, key=lambda each: each.level != "Error"):
-        explained = _explain(diagnostic, text, language)
+        explained = _chinese(diagnostic, text, language) or _explain(diagnostic, text, language)
         if explained:
             return Hint(diagnostic.line, diagnostic.column, explained)
     return None
 
 
+def chinese_numbers(message: str, language: str) -> str:
+    """Return what a message about a value means if Chinese punctuation or wide digits are what is wrong with it, '' else."""
+    value = _VALUE.search(message)
+    return _put_right(value[1], language) if value is not None else ""
+
+
+def _put_right(value: str, language: str) -> str:
+    right = numbers(value)
+    if not right:
+        return ""
+    sign = sign_in(value)
+    in_english, in_chinese = _CHINESE[english(sign) in ", "]
+    return (in_chinese if language == "zh" else in_english).format(sign=sign, wrong=value, right=right)
+
+
+_VALUE = re.compile(r"(?:component|value|\w+) [\[(]([^\])]*)[\])] (?:to a double|is not a )")
+_CHINESE = {
+    True: (
+        'blanks stand between numbers and no Chinese "{sign}": write "{right}" for "{wrong}"',
+        '数和数之间用空格，不用中文的「{sign}」：把 "{wrong}" 写成 "{right}"',
+    ),
+    False: (
+        'a Chinese "{sign}" is no part of a number: write "{right}" for "{wrong}"',
+        '数里面不能有中文的「{sign}」：把 "{wrong}" 写成 "{right}"',
+    ),
+}
+"""Whether the sign separates numbers -> English, Chinese."""
+_CHINESE_TAG = (
+    'this tag has a Chinese "{sign}": quotation marks are ", and between attributes stand only blanks',
+    '这个标签里有中文的「{sign}」：引号要用英文的 "，属性之间只用空格',
+)
+
+
+def _chinese(diagnostic: Diagnostic, text: str, language: str) -> str:
+    """What it means if a Chinese sign is the cause: in a value, or in the tag that could not be read."""
+    if explained := chinese_numbers(diagnostic.text, language):
+        return explained
+    if not diagnostic.line:
+        return ""
+    begin = sum(map(len, text.splitlines(keepends=True)[: diagnostic.line - 1])) + max(diagnostic.column - 1, 0)
+    if (named := re.search(r"XMLElement name=(\S+)", diagnostic.text)) is not None:
+        begin = max(text.rfind(f"<{named[1]}", 0, begin + 1), 0)  # an open quotation mark ends far behind
+    if (unsaid := _UNSAID.search(diagnostic.text)) is not None:
+        value = re.search(rf"\b{unsaid[1]}\s*=\s*[\"']([^\"']*)", text[begin:])
+        return _put_right(value[1], language) if value is not None else ""
+    if not _OF_TAGS.search(diagnostic.text):
+        return ""
+    in_english, in_chinese = _CHINESE_TAG
+    sign = sign_outside_quotes(text[begin:].partition(">")[0])
+    return (in_chinese if language == "zh" else in_english).format(sign=sign) if sign else ""
+
+
+_UNSAID = re.compile(r"inertia element (\w+) is not a valid double")
+"""The one message that names an attribute and not its value."""
+_OF_TAGS = re.compile(r"XML_ERROR|has no |needs a name|must have|name given")
+"""Messages about a tag that may not have been read as it was meant."""
+
+
 def _explain(diagnostic: Diagnostic, text: str, language: str) -> str:
-    for pattern, english, chinese in _EXPLANATIONS:
+    for pattern, in_english, in_chinese in _EXPLANATIONS:
         match = re.search(pattern, diagnostic.text)
         if match is not None:
-            template = chinese if language == "zh" else english
+            template = in_chinese if language == "zh" else in_english
             groups = match.groups()
             return template.format(
                 *(group or "" for group in groups),

@@ -60,7 +60,7 @@ def scene_of(
     """Return what lookers may look at for a line of `output`, which `command` printed."""
     fault = match.fault or fault_in(output or match.line)
     simple = simple_command(command, match.values)
-    return Situation(around, match.values, simple, fault, graph, tuple(commands), letters, command)
+    return Situation(around, match.values, simple, fault, graph, tuple(commands), letters, match.line, command)
 
 
 def simple_command(source: str, values: Mapping[str, str]) -> str:

@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from day6_core.advice import known
 from day6_core.advice.looking import Found, Situation, found, looker
 from day6_core.facts.names import nearest
+from day6_core.language import language_of
+from day6_urdf.explain import chinese_numbers
 
 _TYPE = re.compile(r"\b[a-z]\w*/(?:(?:msg|srv|action)/)?[A-Z]\w*")
 _DEEPEST = 4
@@ -18,6 +20,13 @@ _OF_COMMAND = {"topic": "msg", "service": "srv", "action": "action"}
 
 _TURNING = {"geometry_msgs/msg/Twist": {"z": "angular"}}
 """Which of several fields is meant where only one makes sense for what drives on the ground."""
+
+
+@looker
+def chinese_value(scene: Situation) -> Found | None:
+    """Chinese punctuation in a number of a robot description."""
+    text = chinese_numbers(scene.said, language_of(scene.variables))
+    return found("said", "", text=text) if text else None
 
 
 @looker

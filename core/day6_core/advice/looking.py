@@ -27,6 +27,8 @@ class Situation:
     """The commands that the terminal knows."""
     letters: str = ""
     """The answers that a question of the lesson waits for: 'abc'."""
+    said: str = ""
+    """The line of the output that is explained."""
     line: str = ""
     """All that was run in one line with that command."""
 

@@ -16,14 +16,15 @@ from day6_core.advice.fault import Fault, fault_in
 from day6_core.advice.foreign_modules import NOT_HERE, OF_ROS_1, PIP, SAMPLES
 from day6_core.advice.matching import card_for, cards_in
 from day6_core.advice.texts import TEXTS
-from day6_core.advice.typed import PUNCTUATION, chinese_sign, lacking_in_shell, near_choice, slip_of_command
+from day6_core.advice.typed import chinese_sign, lacking_in_shell, near_choice, slip_of_command
 from day6_core.advice.wording import at_home, filled_in, without_line
 from day6_core.facts.names import CLOSE, nearest
 from day6_core.facts.workspaces import packages_lacking_comma, refused_manifests, why_unknown, workspaces_around
 from day6_core.language import language_of
 from day6_core.ros import differences
 from day6_core.ros.distribution import current
-from day6_urdf.explain import Hint, hints_wanted
+from day6_urdf.chinese import PUNCTUATION
+from day6_urdf.explain import Hint, chinese_numbers, hints_wanted
 
 _FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
 """Packages whose types are seldom meant."""
@@ -82,7 +83,7 @@ def hint_about_command(
     if not text and (choice := _CHOICE.search(output)) is not None:
         near = near_choice(choice[1], re.findall(r"[\w.-]+", choice[2]))
         text = _say("choice.near", language, name=choice[1], near=near) if near else ""
-    return _hint(text, around)
+    return _hint(text or chinese_numbers(output, language), around)
 
 
 _CHOICE = re.compile(r"invalid choice: '([^'\n]*)' \(choose from ([^\n]*)\)")
@@ -176,6 +177,8 @@ def in_short(message: str, line: int, language: str) -> str:
     fault = Fault(kind, rest, "", line)
     if kind == "SyntaxError" and (text := _syntax(fault, Surroundings({}, Path()), language)):
         return text
+    if text := chinese_numbers(message, language):
+        return f"第 {line} 行：{text}" if language == "zh" else f"line {line}: {text}"
     match = card_for(message, fault)
     return filled_in(match.card.words[language].first, match.values, fault) if match is not None else ""
 

@@ -9,13 +9,10 @@ from typing import NamedTuple
 
 from day6_core.facts.names import CLOSE, nearest
 from day6_core.ros.environment import SHARE_PATH
+from day6_urdf.chinese import PUNCTUATION
 
 SHORTEST = 4
 """Letters of a command that can be taken for another's slip."""
-
-PUNCTUATION = {"“": '"', "”": '"', "‘": "'", "’": "'", "。": ".", "、": ",", "【": "[", "】": "]", "《": "<", "》": ">",
-               "—": "-", "–": "-", "−": "-", "×": "*", "÷": "/", "…": "..."}  # fmt: skip
-"""Characters whose counterpart in code Unicode does not know."""
 
 _PROMPT = re.compile(r"[\w.-]+@[\w.-]+:\S*[$%#]|[\w./~-]*[$%]")
 _ARRAY = re.compile(
