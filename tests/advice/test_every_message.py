@@ -15,6 +15,7 @@ EXEMPT: dict[str, str] = {
         "carries a text that another place makes, and that is enumerated there"
     ),
     r"packages\.py.*WARNING: word|colcon\.py:\d+: warn: colcon[. ]|results\.py|interpreter\.py.*word: word": "the same",
+    r"param/get\.py.*word: Error: word": "the same, after the name of the node",
     r"workspace/(events|handlers)\.py|print_error: \[word\] \[7\.7\] \[word\]: word$": "the same",
     r"rviz2/model/config\.py": "the same: RViz prints it after the path of the file, and so it has a card",
     r"collada\.py|meshes\.py": "reaches the screen as `could not load` of a mesh",

@@ -56,6 +56,7 @@ _ITEM = re.compile(r"- (\w+)(?:: (.+))?$")
 _HEAD = re.compile(r"## ([a-z0-9]+(?:-[a-z0-9]+)*)$")
 _FINDING = re.compile(r"(error|warning|info) ([a-z_]+)(?: `(.+)`)?$")
 _SAID = re.compile(r"\*\*(\w+)\*\* (.+)$")
+_LOOSE = re.compile(r"\(*(?:\?:)?\.\*|\{")
 _HOLE = re.compile(r"\{(\w+|…)\}")
 KNOWN_VALUES = ("line", "file")
 """What every text may name: the place in a program, where a traceback says it."""
@@ -118,6 +119,8 @@ class Pattern:
         self.is_line = is_line
         self.source = _expression(text) if is_line else text
         self.literal = max(_HOLE.split(text)[::2], key=len) if is_line else _longest_literal(text)
+        self.loose = _LOOSE.match(text) is not None and not re.search(r"(?:Error|Exception)(?:: |\W*$)", text)
+        """Whether any words may come before what it knows: then it is for what a tool says, not for what programs raise."""
         self._compiled: re.Pattern[str] | None = None
         if not is_line:
             re.compile(text)

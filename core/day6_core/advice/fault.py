@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from day6_core.facts.folders import names_in
 from day6_core.ros.environment import python_folders
 from day6_core.session.plain import without_sequences
 
@@ -58,6 +59,11 @@ class Fault:
     """Its line of the output, as the program wrote it."""
     through: tuple[str, ...] = ()
     """The modules that this place had called when it failed, the innermost last; none if it failed there itself."""
+
+    @property
+    def in_words_of_tools(self) -> bool:
+        """Whether its message is one of ROS or of the system, and not the program's own words."""
+        return not _of_ros().isdisjoint(self.through) or self.message.startswith("[Errno ")
 
     @property
     def own(self) -> bool:
@@ -131,6 +137,12 @@ def module_of(file: str) -> str:
     if _WRAPPER.search(file):
         return "setuptools"
     return next((part for part in path.parts if part in _OURS), "")
+
+
+@lru_cache(maxsize=1)
+def _of_ros() -> frozenset[str]:
+    """The modules of ROS."""
+    return frozenset(name.partition(".")[0] for folder in python_folders() for name in names_in(Path(folder)))
 
 
 @lru_cache(maxsize=1)

@@ -21,8 +21,30 @@ NOT_HERE = frozenset({
 OF_ROS_1 = {"rospy": "rclpy", "tf": "tf2_ros", "actionlib": "rclpy.action", "roslib": "rclpy", "roslaunch": "launch"}
 """Modules of ROS 1, and what there is of them in ROS 2."""
 
+COMMON = frozenset({
+    "copy", "datetime", "glob", "json", "math", "os", "random", "re", "signal", "socket", "struct", "subprocess", "sys",
+    "threading", "time",
+})  # fmt: skip
+"""Modules of Python whose name alone says that they are meant."""
+
+OF_MATH = frozenset({"acos", "asin", "atan", "atan2", "cos", "degrees", "hypot", "pi", "radians", "sin", "sqrt", "tan"})
+"""Names that programs for robots use of the module math."""
+
+AMBIGUOUS = frozenset({"Clock", "Counter", "Duration", "Event", "Log", "Parameter", "Path", "Time"})
+"""Names of messages that Python or rclpy has as well."""
+
 SAMPLES = {
     "Node": "from rclpy.node import Node",
+    "QoSProfile": "from rclpy.qos import QoSProfile",
+    "ReliabilityPolicy": "from rclpy.qos import ReliabilityPolicy",
+    "DurabilityPolicy": "from rclpy.qos import DurabilityPolicy",
+    "ActionClient": "from rclpy.action import ActionClient",
+    "ActionServer": "from rclpy.action import ActionServer",
+    "MultiThreadedExecutor": "from rclpy.executors import MultiThreadedExecutor",
+    "ExternalShutdownException": "from rclpy.executors import ExternalShutdownException",
+    "DeclareLaunchArgument": "from launch.actions import DeclareLaunchArgument",
+    "LaunchConfiguration": "from launch.substitutions import LaunchConfiguration",
+    "TransformBroadcaster": "from tf2_ros import TransformBroadcaster",
     "LaunchDescription": "from launch import LaunchDescription",
     "get_package_share_directory": "from ament_index_python.packages import get_package_share_directory",
     "glob": "from glob import glob",

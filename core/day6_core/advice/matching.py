@@ -68,8 +68,11 @@ def card_for(line: str, fault: Fault | None = None) -> Match | None:
     if not line or line.isspace() or _CALM.match(line):
         return None
     candidates = forms(line[:LONGEST_LINE])[::-1]
+    words_of_program = fault is not None and not fault.in_words_of_tools
     for card in all_cards():
         for pattern in card.patterns if card.speaks_of(fault) else ():
+            if pattern.loose and words_of_program:
+                continue
             for form in candidates:
                 values = pattern.match(form)
                 if values is not None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -13,11 +12,13 @@ from pathlib import Path
 from day6_core.advice import known
 from day6_core.advice.callbacks import cause_in_source
 from day6_core.advice.fault import Fault, fault_in
-from day6_core.advice.foreign_modules import NOT_HERE, OF_ROS_1, PIP, SAMPLES
+from day6_core.advice.foreign_modules import AMBIGUOUS, COMMON, NOT_HERE, OF_MATH, OF_ROS_1, PIP, SAMPLES
 from day6_core.advice.matching import card_for, cards_in
+from day6_core.advice.syntax_slips import line_of, slip_in_line
 from day6_core.advice.texts import TEXTS
 from day6_core.advice.typed import chinese_sign, lacking_in_shell, near_choice, slip_of_command
 from day6_core.advice.wording import at_home, filled_in, without_line
+from day6_core.facts.folders import text_of
 from day6_core.facts.names import CLOSE, nearest
 from day6_core.facts.workspaces import packages_lacking_comma, refused_manifests, why_unknown, workspaces_around
 from day6_core.language import language_of
@@ -179,7 +180,7 @@ def in_short(message: str, line: int, language: str) -> str:
         return text
     if text := chinese_numbers(message, language):
         return f"第 {line} 行：{text}" if language == "zh" else f"line {line}: {text}"
-    match = card_for(message, fault)
+    match = card_for(message, fault if kind.isidentifier() else None)
     return filled_in(match.card.words[language].first, match.values, fault) if match is not None else ""
 
 
@@ -221,6 +222,8 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
         return ""
     whole = found[1]
     outer, _, last = whole.rpartition(".")
+    if outer and (line := _import_of(last, around)):
+        return _say("import.elsewhere", language, name=last, module=outer, line=line)
     if outer:
         near = nearest(last, known.parts_of(outer, around.variables))
         return _say("module.near", language, name=whole, near=f"{outer}.{near}") if near else ""
@@ -256,6 +259,9 @@ def _no_import(fault: Fault, around: Surroundings, language: str) -> str:
     found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", fault.message)
     if found is None:
         return ""
+    launch = around.launch or found[2].startswith("launch")
+    if (line := _import_of(found[1], around, launch)) and f"from {found[2]} " not in line:
+        return _say("import.elsewhere", language, name=found[1], module=found[2], line=line)
     near = nearest(found[1], known.names_of(found[2], around.variables), CLOSE)
     return _say("import.near", language, name=found[1], module=found[2], near=near) if near else ""
 
@@ -265,16 +271,29 @@ def _no_name(fault: Fault, around: Surroundings, language: str) -> str:
     if found is None:
         return ""
     name, near = found[1], found[2]
-    line = SAMPLES.get(name, "")
-    if not line:
-        homes = [home for home in known.types_called(name, around.variables) if not home.startswith(_FOR_EXAMPLES)]
-        if len({home.partition("/")[0] for home in homes}) == 1:
-            line = f"from {homes[0].replace('/', '.').rpartition('.')[0]} import {name}"
-        elif name in sys.stdlib_module_names or name == "rclpy":
-            line = f"import {name}"
+    if not name.isascii():
+        return _say("syntax.text", language, line=fault.line, found=name)
+    if name in OF_MATH:
+        return _say("name.math", language, name=name)
+    line = _import_of(name, around, around.launch or fault.file.endswith("launch.py"))
+    used = re.search(rf"\b{name}\.", line_of(fault, around.cwd)) is not None
+    if not line and (name in COMMON or (name == "rclpy" and used)):
+        line = f"import {name}"
     if line:
         return _say("name.import", language, name=name, line=line)
     return _say("name.near", language, name=name, near=near) if near else ""
+
+
+def _import_of(name: str, around: Surroundings, launch: bool = False) -> str:
+    """The line that imports a name of ROS, '' if there is none, or more than one could be meant."""
+    if launch and name == "Node":
+        return "from launch_ros.actions import Node"
+    if name in SAMPLES or name in AMBIGUOUS:
+        return SAMPLES.get(name, "")
+    homes = [home for home in known.types_called(name, around.variables) if not home.startswith(_FOR_EXAMPLES)]
+    if len({home.partition("/")[0] for home in homes}) != 1:
+        return ""
+    return f"from {homes[0].replace('/', '.').rpartition('.')[0]} import {name}"
 
 
 def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
@@ -282,8 +301,10 @@ def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
     if found is None:
         return ""
     kind, name = found[1], found[2]
-    if name.startswith("_") and "rclpy" in fault.through:
-        return _say("no_super", language, kind=kind)
+    own_class = re.search(rf"^ *class {kind}\b", text_of(around.cwd / fault.file), re.MULTILINE) if fault.file else None
+    if own_class is not None:
+        is_node = name.startswith("_") and "rclpy" in fault.through
+        return _say("no_super", language, kind=kind) if is_node else ""
     layouts = known.fields_of(kind, around.variables)
     if not layouts or any(fields != layouts[0][1] for _, fields in layouts):
         return ""
@@ -305,6 +326,8 @@ def _no_setup(fault: Fault, around: Surroundings, language: str) -> str:
 
 
 def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
+    if (slip := slip_in_line(fault, around.cwd)) is not None:
+        return _say(slip.key, language, line=slip.line, found=slip.found)
     found = re.match(r"invalid (?:non-printable )?character (?:'(.)' )?\(?U\+([0-9A-F]+)\)?", fault.message)
     if found is None:
         return ""

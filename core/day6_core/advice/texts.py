@@ -220,6 +220,57 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} has to be imported first, at the top of the file: {line}",
         "{name} 要先导入，写在文件开头：{line}",
     ),
+    "import.elsewhere": (
+        "{name} is not in {module}; write {line}",
+        "{name} 不在 {module} 里，要写 {line}",
+    ),
+    "name.math": (
+        "{name} belongs to the module math: import math at the top of the file, then write math.{name}",
+        "{name} 在模块 math 里：文件开头写 import math，用的时候写 math.{name}",
+    ),
+    "syntax.elif": (
+        "line {line}: Python writes elif for else if",
+        "第 {line} 行：Python 里 else if 要写成 elif",
+    ),
+    "syntax.for": (
+        "line {line}: a loop that counts is written for i in range(TIMES):",
+        "第 {line} 行：数次数的循环要写成 for i in range(次数):",
+    ),
+    "syntax.and": ("line {line}: Python writes and for &&", "第 {line} 行：Python 里 && 要写成 and"),
+    "syntax.or": ("line {line}: Python writes or for ||", "第 {line} 行：Python 里 || 要写成 or"),
+    "syntax.not": ("line {line}: Python writes not for !", "第 {line} 行：Python 里 ! 要写成 not"),
+    "syntax.then": (
+        "line {line}: Python has no then; the line ends with a colon : after the condition",
+        "第 {line} 行：Python 里没有 then，条件后面直接写冒号 :",
+    ),
+    "syntax.plus": (
+        "line {line}: Python has no ++ and no --; write {found} += 1 or {found} -= 1",
+        "第 {line} 行：Python 里没有 ++ 和 --，要写 {found} += 1 或者 {found} -= 1",
+    ),
+    "syntax.brace": (
+        "line {line}: Python has no braces here; the line ends with a colon : and what belongs to it is indented by 4 blanks",
+        "第 {line} 行：Python 这里不用花括号；行末写冒号 : ，下面的行缩进 4 个空格",
+    ),
+    "syntax.type": (
+        "line {line}: in Python no {found} stands before a name; write NAME = VALUE",
+        "第 {line} 行：Python 里名字前面不写 {found}，直接写 名字 = 值",
+    ),
+    "syntax.def": (
+        "line {line}: a function begins with def in Python, not with {found}: def NAME():",
+        "第 {line} 行：Python 的函数用 def 开头，不写 {found}：def 名字():",
+    ),
+    "syntax.quote": (
+        "line {line} has a Chinese quotation mark {found}: a text begins and ends with the same English one, ' or \"",
+        "第 {line} 行有中文的引号{found}：文字的开头和结尾要用一样的英文引号，' 或者 \"",
+    ),
+    "syntax.keyword": (
+        "line {line}: {found} is a word of Python's own and cannot be a name; choose another one",
+        "第 {line} 行：{found} 是 Python 自己的词，不能当名字，换一个",
+    ),
+    "syntax.text": (
+        "a text needs quotation marks in line {line}: '{found}'",
+        "第 {line} 行的文字要加引号：'{found}'",
+    ),
     "name.near": (
         "nothing is called {name} here; did you mean {near}?",
         "这里没有叫 {name} 的东西，是不是想写 {near}？",
