@@ -50,6 +50,8 @@ def test_a_chinese_comma_is_told_below_the_tools_own_message(machine: Any, tall:
 
 
 def test_the_editor_says_it_with_its_line() -> None:
-    message = "Malformed axis element for joint [j]: Unable to parse component [0，1，0] to a double (while parsing a vector)"
+    message = (
+        "Malformed axis element for joint [j]: Unable to parse component [0，1，0] to a double (while parsing a vector)"
+    )
     assert in_short(message, 7, "en").startswith('line 7: blanks stand between numbers and no Chinese "，"')
     assert in_short(message, 7, "zh").startswith("第 7 行：数和数之间用空格")
