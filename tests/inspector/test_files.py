@@ -14,7 +14,10 @@ from day6_core.ros.programs.day6_inspector.files import Files, ParameterFile, Ty
 from day6_core.ros.programs.day6_inspector.program_rules import script_of
 from day6_core.ros.programs.day6_inspector.rules import findings
 
-MANIFEST = "<package format='3'><name>{}</name></package>"
+MANIFEST = (
+    "<package format='3'><name>{}</name><version>0.0.0</version><description>.</description>"
+    "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
+)
 
 
 def package(home: Path, name: str, setup: str = "") -> Path:
@@ -161,13 +164,18 @@ def test_a_launch_file_is_named_by_itself_by_a_wildcard_or_by_its_folder(
 
 
 def test_a_terminal_knows_a_package_that_was_there_when_it_sourced_the_workspace(tmp_path: Path) -> None:
-    package(tmp_path, "new")
+    manifest = package(tmp_path, "new") / "package.xml"
     install = tmp_path / "ros2_ws/install"
     home = {"HOME": str(tmp_path)}
     before = {**home, "AMENT_PREFIX_PATH": str(install / "old")}
     assert why_unknown("new", home, tmp_path) == Unknown(
         "not_built", tmp_path / "ros2_ws", tmp_path / "ros2_ws/src/new"
     )
+    whole = manifest.read_text(encoding="utf-8")
+    manifest.write_text(whole.replace("<license>", "<licence>"), encoding="utf-8")
+    refused = why_unknown("new", home, tmp_path)
+    assert refused is not None and refused.because == "refused"  # colcon leaves it out
+    manifest.write_text(whole, encoding="utf-8")
     share = install / "new/share/new"
     share.mkdir(parents=True)
     (share / "package.xml").touch()
