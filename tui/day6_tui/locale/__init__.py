@@ -47,9 +47,9 @@ def _texts_of_scenes(language: str) -> Iterator[tuple[str, str]]:
             yield f"help.action.scene.{name}", texts.help
 
 
-_ARROWS = {
+_ARROWS: dict[str, dict[int, str]] = {
     "en": str.maketrans({"↑": "Up", "↓": "Down", "←": "Left", "→": "Right"}),
-    "zh": str.maketrans("↑↓←→", "上下左右"),
+    "zh": str.maketrans({"↑": "上", "↓": "下", "←": "左", "→": "右"}),
 }
 
 

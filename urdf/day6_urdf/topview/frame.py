@@ -154,9 +154,9 @@ class TopFrame:
         across = abs(heading[0]) * self.down + abs(heading[1]) * self.metre  # dots of a metre of its thickness
         along = abs(heading[0]) * self.metre + abs(heading[1]) * self.down
         thick = self._thick * (self.squash if abs(heading[1]) > abs(heading[0]) else 1.0)
-        life = wheel.width * across
-        dots = max(life, min(1.5 * life, _PROUD * self.height), thick)
-        longer = self._longer if dots > 1.2 * life else 1.0
+        width = wheel.width * across
+        dots = max(width, min(1.5 * width, _PROUD * self.height), thick)
+        longer = self._longer if dots > 1.2 * width else 1.0
         if abs(heading[0]) <= STRAIGHT:
             return Tyre(wheel, x, y, heading, max(wheel.radius * longer, 2.5 / along), dots / across / 2)
         # Whole dots in both directions: otherwise its outline would change with its place.
