@@ -20,11 +20,13 @@ def elide(name: str, longest: int, ellipsis: str) -> str:
         short = "/".join([*parts[:2], ellipsis, *parts[-kept:]])
         if kept < len(parts) - 2 and text_width(short) <= longest:
             return short
-    for kept in range(len(parts) - 1, 0, -1):
-        short = "/".join([ellipsis, *parts[-kept:]])
-        if text_width(short) <= longest:
-            head = name[: longest - text_width(short)]
-            return head + short if len(head) >= LEAST_HEAD and text_width(head + short) <= longest else short
+    ends = ["/".join([ellipsis, *parts[-kept:]]) for kept in range(len(parts) - 1, 0, -1)]
+    for short in (end for end in ends if text_width(end) <= longest):
+        head = name[: longest - text_width(short)]
+        if len(head) >= LEAST_HEAD and text_width(head + short) <= longest:
+            return head + short
+    if short := next((end for end in ends if text_width(end) <= longest), ""):
+        return short
     if name.startswith("/"):
         return _without_middle(name, longest, ellipsis)
     return ellipsis + name[len(name) - longest + len(ellipsis) :]

@@ -387,7 +387,9 @@ def test_a_command_typed_by_hand_is_named_as_it_was_typed() -> None:
         await window.after(1)
         assert "ros2 topic hz" in window.text and "_ros2cli" not in window.text
         await window.click("ros2 topic hz")
-        assert "ROS: node /_ros2cli_1004" in window.text
+        assert "ros2 topic hz is a cook" in window.text and "ROS: node /_ros2cli_1004" in window.text
+        await window.click("/turtle1/pose")
+        assert "from /turtlesim to ros2 topic hz." in window.text and "subscribers: /_ros2cli_1004" in window.text
 
     use(lab, act, (120, 40))
 

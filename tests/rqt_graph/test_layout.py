@@ -170,6 +170,7 @@ def test_long_names_of_topics_drawn_as_boxes_are_shortened_before_the_boxes_beco
         (50, FEEDBACK),
         (28, "/turtle1/…/_action/feedback"),
         (20, "/turtle1/…/feedback"),
+        (18, "/turtle1…/feedback"),
         (16, "/turtl…/feedback"),
         (10, "…/feedback"),
         (6, "/tu…ck"),

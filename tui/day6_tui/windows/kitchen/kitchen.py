@@ -189,7 +189,8 @@ class KitchenPane(WindowPane[Kitchen]):
         belt, cook = content.belt(self._belt), content.cook(self._cook)
         if self._explained and belt is not None:
             rate = self._rates.get(belt.topic)
-            lines = wrap(self._words.belt(belt, self.model.dishes, rate), self.inner_width - 1)
+            called = {cook.name: cook.command for cook in content.cooks if cook.command}
+            lines = wrap(self._words.belt(belt, self.model.dishes, rate, called), self.inner_width - 1)
         elif self._explained and cook is not None:
             lines = wrap(self._words.cook(cook), self.inner_width - 1)
         most = max(2, self.inner_height - 4)  # the line between, a line of names, and one belt

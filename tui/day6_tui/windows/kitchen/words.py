@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from day6_core.ros.programs.day6_kitchen.belts import Belt, Cook, Hand
 from day6_core.ros.programs.day6_kitchen.dishes import Dishes
@@ -31,7 +31,7 @@ class KitchenWords:
     def cook(self, cook: Cook) -> str:
         """Explain a cook."""
         texts = self._look.texts
-        told = [texts("kitchen.cook", name=cook.name)]
+        told = [texts("kitchen.cook", name=cook.command or cook.name)]
         if cook.gives:
             told.append(texts("kitchen.cook.gives", belts=self._list(cook.gives)))
         if cook.takes:
@@ -43,20 +43,21 @@ class KitchenWords:
         ros = texts("kitchen.cook.ros", name=cook.name, gives=len(cook.gives), takes=len(cook.takes))
         return f"{texts('kitchen.space').join(told)}\n{ros}"
 
-    def belt(self, belt: Belt, dishes: Dishes, rate: float | None) -> str:
-        """Explain a belt; `rate` is None where it cannot be measured."""
+    def belt(self, belt: Belt, dishes: Dishes, rate: float | None, called: Mapping[str, str]) -> str:
+        """Explain a belt; `rate` is None where it cannot be measured, `called` are cooks that people call otherwise."""
         texts = self._look.texts
         shape = self._list(
             dishes.of(kind).text for kind in dict.fromkeys(hand.type for hand in belt.givers or belt.takers)
         )
-        givers, takers = self._hands(belt.givers, belt.unseen_givers), self._hands(belt.takers, belt.unseen_takers)
+        sides = ((belt.givers, belt.unseen_givers), (belt.takers, belt.unseen_takers))
+        givers, takers = (self._hands(hands, unseen, called) for hands, unseen in sides)
         if belt.refusals:
             refusal = belt.refusals[0]
             told = texts(
                 f"kitchen.belt.{refusal.why}",
                 belt=belt.topic,
-                giver=refusal.giver.cook,
-                taker=refusal.taker.cook,
+                giver=called.get(refusal.giver.cook, refusal.giver.cook),
+                taker=called.get(refusal.taker.cook, refusal.taker.cook),
                 shape=dishes.of(refusal.giver.type).text,
                 wanted=dishes.of(refusal.taker.type).text,
             )
@@ -71,14 +72,15 @@ class KitchenWords:
             return f"{told}\n{ros}"
         key = belt.lonely or "moves"
         told = texts(f"kitchen.belt.{key}", belt=belt.topic, shape=shape, givers=givers, takers=takers)
+        givers, takers = (self._hands(hands, unseen, {}) for hands, unseen in sides)
         ros = texts("kitchen.belt.ros", belt=belt.topic, type=self._list(belt.types), givers=givers, takers=takers)
         if belt.lonely != "unfilled":
             measured = "unknown" if rate is None else "rate" if rate > 0 else "still"
             ros += texts("kitchen.space") + texts(f"kitchen.belt.{measured}", rate=f"{rate or 0.0:.1f}")
         return f"{told}\n{ros}"
 
-    def _hands(self, hands: Iterable[Hand], unseen: int) -> str:
-        names = list(dict.fromkeys(hand.cook for hand in hands))
+    def _hands(self, hands: Iterable[Hand], unseen: int, called: Mapping[str, str]) -> str:
+        names = [called.get(name, name) for name in dict.fromkeys(hand.cook for hand in hands)]
         if unseen:
             names.append(self._look.texts("kitchen.unseen", count=unseen))
         return self._list(names) or self._look.texts("kitchen.nobody")
