@@ -4,10 +4,10 @@ TEXTS = {
     "rqt.hidden": "{count} hidden: {reasons}",
     "rqt.hides": "{option} hides {names}",
     "rqt.hides_some": "{option} {count}",
-    "rqt.shown_by": "{keys} shows what is hidden ({count})",
     "rqt.separator": "; ",
     "rqt.nothing_hidden": "nothing is hidden",
     "rqt.empty": "No node is publishing or subscribing.",
+    "rqt.shown_by": "{keys} shows what is hidden ({count})",
     "rqt.type": "type",
     "rqt.hide": "Hide",
     "rqt.refresh": "refresh",
@@ -34,9 +34,11 @@ TEXTS = {
     "help.rqt_graph": (
         "Which node talks to which. Round boxes (ellipses in the real rqt_graph) are nodes, arrows and square boxes are topics. "
         "A pulse runs along an arrow when messages pass. "
-        "The line below says what the filters hide.\n\n"
-        "Drag or arrow keys: move. Wheel, + and -: zoom, from names in full to an overview. v (Fit) shows the whole graph again, "
-        "and keeps to it until you move. An arrow with a number at an edge says how many boxes lie beyond it. "
+        "The line below says what the filters hide; where the check boxes have no room, which key shows it.\n\n"
+        "A small window has no room for the picture: there each arrow is a line, from the node that publishes over the topic to "
+        "the one that subscribes.\n\n"
+        "Drag or arrow keys: move. Wheel, + and -: zoom, from names in full to an overview. v (Fit) fits it to the "
+        "window again, and keeps to it until you move. An arrow with a number at an edge says how many boxes lie beyond it. "
         "A click, or j and k, chooses a box: the line below describes it."
     ),
 }

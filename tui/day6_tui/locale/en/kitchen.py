@@ -51,7 +51,7 @@ TEXTS = {
         "The live graph as a kitchen. Cooks are nodes, belts are topics, dishes are messages. A dish looks like its message "
         "type: the same type, the same shape, letter and colour. A cook whose hatch fits another shape gets nothing, and the "
         "belt is marked.\n\n"
-        "Shapes: ( ) a plate, what somebody is to do (Twist); { } a bowl of words (String); [ ] a box of numbers (Int32, "
+        "Shapes: ( ) a plate of commands (Twist); { } a bowl of words (String); [ ] a box of numbers (Int32, "
         "Float64); < > a cover over a place (Pose, TFMessage); # # a frame for what is seen (Image, Color); \\ / a cup of what "
         "was measured (JointState, LaserScan); = = a parcel, everything else.\n\n"
         "A dish moves when a message really passed. Where many pass, only some are drawn; the number beside the type is the "
