@@ -128,6 +128,26 @@ anew = pytest.mark.usefixtures("loaded_anew")
 """For tests that need a page of their own, or leave one that nobody else can use."""
 
 
+@pytest.mark.parametrize("renderer", ["dom", "webgl"])
+@anew
+def test_chinese_characters_fill_their_two_cells(desk: Desk, renderer: str) -> None:
+    """None is set wide apart, as the glyphs of a font would be whose square is narrower than two Latin letters."""
+    desk.open(renderer=renderer)
+    assert desk.page.evaluate("desk._screen.renderer") == renderer
+    gap = """(() => {
+      const { fontFamily, fontSize } = desk._terminal.options;
+      const context = document.createElement("canvas").getContext("2d");
+      context.font = `${fontSize}px ${fontFamily}`;
+      const { w, cols } = desk._screen.size();
+      return Math.abs(context.measureText("海").width - 2 * w / cols) / (w / cols);
+    })()"""
+    for size in (12, 13, 15, 20):
+        desk.page.evaluate(f"desk._screen.fontSize = {size}")
+        desk.page.wait_for(f"{gap} < 0.05")
+    desk.shows("海龟在动 Turtle")
+    assert desk.line(0).startswith("海龟在动 Turtle")
+
+
 def test_the_first_key_reaches_the_desktop_without_a_click(desk: Desk) -> None:
     desk.open()
     desk.page.press("a")

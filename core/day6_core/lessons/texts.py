@@ -54,7 +54,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "检查“{name}”自己出错了（{reason}），所以无法判断。这一步可以先跳过",
     ),
     "check.not": ("not: {inner}", "不能是：{inner}"),
-    "check.any": ("one of: {inner}", "下面任意一条：{inner}"),
+    "check.any": ("one of: {inner}", "下面做到一条就行：{inner}"),
     "check.waiting": ("not known yet", "还不知道"),
     # The graph
     "node": ("the node {name} runs", "节点 {name} 在运行"),
@@ -130,7 +130,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "moved.saw": ("It has moved by {found} m.", "到现在移动了 {found} 米。"),
     # Terminals
     "ran": ("a command like `{line}` was run", "运行过像 `{line}` 这样的命令"),
-    "ran.with": ("a command with `{line}` in it was run", "运行过有 `{line}` 的命令"),
+    "ran.with": ("a command with `{line}` in it was run", "运行过带 `{line}` 的命令"),
     "ran.status": ("{inner} and ended without an error", "{inner}，而且没有出错"),
     "ran.status_is": ("{inner} and ended with status {status}", "{inner}，而且退出状态是 {status}"),
     "ran.prints": ("{inner} and printed {prints}", "{inner}，而且打印了 {prints}"),

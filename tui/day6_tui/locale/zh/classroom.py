@@ -71,7 +71,7 @@ TEXTS = {
     "teacher.port_in_use": "没有人能加入：另一个程序（也许是另一个班）占用了端口 {port}。"
     "先结束它，或者启动时用 --listen tcp/0.0.0.0:PORT 换一个端口。",
     "teacher.shut": "没有人能加入：{reason}",
-    "teacher.turned.taken": "名字 {name} 已有人用：另一台电脑也要用这个名字",
+    "teacher.turned.taken": "名字 {name} 已经有人用了，另一台电脑也想用它",
     "teacher.turned.full": "{name} 进不来：班级已满",
     "teacher.turned.domain": "{name} 进不来：那里的 ROS_DOMAIN_ID 不同",
     "teacher.invite": "怎样加入",

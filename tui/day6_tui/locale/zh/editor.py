@@ -31,7 +31,7 @@ TEXTS = {
     "editor.overwrite": "文件在别处被改过：再按一次 ^S 就覆盖它",
     "editor.not_saved": "没有保存：{reason}",
     "editor.not_kept": "没能留下未保存内容的副本：{reason}",
-    "editor.lose": "再选一次“不保存”文字就没了，没有副本：{reason}",
+    "editor.lose": "再选一次“不保存”，文字就没有了，因为留不下副本：{reason}",
     "editor.gone": "磁盘上的文件不见了；^S 重新写入",
     "editor.not_found": "没有找到 {text}",
     "editor.lines": "1 到 {count}",

@@ -1,6 +1,6 @@
 /** The terminal on the page: xterm.js with the addons the desktop needs, drawn by the graphics card where there is one. */
 
-import { FONTS } from "./fonts.js";
+import { FONTS, fillCells } from "./fonts.js";
 import { Terminal } from "./vendor/xterm/xterm.mjs";
 import { FitAddon } from "./vendor/xterm/addon-fit.mjs";
 import { UnicodeGraphemesAddon } from "./vendor/xterm/addon-unicode-graphemes.mjs";
@@ -84,6 +84,7 @@ export class Screen {
     this._area = this.terminal.element.querySelector(".xterm-screen");
     this._draw(renderer);
     this.fit();
+    this._fillCells();
     new ResizeObserver(() => this.fit()).observe(place);
     new ResizeObserver(() => this._whole && this._shrink()).observe(this._area);
   }
@@ -102,6 +103,14 @@ export class Screen {
     } catch (error) {
       console.warn("drawing without WebGL:", error);
     }
+  }
+
+  /** Where the graphics card draws, a cell is a whole number of pixels, and narrower than two letters are. */
+  async _fillCells() {
+    if (this.renderer !== "webgl") return;
+    const { w, cols } = this.size();
+    await fillCells((2 * w) / cols / this.fontSize);
+    this.terminal.clearTextureAtlas();
   }
 
   /** As many cells as there is room for; a screen of somebody else is made to fit as a picture. */
@@ -152,6 +161,7 @@ export class Screen {
     const { cols, rows } = this.terminal;
     this.terminal.options.fontSize = clamp(size, SMALLEST_LETTERS, LARGEST_LETTERS);
     this.fit();
+    this._fillCells();
     if (this.terminal.cols === cols && this.terminal.rows === rows) this._changed(); // other pixels, all the same
   }
 
