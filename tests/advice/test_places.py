@@ -14,6 +14,7 @@ from day6_core.advice.explain import as_text, explain, scene_of
 from day6_core.advice.fault import fault_in, faults_in, module_of
 from day6_core.advice.matching import Match, cards_in
 from day6_core.advice.rules import Surroundings, first_line_below, hint_below
+from day6_core.advice.wording import at_home
 from day6_core.language import LANGUAGES
 from day6_core.ros.environment import PYTHON_PATH, program_environment
 from tests.advice.failing import failed
@@ -222,3 +223,16 @@ def test_a_file_that_a_program_does_not_find(tmp_path: Path, program: str, told:
         explain(match, scene_of(match, around, output=output, command="python3 program.py"), "en"), "en", 300
     )
     assert told in shown.replace("There", "there") and never not in shown.replace(str(tmp_path), "")
+
+
+def test_the_home_folder_is_written_as_it_is_typed() -> None:
+    home = "/tmp/x/home"
+    assert {
+        text: at_home(text, home) for text in ("cd /tmp/x/home", "nano /tmp/x/home/a.py", "/tmp/x/home2 /a/tmp/x/home")
+    } == {
+        "cd /tmp/x/home": "cd ~",
+        "nano /tmp/x/home/a.py": "nano ~/a.py",
+        "/tmp/x/home2 /a/tmp/x/home": "/tmp/x/home2 /a/tmp/x/home",
+    }
+    quoted = "cd '/tmp/x/home/my folder'"
+    assert at_home(quoted, home) == quoted and at_home(quoted, "") == quoted and at_home("/", "/") == "/"

@@ -11,6 +11,7 @@ from day6_core.advice.card_files import all_cards, names_of
 from day6_core.facts.graph import NodeAndType
 from day6_core.interfaces import checks
 from day6_core.ros.programs.day6_inspector import output_rules
+from day6_core.ros.programs.day6_inspector.finding import finding
 from day6_core.ros.programs.day6_inspector.rules import Facts, findings
 from day6_core.session.overview import TerminalView
 
@@ -19,7 +20,7 @@ WHEELS = frozenset({"left_wheel_joint", "right_wheel_joint"})
 
 
 def texts(facts: Facts) -> list[str]:
-    return [f"{finding.level}: {finding.text}" for finding in findings(facts)]
+    return [f"{each.level}: {each.text}" for each in findings(facts)]
 
 
 def test_a_healthy_graph_has_nothing_wrong() -> None:
@@ -200,3 +201,12 @@ def test_what_a_finding_names_is_found_by_every_pattern_of_its_card_unless_a_jud
         if card.finding not in output_rules._JUDGES:
             named = names_of(card.words["en"].finding) - {"where", "line"}
             assert all(named <= pattern.names for pattern in card.finds or card.patterns), card.id
+
+
+def test_paths_are_told_as_they_are_typed() -> None:
+    folder = Path("/tmp/x/home/ros2_ws/src/car")
+    said = {"line": "ros2 run car go", "package": "car", "folder": folder}
+    found = finding("error", "not_built", **said, then="cd /tmp/x/home/ros2_ws && colcon build").at_home("/tmp/x/home")
+    assert found.next == "cd ~/ros2_ws && colcon build" and "~/ros2_ws/src/car" in found.text
+    assert "/tmp" not in found.text and dict(found.parameters).keys() == said.keys()
+    assert found.at_home("") == found

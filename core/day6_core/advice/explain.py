@@ -86,12 +86,12 @@ def explain(match: Match, scene: Situation, language: str) -> Explanation:
     if cause is not None:
         template = TEXTS[cause.key][language == "zh"]
         values = {key: one_line(str(value)) for key, value in cause.values.items()}
-        here, next_ = at_home(sentence(template, language).format(**values), scene.variables), cause.next
+        here, next_ = at_home(sentence(template, language).format(**values), scene.around.home), cause.next
     if not here and card.next:
         next_ = command_of(card.next, match.values)
 
     def said(text: str) -> str:
-        return at_home(filled_in(text, match.values, match.fault), scene.variables)
+        return at_home(filled_in(text, match.values, match.fault), scene.around.home)
 
     first = said(words.first)
     means = "\n".join(

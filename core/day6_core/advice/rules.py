@@ -42,6 +42,11 @@ class Surroundings:
     cwd: Path
     launch: bool = False
 
+    @property
+    def home(self) -> str:
+        """The home folder, as the program knew it."""
+        return self.variables.get("HOME", "")
+
 
 def hint_below(output: str, around: Surroundings) -> str:
     """Return the line to print below a program's output, '' if there is nothing certain to say."""
@@ -123,7 +128,7 @@ def hint_about_folder(packages: int, around: Surroundings) -> str:
 
 def _hint(text: str, around: Surroundings) -> str:
     """A text as the line of a hint, '' if it is empty."""
-    return Hint(0, 0, at_home(text, around.variables)).sentence("", language_of(around.variables)) if text else ""
+    return Hint(0, 0, at_home(text, around.home)).sentence("", language_of(around.variables)) if text else ""
 
 
 def _say(key: str, language: str, **values: object) -> str:
@@ -168,7 +173,7 @@ def first_line_below(output: str, around: Surroundings) -> str:
     if match is None or match.card.echo:
         return ""
     first = filled_in(match.card.words["zh"].first, match.values, match.fault)
-    return TEXTS["card.below"][1].format(first=at_home(first, around.variables))
+    return TEXTS["card.below"][1].format(first=at_home(first, around.home))
 
 
 @lru_cache(maxsize=16)

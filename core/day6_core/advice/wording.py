@@ -17,10 +17,13 @@ def filled_in(text: str, values: Mapping[str, str], fault: Fault | None = None) 
     return _fill(text, {name: one_line(value) for name, value in values.items()}, fault)
 
 
-def at_home(text: str, variables: Mapping[str, str]) -> str:
-    """Return a text with ~ for the home folder, as the prompt shows it: the folder of a desktop may have a long path."""
-    home = variables.get("HOME", "").rstrip("/")
-    return re.sub(rf"(?<![\w./-]){re.escape(home)}(?![\w.-])", "~", text) if home else text
+def at_home(text: str, home: str) -> str:
+    """Return a text with ~ for the home folder, as the prompt shows it: the folder of a desktop may have a long path.
+
+    Within quotation marks it stays: there neither Python nor a shell knows what ~ is.
+    """
+    home = home.rstrip("/")
+    return re.sub(rf"(?<![\w./'\"-]){re.escape(home)}(?![\w.-])", "~", text) if home else text
 
 
 def command_of(text: str, values: Mapping[str, str]) -> str:

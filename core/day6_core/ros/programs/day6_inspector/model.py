@@ -93,7 +93,8 @@ class Inspector:
         quiet = self._overview.searching if self._overview is not None else ""
         facts = self.facts()
         self._listening.wants_frames = complains_of_frames(facts)
-        found = () if quiet else tuple(findings(facts))
+        home = str(self._overview.home) if self._overview is not None else ""
+        found = () if quiet else tuple(each.at_home(home) for each in findings(facts))
         unseen = () if quiet else self._unseen()
         if (quiet, found, unseen) != (self.quiet, self.findings, self.unseen):
             self.quiet, self.findings, self.unseen = quiet, found, unseen
