@@ -53,6 +53,9 @@ TOOLS = {
     "bash: wget: command not found": "command-not-found",
     "foo.py: Error: bad thing": None,
     "serial port timed out waiting for data": None,
+    "/home/me/car.py:3: UserWarning: slow": "python-warning",
+    "/opt/ros/jazzy/lib/python3.12/site-packages/ros2doctor/api/__init__.py: 162: UserWarning: x": "doctor-warns",
+    "[ERROR] [1.5] [car]: Service call failed x": "service-call-failed",
     "rviz2: this is no RViz configuration": "rviz-config",
     "wget: unable to resolve host address 'x'": "download-failed",
 }
@@ -155,3 +158,16 @@ def test_a_card_says_what_the_message_means_here(tmp_path: Path, program: str, m
     output = failed(program, tmp_path)
     match = next(cards_in(output))
     assert means in as_text(explain(match, scene_of(match, around, output=output), "en"), "en", 300)
+
+
+def test_the_lines_of_a_program_that_a_report_repeats_are_no_messages() -> None:
+    code = "raise Boom(\"ls: cannot access 'x': No such file or directory\")"
+    output = (
+        f'Traceback (most recent call last):\n  File "a.py", line 3, in <module>\n    {code}\n__main__.Boom: my own\n'
+    )
+    (match,) = [each for each in cards_in(output) if not each.card.echo]
+    assert (match.card.id, match.line) == ("exception-of-its-own", "__main__.Boom: my own")
+    launched = "".join(f"[go-1] {line}\n" for line in output.splitlines())
+    assert [each.card.id for each in cards_in(launched) if not each.card.echo] == ["exception-of-its-own"]
+    indented = list(cards_in(f"  ls: cannot access 'x': No such file or directory\n{output}"))
+    assert [each.card.id for each in indented if not each.card.echo] == ["exception-of-its-own", "no-such-file"]

@@ -17,7 +17,7 @@ A file is one topic. It begins with `# TITLE | ENGLISH TITLE`; each card in it i
 `says` is a whole line with {names} for what varies ({…}: not needed later), `match` a regular expression from the beginning
 of the line; there may be several. `look` names functions of the modules `lookers_*.py`. `next` is what to type.
 `from` is for a message that means something else where it comes from elsewhere: it names modules, one of which the pupil's line
-had called when it failed, or is `own` for that line itself. A card with `from` is only for a traceback that says so.
+had called when it failed, `own` for that line itself, or `anywhere`. A card with `from` is only for a traceback that says so.
 Words alone: `- hint` (the first line is certain enough to be shown as a hint, in every language), `- echo` (the message only
 says that another one came before it), `- same` (on a real robot nothing is different). {names} in the texts are filled in; a
 brace is written twice.
@@ -107,6 +107,8 @@ class Card:
         """Return whether this exception comes from where the card says; None: where it comes from is not known."""
         if not self.origins:
             return True
+        if "anywhere" in self.origins:
+            return fault is not None
         return fault is not None and not self.origins.isdisjoint(("own",) if fault.own else fault.through)
 
 

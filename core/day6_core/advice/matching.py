@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -17,8 +17,11 @@ MOST_LINES = 400
 LONGEST_LINE = 2000
 """Characters of a line that are looked at."""
 
+_LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ")
+"""What launch puts before each line of a node."""
+
 _BEFORE = (
-    re.compile(r"\[[\w.-]+-\d+\] "),  # launch, before each line of a node
+    _LAUNCHED,
     re.compile(r"\[?(?:DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]? \[[\d.]+\] \[[^\]]*\]: "),  # rclpy and rclcpp
     re.compile(r"\[(?:WARNING|WARN|ERROR|CRITICAL)\] \[[^\]]*\]: "),  # launch, ros2 bag
     re.compile(r"(?:\[[\d.]+s\] )?(?:WARNING|ERROR):[\w.]+:"),  # colcon
@@ -80,12 +83,23 @@ def card_for(line: str, fault: Fault | None = None) -> Match | None:
     return None
 
 
+def _outside_reports(lines: Iterable[str]) -> Iterator[str]:
+    """The lines of an output without those of programs that a report of Python repeats: their texts are no messages."""
+    inside = False
+    for line in lines:
+        said = _LAUNCHED.sub("", line)
+        indented = said.startswith("  ")
+        if not (inside and indented):
+            yield line
+        inside = said.startswith("Traceback (most recent call last):") or (inside and indented)
+
+
 def cards_in(output: str) -> Iterator[Match]:
     """Yield the lines of an output that have a card, the last first; after all others those that only echo another one."""
     echoes: list[Match] = []
     seen: set[str] = set()
     faults = {fault.said: fault for fault in reversed(faults_in(output))}
-    for line in reversed(plain_lines(output)[-MOST_LINES:]):
+    for line in reversed([*_outside_reports(plain_lines(output)[-MOST_LINES:])]):
         if line in seen:
             continue
         seen.add(line)
