@@ -34,7 +34,7 @@ def texts_of(found: list[PageRow]) -> list[str]:
 
 def page(*, do: int = 2, checks: int = 2, picture: int = 0, problems: int = 0, told: int = 0) -> StepPage:
     return StepPage(
-        rows("title", 1), rows("picture", picture), rows("text", 12), rows("problem", problems), rows("do", do),
+        rows("title", 1), rows("picture", picture), rows("text", 12), rows("problem", problems), rows("do", do), [],
         rows("check", checks), rows("told", told),
     )  # fmt: skip
 
@@ -54,6 +54,11 @@ def test_checks_make_room_for_the_text_and_scroll_with_it() -> None:
     found, pinned = page(checks=9, told=1).laid_out(12)
     assert texts_of(pinned) == ["do 0", "do 1", "told 0"]
     assert texts_of(found)[-1] == "check 8"
+
+
+def test_what_comes_next_is_told_where_hardly_a_line_is_left_to_read() -> None:
+    found, pinned = page(do=6, told=1).laid_out(10)
+    assert texts_of(pinned)[-1] == "told 0" and len(pinned) == 7
 
 
 def test_a_task_that_is_as_high_as_the_window_comes_first() -> None:
@@ -131,7 +136,9 @@ async def test_f5_shows_the_next_step_and_the_keyboard_is_in_the_terminal(tmp_pa
         await pilot.press("f5")  # once too often: into the lesson
         for key in ("r", "o", "s", "2", "space", "n", "o", "d", "e", "space", "l", "i", "s", "t", "enter"):
             await pilot.press(key)
-        await until(app, pilot, lambda: any(run.source.strip() == "ros2 node list" for run in course.opened.live.runs(0)))
+        await until(
+            app, pilot, lambda: any(run.source.strip() == "ros2 node list" for run in course.opened.live.runs(0))
+        )
 
 
 @pytest.mark.process

@@ -134,9 +134,13 @@ class LessonPane(WindowPane["Course"]):
     def _more(self) -> bool:
         return self._top + self._scrolling < len(self._rows)
 
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+    def _settle(self) -> None:
+        """The rows are those of what there is to show now: asked by whichever line is drawn first."""
         if self._key() != self._built_for:
-            self._build(width)
+            self._build(self.inner_width)
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        self._settle()
         below = y - self._scrolling
         if self._pinned and not below:
             return self._divider(y, width)
@@ -235,6 +239,7 @@ class LessonPane(WindowPane["Course"]):
         return pieces
 
     def status_right(self) -> list[Piece]:
+        self._settle()
         texts, colours, state = self.look.texts, self.look.colours, self.course.state
         if state.solved:
             told = texts("lesson.next.key", next=texts(of_the_end("lesson.key.next", state)))

@@ -28,7 +28,7 @@ PROSE_ROWS = 3
 """Lines that are left to read above a task that stays in sight."""
 
 READ_ROWS = 8
-"""Lines that are left to read above checks that stay in sight: otherwise they scroll with the text."""
+"""Lines that are left to read above answers and checks that stay in sight: otherwise they scroll with the text."""
 
 PICTURE_ROWS = 6
 """Where fewer lines of text would follow the picture, it comes after them: what it shows is on the screen by then."""
@@ -160,27 +160,29 @@ class StepPage(NamedTuple):
     title: list[PageRow]
     picture: list[PageRow]
     prose: list[PageRow]
-    """What is read: text, answers, hints, notes for the teacher."""
+    """What is read: text, hints, notes for the teacher."""
     problems: list[PageRow]
     do: list[PageRow]
+    answers: list[PageRow]
     checks: list[PageRow]
     told: list[PageRow]
     """What comes next: that it is solved, how a question is answered."""
 
     def laid_out(self, height: int) -> tuple[list[PageRow], list[PageRow]]:
         """What scrolls in a window of so many lines, and what stays below it: as much of the task as leaves room to read."""
-        head, task = [self.title, self.picture, self.prose], (self.problems, self.do, self.checks, self.told)
+        head = [self.title, self.picture, self.prose]
+        task = (self.problems, self.do, self.answers, self.checks, self.told)
         whole = _joined([*head, *task])
         if len(whole) <= height:
             return whole, []
-        room = height - PROSE_ROWS - 1  # the line between them
-        if len(self.do) > room:
-            # No room for both: what to do comes first, and says where the rest is.
-            return _joined([self.do, self.told, self.problems, self.checks, *head]), []
-        stays = [self.do]
-        for part, spared in ((self.told, 0), (self.problems, 0), (self.checks, READ_ROWS - PROSE_ROWS)):
-            if sum(map(len, (*stays, part))) <= room - spared:
+        stays: list[list[PageRow]] = []
+        weighty = ((self.do, PROSE_ROWS), (self.told, 1), (self.problems, PROSE_ROWS))
+        for part, read in (*weighty, (self.answers, READ_ROWS), (self.checks, READ_ROWS)):
+            if sum(map(len, (*stays, part))) + 1 + read <= height:  # with the line between them
                 stays.append(part)
+        if self.do not in stays:
+            # No room for both: what to do comes first, and says where the rest is.
+            return _joined([self.do, self.told, self.problems, self.answers, self.checks, *head]), []
         left = [part for part in task if part not in stays]
         pinned = [row for part in task if part in stays for row in part]
         if height - len(pinned) < len(self.title) + len(self.picture) + PICTURE_ROWS:
@@ -214,9 +216,6 @@ def step_page(
     assert state.step is not None
     page: Page = state.step.pages[look.texts.language]
     prose = [_indented(_text(page.body, width - 2, look), look)]
-    prose.append(
-        [row for each in page.answers for row in _answer(each, state, look, width, doing, each.letter == picked)]
-    )
     prose += _hints(state, page, look, width)
     if notes and page.teacher:
         lines = [[Segment(look.texts("lesson.notes"), look.colours.accent)], *_text(page.teacher, width - 2, look)]
@@ -225,8 +224,9 @@ def step_page(
         _heading(page, look, width),
         _picture(page, look, width),
         _joined(prose),
-        _problems(course, state, look, width, doing),
+        _problems(course, state, look, width, doing, here=here),
         _do(page, look, width),
+        [row for each in page.answers for row in _answer(each, state, look, width, doing, each.letter == picked)],
         _checks(state, look, width),
         _told(state, page, look, width, doing, here=here),
     )
@@ -351,10 +351,15 @@ def _hints(state: State, page: Page, look: Look, width: int) -> list[list[PageRo
     return found
 
 
-def _problems(course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action]) -> list[PageRow]:
+def _problems(
+    course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action], *, here: bool
+) -> list[PageRow]:
     """What stands in the way: missing earlier steps, a file that is wrong, progress that cannot be kept."""
     colours, texts = look.colours, look.texts
     rows: list[PageRow] = []
+
+    def key(letter: str) -> str:
+        return letter if here else texts("lesson.first", key=letter)
 
     def say(text: str, action: Action | None = None) -> None:
         rows.extend(
@@ -362,12 +367,12 @@ def _problems(course: Course, state: State, look: Look, width: int, doing: Calla
         )
 
     if state.leftovers and not state.working:
-        key = "lesson.something_runs" if state.lesson is not None and state.lesson.is_drill else "lesson.leftovers"
-        say(texts(key, names=texts_list(look, list(state.leftovers[:3]))), doing("clear"))
+        told = "lesson.something_runs" if state.lesson is not None and state.lesson.is_drill else "lesson.leftovers"
+        say(texts(told, names=texts_list(look, list(state.leftovers[:3])), key=key("C")), doing("clear"))
     if state.missing and state.lesson is not None and not state.working:
         steps = [state.lesson.step(name) for name in state.missing]
         names = texts_list(look, [step.pages[texts.language].title for step in steps if step is not None])
-        say(texts("lesson.missing", names=names), doing("prepare"))
+        say(texts("lesson.missing", names=names, key=key("P")), doing("prepare"))
     if state.problem:
         say(texts("lesson.problem", reason=state.problem))
     if state.mistakes is not None:
