@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -184,3 +186,15 @@ def test_without_a_display_there_is_none(tmp_path: Path) -> None:
     assert desk.display is None
     desk.close()
     assert os.path.isdir(desk.home)
+
+
+def test_programs_and_the_screen_never_load_rclpy_at_the_same_time(tmp_path: Path) -> None:
+    """Its modules import each other: of two threads that begin at different ones Python gives one a module that isn't finished."""
+    code = (
+        "import sys; from pathlib import Path; from day6_core.shell.desk import Desk\n"
+        "desk = Desk(Path(sys.argv[1]), domain_id=0, join_link=False); before = 'rclpy' in sys.modules\n"
+        "desk.scheduler.start = lambda: print(before, 'rclpy' in sys.modules, 'rclpy.qos' in sys.modules)\n"
+        "desk.start(link=False)"
+    )
+    done = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
+    assert done.stdout == "False True True\n"

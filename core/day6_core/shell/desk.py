@@ -284,6 +284,10 @@ class Desk:
     def start(self, *, link: bool = True) -> None:
         """Run the programs in a thread of its own and (`link`) join the link in the background. Returns at once."""
         self._started = True
+        # Whole, before there are two threads that may want it: its modules import each other, and of two threads that begin at
+        # different ones Python gives one a module that isn't finished.
+        import rclpy  # noqa: F401
+
         self.scheduler.start()
         if link:
             self.open_link()
