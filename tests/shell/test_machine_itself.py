@@ -188,8 +188,9 @@ def test_without_a_display_there_is_none(tmp_path: Path) -> None:
     assert os.path.isdir(desk.home)
 
 
+@pytest.mark.process
 def test_programs_and_the_screen_never_load_rclpy_at_the_same_time(tmp_path: Path) -> None:
-    """Its modules import each other: of two threads that begin at different ones Python gives one a module that isn't finished."""
+    """Its modules import each other: two threads that begin at different ones can get a module that isn't finished."""
     code = (
         "import sys; from pathlib import Path; from day6_core.shell.desk import Desk\n"
         "desk = Desk(Path(sys.argv[1]), domain_id=0, join_link=False); before = 'rclpy' in sys.modules\n"
