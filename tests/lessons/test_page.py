@@ -15,7 +15,7 @@ from day6_core.lessons.state import State
 from day6_tui.app import make_look
 from day6_tui.options import Options
 from day6_tui.panes.cells import cell_len, wrap
-from day6_tui.windows.lesson.page import PageRow, _finished_rows, step_rows
+from day6_tui.windows.lesson.page import PageRow, _finished_rows, step_page
 from day6_tui.windows.lesson.text import text_lines
 
 DAY, DRILL = days()[0], drills()[0]
@@ -66,8 +66,8 @@ def test_the_last_step_says_that_it_is_the_end(lesson: Lesson, index: int, zh: s
         state = State(lesson, index, solved=True)
         asked: list[str] = []
         doing = partial(partial, asked.append)
-        rows = step_rows(course, state, look(lang), 120, doing, here=False)
-        solved = [row for row in rows if row.news == "solved"]
+        solved = step_page(course, state, look(lang), 120, doing, here=False).told
+        assert {row.news for row in solved} == {"solved"}
         assert told in text_of(solved, lang)
         assert solved[0].action is not None
         solved[0].action()

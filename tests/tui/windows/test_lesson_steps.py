@@ -16,7 +16,7 @@ from day6_core.lessons.state import State
 from day6_tui.app import make_look
 from day6_tui.options import Options
 from day6_tui.panes.layouts import lesson as lesson_layout
-from day6_tui.panes.splits import Extent
+from day6_tui.panes.placement import OTHER
 from day6_tui.windows.lesson.page import PageRow, StepPage, list_rows, step_page
 from tests.tui.screens import UTF8, screen_lines, screen_text
 from tests.tui.test_real_desk import _shows, _type, opened, until
@@ -57,7 +57,7 @@ def test_checks_make_room_for_the_text_and_scroll_with_it() -> None:
 
 
 def test_what_comes_next_is_told_where_hardly_a_line_is_left_to_read() -> None:
-    found, pinned = page(do=6, told=1).laid_out(10)
+    _found, pinned = page(do=6, told=1).laid_out(10)
     assert texts_of(pinned)[-1] == "told 0" and len(pinned) == 7
 
 
@@ -92,11 +92,11 @@ def test_of_every_step_of_the_six_days_the_task_is_in_sight(language: str, heigh
 
 def test_a_step_has_its_panes_in_two_columns() -> None:
     tree = lesson_layout(1, [2], [3, 4], [5], [6], 80)
-    found = tree.lay_out(80, 22, lambda key: Extent(40, 12))
+    found = tree.lay_out(80, 22, lambda key: OTHER)
     assert found.stacks == {2: [2, 5], 3: [3], 1: [1], 4: [4, 6]}
     assert [found.places[key].x for key in (2, 3, 1, 4)] == [0, 0, 42, 42]
-    assert lesson_layout(1, [2], [], [], [], 120).lay_out(120, 38, lambda key: Extent(40, 12)).places[1].width == 45
-    twist = lesson_layout(1, [2, 3], [], [], [], 80).lay_out(80, 22, lambda key: Extent(40, 12)).places[3]
+    assert lesson_layout(1, [2], [], [], [], 120).lay_out(120, 38, lambda key: OTHER).places[1].width == 45
+    twist = lesson_layout(1, [2, 3], [], [], [], 80).lay_out(80, 22, lambda key: OTHER).places[3]
     assert twist.height >= 12, "nine lines of a Twist and the line of the cursor"
 
 

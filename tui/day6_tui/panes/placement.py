@@ -33,7 +33,7 @@ TELEOP = TERMINAL._replace(good=Extent(40, 10))
 
 GUIDE = PaneNeeds(Extent(30, 10), Extent(40, 18), Extent(60, 20))
 OTHER = PaneNeeds(Extent(36, 8), Extent(56, 14), Extent(90, 24))
-LESSON = PaneNeeds(Extent(34, 10), Extent(38, 21), Extent(46, 40), 2.0, stays=True)
+LESSON = PaneNeeds(Extent(34, 16), Extent(38, 21), Extent(46, 40), 2.0, stays=True)
 WIDE = 100
 """From this many columns on, two panes go side by side rather than one below the other, if both would do."""
 
