@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -10,10 +11,11 @@ import pytest
 
 from day6_core.ros.programs.rviz2.model.scene import BOX, Label, Scene, Shape
 from day6_core.ros.programs.rviz2.model.views import Orbit
+from day6_tui.panes.canvas import PIXELS_PER_CELL
 from day6_tui.panes.cells import cell_len
-from day6_tui.render.cells import MIXED, Cells, cells_covered, cells_of, pixel_aspect, pixels_per_cell
+from day6_tui.render.cells import Cells, cells_covered, cells_of, pixel_aspect
 from day6_tui.render.label_places import LabelPiece, LabelPlaces
-from day6_tui.render.painter import QUALITIES, paint
+from day6_tui.render.painter import QUALITIES, paint, paint_grids
 from day6_tui.render.picture import PictureText
 from day6_urdf.kinematics import Transform
 
@@ -183,19 +185,24 @@ def test_braille_is_as_bright_as_half_blocks() -> None:
 # -- beside a robot ----------------------------------------------------------------------------------------------------
 
 
-def _named_car(columns: int, rows: int, mode: str, *, colourless: bool = False) -> tuple[Cells, np.ndarray]:
+def _named_car(
+    columns: int, rows: int, mode: str, *, fine: bool = False, colourless: bool = False
+) -> tuple[Cells, np.ndarray]:
     """The car as large as it can be, with the names of its frames, and the cells it covers."""
     from day6_tui.windows.rviz.extent import frame, outline
     from tests.rviz2.test_pictures import car_scene
 
     scene = car_scene(0.3)
+    scene.lines = [replace(lines, lattice=True) for lines in scene.lines]
     for name, place in CAR_FRAMES:
         scene.labels.append(Label(name, place, (1.0, 1.0, 1.0, 1.0), is_name=True))
     view = Orbit(list, lambda: None)
     frame(view, outline(scene), columns / rows / 2)
-    across, down = pixels_per_cell(mode)
-    picture = paint(scene, view.camera(), columns * across, rows * down, pixel_aspect(mode), QUALITIES["High"])
-    return cells_of(picture, mode, colourless=colourless), cells_covered(picture.robot, across, down)
+    across, down = PIXELS_PER_CELL[mode]
+    size = columns * across, rows * down
+    picture = paint(scene, view.camera(), *size, pixel_aspect(mode), QUALITIES["High"], grids=not fine)
+    grids = paint_grids(picture, scene, 2) if fine else None
+    return cells_of(picture, mode, colourless=colourless, grids=grids), cells_covered(picture.robot, across, down)
 
 
 CAR_FRAMES = [
@@ -207,7 +214,7 @@ CAR_FRAMES = [
 SIZES = [(36, 17), (47, 10), (56, 8), (75, 10), (74, 34)]
 
 
-@pytest.mark.parametrize("mode", ["half", MIXED, "braille", "ascii"])
+@pytest.mark.parametrize("mode", ["half", "braille", "cell", "ascii"])
 @pytest.mark.parametrize("size", SIZES)
 def test_no_name_covers_the_robot_and_all_have_room_beside_it(mode: str, size: tuple[int, int]) -> None:
     cells, robot = _named_car(*size, mode)
@@ -221,9 +228,9 @@ def test_no_name_covers_the_robot_and_all_have_room_beside_it(mode: str, size: t
 
 
 def test_names_stand_on_a_dark_chip_but_for_terminals_without_colour() -> None:
-    cells, _ = _named_car(47, 10, MIXED)
+    cells, _ = _named_car(47, 10, "half", fine=True)
     assert {ground for labels in cells.labels.values() for *_, ground in labels} == {0x181818}
-    cells, _ = _named_car(47, 10, MIXED, colourless=True)
+    cells, _ = _named_car(47, 10, "half", fine=True, colourless=True)
     assert {ground for labels in cells.labels.values() for *_, ground in labels} == {-1}
 
 
@@ -260,11 +267,12 @@ def test_a_name_beside_a_robot_does_not_change_sides_for_little() -> None:
 # -- small pictures ----------------------------------------------------------------------------------------------------
 
 
-def test_a_small_picture_has_its_lines_in_dots_and_its_solids_in_half_blocks() -> None:
-    cells, robot = _named_car(47, 10, MIXED)
+def test_a_small_picture_has_its_grid_in_dots_and_its_solids_in_half_blocks() -> None:
+    cells, robot = _named_car(47, 10, "half", fine=True)
     is_dots = (cells.chars >= 0x2800) & (cells.chars < 0x2900)
-    assert is_dots.sum() > 20 and not is_dots[robot & (cells.back != 0x303030)].any()
-    inside = np.isin(cells.chars, [ord(" "), ord("▀")]) & robot
-    assert inside.sum() > 0.7 * robot.sum()
-    cells, _ = _named_car(47, 10, MIXED, colourless=True)
-    assert {chr(char) for char in cells.chars.reshape(-1)} & set("▄▀█") == set("▄▀█")
+    assert is_dots.sum() > 20 and not is_dots[robot].any()
+    coarse, same_robot = _named_car(47, 10, "half")
+    assert (robot == same_robot).all() and not ((coarse.chars >= 0x2800) & (coarse.chars < 0x2900)).any()
+    plain, _ = _named_car(47, 10, "half", fine=True, colourless=True)
+    assert ((plain.chars >= 0x2800) == is_dots).all()
+    assert {chr(char) for char in plain.chars[robot]} >= set("▄▀█")

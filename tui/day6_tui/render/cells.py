@@ -1,4 +1,4 @@
-"""From pixels to the cells of a terminal, and which of them changed: half blocks, braille, both, coloured cells, ASCII."""
+"""From pixels to the cells of a terminal, and which of them changed: half blocks, braille, coloured cells, ASCII."""
 
 from __future__ import annotations
 
@@ -18,15 +18,9 @@ from day6_tui.render.picture import EMPTY, LINE, SURFACE, Array, RenderedPicture
 RAMP = ".:-=+*#%@"
 """From dark to bright, for surfaces without colour."""
 
-MIXED = "mixed"
-"""Solids in half blocks and lines in braille, painted as finely as that: for small pictures, whose lines would be as thick as
-what stands on them."""
-
 _STROKES = {LINE: "-", LINE + 1: "|", LINE + 2: "/", LINE + 3: "\\"}
 
 _DOTS = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])
-
-_HALVES = np.array([ord(char) for char in " ▄▀█"])
 
 PLAIN = -1
 
@@ -39,13 +33,8 @@ DOTS_LIFT = 1.7
 
 def pixel_aspect(mode: str) -> float:
     """A pixel's width by its height: a cell is twice as high as wide."""
-    across, down = pixels_per_cell(mode)
+    across, down = PIXELS_PER_CELL[mode]
     return down / across / 2
-
-
-def pixels_per_cell(mode: str) -> tuple[int, int]:
-    """Pixels across and down in one cell of a picture that is painted for a mode."""
-    return PIXELS_PER_CELL["braille" if mode == MIXED else mode]
 
 
 Label = tuple[int, str, int, int]
@@ -136,15 +125,26 @@ def _cut_after(segments: list[Segment], start: int) -> list[Segment]:
 
 
 def cells_of(
-    picture: RenderedPicture, mode: str, step: int = 4, *, colourless: bool = False, places: LabelPlaces | None = None
+    picture: RenderedPicture,
+    mode: str,
+    step: int = 4,
+    *,
+    colourless: bool = False,
+    places: LabelPlaces | None = None,
+    grids: RenderedPicture | None = None,
 ) -> Cells:
-    """Convert a picture with `pixels_per_cell(mode)` to cells; `places` remembers where texts stood."""
-    across, down = pixels_per_cell(mode)
+    """Convert a picture with `PIXELS_PER_CELL[mode]` pixels per cell to cells; `places` remembers where texts stood.
+
+    `grids` are those of a picture in half blocks, painted for braille.
+    """
+    across, down = PIXELS_PER_CELL[mode]
     columns, rows = picture.width // across, picture.height // down
     if colourless:
         chars, front, back = _plain(picture, mode, columns, rows)
     else:
         chars, front, back = _MODES[mode](picture, picture.rgb(step).astype(np.int64), columns, rows)
+    if grids is not None:
+        chars, front, back = _with_dots((chars, front, back), picture, grids, step, colourless=colourless)
     labels: dict[int, list[Label]] = {}
     texts = [text._replace(x=text.x / across, y=text.y / down) for text in picture.labels]
     robot = cells_covered(picture.robot, across, down) if texts else None
@@ -229,24 +229,18 @@ def _braille(picture: RenderedPicture, rgb: Array, columns: int, rows: int) -> P
     return _braille_chars(dots), np.where(dots.any(axis=2), front, PLAIN), back
 
 
-def _mixed(picture: RenderedPicture, rgb: Array, columns: int, rows: int) -> Parts:
-    chars, front, back = _braille(picture, rgb, columns, rows)
-    solid = _dots_of(picture.kind, columns, rows) == SURFACE
-    colours = _dots_of(rgb, columns, rows)
-    depth = np.where(solid, _dots_of(picture.depth, columns, rows), np.inf)
-    halves = []
-    for dots in (np.s_[..., :4], np.s_[..., 4:]):
-        # Half a cell is a solid's if half of it is: of its pixels the nearest one gives the colour.
-        nearest = np.take_along_axis(colours[dots], depth[dots].argmin(axis=2)[..., None], axis=2)[..., 0]
-        halves.append(np.where(solid[dots].sum(axis=2) >= 2, nearest, PLAIN))
-    top, bottom = halves
-    red, green, blue = picture.background
-    ground = red << 16 | green << 8 | blue
-    is_solid, same = (top != PLAIN) | (bottom != PLAIN), top == bottom
-    top, bottom = np.where(top == PLAIN, ground, top), np.where(bottom == PLAIN, ground, bottom)
-    chars = np.where(is_solid, np.where(same, ord(" "), ord("▀")), chars)
-    front = np.where(is_solid, np.where(same, PLAIN, top), front)
-    return chars, front, np.where(is_solid, bottom, back)
+def _with_dots(parts: Parts, picture: RenderedPicture, grids: RenderedPicture, step: int, *, colourless: bool) -> Parts:
+    """The cells of a picture in half blocks, but where those are empty the dots of its grids, painted for braille."""
+    chars, front, back = parts
+    rows, columns = chars.shape
+    dots = (
+        _plain(grids, "braille", columns, rows)
+        if colourless
+        else _braille(grids, grids.rgb(step).astype(np.int64), columns, rows)
+    )
+    free = ~cells_covered(picture.kind != EMPTY, *PIXELS_PER_CELL["half"]) & (dots[0] != ord(" "))
+    chars, front, back = (np.where(free, dot, part) for dot, part in zip(dots, parts, strict=True))
+    return chars, front, back
 
 
 def _brighter(colours: Array) -> Array:
@@ -285,15 +279,12 @@ def _plain(picture: RenderedPicture, mode: str, columns: int, rows: int) -> Part
     none = np.full((rows, columns), PLAIN)
     if mode == "braille":
         return _braille_chars(_dots_of(picture.kind, columns, rows) != EMPTY), none, none
-    if mode == MIXED:
-        kind = _dots_of(picture.kind, columns, rows)
-        top, bottom = ((kind[..., part] == SURFACE).sum(axis=2) >= 2 for part in (np.s_[:4], np.s_[4:]))
-        return np.where(top | bottom, _HALVES[2 * top + bottom], _braille_chars(kind != EMPTY)), none, none
     if mode == "half":
         lit = picture.kind != EMPTY
         top, bottom = lit[0 : 2 * rows : 2], lit[1 : 2 * rows : 2]
-        return _HALVES[2 * top + bottom], none, none
+        signs = np.array([ord(char) for char in " ▄▀█"])
+        return signs[2 * top + bottom], none, none
     return _characters(picture)[0], none, none
 
 
-_MODES = {"half": _half, MIXED: _mixed, "braille": _braille, "cell": _cell, "ascii": _ascii}
+_MODES = {"half": _half, "braille": _braille, "cell": _cell, "ascii": _ascii}

@@ -133,6 +133,8 @@ class LabelPlaces:
         )
         best: tuple[float, _Label, list[LabelPiece]] | None = None
         for down in ROWS:
+            if best is not None and best[0] <= 2 * abs(down) - STAYS_BESIDE:
+                break  # farther than the best already by its row
             for side, start, words in self._ways(x, y + down, down, text.words, taken, robot):
                 piece = LabelPiece(start, y + down, words)
                 way = abs(start + cell_len(words) / 2 - x) + 2 * abs(down)

@@ -37,18 +37,37 @@ def paint(
     aspect: float,
     quality: Quality,
     offset: tuple[float, float] = (0.0, 0.0),
+    *,
+    grids: bool = True,
 ) -> RenderedPicture:
-    """Paint a scene; `aspect` is the width of a pixel by its height, `offset` moves everything by parts of a pixel."""
+    """Paint a scene, with its `grids` or without; `aspect` is the width of a pixel by its height, `offset` moves everything by
+    parts of a pixel."""
     coarse = quality.coarse
     picture = RenderedPicture(
         max(1, width // coarse), max(1, height // coarse), aspect, camera, scene.background, offset
     )
-    _paint_parts(picture, scene, quality.levels)
+    _paint_parts(picture, scene, quality.levels, grids=grids)
     paint_overlays(picture, scene, lambda inner, seen: _paint_parts(inner, seen, quality.levels))
     return picture if coarse == 1 else _enlarged(picture, width, height)
 
 
-def _paint_parts(picture: RenderedPicture, scene: Scene, levels: int) -> None:
+def paint_grids(picture: RenderedPicture, scene: Scene, finer: int) -> RenderedPicture:
+    """Paint the grids of a scene alone, `finer` times as finely as its picture, which hides what lies behind it."""
+    found = RenderedPicture(
+        picture.width * finer,
+        picture.height * finer,
+        picture.down / picture.across,
+        picture.camera,
+        picture.background,
+    )
+    found.depth = picture.depth.repeat(finer, axis=0).repeat(finer, axis=1)
+    for lines in scene.lines:
+        if lines.lattice:
+            paint_lattice(found, lines)
+    return found
+
+
+def _paint_parts(picture: RenderedPicture, scene: Scene, levels: int, *, grids: bool = True) -> None:
     """Everything of a scene but what lies on the picture."""
     for image in scene.images:
         if image.behind:
@@ -64,7 +83,7 @@ def _paint_parts(picture: RenderedPicture, scene: Scene, levels: int) -> None:
             thin.extend(lines)
     thin.paint(picture)
     for lines in scene.lines:
-        if lines.lattice:
+        if lines.lattice and grids:
             paint_lattice(picture, lines)
     for points in scene.points:
         paint_points(picture, points)

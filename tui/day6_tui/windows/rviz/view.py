@@ -13,10 +13,10 @@ from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.scene import Shape
 from day6_core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.appearance.look import Look
-from day6_tui.panes.canvas import Span
-from day6_tui.render.cells import MIXED, Cells, cells_of, pixel_aspect, pixels_per_cell
+from day6_tui.panes.canvas import PIXELS_PER_CELL, Span
+from day6_tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.render.label_places import LabelPlaces
-from day6_tui.render.painter import QUALITIES, paint
+from day6_tui.render.painter import QUALITIES, paint, paint_grids
 from day6_tui.render.picking import Screen, point_at
 from day6_tui.render.picture import Array, PictureText
 
@@ -36,7 +36,10 @@ SHARE = 0.2
 SLOWEST_SECONDS = 1.0
 
 NARROW, LOW = 60, 15
-"""Columns, and rows, below which lines are drawn as finely as characters can."""
+"""Columns, and rows, below which grids are drawn as finely as characters can."""
+
+FINER = 2
+"""Pixels of braille across or down for one of half blocks."""
 
 FOCUS_SECONDS = 0.6
 """How long a key shows the focal point."""
@@ -174,25 +177,27 @@ class View3D:
 
     def _paint(self) -> Cells:
         began = time.thread_time()
-        mode, quality = self._mode, QUALITIES[self._rviz.quality.value]
-        across, down = pixels_per_cell(mode)
+        mode, quality = self._look.glyphs.canvas, QUALITIES[self._rviz.quality.value]
+        across, down = PIXELS_PER_CELL[mode]
         camera = self._rviz.view.camera()
         width, height = self.columns * across, self.rows * down
-        picture = paint(self._rviz.scene.beside(self.focus), camera, width, height, pixel_aspect(mode), quality)
+        scene, fine = self._rviz.scene.beside(self.focus), self._has_fine_grids
+        picture = paint(scene, camera, width, height, pixel_aspect(mode), quality, grids=not fine)
+        grids = paint_grids(picture, scene, FINER) if fine else None
         if self.cursor is not None:
             x, y = (self.cursor[0] + 0.5) * across, (self.cursor[1] + 0.5) * down
             picture.labels.insert(0, PictureText(x, y, self._cross, CURSOR))
         colourless = self._look.colours.colourless
-        cells = cells_of(picture, mode, quality.step, colourless=colourless, places=self._places)
+        cells = cells_of(picture, mode, quality.step, colourless=colourless, places=self._places, grids=grids)
         self._cost = 0.7 * self._cost + 0.3 * (time.thread_time() - began)
         return cells
 
     @property
-    def _mode(self) -> str:
-        """How pixels become cells."""
-        canvas = self._look.glyphs.canvas
+    def _has_fine_grids(self) -> bool:
+        """Whether grids are in braille, as half blocks are as thick as a robot in a small picture. On a map they are seen only as
+        a part of the picture."""
         is_small = self.columns < NARROW or self.rows < LOW
-        return MIXED if is_small and canvas == "half" else canvas
+        return is_small and self._look.glyphs.canvas == "half" and not self._rviz.scene.images
 
     @property
     def _cross(self) -> str:
