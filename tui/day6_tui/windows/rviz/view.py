@@ -35,8 +35,8 @@ SHARE = 0.2
 
 SLOWEST_SECONDS = 1.0
 
-NARROW, LOW = 60, 15
-"""Columns, and rows, below which grids are drawn as finely as characters can."""
+SMALL = 1000
+"""Cells of a picture that is so small that its grids are drawn as finely as characters can; in a larger one that takes longer."""
 
 FINER = 2
 """Pixels of braille across or down for one of half blocks."""
@@ -196,7 +196,7 @@ class View3D:
     def _has_fine_grids(self) -> bool:
         """Whether grids are in braille, as half blocks are as thick as a robot in a small picture. On a map they are seen only as
         a part of the picture."""
-        is_small = self.columns < NARROW or self.rows < LOW
+        is_small = self.columns * self.rows < SMALL
         return is_small and self._look.glyphs.canvas == "half" and not self._rviz.scene.images
 
     @property
