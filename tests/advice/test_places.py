@@ -72,6 +72,16 @@ def test_the_place_of_a_fault_is_in_the_pupils_file(library: str) -> None:
     assert spins is not None and (spins.file, spins.line) == ("a.py", 0)  # the mistake is elsewhere
 
 
+def test_the_text_that_setuptools_runs_is_setup_py() -> None:
+    core = "/x/site-packages/setuptools/_distutils/core.py"
+    syntax = '  File "<string>", line 7\n    def f(:\n          ^\nSyntaxError: invalid syntax\n'
+    whole = f'Traceback (most recent call last):\n  File "{core}", line 250, in run_setup\n    exec(code, g)\n{syntax}'
+    fault = fault_in(whole)
+    assert fault is not None and (fault.file, fault.line) == ("setup.py", 7)
+    alone = fault_in(syntax)  # python3 -c
+    assert alone is not None and (alone.file, alone.line) == ("", 0)
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_card_names_a_line_of_a_file_that_is_not_the_pupils(language: str, tmp_path: Path) -> None:
     around = Surroundings({"HOME": str(tmp_path), "DAY6_LANG": language}, tmp_path)

@@ -53,6 +53,7 @@ TOOLS = {
     "bash: wget: command not found": "command-not-found",
     "foo.py: Error: bad thing": None,
     "serial port timed out waiting for data": None,
+    "sed: -e expression #1, char 25: unknown command: `1'": "expression-wrong",
     "/home/me/car.py:3: UserWarning: slow": "python-warning",
     "/opt/ros/jazzy/lib/python3.12/site-packages/ros2doctor/api/__init__.py: 162: UserWarning: x": "doctor-warns",
     "[ERROR] [1.5] [car]: Service call failed x": "service-call-failed",

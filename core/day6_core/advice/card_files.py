@@ -56,7 +56,7 @@ _ITEM = re.compile(r"- (\w+)(?:: (.+))?$")
 _HEAD = re.compile(r"## ([a-z0-9]+(?:-[a-z0-9]+)*)$")
 _FINDING = re.compile(r"(error|warning|info) ([a-z_]+)(?: `(.+)`)?$")
 _SAID = re.compile(r"\*\*(\w+)\*\* (.+)$")
-_LOOSE = re.compile(r"\(*(?:\?:)?\.\*|\{")
+_LOOSE = re.compile(r"(?:\(\?![^)]*\))?\(*(?:\?:)?\.\*|\{")
 _HOLE = re.compile(r"\{(\w+|…)\}")
 KNOWN_VALUES = ("line", "file")
 """What every text may name: the place in a program, where a traceback says it."""

@@ -110,6 +110,10 @@ def _with_place(kind: str, message: str, said: str, places: list[tuple[str, int]
     if inner is not None and not places:
         message, places = message[: inner.start()], [(inner[1], int(inner[2]))]
     owners = [module_of(file) for file, _ in places]
+    if (
+        places and places[-1][0] == "<string>" and owners[-2:-1] == ["setuptools"]
+    ):  # it hands setup.py to exec() as a text
+        places[-1], owners[-1] = ("setup.py", places[-1][1]), ""
     last = max((index for index, owner in enumerate(owners) if not owner), default=-1)
     file, line = places[last] if last >= 0 else ("", 0)
     return Fault(kind, message, file, line, said, tuple(owners[last + 1 :]))
