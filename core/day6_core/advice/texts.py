@@ -284,6 +284,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "the first line of __init__ has to be super().__init__('NAME'): only then is a {kind} a node",
         "__init__ 里要先写 super().__init__('节点名')，类 {kind} 才是一个节点",
     ),
+    "command.variable": (
+        "no blanks stand around = when a variable is set: {right}",
+        "给变量赋值的时候，= 两边没有空格：{right}",
+    ),
     "shell.arrays": (
         "this terminal has no arrays; a real bash does. Put the values into one text: NAME='1 2 3'; for x in $NAME; do …",
         "这个终端没有数组，真的 bash 才有。把值写在一段文字里：名字='1 2 3'; for x in $名字; do …",

@@ -47,6 +47,13 @@ def slip_of_command(name: str, line: str, commands: Iterable[str], letters: str 
         return Slip("command.answer", {"name": name.lower()})
     if (slip := lacking_in_shell(name)) is not None:
         return slip
+    if (
+        (setting := re.match(r"(\w+)\s+=\s*(\S.*)$", line.strip())) is not None
+        and setting[1] == name
+        and name.isidentifier()
+    ):
+        right = f"{name}={setting[2]}"
+        return Slip("command.variable", {"right": right}, right)
     for rule in (_prompt, _apart) if "/" in name else (_prompt, _apart, _other_case, _turned, _near):
         if (slip := rule(name, line, known)) is not None:
             return slip

@@ -60,6 +60,7 @@ SLIPS = {
     "mkdri my_robot": ("did you mean mkdir?", "mkdir my_robot"),
     "mkdirs a": ("did you mean mkdir?", "mkdir a"),
     "sl": ("did you mean ls?", "ls"),
+    "speed = 5": ("no blanks stand around =", "speed=5"),
     "cta x": ("did you mean cat?", "cat x"),
     "ros topic list": ("did you mean ros2?", "ros2 topic list"),
     "LS -l": ("small letters: ls", "ls -l"),
