@@ -76,7 +76,7 @@ def _talkers() -> list[Forgery]:
 
 
 def _listeners() -> list[Forgery]:
-    none = "Subscribed are"
+    none = "Nobody subscribes to it|Subscribed are: "
     unheard = "That was not in what it printed"
     echo = "import subprocess\nsubprocess.run(['ros2', 'topic', 'echo', '/chatter'])"
     texts = [

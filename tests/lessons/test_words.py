@@ -70,7 +70,7 @@ def test_an_empty_list_is_told_in_a_sentence() -> None:
         "There is no node /talker, nor any other.",
         "Nothing runs now.",
     ]
-    assert Say("package.saw", names=("a", "b")).text("zh") == "现在有：a, b。"
+    assert Say("package.saw", names=("a", "b")).text("zh") == "现在有：a、b。"
 
 
 @pytest.mark.parametrize("kind", ["folder", "file"])

@@ -42,8 +42,9 @@ def _written(value: Any, language: str) -> Any:
     if isinstance(value, (tuple, list)):
         texts = [str(_written(each, language)) for each in value]
         if texts:
-            joint = ("；" if language == "zh" else "; ") if any(isinstance(each, Say) for each in value) else ", "
-            return joint.join(texts)
+            sentences = any(isinstance(each, Say) for each in value)
+            joints = ("；", "; ") if sentences else ("、", ", ")
+            return joints[language != "zh"].join(texts)
         return "（没有）" if language == "zh" else "(none)"
     return value
 
@@ -62,7 +63,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "node.saw": ("There is no node {name}; there are: {nodes}.", "没有节点 {name}，现在有：{nodes}。"),
     "node.saw.none": ("There is no node {name}, nor any other.", "没有节点 {name}，现在一个节点也没有。"),
     "node.saw_count": ("There are {found} of them.", "现在有 {found} 个。"),
-    "no_node": ("no node {name} runs", "没有节点 {name} 在运行"),
+    "no_node": ("no node {name} runs", "节点 {name} 不再运行"),
     "no_node.saw": ("The node {name} still runs.", "节点 {name} 还在运行。"),
     "topic": ("the topic {name} is there", "要有话题 {name}"),
     "topic.type": ("the topic {name} has the type {type}", "话题 {name} 的类型是 {type}"),
@@ -77,7 +78,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "There are {publishers} publishers and {subscribers} subscribers.",
         "现在有 {publishers} 个发布者、{subscribers} 个订阅者。",
     ),
-    "no_topic": ("there is no topic {name}", "没有话题 {name}"),
+    "no_topic": ("there is no topic {name}", "不再有话题 {name}"),
     "no_topic.saw": ("{nodes} still use it.", "{nodes} 还在用它。"),
     "service": ("a server offers the service {name}", "要有节点提供服务 {name}"),
     "service.saw": ("Nobody offers {name}.", "现在没有节点提供 {name}。"),
@@ -89,16 +90,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "parameter.saw": ("It is {found}.", "现在是 {found}。"),
     "parameter.no_node": ("There is no node {node}.", "没有节点 {node}。"),
     "parameter.silent": ("{node} does not answer.", "{node} 没有回答。"),
-    "transform": ("the transform from {to} to {frame} is known", "已经知道 {to} 到 {frame} 的坐标变换"),
+    "transform": ("the transform from {to} to {frame} is known", "知道 {to} 到 {frame} 的坐标变换"),
     "transform.saw": ("It is not known; frames: {frames}.", "还不知道；现有的坐标系：{frames}。"),
     "transform.saw.none": ("It is not known; there is no frame at all.", "还不知道；现在一个坐标系也没有。"),
     # Messages
-    "message": ("a message on {topic}", "话题 {topic} 上来过一条消息"),
-    "message.count": ("{count} messages on {topic}", "话题 {topic} 上来过 {count} 条消息"),
-    "message.field": ("a message on {topic} with {field} {how}", "话题 {topic} 上来过一条消息，其中 {field} {how}"),
+    "message": ("a message on {topic}", "话题 {topic} 上有一条消息"),
+    "message.count": ("{count} messages on {topic}", "话题 {topic} 上有 {count} 条消息"),
+    "message.field": ("a message on {topic} with {field} {how}", "话题 {topic} 上有一条消息，其中 {field} {how}"),
     "message.field_count": (
         "{count} messages on {topic} with {field} {how}",
-        "话题 {topic} 上来过 {count} 条消息，其中 {field} {how}",
+        "话题 {topic} 上有 {count} 条消息，其中 {field} {how}",
     ),
     "message.equals": ("= {value}", "等于 {value}"),
     "message.above": ("above {value}", "大于 {value}"),
@@ -123,18 +124,19 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "rate.saw": ("Measured: {rate} a second.", "量到的是每秒 {rate} 条。"),
     "rate.saw_none": ("Nothing arrives.", "没有消息到达。"),
-    "turned": ("the joint {joint} has turned by {least} rad", "关节 {joint} 一共转 {least} 弧度"),
+    "turned": ("the joint {joint} has turned by {least} rad", "关节 {joint} 一共转过 {least} 弧度"),
     "turned.saw": ("It has turned by {found} rad.", "到现在转了 {found} 弧度。"),
     "turned.saw_names": ("/joint_states names: {names}.", "/joint_states 里的名字是：{names}。"),
+    "turned.saw_names.none": ("/joint_states names no joint.", "/joint_states 里一个名字也没有。"),
     "moved": ("what {topic} tells has moved by {least} m", "{topic} 报告的位置一共移动 {least} 米"),
     "moved.saw": ("It has moved by {found} m.", "到现在移动了 {found} 米。"),
     # Terminals
-    "ran": ("a command like `{line}` was run", "运行过像 `{line}` 这样的命令"),
-    "ran.with": ("a command with `{line}` in it was run", "运行过带 `{line}` 的命令"),
-    "ran.status": ("{inner} and ended without an error", "{inner}，而且没有出错"),
-    "ran.status_is": ("{inner} and ended with status {status}", "{inner}，而且退出状态是 {status}"),
-    "ran.prints": ("{inner} and printed {prints}", "{inner}，而且打印了 {prints}"),
-    "ran.new": ("{inner}, in a new terminal", "{inner}，是在新开的终端里"),
+    "ran": ("a command like `{line}` was run", "运行 `{line}` 这样的命令"),
+    "ran.with": ("a command with `{line}` in it was run", "运行带 `{line}` 的命令"),
+    "ran.status": ("{inner} and ended without an error", "{inner}，不出错"),
+    "ran.status_is": ("{inner} and ended with status {status}", "{inner}，退出状态是 {status}"),
+    "ran.prints": ("{inner} and printed {prints}", "{inner}，打印出 {prints}"),
+    "ran.new": ("{inner}, in a new terminal", "在新开的终端里{inner}"),
     "ran.saw_nothing_new": ("Nothing was run in a new terminal yet.", "新开的终端里还没有运行过命令。"),
     "ran.saw_last": ("The last command was `{line}`", "最后一条命令是 `{line}`"),
     "ran.saw_nothing": ("Nothing was run yet.", "还没有运行过命令。"),
@@ -157,7 +159,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "environment": ("a terminal has {name} like {value}", "要有一个终端，它的 {name} 是 {value} 这样的"),
     "environment.saw": ("{name} is: {values}.", "{name} 现在是：{values}。"),
     "sourced": ("a terminal knows the package {name} (sourced)", "要有一个终端认识功能包 {name}（source 过）"),
-    "sourced.saw": ("No terminal has it on its path.", "没有终端的路径里有它。"),
+    "sourced.saw": ("No terminal has it on its path.", "现在没有一个终端认识它。"),
     "environment.saw.none": ("No terminal has {name}.", "现在没有一个终端有 {name}。"),
     # Files
     "file": ("the file {path} is there", "要有文件 {path}"),
@@ -169,7 +171,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "missing": ("{inner} (not yet)", "{inner}（现在还没有）"),
     "file.unread": ("{path} cannot be read: {reason}.", "{path} 读不了：{reason}。"),
     "folder": ("the folder {path} is there", "要有文件夹 {path}"),
-    "no_file": ("there is no {path}", "不能有 {path}"),
+    "no_file": ("there is no {path}", "不再有 {path}"),
     "no_file.saw": ("{path} is still there.", "{path} 还在。"),
     "package": ("the package {name} is in {folder}", "{folder} 里要有功能包 {name}"),
     "package.type": ("its build type is {type}", "它的构建类型是 {type}"),

@@ -6,8 +6,10 @@ GRADING: dict[str, tuple[str, str]] = {
     # Checks of hidden scenarios
     "talks": ("the node {node} publishes {topic}", "节点 {node} 发布 {topic}"),
     "talks.saw": ("It is published by: {nodes}.", "现在发布它的是：{nodes}。"),
+    "talks.saw.none": ("Nobody publishes it.", "现在没有节点发布它。"),
     "listens": ("the node {node} subscribes to {topic}", "节点 {node} 订阅 {topic}"),
     "listens.saw": ("Subscribed are: {nodes}.", "现在订阅它的是：{nodes}。"),
+    "listens.saw.none": ("Nobody subscribes to it.", "现在没有节点订阅它。"),
     "changes": (
         "messages on {topic} with at least {count} different values of {field}",
         "{topic} 上的消息，{field} 至少有 {count} 个不同的值",
