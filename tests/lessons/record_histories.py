@@ -1,7 +1,8 @@
 """Writes `recorded_histories.jsonl` anew: `python -m tests.lessons.record_histories [WORD…]` plays days and drills for real.
 
 With words only the files whose names begin with one of them; the others stay as they are. To be run by hand, after a lesson or
-what checks ask a machine for has changed.
+what checks ask a machine for has changed. `--said`: nothing is played, only what checks say is written anew, after their texts
+have changed.
 """
 
 from __future__ import annotations
@@ -94,8 +95,26 @@ def play(path: Path) -> Any:
     return {"file": path.name, "steps": list(steps)}
 
 
+def say_anew() -> int:
+    """Write down how the recorded verdicts are said now. They may not hold otherwise than before."""
+    steps = {(path.name, step.name): (step, path.parent) for path in SHIPPED for step in read_lesson(path).steps}
+    histories = read_histories()
+    for history in histories:
+        for told in history["steps"]:
+            step, folder = steps[history["file"], told["step"]]
+            for moment, verdicts in zip(told["moments"], judged(step, told["moments"], folder), strict=True):
+                if [each[0] for each in verdicts] != [each[0] for each in moment["verdicts"]]:
+                    print(f"{history['file']}: {step.name} is judged otherwise: play it again")
+                    return 1
+                moment["verdicts"] = verdicts
+    write_histories(histories)
+    return 0
+
+
 def main() -> int:
     words = tuple(sys.argv[1:])
+    if words == ("--said",):
+        return say_anew()
     rehearsal.Live, rehearsal._Rehearsal = RecordingLive, RecordedRehearsal  # type: ignore[misc]
     failed = 0
     for path in SHIPPED:
