@@ -13,6 +13,7 @@ import pytest
 from day6_core.language import LANGUAGES
 from day6_core.lessons.catalogue import days, drills
 from day6_core.lessons.checks import Condition, condition_of, kinds
+from day6_core.lessons.checks.judged import _said
 from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import Say
 
@@ -92,3 +93,16 @@ def test_what_a_program_of_a_lesson_looks_for_is_told_in_its_own_sentence() -> N
     live: Any = SimpleNamespace(folder=Path("nowhere"), memory=lambda condition: {}, remembered={})
     assert driver.judge(live).wanted.text("zh") == "driver 的话，海龟真的听到了"
     assert driver.judge(live).wanted.text("en") == "the turtle really hears what driver says"
+
+
+@pytest.mark.parametrize(
+    ("line", "zh", "en"),
+    [
+        ("叶片不动 (the sail stands still)", "叶片不动", "the sail stands still"),
+        ("it (still) waits", "it (still) waits", "it (still) waits"),
+        ("只有中文", "只有中文", "只有中文"),
+    ],
+)
+def test_what_a_program_of_a_lesson_says_is_read_in_one_language(line: str, zh: str, en: str) -> None:
+    said = _said(line)
+    assert (said.text("zh"), said.text("en")) == (zh, en)

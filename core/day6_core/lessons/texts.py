@@ -247,7 +247,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "python.wanted": ("{en}", "{zh}"),
     "python.running": ("It is looking …", "正在检查……"),
     "python.silent": ("It ended and printed nothing.", "它结束了，什么也没有打印。"),
-    "python.saw": ("{text}", "{text}"),
+    "python.saw": ("{en}", "{zh}"),
     "python.late": ("It did not answer within {seconds} s.", "它在 {seconds} 秒里没有回答。"),
     "python.missing": ("There is no file {name} beside the lesson.", "课程旁边没有文件 {name}。"),
     **GRADING,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
@@ -49,14 +50,18 @@ def python(live: Live, file: str, zh: str = "", en: str = "") -> Verdict:
         memory["verdict"] = Verdict(False, wanted, Say("python.late", seconds=SECONDS), broken=True)
     else:
         memory["run"].keep(memory["output"].text)
-        last = plain_output(memory["run"]).strip().split("\n")[-1]
-        memory["verdict"] = Verdict(
-            program.status == 0, wanted, Say("python.saw", text=last[:200]) if last else Say("python.silent")
-        )
+        last = plain_output(memory["run"]).strip().split("\n")[-1][:200]
+        memory["verdict"] = Verdict(program.status == 0, wanted, _said(last) if last else Say("python.silent"))
     del memory["program"]
     memory["again"] = now + AGAIN * 1_000_000_000
     verdict: Verdict = memory["verdict"]
     return verdict
+
+
+def _said(line: str) -> Say:
+    """What a program says at last, in the language of whoever reads it if that is `Chinese (English)`."""
+    both = re.fullmatch(r"(.*[\u4e00-\u9fff].*) \(([^()]+)\)", line)
+    return Say("python.saw", zh=both[1] if both else line, en=both[2] if both else line)
 
 
 def _start(live: Live, path: str) -> object:

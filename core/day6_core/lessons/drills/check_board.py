@@ -31,10 +31,11 @@ def main() -> int:
     node.destroy_node()
     rclpy.shutdown()
     if nodes == {STATION}:
-        print(f"公告牌听到了 {STATION} (the board hears it)")
+        print(f"公告牌听到了 {STATION} (the board hears {STATION})")
         return 0
     if nodes:
-        print(f"公告牌听到的是 {', '.join(sorted(nodes))} (this is what the board hears)")
+        names = ", ".join(sorted(nodes))
+        print(f"公告牌听到的是 {names} (the board hears {names})")
     else:
         print("公告牌什么也没听到 (the board hears nobody)")
     return 1
