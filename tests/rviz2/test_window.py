@@ -44,6 +44,10 @@ def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
             at.pane.status_bar.hurry()
             await at.settle()
             assert "blue box base_link 0.4×0.25×0.08 m" in " ".join(at.screen().split())
+            at.app.look.texts.language = "zh"
+            at.app.looks.redraw()
+            await at.settle()
+            assert "蓝色长方体 base_link 0.4×0.25×0.08 米" in " ".join(at.screen().split())
             await at.until(lambda: sum(colour & 255 > 2 * (colour >> 16) for colour in _colours(at)) > 200)
 
     run(walk())

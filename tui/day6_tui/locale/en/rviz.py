@@ -129,6 +129,7 @@ TEXTS = {
     "rviz.seen.nothing": "nothing: no display is enabled",
     "rviz.seen.no_robot": "no robot yet",
     "rviz.seen.robot": "robot {name}: {parts}",
+    "rviz.seen.metres": "{size} m",
     "rviz.seen.link": "{colour} {kind} {name} {size}",
     "rviz.seen.lost": " (no transform: white, out of place)",
     "rviz.seen.all_lost": "robot {name}, all white: none of its links has a transform to {frame}",

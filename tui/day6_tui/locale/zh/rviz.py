@@ -129,6 +129,7 @@ TEXTS = {
     "rviz.seen.nothing": "什么也没有：没有打开任何显示项",
     "rviz.seen.no_robot": "还没有机器人",
     "rviz.seen.robot": "机器人 {name}：{parts}",
+    "rviz.seen.metres": "{size} 米",
     "rviz.seen.link": "{colour}{kind} {name} {size}",
     "rviz.seen.lost": "（没有坐标变换：变成白色，位置不对）",
     "rviz.seen.all_lost": "机器人 {name} 全是白色：没有一个 link 有到 {frame} 的坐标变换",

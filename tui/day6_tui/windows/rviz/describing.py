@@ -89,7 +89,7 @@ def _robot(display: RobotModelDisplay, texts: Texts) -> list[str]:
             colour=colour_word((1.0, 1.0, 1.0) if name in display.lost else part.colour, texts),
             kind=texts(f"rviz.kind.{part.kind}"),
             name=name,
-            size=size,
+            size=texts("rviz.seen.metres", size=size) if size else "",
         )
         if name in display.lost:
             text += texts("rviz.seen.lost")
@@ -103,11 +103,11 @@ def _robot(display: RobotModelDisplay, texts: Texts) -> list[str]:
 
 def _size(kind: str, size: tuple[float, float, float]) -> str:
     if kind == "box":
-        return "×".join(number_text(each) for each in size) + " m"
+        return "×".join(number_text(each) for each in size)
     if kind == "cylinder":
-        return f"⌀{number_text(size[0])}×{number_text(size[2])} m"
+        return f"⌀{number_text(size[0])}×{number_text(size[2])}"
     if kind == "sphere":
-        return f"⌀{number_text(size[0])} m"
+        return f"⌀{number_text(size[0])}"
     return ""
 
 
