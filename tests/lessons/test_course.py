@@ -311,6 +311,19 @@ def test_a_drill_waits_until_nothing_else_runs(room: Classroom) -> None:
     assert not room.solved()
 
 
+def test_what_is_in_the_way_of_a_drill_is_ended_on_request_and_the_drill_begins(room: Classroom) -> None:
+    drills(room, 1)
+    terminal = room.desk.open_terminal()
+    room.wait(lambda: terminal.idle)
+    terminal.run_line("ros2 run demo_nodes_cpp talker")
+    room.wait(lambda: room.desk.graph.nodes)
+    room.open("slip0")
+    room.wait(lambda: room.course.state.leftovers == ("/talker",))
+    room.ask(room.course.clear_up)
+    room.wait(lambda: room.course.opened.injected)
+    assert not room.course.state.leftovers and terminal.idle
+
+
 def test_a_drill_that_is_closed_while_it_waits_makes_no_fault(room: Classroom) -> None:
     drills(room, 1)
     room.desk.graph.create_node("mine")

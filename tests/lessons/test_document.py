@@ -54,6 +54,8 @@ def test_the_example_is_read_whole(tmp_path: Path) -> None:
         ("minutes: 5", "minutes: soon", "4: 'minutes' has to be a whole number"),
         ("  en: A little turtle\n", "", "5: 'title' needs a text for 'zh' and for 'en'"),
         ("order: 10", "order: [10", "not YAML"),
+        ("check:\n", "see: [turtelsim]\ncheck:\n", "see: there is no window 'turtelsim'; did you mean 'turtlesim'?"),
+        ("check:\n", "see: turtlesim\ncheck:\n", "'see' has to be a list"),
         ("- node: /turtlesim", "- nodes: /turtlesim", "there is no check 'nodes'; did you mean 'node'?"),
         ("- node: /turtlesim", "- node: {named: /turtlesim}", "unknown argument 'named'; did you mean 'name'?"),
         ("- node: /turtlesim", "- node: {count: 2}", "node: the argument 'name' is missing"),

@@ -57,7 +57,7 @@ def test_checks_make_room_for_the_text_and_scroll_with_it() -> None:
 
 
 def test_what_comes_next_is_told_where_hardly_a_line_is_left_to_read() -> None:
-    _found, pinned = page(do=6, told=1).laid_out(10)
+    _, pinned = page(do=6, told=1).laid_out(10)
     assert texts_of(pinned)[-1] == "told 0" and len(pinned) == 7
 
 

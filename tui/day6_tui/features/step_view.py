@@ -50,6 +50,8 @@ def show_step(desktop: Desktop, page: Pane, see: Sequence[str], work: Pane, new:
     shown = [*done_in, *pictures]
     leasts = {pane: Extent(NARROWEST, _least_rows(desktop, pane)) for pane in shown}
     leasts[page] = LEAST_COLUMN if len(shown) <= ONE_COLUMN else Extent(NARROWEST, LEAST_PAGE)
+    if len(done_in) > 1:
+        leasts[done_in[-1]] = Extent(NARROWEST, desktop.needs(done_in[-1].slot).good.rows)  # a whole message
     if pictures and len(shown) == 1:
         leasts[shown[0]] = LEAST_COLUMN
     if all(_has(desktop, pane, least) for pane, least in leasts.items()):
