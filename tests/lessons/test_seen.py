@@ -19,7 +19,7 @@ from day6_core.lessons.document import Lesson, Step
 from day6_core.lessons.rehearsal import apart
 from day6_core.shell.desk import Desk
 from day6_tui.app import Day6App, make_look
-from day6_tui.features.step_view import EDITOR, NARROWEST, TERMINAL, kind_of
+from day6_tui.features.step_view import EDITOR, LEAST_PAGE, NARROWEST, TERMINAL, kind_of
 from day6_tui.options import Options
 from tests.support.waiting import Deadline
 from tests.tui.screens import UTF8, screen_text
@@ -78,25 +78,24 @@ class Player:
         kinds = [
             kind_of(desktop.slots[slot])
             for slot, place in plan.items()
-            if place.width >= NARROWEST and place.height >= desktop.needs(slot).least.rows
+            if place.width >= NARROWEST and place.height >= self._least_rows(slot)
         ]
         keyboard = desktop.focused_pane
         return Seen(kinds, kind_of(keyboard) if keyboard is not None else "", screen_text(self._app))
+
+    def _least_rows(self, slot: int) -> int:
+        desktop = self._app.desktop
+        return LEAST_PAGE if desktop.slots[slot] is self._app.lessons.pane else desktop.needs(slot).least.rows
 
     async def play(self, lesson: Lesson) -> None:
         await self._until(lambda: self._course is not None and self._course.state.step is not None)
         for number, step in enumerate(lesson.steps):
             await self._until(lambda number=number: self._course.state.index == number)
             begun = await self._look()
-            done: list[bool] = []
-
-            async def solve(step: Step = step, done: list[bool] = done) -> None:
-                await self._course.opened.stage.perform([{"terminal": "idle"}, *step.solve])
-                done.append(True)
-
             if not self._course.state.solved:
-                self._course.request(lambda solve=solve: self._course._start(solve()))
-                await self._until(lambda done=done: done or self._course.state.problem)
+                self._course.request(self._course.show_solution)
+                await self._until(lambda: self._course.state.working)
+                await self._until(lambda: not self._course.state.working)
                 await self._until(lambda: self._course.state.solved or self._course.state.problem)
             assert not self._course.state.problem, (step.name, self._course.state.problem)
             self.seen[step.name] = begun, await self._look()

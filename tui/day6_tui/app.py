@@ -473,8 +473,8 @@ class Day6App(TerminalApp):
                     self.notices.show(self.look.texts("window.hidden", title=unseen.label, key=key))
                 self.session.place_windows()
             self.terminals.follow_desk()
-            self.arranging.follow()
             self.lessons.follow()
+            self.arranging.follow()
         again = self.session.advance()
         again = self.scenes.advance(now) or again
         self.recording.advance()

@@ -16,7 +16,7 @@ from day6_core.lessons.state import State
 from day6_tui.app import make_look
 from day6_tui.options import Options
 from day6_tui.panes.layouts import lesson as lesson_layout
-from day6_tui.panes.placement import OTHER
+from day6_tui.panes.splits import Split
 from day6_tui.windows.lesson.page import PageRow, StepPage, list_rows, step_page
 from tests.tui.screens import UTF8, screen_lines, screen_text
 from tests.tui.test_real_desk import _shows, _type, opened, until
@@ -92,12 +92,13 @@ def test_of_every_step_of_the_six_days_the_task_is_in_sight(language: str, heigh
 
 def test_a_step_has_its_panes_in_two_columns() -> None:
     tree = lesson_layout(1, [2], [3, 4], [5], [6], 80)
-    found = tree.lay_out(80, 22, lambda key: OTHER)
-    assert found.stacks == {2: [2, 5], 3: [3], 1: [1], 4: [4, 6]}
-    assert [found.places[key].x for key in (2, 3, 1, 4)] == [0, 0, 42, 42]
-    assert lesson_layout(1, [2], [], [], [], 120).lay_out(120, 38, lambda key: OTHER).places[1].width == 45
-    twist = lesson_layout(1, [2, 3], [], [], [], 80).lay_out(80, 22, lambda key: OTHER).places[3]
-    assert twist.height >= 12, "nine lines of a Twist and the line of the cursor"
+    assert isinstance(tree.root, Split) and tree.root.across
+    assert [[stack.keys for stack in tree.stacks(part)] for part in tree.root.parts] == [[[2, 5], [3]], [[1], [4, 6]]]
+    assert [stack.front for stack in tree.stacks()] == [2, 3, 1, 4]
+    for width, columns in ((80, 38), (120, 45), (200, 45)):
+        root = lesson_layout(1, [2], [], [], [], width).root
+        assert isinstance(root, Split) and root.shares is not None
+        assert round(root.shares[1] * width) == columns
 
 
 def test_drills_are_numbered_in_their_order() -> None:
