@@ -95,7 +95,7 @@ def paint_top(
                 break
     paint_casters(painter, plan, at, given, colours, 1.2 / frame.metre)
     for tyre in tyres:
-        paint_tyre(painter, tyre, spin_of(tyre.wheel, at), 1 / frame.metre, given, colours, turning)
+        paint_tyre(painter, tyre, spin_of(tyre.wheel, at), (1 / frame.metre, 1 / frame.down), given, colours, turning)
     _paint_arrow(painter, frame, colours)
 
 
@@ -187,19 +187,20 @@ def paint_tyre(
     painter: Painter,
     tyre: Tyre,
     spin: float,
-    dot: float,
+    dot: tuple[float, float],
     given: Mapping[str, Transform],
     colours: TopColours,
     turning: Turning,
 ) -> None:
-    """Draw a wheel turned by `spin` radians; `dot` is the size of a dot in metres."""
-    link, half = tyre.wheel.joint.child, tyre.half_length
+    """Draw a wheel turned by `spin` radians; `dot` is the size of a dot along the wheel and across it, in metres."""
+    long, deep = dot
+    link, half, thickness = tyre.wheel.joint.child, tyre.half_length, 2 * tyre.half_width / deep
     base = _visible(tyre.wheel.colour, colours) if tyre.wheel.colour >= 0 else colours.tyre
     if link not in given:
         base = colours.missing
     speed = turning.speeds.get(link, 0.0)
-    marks = tread_marks(half, spin, dot)
-    blurred = abs(speed) * turning.gap > BLUR * 2 * math.pi / bars_of(half, dot)
+    marks = tread_marks(half, spin, long)
+    blurred = abs(speed) * turning.gap > BLUR * 2 * math.pi / bars_of(half, long)
     tread = colours.tread if _distance(base, colours.tread) > 60 else mixed(base, 0xFFFFFF, 0.4)
     if blurred and link in given:
         base = mixed(base, tread, 0.3)
@@ -208,20 +209,19 @@ def paint_tyre(
         painter.disc((tyre.x, tyre.y), half, base, wall)
     else:
         painter.polygon(tyre.strip(-half, half), base, wall)
-    if link not in given or half < 1.5 * dot:
+    if link not in given or half < 1.5 * long:
         return
-    thickness = 2 * tyre.half_width / dot
     inside = 1.0 if thickness < 4.5 else 1 - 2.2 / thickness
     if not blurred:
         for along, first in marks:
             if not first:
-                width = _seen_width(along, half, dot) / 2
+                width = _seen_width(along, half, long) / 2
                 painter.polygon(_within(tyre, along - width, along + width, inside), tread)
     for start, end in tail(half, spin, speed):
         painter.polygon(_within(tyre, start, end, inside), mixed(base, colours.mark, 0.45))
     for along, first in marks:
         if first:
-            width = max(2 * _seen_width(along, half, dot), 2 * dot, half * 0.22) / 2
+            width = max(2 * _seen_width(along, half, long), 2 * long, half * 0.22) / 2
             painter.polygon(_within(tyre, along - width, along + width, inside), colours.mark)
 
 
