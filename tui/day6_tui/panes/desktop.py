@@ -147,9 +147,12 @@ class Desktop(PaneHost):
             found = self.needs(slot)
             return TERMINAL if found is TELEOP else found
 
-        def family(slot: int) -> int:
+        def family(slot: int) -> list[object]:
             pane = self.slots.get(slot)
-            return pane.window.command if isinstance(pane, WindowPane) and pane.window.is_launched else 0
+            if not isinstance(pane, WindowPane):
+                return []
+            labels = [pane.subject, pane.window.command if pane.window.is_launched else 0]
+            return [label for label in labels if label]
 
         driven = {pane.slot for pane in self.terminals() if pane.drives}
         slot = keyboard.slot if keyboard is not None else None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple, TypeAlias
 
@@ -41,7 +41,10 @@ FORGETTING = 0.8
 """How much less a pane counts than the one that was used after it."""
 
 YIELDING = 0.7
-"""The same when a window has to cover one: a turtle yields to a terminal that was used two others later, RViz to hardly any."""
+"""The same when a window has to cover one: a turtle yields to a terminal after which two others were used, RViz after four."""
+
+PICTURE = 2.0
+"""The weight from which on a window is a picture of what moves."""
 
 LARGER = 1.3
 """The others make room for a picture that has a place, but none where it is comfortable, if it becomes so much larger."""
@@ -77,20 +80,22 @@ class Room:
     """The panes used last, the last one first."""
     keyboard: Key | None = None
     """The pane that keeps the keyboard: no window covers it."""
-    family: Callable[[Key], int] = lambda key: 0
-    """Which launch opened a window, 0 for none: windows of one launch are looked at together."""
+    family: Callable[[Key], Collection[object]] = lambda key: ()
+    """What a window has in common with others, its launch and what it is about: such windows are looked at together."""
 
     driven: Collection[Key] = ()
     """The terminals in which keys drive."""
     firm: bool = True
-    """Whether comfortable panes give to those that would be of no use, and none vanishes where there is no room for all: not for
-    terminals, whose places people know by heart."""
+    """Whether comfortable panes give to those that would be of no use: not for terminals, whose places people know by heart."""
 
     def rank(self, key: Key) -> int:
         return self.recent.index(key) if key in self.recent else len(self.recent)
 
     def is_terminal(self, key: Key) -> bool:
         return self.needs(key) is TERMINAL
+
+    def are_kin(self, one: Key, other: Key) -> bool:
+        return bool(set(self.family(one)) & set(self.family(other)))
 
     def fronts(self, tree: Tree) -> list[Key]:
         """The panes in front, the one used last first."""
@@ -123,14 +128,19 @@ def seen(layout: Layout, room: Room) -> float:
     return total
 
 
-def _best(tree: Tree, key: Key, spots: Sequence[Spot], room: Room, kept: Wanted | None = least) -> Spot | None:
-    """The spot with which most is seen, None if with none anything is; the new pane has what is `kept`, and nobody loses it."""
+def _best(
+    tree: Tree, key: Key, spots: Sequence[Spot], room: Room, kept: Wanted | None = least, *, folds: bool = False
+) -> Spot | None:
+    """The spot with which most is seen, None if with none anything is; the new pane has what is `kept`, and nobody loses it.
+
+    With `folds` panes may vanish where the desktop is too small for all.
+    """
     before = room.lay_out(tree)
     had = [key] if kept is None else [key, *(each for each in before.places if room.has(kept, each, before))]
 
     def worth(spot: Spot) -> float:
         layout = _with(tree, key, spot, room)
-        if room.firm and spot.side != "tab" and len(layout.places) <= len(before.places):
+        if not folds and spot.side != "tab" and len(layout.places) <= len(before.places):
             return 0.0  # a desktop that is too small would show both as tabs
         lost = kept is not None and any(each in layout.places and not room.has(kept, each, layout) for each in had)
         return seen(layout, room) if key in layout.places and not lost else 0.0
@@ -159,12 +169,14 @@ def best_spot(tree: Tree, key: Key, room: Room) -> Spot | None:
     one that came with it; of the others the one that was used least recently, and a picture later than text.
     """
     if room.is_terminal(key):
-        room = replace(room, firm=False)
-        tabs = _tabs_of_terminals(tree, key, room)
-        return _best(tree, key, _sides(tree, room) + tabs, room) or _best(tree, key, tabs, room, None)
+        tabs, soft = _tabs_of_terminals(tree, key, room), replace(room, firm=False)
+        spots = [spot for spot in _sides(tree, room) if _best(tree, key, [spot], room, folds=True)] + tabs
+        return _best(tree, key, spots, soft, folds=True) or _best(tree, key, tabs, soft, None)
     tabs = [spot for spot in _tabs_of_windows(tree, key, room) if not room.needs(spot.beside).stays]
     tabs = [spot for spot in tabs if _best(tree, key, [spot], room)]
-    return _best(tree, key, _sides(tree, room) + tabs[:1], room)
+    spots = _sides(tree, room) + tabs[:1]
+    comfortable = [spot for spot in spots if room.has(good, key, _with(tree, key, spot, room))]
+    return _best(tree, key, comfortable, room) or _best(tree, key, spots, room)
 
 
 def _tabs_of_terminals(tree: Tree, key: Key, room: Room) -> list[Spot]:
@@ -182,16 +194,25 @@ def _tabs_of_terminals(tree: Tree, key: Key, room: Room) -> list[Spot]:
     return [Spot(front, "tab") for front in light or others]
 
 
-def _tabs_of_windows(tree: Tree, key: Key, room: Room) -> list[Spot]:
-    """What a window may cover: first what was used least recently."""
+def _tabs_of_windows(tree: Tree, key: Key, room: Room, *, of_kin: bool = False) -> list[Spot]:
+    """What a window may cover: first what was used least recently. A picture is used while keys drive.
+
+    Only if there is nothing else (`of_kin`) it may be what belongs to the window.
+    """
+
+    def order(front: Key) -> tuple[bool, float]:
+        needs = room.needs(front)
+        users = [front, *room.driven] if needs.weight >= PICTURE else [front]
+        return needs.stays, needs.weight * YIELDING ** min(map(room.rank, users))
 
     def is_kin(front: Key) -> bool:
-        return any(room.family(each) == room.family(key) != 0 for each in tree.stack_of(front).keys)
+        return any(room.are_kin(each, key) for each in tree.stack_of(front).keys)
 
     fronts = room.fronts(tree)
-    weights = {front: room.needs(front).weight * YIELDING**rank for rank, front in enumerate(fronts)}
-    others = [front for front in fronts if front != room.keyboard and not is_kin(front)]
-    return [Spot(front, "tab") for front in sorted(others, key=lambda each: (room.needs(each).stays, weights[each]))]
+    others = [front for front in fronts if front != room.keyboard and (of_kin or not is_kin(front))]
+    if of_kin:
+        others = others or fronts
+    return [Spot(front, "tab") for front in sorted(others, key=lambda front: (is_kin(front), *order(front)))]
 
 
 def put(tree: Tree, key: Key, room: Room) -> Tree:
@@ -199,9 +220,11 @@ def put(tree: Tree, key: Key, room: Room) -> Tree:
     spot = None if tree.root is None else best_spot(tree, key, room)
     if tree.root is not None and not room.is_terminal(key) and (made := _made_room(tree, key, spot, room)) is not None:
         return made
-    if spot is None and (fronts := room.fronts(tree)):
-        tabs = _tabs_of_terminals(tree, key, room)[::-1] if room.is_terminal(key) else _tabs_of_windows(tree, key, room)
-        spot = (tabs or [Spot(fronts[-1], "tab")])[0]
+    if spot is None and room.is_terminal(key) and tree.root is not None:
+        spot = _tabs_of_terminals(tree, key, room)[-1]
+    elif spot is None and tree.root is not None:
+        tabs = _tabs_of_windows(tree, key, room, of_kin=True)
+        spot = next((each for each in tabs if _best(tree, key, [each], room)), tabs[0])
     tree.add(key, *(spot or (None, "right")))
     return tree
 
@@ -219,28 +242,34 @@ def _made_room(tree: Tree, key: Key, spot: Spot | None, room: Room) -> Tree | No
         if needs.weight <= heaviest or room.has(good, key, _with(tree, key, spot, room)):
             return None
     wanted = [key] if room.keyboard is None else [key, room.keyboard]
-    beside = [each for each in before.places if room.needs(each).stays]
-    kin = [each for each in room.recent if room.family(each) == room.family(key) != 0]
-    first = sorted(dict.fromkeys([*wanted, *beside, *kin]), key=lambda each: -math.prod(room.needs(each).least))
-    made = arranged(list(dict.fromkeys([*first, *room.recent])), room, in_any_case=len(first))
-    layout = room.lay_out(made)
-    if not all(room.has(least, each, layout) for each in wanted):
-        return None
-    larger = spot is None or room.part(key, layout) >= LARGER * room.part(key, _with(tree, key, spot, room))
-    return made if larger else None
+    beside = [each for each in before.places if room.needs(each).stays or room.are_kin(each, key)]
+    seen_before = [each for each in room.recent if each in before.places]
+
+    def by_size(keys: Iterable[Key]) -> list[Key]:
+        return sorted(dict.fromkeys(keys), key=lambda each: -math.prod(room.needs(each).least))
+
+    for first in (by_size([*wanted, *beside]), [*by_size(wanted), *by_size(beside)]):
+        order = list(dict.fromkeys([*first, *seen_before, *room.recent]))
+        made = arranged(order, room, len(first), len(seen_before) + 1)
+        layout = room.lay_out(made)
+        if all(room.has(least, each, layout) for each in wanted):
+            larger = spot is None or room.part(key, layout) >= LARGER * room.part(key, _with(tree, key, spot, room))
+            return made if larger else None
+    return None
 
 
-def arranged(keys: Sequence[Key], room: Room, *, in_any_case: int | None = None) -> Tree:
+def arranged(keys: Sequence[Key], room: Room, in_any_case: int | None = None, seen_at_most: int | None = None) -> Tree:
     """A new tree with these panes, the first ones seen best: what has no room beside those is a tab behind one of its sort.
 
-    Panes after the first `in_any_case` are seen only where all are comfortable.
+    Panes after the first `in_any_case` are seen only where all are comfortable, those after the first `seen_at_most` never.
     """
     tree = Tree()
     for count, key in enumerate(keys, 1):
         now = replace(room, recent=sorted(keys[:count], key=room.rank))
         kept = least if in_any_case is None or count <= in_any_case else good
         fronts = now.fronts(tree)
-        spot = _best(tree, key, _sides(tree, now), now, kept)
+        sides = _sides(tree, now) if seen_at_most is None or count <= seen_at_most else []
+        spot = _best(tree, key, sides, now, kept)
         if spot is not None or not fronts:
             tree.add(key, *(spot or (None, "right")))
             continue

@@ -50,6 +50,9 @@ class WindowPane(Pane, Generic[Model]):
     needs = OTHER
     """What it needs to be useful, with its frame."""
 
+    subject = ""
+    """What it is about, if it is to be seen beside other windows about it: no such window covers another one."""
+
     takes_focus = False
     """Whether it takes the focus when it opens: editors, and windows of rqt that were asked for by a command in the foreground.
 

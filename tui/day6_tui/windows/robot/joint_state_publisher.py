@@ -43,7 +43,8 @@ STEP = RANGE // 100
 class SlidersPane(LinesPane["SliderModel"]):
     """Draws `SliderModel.sliders`; keeps the chosen one, the unit, and a number that is being typed."""
 
-    needs = PaneNeeds(Extent(30, 6), Extent(44, 8), Extent(60, 12))
+    needs = PaneNeeds(Extent(30, 6), Extent(38, 8), Extent(60, 12))
+    subject = "robot"
 
     def __init__(self, window: Window[SliderModel], look: Look) -> None:
         super().__init__(window, look)
