@@ -7,6 +7,7 @@ from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
 from contextlib import asynccontextmanager
 from typing import Any, TypeVar
 
+from rich.cells import cell_len
 from textual.app import App
 
 from day6_tui.app import Day6App, make_look
@@ -26,6 +27,11 @@ def screen_lines(app: Day6App) -> list[str]:
     """What the screen shows, as text."""
     strips = app.screen._compositor.render_strips()
     return ["".join(segment.text for segment in strip).rstrip() for strip in strips]
+
+
+def is_drawn_in_ascii(text: str) -> bool:
+    """Whether all that is drawn is ASCII. Chinese, at least the name of the other language, may be written in between."""
+    return all(char.isascii() or cell_len(char) == 2 for char in text)
 
 
 def screen_text(app: Day6App) -> str:
