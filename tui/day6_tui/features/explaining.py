@@ -34,13 +34,14 @@ class Explaining(Feature):
         from day6_core.advice.matching import card_for
         from day6_core.shell.builtins.why import explained_lines
 
-        match = card_for(line.strip())
-        if match is None or not pane.has_terminal:
+        if not pane.has_terminal:
             return False
-        terminal = pane.view.terminal
-        runs = ((found, run) for found, run in explained_lines(terminal.runs) if found.line.strip() == line.strip())
-        found, run = next(runs, (match, None))
-        return self._show(found, pane, run.output if run is not None else line, run.source if run is not None else "")
+        runs = pane.view.terminal.runs
+        known = ((found, run) for found, run in explained_lines(runs) if found.line.strip() == line.strip())
+        match, run = next(known, (card_for(line.strip()), None))
+        if match is None:
+            return False
+        return self._show(match, pane, run.output if run is not None else line, run.source if run is not None else "")
 
     def _open_for_terminal(self, pane: TerminalPane) -> bool:
         from day6_core.advice.matching import cards_in, unfinished
