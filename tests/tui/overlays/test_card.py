@@ -108,18 +108,24 @@ async def test_a_line_that_is_wrapped_is_clicked_as_one(tmp_path) -> None:
         assert app.desktop.overlay._shown.line.startswith("Could not find a connection between 'aaaaaaaaaa'")
 
 
-async def test_a_clicked_error_has_the_card_for_where_it_came_from(tmp_path) -> None:
+@pytest.mark.parametrize(
+    ("error", "means"),
+    [
+        ("ValueError: invalid method signature", "has not even self in its brackets"),
+        ("__main__.Boom: signature", "The program ended by an error"),
+    ],
+)
+async def test_a_clicked_error_has_the_card_for_where_it_came_from(tmp_path, error: str, means: str) -> None:
     async with opened(tmp_path, 60, 30) as (app, pilot):
         places = ("/home/me/a.py", "/opt/ros/jazzy/lib/python3.12/site-packages/rclpy/timer.py")
         lines = "".join(f'  File "{place}", line 3, in f\n    f()\n' for place in places)
-        error = "ValueError: invalid method signature"
         (tmp_path / "told").write_text(f"Traceback (most recent call last):\n{lines}{error}\n")
         await fail(app, pilot, "clear; cat told", "signature")
         pane = app.terminals.current
-        y = next(n for n, line in enumerate(screen_lines(app)) if "invalid method" in line)
+        y = next(n for n, line in enumerate(screen_lines(app)) if error in line)
         await pilot.click(pane, offset=(3, y - pane.region.y))
         await until(app, pilot, lambda: isinstance(app.desktop.overlay, CardModal))
-        assert "has not even self in its brackets" in app.desktop.overlay._shown.means
+        assert means in app.desktop.overlay._shown.means
 
 
 async def test_a_command_goes_to_another_terminal_while_a_program_runs_in_this_one(tmp_path) -> None:
