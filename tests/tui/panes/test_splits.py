@@ -128,8 +128,8 @@ def place(
 
     def family(key: int) -> list[object]:
         kind = kinds[key - 1]
-        subject = "" if kind in ("T", "D", "other") else pane_class(kind).subject
-        return [each for each in (subject, (launch or {}).get(key)) if each]
+        about = "" if kind in ("T", "D", "other") else pane_class(kind).about
+        return [each for each in (about, (launch or {}).get(key)) if each]
 
     for number, kind in enumerate(kinds, 1):
         keyboard = recent[0] if recent else None

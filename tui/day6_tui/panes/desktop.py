@@ -151,7 +151,7 @@ class Desktop(PaneHost):
             pane = self.slots.get(slot)
             if not isinstance(pane, WindowPane):
                 return []
-            labels = [pane.subject, pane.window.command if pane.window.is_launched else 0]
+            labels = [pane.about, pane.window.command if pane.window.is_launched else 0]
             return [label for label in labels if label]
 
         driven = {pane.slot for pane in self.terminals() if pane.drives}

@@ -50,7 +50,7 @@ class WindowPane(Pane, Generic[Model]):
     needs = OTHER
     """What it needs to be useful, with its frame."""
 
-    subject = ""
+    about = ""
     """What it is about, if it is to be seen beside other windows about it: no such window covers another one."""
 
     takes_focus = False

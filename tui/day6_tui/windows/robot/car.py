@@ -69,7 +69,7 @@ class CarPane(WindowPane["CarModel"]):
     """Draws the newest snapshot; a new one costs the cells in which its picture differs."""
 
     needs = PaneNeeds(Extent(30, 10), Extent(46, 20), Extent(70, 30), 2.0)
-    subject = "robot"
+    about = "robot"
 
     def __init__(self, window: Window[CarModel], look: Look) -> None:
         super().__init__(window, look)

@@ -44,7 +44,7 @@ class SlidersPane(LinesPane["SliderModel"]):
     """Draws `SliderModel.sliders`; keeps the chosen one, the unit, and a number that is being typed."""
 
     needs = PaneNeeds(Extent(30, 6), Extent(38, 8), Extent(60, 12))
-    subject = "robot"
+    about = "robot"
 
     def __init__(self, window: Window[SliderModel], look: Look) -> None:
         super().__init__(window, look)

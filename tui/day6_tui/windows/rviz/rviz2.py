@@ -68,7 +68,7 @@ class RVizPane(WindowPane[RViz]):
     """The window of an `RViz`; keeps only view state: which part has the focus, and what was last drawn."""
 
     needs = PaneNeeds(Extent(56, 14), Extent(72, 28), Extent(110, 40), 3.0)
-    subject = "robot"
+    about = "robot"
 
     def __init__(self, window: Window[RViz], look: Look) -> None:
         super().__init__(window, look)

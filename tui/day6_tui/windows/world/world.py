@@ -48,7 +48,7 @@ class WorldPane(WindowPane["WorldModel"]):
     """Draws the newest snapshot in its view; keeps the view and what is switched on."""
 
     needs = PaneNeeds(Extent(30, 10), Extent(46, 20), Extent(80, 36), 2.0)
-    subject = "robot"
+    about = "robot"
 
     def __init__(self, window: Window[WorldModel], look: Look) -> None:
         super().__init__(window, look)
