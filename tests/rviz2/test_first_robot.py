@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from day6_core.ros.programs.rviz2.model.config import read_config
 from day6_core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
 from day6_core.ros.programs.rviz2.model.status import ERROR
 from day6_tui.render.picture import RenderedPicture
@@ -98,6 +100,24 @@ def test_it_is_framed_again_when_the_window_changes_until_somebody_moves_the_cam
     run(walk())
 
 
+def test_the_desktop_keeps_a_camera_that_somebody_moved_and_no_other(machine: RVizMachine) -> None:
+    def kept(at: Walk) -> Any:
+        config = read_config(json.loads(at.pane.kept_view())["config"])
+        return config["Visualization Manager"]["Views"]["Current"]["Distance"]
+
+    async def walk() -> None:
+        async with walking(machine) as at:
+            await with_the_car(at, machine)
+            distance = machine.rviz.view.child("Distance").value
+            assert distance < 1 and kept(at) == 10
+            await at.press("tab", "plus")
+            assert kept(at) == pytest.approx(0.88 * distance, abs=1e-3)
+            # What is saved in a file is what is seen.
+            assert machine.rviz.save()["Visualization Manager"]["Views"]["Current"]["Distance"] < 1
+
+    run(walk())
+
+
 def test_a_wheel_that_gets_its_place_is_in_the_picture_too(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
@@ -142,6 +162,24 @@ def test_what_a_file_says_of_the_view_stays(machine: RVizMachine, tmp_path: Path
             await at.settle()
             assert machine.rviz.view.child("Distance").value == float(distance)
             assert (OFFER in at.screen()) is offered
+
+    run(walk())
+
+
+def test_another_file_is_another_beginning(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            await with_the_car(at, machine)
+            await at.press("tab", "left", "minus")
+            for distance, offered in (("8.0", True), ("10", False)):
+                text = FAR_AWAY % distance
+                start = text.replace("0.5", "0.785398") if distance == "10" else text
+                machine.do(lambda text=start: machine.rviz.load_text(text))
+                (robot,) = machine.rviz.displays
+                machine.until(lambda robot=robot: robot.status("URDF") is not None)
+                await at.settle()
+                assert (OFFER in at.screen()) is offered
+            await at.until(lambda: max(blue_part(at)) > 0.5)
 
     run(walk())
 

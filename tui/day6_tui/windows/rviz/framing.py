@@ -17,6 +17,7 @@ class Framing:
     def __init__(self, rviz: RViz, view: View3D) -> None:
         self._rviz = rviz
         self._view = view
+        self._loaded = rviz.loaded
         self._looked_at: tuple[int, ...] = ()
         self._camera: int | None = None
         """The `view_version` in which the robot was framed, or to frame it was offered; None before it is there."""
@@ -29,10 +30,17 @@ class Framing:
         """Whether a key should be named that frames the robot."""
         return self._camera is not None and not self._framed and not self._over
 
+    @property
+    def holds(self) -> bool:
+        """Whether the camera is where this put it, by nobody's wish."""
+        return bool(self._framed) and self._camera == self._rviz.view_version
+
     def pull(self) -> bool:
         """Follow the scene and the size of the picture; return whether the offer came or went."""
         rviz, view = self._rviz, self._view
         offered = self.offered
+        if rviz.loaded != self._loaded:
+            self._loaded, self._looked_at, self._camera, self._framed, self._over = rviz.loaded, (), None, (), False
         if self._camera is not None and rviz.view_version != self._camera:
             self._over = True
         state = (view.columns, view.rows, rviz.version)

@@ -273,7 +273,10 @@ class RVizPane(WindowPane[RViz]):
 
     def kept_view(self) -> str:
         rviz = self.rviz
-        kept = {"config": write_config(rviz.save()), "file": str(rviz.config_file or ""), "modified": rviz.modified}
+        config = rviz.save()
+        if self.framing.holds:  # so that the robot is framed again, whatever the size of the window is then
+            config["Visualization Manager"]["Views"]["Current"] = rviz.view.save_start()
+        kept = {"config": write_config(config), "file": str(rviz.config_file or ""), "modified": rviz.modified}
         return json.dumps(kept, ensure_ascii=False)
 
     def take_view(self, view: str) -> None:

@@ -73,6 +73,8 @@ class RViz:
         """Grows with every new scene or status."""
         self.tree_version = 0
         """Grows when lines of the panel come, go or change their words."""
+        self.loaded = 0
+        """Grows with every configuration that is loaded."""
         self.wake: Callable[[], None] = lambda: None
         """Asks for a tick soon; any thread."""
         self.urgent = Signal()
@@ -455,6 +457,7 @@ class RViz:
         current = views.get("Current") if isinstance(views, dict) else None
         if isinstance(current, dict):
             self.set_view(str(current.get("Class", "")).rpartition("/")[2], mimic=False)
+            self.view.zero()  # what the file does not say is as at the start
             self.view.load(current)
         for saved in self.saved_views:
             self.views.remove(saved)
@@ -464,6 +467,7 @@ class RViz:
                 self.views.add(SavedView(entry))
         load_expanded(self.root, config.get("Panels"))
         self.modified = False
+        self.loaded += 1
         self.tree_changed()
         self.touch()
 

@@ -90,6 +90,12 @@ class View(Property):
         """Whether it is as RViz begins: nobody has moved the camera, nor did a file."""
         return all(each.value == each.default for each in self.children if each not in (self.near, self.target))
 
+    def save_start(self) -> dict[str, Any]:
+        """What `save` returns while nobody has moved the camera."""
+        start = type(self)(list, lambda: None)
+        start.near.value, start.target.value = self.near.value, self.target.value
+        return start.save()
+
     def camera(self) -> Camera:
         raise NotImplementedError
 
