@@ -33,7 +33,7 @@ TELEOP = TERMINAL._replace(good=Extent(40, 10))
 
 GUIDE = PaneNeeds(Extent(30, 10), Extent(40, 18), Extent(60, 20))
 OTHER = PaneNeeds(Extent(36, 8), Extent(56, 14), Extent(90, 24))
-LESSON = PaneNeeds(Extent(34, 16), Extent(38, 21), Extent(46, 40), 2.0, stays=True)
+LESSON = PaneNeeds(Extent(34, 15), Extent(38, 21), Extent(46, 40), 2.0, stays=True)
 WIDE = 100
 """From this many columns on, two panes go side by side rather than one below the other, if both would do."""
 
@@ -174,9 +174,9 @@ def best_spot(tree: Tree, key: Key, room: Room) -> Spot | None:
         return _best(tree, key, spots, soft, folds=True) or _best(tree, key, tabs, soft, None)
     tabs = [spot for spot in _tabs_of_windows(tree, key, room) if not room.needs(spot.beside).stays]
     tabs = [spot for spot in tabs if _best(tree, key, [spot], room)]
-    spots = _sides(tree, room) + tabs[:1]
-    comfortable = [spot for spot in spots if room.has(good, key, _with(tree, key, spot, room))]
-    return _best(tree, key, comfortable, room) or _best(tree, key, spots, room)
+    sides = _sides(tree, room)
+    comfortable = [spot for spot in sides if room.has(good, key, _with(tree, key, spot, room))]
+    return _best(tree, key, comfortable, room) or _best(tree, key, sides + tabs[:1], room)
 
 
 def _tabs_of_terminals(tree: Tree, key: Key, room: Room) -> list[Spot]:

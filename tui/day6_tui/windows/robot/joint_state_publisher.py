@@ -43,7 +43,7 @@ STEP = RANGE // 100
 class SlidersPane(LinesPane["SliderModel"]):
     """Draws `SliderModel.sliders`; keeps the chosen one, the unit, and a number that is being typed."""
 
-    needs = PaneNeeds(Extent(30, 6), Extent(38, 8), Extent(60, 12))
+    needs = PaneNeeds(Extent(30, 7), Extent(38, 8), Extent(60, 12))
     about = "robot"
 
     def __init__(self, window: Window[SliderModel], look: Look) -> None:
