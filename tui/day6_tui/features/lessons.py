@@ -65,9 +65,12 @@ class Lessons(Feature):
     @property
     def pane(self) -> LessonPane | None:
         """The open window."""
+        found = next((pane for pane in self._desktop.panes.values() if pane.window.kind == "lesson"), None)
+        if found is None:
+            return None  # asked at every frame: nothing is imported before there is one
         from day6_tui.windows.lesson.lesson import LessonPane
 
-        return next((pane for pane in self._desktop.panes.values() if isinstance(pane, LessonPane)), None)
+        return found if isinstance(found, LessonPane) else None
 
     def toggle(self) -> None:
         """Open the lessons; where they are open go on to the next step if this one is solved, else there or back."""
