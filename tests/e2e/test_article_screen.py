@@ -167,7 +167,9 @@ def turning(person: Hands) -> Callable[[str], bool]:
     pictures = set()
 
     def seen(_: str) -> bool:
-        pictures.add(tuple(person.screen.cells(person.rviz)[: -2 * person.screen.columns]))  # without the words below it
+        pictures.add(
+            tuple(person.screen.cells(person.rviz)[: -2 * person.screen.columns])
+        )  # without the words below it
         return len(pictures) > 3 and blue(person) > LARGE
 
     return seen

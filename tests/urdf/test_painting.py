@@ -64,9 +64,7 @@ def test_wheels_are_three_dots_thick_at_least_and_alike_on_both_sides(size: tupl
     wheel = [y for y, line in enumerate(lines) if line[min(x for x, _ in marks)] != DARK.background]
     assert len(upper) == len(lower) and len(upper) >= 3 - 2 * (len(upper) > 2)
     assert wheel == [2 * size[1] - 1 - y for y in reversed(wheel)], "the picture is symmetric"
-    thick = next(
-        n for n, (a, b) in enumerate(itertools.pairwise(wheel), 1) if b > a + 1 or n == len(wheel) - 1
-    )
+    thick = next(n for n, (a, b) in enumerate(itertools.pairwise(wheel), 1) if b > a + 1 or n == len(wheel) - 1)
     assert thick >= 3
 
 

@@ -134,7 +134,9 @@ def test_chinese_characters_fill_their_two_cells(desk: Desk, renderer: str) -> N
     """None is set wide apart, as the glyphs of a font would be whose square is narrower than two Latin letters."""
     desk.open(renderer=renderer)
     assert desk.page.evaluate("desk._screen.renderer") == renderer
-    if not desk.page.evaluate('[...document.fonts].some((face) => face.family.includes("Chinese") && face.status == "loaded")'):
+    if not desk.page.evaluate(
+        '[...document.fonts].some((face) => face.family.includes("Chinese") && face.status == "loaded")'
+    ):
         pytest.skip("the system has none of the Chinese fonts that the page names")
     gap = """(() => {
       const { fontFamily, fontSize } = desk._terminal.options;

@@ -141,5 +141,13 @@ class WorldPixels:
         paint_bodies(painter, plan, given, given, self._top)
         paint_casters(painter, plan, given, given, self._top)
         for tyre in life_size(plan, given):
-            paint_tyre(painter, tyre, spin_of(tyre.wheel, given), (1 / self._metre, 1 / self._metre), given, self._top, STANDING)
+            paint_tyre(
+                painter,
+                tyre,
+                spin_of(tyre.wheel, given),
+                (1 / self._metre, 1 / self._metre),
+                given,
+                self._top,
+                STANDING,
+            )
         surface.polygon([place(spot) for spot in nose_of(plan)], self._colours[FIRM if snapshot.bumped else NOSE])
