@@ -9,11 +9,12 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.advice.below import first_line_below
 from day6_core.advice.card_files import CardError, all_cards, read_topic
 from day6_core.advice.explain import as_text, explain, scene_of
 from day6_core.advice.fault import fault_in, faults_in, module_of
 from day6_core.advice.matching import Match, cards_in
-from day6_core.advice.rules import Surroundings, first_line_below, hint_below
+from day6_core.advice.rules import Surroundings, hint_below
 from day6_core.advice.wording import at_home
 from day6_core.language import LANGUAGES
 from day6_core.ros.environment import PYTHON_PATH, program_environment
@@ -122,12 +123,8 @@ def test_a_card_with_from_is_only_for_what_comes_from_there(tmp_path: Path) -> N
         ("a.py", 1, "f"), (f"{PYTHON_PATH}/rclpy/x.py", 2, "f"), (f"{STDLIB}/os.py", 2, "f"), error="KeyError: 'a'"
     )
     theirs = report(("a.py", 1, "f"), (f"{STDLIB}/os.py", 2, "f"), error="KeyError: 'a'")
-    assert [card.speaks_of(fault_in(output)) for output in (own, ours, theirs, "no report")] == [
-        True,
-        True,
-        False,
-        False,
-    ]
+    seen = [card.seen_in(fault_in(output)) for output in (own, ours, theirs, "no report")]
+    assert seen == [{}, {}, None, None]
     path.write_text(CARD.replace("- same", "- from: \n- same"), encoding="utf-8")
     with pytest.raises(CardError):
         read_topic(path)

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.advice.below import first_line_below
 from day6_core.advice.explain import as_text, explain, scene_of
 from day6_core.advice.matching import card_for, cards_in
-from day6_core.advice.rules import Surroundings, first_line_below, hint_below
+from day6_core.advice.rules import Surroundings, hint_below
 from day6_core.ros.environment import program_environment
 from tests.advice.failing import failed
 from tests.support.folded import folded
@@ -33,7 +34,7 @@ OWN_WORDS = {
     "AttributeError: 'Arm' object has no attribute '_handle'": "attribute-missing",
     "AttributeError: module 'a.b' has no attribute 'main'": "attribute-missing",
     "ConnectionRefusedError: [Errno 111] Connection refused": "os-error",
-    "UnboundLocalError: cannot access local variable 'arg_name' where it is not associated with a value": "name-undefined",
+    "UnboundLocalError: cannot access local variable 'arg_name' where it is not associated with a value": "local-without-value",
     "ValueError: invalid method signature": "value-error",
     # and what the system says keeps its own
     "OSError: [Errno 28] No space left on device": "disk-full",
@@ -127,8 +128,8 @@ HINTS = {
     CLASS.format("super.__init__('a')", "A()"): "brackets are missing after super",
     CLASS.format("self.create_timer(1, print)", "A()"): "the first line of __init__ has to be super().__init__('NAME')",
     CLASS.format("super().__init__('a'); self.x = self._y", "A()"): "",
-    RCLPY + "n.create_publisher('String', 'x', 10)": "the type of the messages is the class itself",
-    RCLPY + "n.create_publisher(String, 'x', 10).publish(String)": "this is the class String itself and no message",
+    RCLPY + "n.create_publisher('String', 'x', 10)": "the type String in line 6 has no quotation marks",
+    RCLPY + "n.create_publisher(String, 'x', 10).publish(String)": "publishes the class String itself and not a message",
     "import rclpy\nrclpy.init()\nrclpy.shutdown()\nfrom rclpy.node import Node\nNode('a')": "no node can be made after",
 }  # fmt: skip
 
@@ -147,20 +148,20 @@ def test_a_hint_is_for_the_cause_that_the_program_shows(tmp_path: Path, program:
 
 MEANS = {
     # A program -> words of its card.
-    "'a' - 1": "Things of different kinds were computed or compared together (line 1)",
-    "for i in 5: pass": "A list (or something else that can be gone through) is wanted here",
+    "'a' - 1": "1 reckons with a number and a text",
+    "for i in 5: pass": "to count up to it write range(5)",
     "x = 5\nx[0]": "[ ] stands after a int, and nothing can be taken out of that (line 2)",
     "[1]['a']": "The brackets after a list want a whole number",
     "int('abc')": "'abc' cannot be made a number (line 1)",
     "a, b = 1, 2, 3": "There are not as many names left of the = as values right of it",
     "import os\nos.environ['NOPE']": "the environment variable NOPE, which is not set (line 2)",
     "x = None\nx.foo": "What stands before the dot is None",
-    RCLPY + "n.get_logger.info('a')": "What stands before the dot is a function, and lacks its brackets ()",
-    RCLPY + "rclpy.spin(Node)": "An object is wanted here, and this is the class itself",
+    RCLPY + "n.get_logger.info('a')": "get_logger in line 6 lacks its ()",
+    RCLPY + "rclpy.spin(Node)": "hands the class Node to spin, which needs a node",
     RCLPY + "n.declare_parameter('x', 1)\nn.get_parameter('x') + 1": "gives the parameter and not its value: add .value",
     RCLPY + "n.create_timer(print, 0.5)": "One of the values given to rclpy is of another kind than it needs",
-    "from geometry_msgs.msg import Twist\nt = Twist()\nt.linear = 1.0": "linear has fields of its own, it is a Vector3",
-    "from std_msgs.msg import Float64MultiArray\nFloat64MultiArray().data = [1, 2]": "data wants a list",
+    "from geometry_msgs.msg import Twist\nt = Twist()\nt.linear = 1.0": "linear is a whole Vector3 and no number",
+    "from std_msgs.msg import Float64MultiArray\nFloat64MultiArray().data = [1, 2]": "data takes a list of decimal numbers",
     "from turtlesim.srv import SetPen\nSetPen.Request().r = 300": "r has to be between the two numbers",
     "class A:\n    def _init_(self, x): pass\nA(1)": "Making a A was given values in its brackets, but it takes none",
     "class A:\n    def go(self): pass\nA.go()": "go has to be called on an object of A",

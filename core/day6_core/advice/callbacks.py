@@ -30,9 +30,10 @@ _Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 def cause_in_source(fault: Fault, cwd: Path) -> Cause | None:
     """Return what the pupil's file shows to be the cause of an exception, None if that is not certain."""
-    source = _Source.of(cwd / fault.file) if fault.file else None
-    if source is None:
+    tree = parsed(cwd / fault.file) if fault.file else None
+    if tree is None:
         return None
+    source = _Source(tree)
     if (counts := _COUNTS.match(fault.message)) is not None and fault.kind == "TypeError":
         return source.wrong_count(counts, fault)
     if "rclpy" not in fault.through:
@@ -44,6 +45,14 @@ def cause_in_source(fault: Fault, cwd: Path) -> Cause | None:
     if "'arg_name'" in fault.message or fault.message == "'NoneType' object is not callable":
         return next(source.called_callbacks(), None)
     return None
+
+
+def parsed(path: Path) -> ast.Module | None:
+    """Read a file of the pupil's; None for one that is not there, is too large, or is no Python."""
+    try:
+        return ast.parse(path.read_bytes()) if path.stat().st_size <= LONGEST_FILE else None
+    except (OSError, ValueError, SyntaxError, RecursionError, MemoryError):
+        return None
 
 
 class _Source:
@@ -65,16 +74,6 @@ class _Source:
                 if found := named or node.args[place : place + 1]:
                     self._handed.append((node, node.func.attr, found[0]))
         self._handed.sort(key=lambda handed: handed[0].lineno)
-
-    @classmethod
-    def of(cls, path: Path) -> _Source | None:
-        """Read a file; None for one that is not there, is too large, or is no Python."""
-        try:
-            if path.stat().st_size > LONGEST_FILE:
-                return None
-            return cls(ast.parse(path.read_bytes()))
-        except (OSError, ValueError, SyntaxError, RecursionError, MemoryError):
-            return None
 
     def wrong_count(self, counts: re.Match[str], fault: Fault) -> Cause | None:
         """A method that was called with another number of arguments than it takes."""

@@ -6,6 +6,7 @@ A file is one topic. It begins with `# TITLE | ENGLISH TITLE`; each card in it i
     - says: `Package '{name}' not found`
     - look: package
     - from: own rclpy
+    - line: `for (?P<what>[a-z]+) in`
     - next: `ros2 pkg list`
 
     **zh** What it means, in Chinese: the first line appears by itself, what follows explains it.
@@ -17,7 +18,8 @@ A file is one topic. It begins with `# TITLE | ENGLISH TITLE`; each card in it i
 `says` is a whole line with {names} for what varies ({…}: not needed later), `match` a regular expression from the beginning
 of the line; there may be several. `look` names functions of the modules `lookers_*.py`. `next` is what to type.
 `from` is for a message that means something else where it comes from elsewhere: it names modules, one of which the pupil's line
-had called when it failed, `own` for that line itself, or `anywhere`. A card with `from` is only for a traceback that says so.
+had called when it failed, `own` for that line itself, or `anywhere`. `line` is a regular expression for the pupil's line, and its
+named groups are filled in. A card with `from` or `line` is only for a traceback that shows so.
 Words alone: `- hint` (the first line is certain enough to be shown as a hint, in every language), `- echo` (the message only
 says that another one came before it), `- same` (on a real robot nothing is different). {names} in the texts are filled in; a
 brace is written twice.
@@ -45,7 +47,7 @@ from day6_core.advice.fault import Fault
 from day6_core.language import LANGUAGES
 from day6_core.ros.differences import retold
 
-TOPICS = ("python", "syntax", "packages", "build", "setup", "launch", "graph", "messages", "parameters", "actions", "tf",
+TOPICS = ("nodes", "python", "syntax", "packages", "build", "setup", "launch", "graph", "messages", "parameters", "actions", "tf",
           "rviz", "urdf", "programs", "link", "bags", "files", "shell", "usage", "rclpy", "errors", "ends")  # fmt: skip
 """The files in the order in which their cards are tried: what is special comes before what is general."""
 
@@ -92,6 +94,8 @@ class Card:
     look: tuple[str, ...] = ()
     origins: frozenset[str] = frozenset()
     """Where the exception has to come from; empty: from anywhere, known or not."""
+    line: Pattern | None = None
+    """What the pupil's line has to look like; None: anything, known or not."""
     next: str = ""
     hint: bool = False
     echo: bool = False
@@ -103,13 +107,18 @@ class Card:
     finds: tuple[Pattern, ...] = ()
     words: dict[str, CardWords] = field(default_factory=dict)
 
-    def speaks_of(self, fault: Fault | None) -> bool:
-        """Return whether this exception comes from where the card says; None: where it comes from is not known."""
-        if not self.origins:
-            return True
-        if "anywhere" in self.origins:
-            return fault is not None
-        return fault is not None and not self.origins.isdisjoint(("own",) if fault.own else fault.through)
+    def seen_in(self, fault: Fault | None) -> dict[str, str] | None:
+        """Return what the pupil's line gives to fill in, None where it is another line, or the exception comes from elsewhere.
+
+        `fault` is None where nothing is known of either.
+        """
+        came_from = ("anywhere", "own" if fault.own else "", *fault.through) if fault is not None else ()
+        if self.origins and self.origins.isdisjoint(came_from):
+            return None
+        if self.line is None:
+            return {}
+        found = self.line.match(fault.source) if fault is not None else None
+        return {name: value for name, value in found.items() if not name.isdigit()} if found is not None else None
 
 
 class Pattern:
@@ -243,9 +252,9 @@ class _Reader:
         if name in _FLAGS and value is None:
             setattr(card, name, True)
             return
-        if name not in ("says", "match", "look", "from", "next", "finding", "finds") or value is None:
+        if name not in ("says", "match", "look", "from", "line", "next", "finding", "finds") or value is None:
             raise self._wrong(
-                "expected says, match, look, from, next, finding or finds with a value, or hint, echo or same without one"
+                "expected says, match, look, from, line, next, finding or finds with a value, or hint, echo or same without one"
             )
         if name == "finding":
             told = _FINDING.match(value)
@@ -270,6 +279,8 @@ class _Reader:
             raise self._wrong(f"this is no regular expression: {error}") from None
         if name == "finds":
             card.finds += (pattern,)
+        elif name == "line":
+            card.line = pattern
         else:
             card.patterns += (pattern,)
 
@@ -331,6 +342,7 @@ class _Reader:
     def _check_names(self, card: Card) -> None:
         """Every name in a text is found by every pattern of the card."""
         known = set(KNOWN_VALUES).union(set.intersection(*(pattern.names for pattern in card.patterns)))
+        known |= card.line.names if card.line is not None else set()
         for words in card.words.values():
             for text in (words.first, words.more, *words.checks, words.robot, card.next):
                 try:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
 from day6_core.facts.folders import names_in
 from day6_core.ros.environment import python_folders
@@ -30,7 +31,7 @@ _CAUGHT = re.compile(
 """An exception as launch names it."""
 _RAISED = re.compile(r"^(?:[A-Za-z_][\w.]*\.(?=\w)|(?=[A-Z_]))(\w+)(?:: (.*))?$")
 """The line below a traceback: the only one that begins at the margin."""
-_SPINS = re.compile(r"^ +(?:.*\W)?(?:spin\w*|main)\(")
+_SPINS = re.compile(r"(?:.*\W)?(?:spin\w*|main)\(")
 """A line of the pupil's that only lets others work: what failed is not there."""
 _OF_SYNTAX = ("SyntaxError", "IndentationError", "TabError")
 _PLACE = re.compile(r'^ *File "([^"]+)", line (\d+)', re.MULTILINE)
@@ -46,6 +47,14 @@ _WRAPPER = re.compile(r"(?:^|[\\/])install[\\/](?:.+[\\/])?(?:lib|bin)[\\/](?:[^
 _OURS = frozenset({"day6_core", "day6_tui", "day6_urdf"})
 
 
+class _Place(NamedTuple):
+    """A place in a traceback."""
+
+    file: str
+    line: int
+    source: str = ""
+
+
 @dataclass(frozen=True)
 class Fault:
     """One exception: its class without the module, its message, and the last place of its traceback in a file of the pupil."""
@@ -59,6 +68,10 @@ class Fault:
     """Its line of the output, as the program wrote it."""
     through: tuple[str, ...] = ()
     """The modules that this place had called when it failed, the innermost last; none if it failed there itself."""
+    source: str = ""
+    """The line there, as the report shows it."""
+    number: int = 0
+    """Its number, even where it only lets others work."""
 
     @property
     def in_words_of_tools(self) -> bool:
@@ -94,29 +107,30 @@ def faults_in(output: str) -> list[Fault]:
 def _fault(text: str) -> Fault | None:
     """The exception of one report, with whatever was printed after it."""
     shape = _CAUGHT if "Caught exception in launch" in text.partition("\n")[0] else _RAISED
-    places: list[tuple[str, int]] = []
+    places: list[_Place] = []
     for line in text.split("\n"):
         if (place := _PLACE.match(line)) is not None:
-            places.append((place[1], int(place[2])))
-        elif places and _SPINS.match(line):
-            places[-1] = (places[-1][0], 0)
+            places.append(_Place(place[1], int(place[2])))
+        elif places and not places[-1].source and line.startswith("    "):
+            places[-1] = places[-1]._replace(source=line.strip())
         elif (said := shape.match(line.partition("[launch]: ")[2] or line)) is not None:
             return _with_place(said[1], said[2] or "", line, places)
     return None
 
 
-def _with_place(kind: str, message: str, said: str, places: list[tuple[str, int]]) -> Fault:
+def _with_place(kind: str, message: str, said: str, places: list[_Place]) -> Fault:
     inner = _IN_LAUNCH.search(message)
     if inner is not None and not places:
-        message, places = message[: inner.start()], [(inner[1], int(inner[2]))]
-    owners = [module_of(file) for file, _ in places]
+        message, places = message[: inner.start()], [_Place(inner[1], int(inner[2]))]
+    owners = [module_of(place.file) for place in places]
     if (
-        places and places[-1][0] == "<string>" and owners[-2:-1] == ["setuptools"]
+        places and places[-1].file == "<string>" and owners[-2:-1] == ["setuptools"]
     ):  # it hands setup.py to exec() as a text
-        places[-1], owners[-1] = ("setup.py", places[-1][1]), ""
+        places[-1], owners[-1] = places[-1]._replace(file="setup.py"), ""
     last = max((index for index, owner in enumerate(owners) if not owner), default=-1)
-    file, line = places[last] if last >= 0 else ("", 0)
-    return Fault(kind, message, file, line, said, tuple(owners[last + 1 :]))
+    place, through = places[last] if last >= 0 else _Place("", 0), tuple(owners[last + 1 :])
+    shown = 0 if through and _SPINS.match(place.source) else place.line
+    return Fault(kind, message, place.file, shown, said, through, place.source, place.line)
 
 
 def own_places(output: str) -> Iterator[tuple[str, int]]:

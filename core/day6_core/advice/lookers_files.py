@@ -19,6 +19,7 @@ from day6_core.facts.setup_file import read_setup
 from day6_core.facts.workspaces import (
     Package,
     Workspace,
+    entries_of_wrong_form,
     executables_in,
     find_package,
     names_file,
@@ -57,7 +58,10 @@ def ros_itself(scene: Situation) -> Found | None:
 @looker
 def package(scene: Situation) -> Found | None:
     """A package that is built and not sourced, or lies in `src`, or has a name that is nearly this one."""
-    name = scene.value("name")
+    name, words = scene.value("name"), scene.words()
+    if words[:2] == ["ros2", "run"] and len(words) > 3 and name == words[2] in _executables(words[3], scene):
+        turned = shlex.join([*words[:2], words[3], name, *words[4:]])
+        return found("run.turned", turned, name=name, package=words[3])
     state = _of_the_workspace(name, scene)
     if state is not None:
         return state
@@ -129,9 +133,14 @@ def _comma(package: Path, line: int, scene: Situation) -> Found:
 
 @looker
 def setup_comma(scene: Situation) -> Found | None:
-    """A comma that is missing between two entry points of a setup.py."""
-    lacking = next(packages_lacking_comma(workspaces_around(scene.variables, scene.cwd)), None)
-    return _comma(*lacking, scene) if lacking is not None else None
+    """A comma that is missing between two entry points of a setup.py, or an entry point that is written in another way."""
+    workspaces = list(workspaces_around(scene.variables, scene.cwd))
+    if (lacking := next(packages_lacking_comma(workspaces), None)) is not None:
+        return _comma(*lacking, scene)
+    if (odd := next(entries_of_wrong_form(workspaces), None)) is None:
+        return None
+    setup = short(odd[0] / "setup.py", scene)
+    return found("setup.form", f"nano {setup}", setup=setup, entry=odd[1])
 
 
 @looker
@@ -254,8 +263,13 @@ def manifests(scene: Situation) -> Found | None:
 def message_package(scene: Situation) -> Found | None:
     """A message type whose package is built and not sourced, or whose name is nearly another's."""
     whole = scene.value("type")
+    if (file := re.search(r"/share/(\w+/\w+/\w+)\.\w+'?$", whole)) is not None:
+        whole = file[1]
     if not whole:
-        whole = next((word for word in scene.words() if re.fullmatch(r"\w+(?:/\w+)?/\w+", word)), "")
+        whole = next((word for word in scene.words() if re.fullmatch(r"\w+(?:/\w+)?/\w+|[A-Z]\w*", word)), "")
+    if (dotted := re.fullmatch(r"(\w+)\.(msg|srv|action)\.(\w+)", whole)) is not None:
+        near = "/".join(dotted.groups())
+        return found("type.slashes", scene.with_word(whole, near), name=whole, near=near)
     if re.fullmatch(r"\w+", whole):
         return _type_of_name(whole, scene)
     package, _, kind = whole.partition("/")

@@ -24,6 +24,7 @@ _BEFORE = (
     _LAUNCHED,
     re.compile(r"\[?(?:DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]? \[[\d.]+\] \[[^\]]*\]: "),  # rclpy and rclcpp
     re.compile(r"\[(?:WARNING|WARN|ERROR|CRITICAL)\] \[[^\]]*\]: "),  # launch, ros2 bag
+    re.compile(r"Caught exception in launch \(see debug for traceback\): \"?(?!Caught multiple)"),
     re.compile(r"(?:\[[\d.]+s\] )?(?:WARNING|ERROR):[\w.]+:"),  # colcon
     re.compile(r"(?:bash|sh): (?:line \d+: )?"),
     re.compile(r"(?: - |E +)"),  # launch, of several exceptions; pytest
@@ -32,6 +33,9 @@ _BEFORE = (
 )
 """What says where a line comes from, not what it says."""
 
+
+EXPLAINED = re.compile(r"(?:提示：|意思：|hint: )")
+"""What our own explanations begin with."""
 
 _CALM = re.compile(r"(?:\[[\w.-]+-\d+\] )?\[(?:INFO|DEBUG)\] \[[^\]]*\] \[(?!rclcpp\])")
 """A line of a log that tells of no trouble."""
@@ -73,13 +77,14 @@ def card_for(line: str, fault: Fault | None = None) -> Match | None:
     candidates = forms(line[:LONGEST_LINE])[::-1]
     words_of_program = fault is not None and not fault.in_words_of_tools
     for card in all_cards():
-        for pattern in card.patterns if card.speaks_of(fault) else ():
+        for pattern in card.patterns:
             if pattern.loose and words_of_program:
                 continue
-            for form in candidates:
-                values = pattern.match(form)
-                if values is not None:
-                    return Match(line, card, values, fault)
+            values = next((found for form in candidates if (found := pattern.match(form)) is not None), None)
+            seen = card.seen_in(fault) if values is not None else None
+            if values is not None and seen is not None:
+                placed = replace(fault, line=fault.number) if fault is not None and card.line is not None else fault
+                return Match(line, card, values | seen, placed)
     return None
 
 
@@ -100,7 +105,7 @@ def cards_in(output: str) -> Iterator[Match]:
     seen: set[str] = set()
     faults = {fault.said: fault for fault in reversed(faults_in(output))}
     for line in reversed([*_outside_reports(plain_lines(output)[-MOST_LINES:])]):
-        if line in seen:
+        if line in seen or EXPLAINED.match(line):
             continue
         seen.add(line)
         fault = next((faults[form] for form in forms(line) if form in faults), None)

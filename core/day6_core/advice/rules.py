@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
@@ -13,7 +14,8 @@ from day6_core.advice import known
 from day6_core.advice.callbacks import cause_in_source
 from day6_core.advice.fault import Fault, fault_in
 from day6_core.advice.foreign_modules import AMBIGUOUS, COMMON, NOT_HERE, OF_MATH, OF_ROS_1, PIP, SAMPLES
-from day6_core.advice.matching import card_for, cards_in
+from day6_core.advice.matching import card_for
+from day6_core.advice.own_names import cause_of_name, never_begun
 from day6_core.advice.syntax_slips import line_of, slip_in_line
 from day6_core.advice.texts import TEXTS
 from day6_core.advice.typed import chinese_sign, lacking_in_shell, near_choice, slip_of_command
@@ -29,9 +31,6 @@ from day6_urdf.explain import Hint, chinese_numbers, hints_wanted
 
 _FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
 """Packages whose types are seldom meant."""
-
-_HINTED = re.compile(r"^(?:\x1b\[\d*m)*(?:提示：|意思：|hint: )", re.MULTILINE)
-"""Whether what was printed has been explained already."""
 
 
 @dataclass(frozen=True)
@@ -95,6 +94,14 @@ def hint_about_command(
 _CHOICE = re.compile(r"invalid choice: '([^'\n]*)' \(choose from ([^\n]*)\)")
 
 
+def hint_about_silence(program: Path, around: Surroundings) -> str:
+    """Return the same for a Python program that ended at once, and printed nothing."""
+    if not hints_wanted(around.variables) or (cause := never_begun(around.cwd / program)) is None:
+        return ""
+    language = language_of(around.variables)
+    return Hint(0, 0, _say(cause[0], language, **cause[1])).sentence("", language)
+
+
 def hint_about_quote(quote: str, around: Surroundings) -> str:
     """Return the same for lines that are typed while a quotation mark is open."""
     if not hints_wanted(around.variables):
@@ -154,26 +161,7 @@ def _by_card(line: str, fault: Fault | None, language: str) -> str:
     match = card_for(line, fault)
     if match is None or not match.card.hint:
         return ""
-    return filled_in(match.card.words[language].first, match.values, fault)
-
-
-def wants_first_lines(around: Surroundings) -> bool:
-    """Return whether the first line of a card is to appear by itself: in Chinese, unless hints are switched off."""
-    return hints_wanted(around.variables) and language_of(around.variables) == "zh"
-
-
-def first_line_below(output: str, around: Surroundings) -> str:
-    """Return the first line of the card for what a failed command printed, where Chinese is spoken; '' if there is none.
-
-    It says what the message means, and no more: what is certain here is a hint (`hint_below`), and comes in its place.
-    """
-    if not wants_first_lines(around) or _HINTED.search(output.replace("\r\n", "\n")):
-        return ""
-    match = next(cards_in(output), None)
-    if match is None or match.card.echo:
-        return ""
-    first = filled_in(match.card.words["zh"].first, match.values, match.fault)
-    return TEXTS["card.below"][1].format(first=at_home(first, around.home))
+    return filled_in(match.card.words[language].first, match.values, match.fault)
 
 
 @lru_cache(maxsize=16)
@@ -286,6 +274,8 @@ def _no_name(fault: Fault, around: Surroundings, language: str) -> str:
         line = f"import {name}"
     if line:
         return _say("name.import", language, name=name, line=line)
+    if text := _of_source(fault, around, language):
+        return text
     return _say("name.near", language, name=name, near=near) if near else ""
 
 
@@ -302,6 +292,9 @@ def _import_of(name: str, around: Surroundings, launch: bool = False) -> str:
 
 
 def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
+    module = re.match(r"(?:partially initialized )?module '(\w+)' has no attribute", fault.message)
+    if module is not None and (around.cwd / f"{module[1]}.py").is_file():
+        return _say("module.own_file", language, file=f"{module[1]}.py", name=module[1])
     found = re.match(r"'(\w+)' object has no attribute '(\w+)'", fault.message)
     if found is None:
         return ""
@@ -309,7 +302,9 @@ def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
     own_class = re.search(rf"^ *class {kind}\b", text_of(around.cwd / fault.file), re.MULTILINE) if fault.file else None
     if own_class is not None:
         is_node = name.startswith("_") and "rclpy" in fault.through
-        return _say("no_super", language, kind=kind) if is_node else ""
+        return _say("no_super", language, kind=kind) if is_node else _of_source(fault, around, language)
+    if text := _of_source(fault, around, language):
+        return text
     layouts = known.fields_of(kind, around.variables)
     if not layouts or any(fields != layouts[0][1] for _, fields in layouts):
         return ""
@@ -330,9 +325,17 @@ def _no_setup(fault: Fault, around: Surroundings, language: str) -> str:
 # -- syntax ----------------------------------------------------------------------------------------------------------------
 
 
+_FIRST_WORDS = [word for word in keyword.kwlist if len(word) > 3 and word.islower()]
+"""Words of Python with which a line may begin, long enough that a slip is certain."""
+
+
 def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
     if (slip := slip_in_line(fault, around.cwd)) is not None:
         return _say(slip.key, language, line=slip.line, found=slip.found)
+    first = re.match(r"([a-z]+) +\S", fault.source)
+    if first is not None and fault.message.startswith("invalid syntax") and not keyword.iskeyword(first[1]):
+        near = near_choice(first[1], _FIRST_WORDS)
+        return _say("keyword.near", language, line=fault.line, name=first[1], near=near) if near else ""
     found = re.match(r"invalid (?:non-printable )?character (?:'(.)' )?\(?U\+([0-9A-F]+)\)?", fault.message)
     if found is None:
         return ""
@@ -347,7 +350,7 @@ def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
 
 def _of_source(fault: Fault, around: Surroundings, language: str) -> str:
     """What stands in the pupil's file where the message alone fits several causes."""
-    cause = cause_in_source(fault, around.cwd)
+    cause = cause_in_source(fault, around.cwd) or cause_of_name(fault, around.cwd)
     return _say(cause[0], language, **cause[1]) if cause is not None else ""
 
 
@@ -372,4 +375,5 @@ _RULES: dict[str, Callable[[Fault, Surroundings, str], str]] = {
     "TypeError": _of_source,
     "ValueError": _of_source,
     "UnboundLocalError": _of_source,
+    "ParameterNotDeclaredException": _of_source,
 }

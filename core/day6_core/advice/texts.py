@@ -177,6 +177,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is a package; which of its programs is to run? Its name comes after it",
         "{name} 是包，后面还要写运行它里面的哪个程序",
     ),
+    "run.turned": (
+        "{name} is a program and {package} its package: the package comes first",
+        "{name} 是程序，{package} 才是包：先写包，再写程序",
+    ),
+    "type.slashes": (
+        "a type has / in it and no dots: {near}",
+        "类型里写 /，不写点：{near}",
+    ),
     "type.parts": (
         "the type has three parts here: {near}",
         "这里的类型要写成三段：{near}",
@@ -301,6 +309,42 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{word} 是 bash 的命令，这个终端没有",
     ),
     "self.lacks": ("line {line} lacks self: write {right}", "第 {line} 行少了 self：要写 {right}"),
+    "main.never_called": (
+        "the program did nothing: main in line {line} is never called. End it with: if __name__ == '__main__': main()",
+        "程序什么也没有做：第 {line} 行的 main 没有人调用。最后要写 if __name__ == '__main__': main()",
+    ),
+    "main.other_name": (
+        "the program did nothing: line {line} has to be if __name__ == '__main__': (two underscores on each side)",
+        "程序什么也没有做：第 {line} 行要写 if __name__ == '__main__':（每边两条下划线）",
+    ),
+    "local.outside": (
+        "line {line} gives {name} of the file another value: its function has to begin with global {name}",
+        "第 {line} 行要改函数外面的 {name}：函数开头要写 global {name}",
+    ),
+    "local.later": (
+        "{name} has no value yet in line {line}: line {later} gives it one, and has to come first",
+        "第 {line} 行用到 {name} 的时候它还没有值：给它值的第 {later} 行要放到前面",
+    ),
+    "self.later": (
+        "self.{name} has no value yet in line {line}: line {later} gives it one, and has to come first",
+        "第 {line} 行用到 self.{name} 的时候它还没有值：给它值的第 {later} 行要放到前面",
+    ),
+    "class.no_brackets": (
+        "line {line} lacks () after {name}: write {right}",
+        "第 {line} 行的 {name} 后面少了 ()：要写 {right}",
+    ),
+    "parameter.near": (
+        "the parameter {name} was never declared, but {near} was",
+        "没有声明过参数 {name}，声明的是 {near}",
+    ),
+    "keyword.near": (
+        "{name} in line {line} is misspelled: write {near}",
+        "第 {line} 行的 {name} 拼错了：要写 {near}",
+    ),
+    "module.own_file": (
+        "your own file {file} has the name of the module {name}, and Python takes it instead: rename your file",
+        "你自己的文件 {file} 和模块 {name} 同名，Python 用了你的那个：给自己的文件换个名字",
+    ),
     "callback.called": (
         "line {line} calls the function at once: hand over the function itself, without (): {right}",
         "第 {line} 行马上调用了函数：要把函数本身交出去，后面不写 ()：{right}",
@@ -354,6 +398,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "setup.comma": (
         "a comma is missing at the end of line {line} of {setup}: each entry of console_scripts but the last needs one",
         "{setup} 第 {line} 行末尾少了一个逗号：console_scripts 里每一项后面都要有逗号",
+    ),
+    "setup.form": (
+        "in {setup} the entry {entry} is not right: entry_points has 'name = package.file:main'",
+        "{setup} 里 {entry} 那一项写得不对：entry_points 里要写 '名字 = 包名.文件名:main'",
     ),
     "executable.near": (
         "the package has no program {name}, but it has {near}",
@@ -496,6 +544,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # around a card
     "card.below": ("{first}", "意思：{first}（怎么办：输入 why）"),
+    "card.below_with_next": ("{here}. Type: {next}", "意思：{here}。可以输入：{next}"),
     "card.means": ("What it means", "是什么意思"),
     "card.here": ("Why here", "为什么会这样"),
     "card.unknown": (

@@ -96,8 +96,8 @@ def near_choice(name: str, choices: Sequence[str]) -> str:
 
 
 def _in_code(char: str) -> str:
-    """The counterpart of a Chinese sign in code; '' for what has none."""
-    right = PUNCTUATION.get(char) or unicodedata.normalize("NFKC", char)
+    """The counterpart of a Chinese sign in a command; '' for what has none. A Chinese keyboard gives 、 for the key /."""
+    right = "/" if char == "、" else PUNCTUATION.get(char) or unicodedata.normalize("NFKC", char)
     return right if right.isascii() and not char.isascii() and not right.isalnum() else ""
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from day6_core.facts.folders import LONGEST_FILE, files_in, names_in, text_of
 from day6_core.facts.manifests import Refused, refused
-from day6_core.facts.setup_file import EntryPoint, read_setup
+from day6_core.facts.setup_file import EntryPoint, Setup, read_setup
 
 MOST_PACKAGES = 100
 MOST_FOLDERS = 5000
@@ -151,10 +151,24 @@ def find_package(name: str, workspaces: Iterable[Path]) -> tuple[Workspace, Pack
 
 def packages_lacking_comma(workspaces: Iterable[Path]) -> Iterator[tuple[Path, int]]:
     """Yield the packages whose setup.py lacks a comma between two entry points, with the line."""
+    return ((folder, setup.comma) for folder, setup in _setups(workspaces) if setup.comma)
+
+
+def entries_of_wrong_form(workspaces: Iterable[Path]) -> Iterator[tuple[Path, str]]:
+    """Yield the packages with an entry point that is not 'name = package.file:function', and the name of that one."""
+    return (
+        (folder, entry.name)
+        for folder, setup in _setups(workspaces)
+        for entry in setup.entry_points
+        if entry.flaw == "form"
+    )
+
+
+def _setups(workspaces: Iterable[Path]) -> Iterator[tuple[Path, Setup]]:
+    """What the setup.py of each package says."""
     for workspace in workspaces:
         for manifest in _manifests_in(workspace / "src")[0]:
-            if line := read_setup(manifest.parent).comma:
-                yield manifest.parent, line
+            yield manifest.parent, read_setup(manifest.parent)
 
 
 def _source_of(package: str, workspace: Path) -> Path | None:

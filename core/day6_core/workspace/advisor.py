@@ -40,7 +40,8 @@ class Advisor:
         """Print the hints, when everything else has been printed."""
         if not self._console.stderr.isatty():
             return
-        from day6_core.advice.rules import Surroundings, dimmed, first_line_below, hint_about_folder, hint_below
+        from day6_core.advice.below import first_line_below
+        from day6_core.advice.rules import Surroundings, dimmed, hint_about_folder, hint_below
 
         around = Surroundings(self._variables, self._cwd)
         texts = [*self._printed, *("".join(self._lines[job]) for job in self._failed)] if self._failed else []

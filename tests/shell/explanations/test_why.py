@@ -47,6 +47,26 @@ def test_a_program_that_a_package_of_ros_does_not_have(tall: Any) -> None:
     assert "turtlesim has these programs: draw_square, mimic" in said(tall, "why")
 
 
+def test_a_package_and_its_program_the_wrong_way_round_and_a_type_with_dots(tall: Any) -> None:
+    said(tall, "ros2 run turtlesim_node turtlesim")
+    seen = said(tall, "why")
+    assert "turtlesim_node is a program and turtlesim its package" in seen
+    assert "Type next ros2 run turtlesim turtlesim_node" in seen
+    said(tall, "ros2 interface show geometry_msgs.msg.Twist")
+    assert "Type next ros2 interface show geometry_msgs/msg/Twist" in said(tall, "why")
+
+
+def test_in_chinese_the_grey_line_tells_the_cause_that_is_found(machine: Any, tall: Any) -> None:
+    (machine.desk.home / "talk.py").write_text("print('hi')\n")
+    said(tall, "export DAY6_LANG=zh")
+    assert (
+        "意思：这个包里没有叫 turtlesim_nod 的程序，不过有 turtlesim_node。可以输入：ros2 run turtlesim turtlesim_node"
+        in said(tall, "ros2 run turtlesim turtlesim_nod")
+    )
+    assert "意思：没有 talk.pi，不过有 talk.py。可以输入：cat talk.py" in said(tall, "cat talk.pi")
+    assert "意思：没有 zzqy 这个文件或文件夹。（怎么办：输入 why）" in said(tall, "cat zzqy")
+
+
 def test_a_new_terminal_has_nothing_to_explain_and_says_so(seat: Any) -> None:
     assert "why: Nothing that this terminal printed lately has a card" in said(seat, "why; echo status $?")
 

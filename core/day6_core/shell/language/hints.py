@@ -46,28 +46,23 @@ async def hint_below_command(shell: Shell, argv: list[str], printed: Printed, st
     """
     if shell.desk.searching():
         return ""
-    from day6_core.advice.rules import (
-        Surroundings,
-        dimmed,
-        first_line_below,
-        hint_about_command,
-        wants_first_lines,
-    )
+    from day6_core.advice.below import first_line_below, wants_first_lines
+    from day6_core.advice.rules import Surroundings, dimmed, hint_about_command
     from day6_core.shell.commands import command_names
 
     around = Surroundings(shell.variables, shell.cwd)
     missing = status == NOT_FOUND and argv[0] not in shell.functions
     commands = command_names() if missing else ()
     odd = any(word.startswith("/home/") or not word.isascii() for word in argv)
+    typed, letters = one_of(printed.line, argv[0]), letters_awaited(shell.desk) if missing else ""
     if missing or odd or argv[0] in ("ros2", "colcon"):
-        line, letters = one_of(printed.line, argv[0]), letters_awaited(shell.desk) if missing else ""
         output = printed.text() if argv[0] in ("ros2", "colcon") else ""
-        hint = hint_about_command(argv, around, commands, line=line, letters=letters, output=output)
+        hint = hint_about_command(argv, around, commands, line=typed, letters=letters, output=output)
         if hint:
             return f"{dimmed(hint)}\n"
     if status > BY_SIGNAL or not wants_first_lines(around) or not (output := printed.text()):
         return ""
-    line = await in_thread(lambda: first_line_below(output, around))
+    line = await in_thread(lambda: first_line_below(output, around, command=typed, commands=commands, letters=letters))
     return f"{dimmed(line)}\n" if line else ""
 
 

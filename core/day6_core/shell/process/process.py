@@ -13,12 +13,13 @@ import io
 import logging
 import os
 import select
+import shlex
 import signal
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import IO
@@ -59,18 +60,24 @@ async def run_python(session: Session, args: list[str]) -> int:
     process = Process(session, [sys.executable, *args])
     status = await _run(session, process)
     launch = session.argv[:2] == ["ros2", "launch"]
-    if not (status or launch) or not process.recent or not session.stderr.isatty():
+    silent = not status and not process.recent and len(session.argv) == 2 and session.argv[1].endswith(".py")
+    explained = process.recent and (status or launch)
+    if not (explained or silent) or not session.stderr.isatty():
         return status
-    if hint := await in_thread(partial(_hint, process.recent, session.env, session.cwd, launch)):
+    if hint := await in_thread(partial(_hint, process.recent, session, launch)):
         session.print_error(hint)
     return status
 
 
-def _hint(output: str, variables: Mapping[str, str], cwd: Path, launch: bool) -> str:
-    from day6_core.advice.rules import Surroundings, dimmed, first_line_below, hint_below  # most programs need none
+def _hint(output: str, session: Session, launch: bool) -> str:
+    from day6_core.advice.below import first_line_below  # most programs need none
+    from day6_core.advice.rules import Surroundings, dimmed, hint_about_silence, hint_below
 
-    around = Surroundings(variables, cwd, launch)
-    hint = hint_below(output, around) or first_line_below(output, around)
+    around = Surroundings(session.env, session.cwd, launch)
+    if not output:
+        hint = hint_about_silence(Path(session.argv[-1]), around)
+    else:
+        hint = hint_below(output, around) or first_line_below(output, around, command=shlex.join(session.argv))
     return dimmed(hint) if hint else ""
 
 
