@@ -64,6 +64,7 @@ ODD = bool(os.environ.get("DAY6_TESTS_ODD"))
 """Whether every test gets other values where none may depend on them (.ci/hostile)."""
 
 SPREAD = (
+    "tests/advice/test_mistakes.py",
     "tests/conformance/test_programs.py",
     *(f"tests/e2e/test_{first}" for first in string.ascii_lowercase if first != "s"),  # those of test_signals share one
     *(f"tests/inspector/test_{name}.py" for name in ("drills", "healthy", "lessons_end", "tutorials")),
