@@ -40,6 +40,8 @@ def cause_in_source(fault: Fault, cwd: Path) -> Cause | None:
         return None
     if fault.message == "invalid method signature":
         return next(source.handed_without_self(), None)
+    if "is not a callable object" in fault.message:
+        return next(source.quoted_callbacks(), None)
     if "callback should be either be callable" in fault.message:
         return source.refused_callback(fault.line)
     if "'arg_name'" in fault.message or fault.message == "'NoneType' object is not callable":
@@ -116,6 +118,12 @@ class _Source:
     def called_callbacks(self) -> Iterator[Cause]:
         """Callbacks that are called at once, in the order in which they stand."""
         yield from (_called(callback) for _, _, callback in self._handed if isinstance(callback, ast.Call))
+
+    def quoted_callbacks(self) -> Iterator[Cause]:
+        """Callbacks of which only the name was handed over, as a text."""
+        for _, _, callback in self._handed:
+            if isinstance(callback, ast.Constant) and isinstance(callback.value, str):
+                yield "callback.quoted", {"line": callback.lineno, "right": f"self.{callback.value}"}
 
     def _method(self, name: str) -> _Function | None:
         """The one method of that name, None if there are several."""

@@ -33,6 +33,9 @@ def cause_of_name(fault: Fault, cwd: Path) -> Cause | None:
         values = {"line": fault.line, "name": lacks[2], "later": later}
         if later:
             return "self.later", values
+        outside = next(_methods_outside(tree, lacks[2]), None)
+        if outside is not None:
+            return "method.outside", {"line": outside.lineno, "name": outside.name, "kind": lacks[1]}
     if (undeclared := re.search(r"undeclared parameter\(s\): (\S+)$", fault.message)) is not None:
         near = nearest(undeclared[1], list(_declared(tree)), CLOSE)
         return ("parameter.near", {"name": undeclared[1], "near": near}) if near else None
@@ -70,6 +73,15 @@ def _of_self(tree: ast.Module, owner: str = "") -> dict[str, int]:
                 if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and _is_self(node.value):
                     found.setdefault(node.attr, node.lineno)
     return found
+
+
+def _methods_outside(tree: ast.Module, name: str) -> Iterator[ast.FunctionDef]:
+    """Functions of the file that take self, and that are or have within them the one of that name: their indentation is lost."""
+    methods = (each for each in tree.body if isinstance(each, ast.FunctionDef))
+    for each in methods:
+        inner = {node.name for node in ast.walk(each) if isinstance(node, ast.FunctionDef)}
+        if [arg.arg for arg in each.args.args][:1] == ["self"] and name in inner:
+            yield each
 
 
 def _is_self(node: ast.expr) -> bool:

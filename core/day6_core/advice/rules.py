@@ -209,6 +209,10 @@ def _home(word: str, key: str, around: Surroundings, language: str) -> str:
 # -- modules and names -----------------------------------------------------------------------------------------------------
 
 
+_INTERFACES = {"msg", "srv", "action"}
+"""Modules of a package that has interfaces."""
+
+
 def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
     found = re.match(r"No module named '([\w.]+)'", fault.message)
     if found is None:
@@ -217,8 +221,13 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
     outer, _, last = whole.rpartition(".")
     if outer and (line := _import_of(last, around)):
         return _say("import.elsewhere", language, name=last, module=outer, line=line)
+    parts = known.parts_of(outer, around.variables) if outer else []
+    if last in _INTERFACES and not _INTERFACES & {*parts}:
+        near = nearest(outer, [each for each in known.modules(around.variables) if each != outer], CLOSE)
+        return _say("module.near", language, name=whole, near=f"{near}.{last}") if near else ""
     if outer:
-        near = nearest(last, known.parts_of(outer, around.variables))
+        others = sorted(_INTERFACES & {*parts}) if last in _INTERFACES else []
+        near = others[0] if len(others) == 1 else nearest(last, parts)
         return _say("module.near", language, name=whole, near=f"{outer}.{near}") if near else ""
     if text := _of_the_workspace(whole, around, language):
         return text
@@ -264,6 +273,10 @@ def _no_name(fault: Fault, around: Surroundings, language: str) -> str:
     if found is None:
         return ""
     name, near = found[1], found[2]
+    if re.search(rf"//\s*{name}\b", fault.source):
+        return _say("syntax.comment", language, line=fault.line)
+    if name == "π":
+        return _say("name.math", language, name="pi")
     if not name.isascii():
         return _say("syntax.text", language, line=fault.line, found=name)
     if name in OF_MATH:
@@ -305,6 +318,10 @@ def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
         return _say("no_super", language, kind=kind) if is_node else _of_source(fault, around, language)
     if text := _of_source(fault, around, language):
         return text
+    return _no_field(kind, name, around, language)
+
+
+def _no_field(kind: str, name: str, around: Surroundings, language: str) -> str:
     layouts = known.fields_of(kind, around.variables)
     if not layouts or any(fields != layouts[0][1] for _, fields in layouts):
         return ""
@@ -312,6 +329,13 @@ def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
     close = nearest(name, fields, CLOSE)
     near = _say("field.near", language, near=close).rstrip("?？") if close else ""
     return _say("field", language, type=kind, name=name, near=near, fields=", ".join(fields))
+
+
+def _no_argument(fault: Fault, around: Surroundings, language: str) -> str:
+    """A field that a message was made with and does not have."""
+    found = re.match(r"Invalid arguments passed to constructor: (\w+)$", fault.message)
+    made = re.search(rf"\b([A-Z]\w*)\([^()]*\b{found[1]}=", fault.source) if found is not None else None
+    return _no_field(made[1], found[1], around, language) if found is not None and made is not None else ""
 
 
 def _no_setup(fault: Fault, around: Surroundings, language: str) -> str:
@@ -332,9 +356,10 @@ _FIRST_WORDS = [word for word in keyword.kwlist if len(word) > 3 and word.islowe
 def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
     if (slip := slip_in_line(fault, around.cwd)) is not None:
         return _say(slip.key, language, line=slip.line, found=slip.found)
-    first = re.match(r"([a-z]+) +\S", fault.source)
+    first = re.match(r"([A-Za-z]+) +\S", fault.source)
     if first is not None and fault.message.startswith("invalid syntax") and not keyword.iskeyword(first[1]):
-        near = near_choice(first[1], _FIRST_WORDS)
+        small = first[1].lower()
+        near = small if keyword.iskeyword(small) else near_choice(first[1], _FIRST_WORDS)
         return _say("keyword.near", language, line=fault.line, name=first[1], near=near) if near else ""
     found = re.match(r"invalid (?:non-printable )?character (?:'(.)' )?\(?U\+([0-9A-F]+)\)?", fault.message)
     if found is None:
@@ -374,6 +399,7 @@ _RULES: dict[str, Callable[[Fault, Surroundings, str], str]] = {
     "RuntimeError": _runtime,
     "TypeError": _of_source,
     "ValueError": _of_source,
+    "AssertionError": _no_argument,
     "UnboundLocalError": _of_source,
     "ParameterNotDeclaredException": _of_source,
 }

@@ -271,6 +271,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "line {line} has a Chinese quotation mark {found}: a text begins and ends with the same English one, ' or \"",
         "第 {line} 行有中文的引号{found}：文字的开头和结尾要用一样的英文引号，' 或者 \"",
     ),
+    "syntax.comment": (
+        "line {line}: a comment begins with # in Python, not with //",
+        "第 {line} 行：Python 的注释用 # 开头，不用 //",
+    ),
     "syntax.keyword": (
         "line {line}: {found} is a word of Python's own and cannot be a name; choose another one",
         "第 {line} 行：{found} 是 Python 自己的词，不能当名字，换一个",
@@ -317,6 +321,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "the program did nothing: line {line} has to be if __name__ == '__main__': (two underscores on each side)",
         "程序什么也没有做：第 {line} 行要写 if __name__ == '__main__':（每边两条下划线）",
     ),
+    "method.outside": (
+        "the indentation of def {name} in line {line} is lost: it and what follows belong inside the class {kind}",
+        "第 {line} 行的 def {name} 少了缩进：它和后面的方法要在类 {kind} 里面",
+    ),
     "local.outside": (
         "line {line} gives {name} of the file another value: its function has to begin with global {name}",
         "第 {line} 行要改函数外面的 {name}：函数开头要写 global {name}",
@@ -348,6 +356,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "callback.called": (
         "line {line} calls the function at once: hand over the function itself, without (): {right}",
         "第 {line} 行马上调用了函数：要把函数本身交出去，后面不写 ()：{right}",
+    ),
+    "callback.quoted": (
+        "line {line} hands over a text: hand over the function itself, without quotation marks: {right}",
+        "第 {line} 行交出的是一段文字：要交出函数本身，不加引号：{right}",
     ),
     "callback.no_message": (
         "a subscription calls {name} with the message, and line {line} takes none: write {right}",
