@@ -57,11 +57,9 @@ def told_again(mistake: Mistake, output: str, home: Path, variables: dict[str, s
         below = hint_about_silence(Path(_program(mistake)), around)
     else:
         below = hint_below(output, around) or first_line_below(output, around, command=command)
-    if below:
-        return [Told(text) for text in HINT.findall(below)]
     match = next(cards_in(output), None)
-    if match is None:
-        return []
+    if below or match is None:
+        return [Told(text, match.card.id if match is not None else "") for text in HINT.findall(below)]
     shown = explain(match, scene_of(match, around, output=output, command=command), "en")
     return [Told(f"{shown.means} {shown.here}", match.card.id)]
 
