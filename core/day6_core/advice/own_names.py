@@ -18,6 +18,23 @@ _A_CLASS = re.compile(r"'property' object|type object '|positional argument: 'se
 """What Python says when a class is used where an object is meant."""
 
 
+_OF_NODES = frozenset(
+    [
+        "create_publisher",
+        "create_subscription",
+        "create_timer",
+        "create_service",
+        "create_client",
+        "create_rate",
+        "get_logger",
+        "get_clock",
+        "get_parameter",
+        "declare_parameter",
+    ]
+)
+"""Methods of a node that programs call on themselves."""
+
+
 def cause_of_name(fault: Fault, cwd: Path) -> Cause | None:
     """Return what the pupil's file shows to be the cause of an exception, None if that is not certain."""
     tree = parsed(cwd / fault.file) if fault.file else None
@@ -25,7 +42,8 @@ def cause_of_name(fault: Fault, cwd: Path) -> Cause | None:
         return None
     if (unknown := re.match(r"name '(\w+)' is not defined", fault.message)) is not None:
         right = f"self.{unknown[1]}"
-        return ("self.lacks", {"line": fault.line, "right": right}) if unknown[1] in _of_self(tree) else None
+        belongs = unknown[1] in _of_self(tree) or unknown[1] in _OF_NODES
+        return ("self.lacks", {"line": fault.line, "right": right}) if belongs else None
     if fault.kind == "UnboundLocalError" and (local := re.search(r"local variable '(\w+)'", fault.message)) is not None:
         return _unbound(tree, local[1], fault.line)
     if (lacks := re.match(r"'(\w+)' object has no attribute '(\w+)'", fault.message)) is not None:
