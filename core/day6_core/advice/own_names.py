@@ -136,11 +136,29 @@ def _class_for_object(tree: ast.Module, fault: Fault) -> Cause | None:
     return "class.no_brackets", {"line": line, "name": kind, "right": f"{name} = {kind}()"}
 
 
+def _does_something(statement: ast.stmt) -> bool:
+    """Whether a statement of a file does more than define, import and name things, or ask for `__name__`."""
+    if isinstance(statement, ast.Expr):
+        return not isinstance(statement.value, ast.Constant | ast.Name)
+    if isinstance(statement, ast.If):
+        return "__name__" not in ast.unparse(statement.test)
+    defines = (
+        ast.FunctionDef,
+        ast.AsyncFunctionDef,
+        ast.ClassDef,
+        ast.Import,
+        ast.ImportFrom,
+        ast.Assign,
+        ast.AnnAssign,
+    )
+    return not isinstance(statement, defines)
+
+
 def never_begun(path: Path) -> Cause | None:
     """Return why a program that did nothing at all did nothing: its `main` is called nowhere, or under a condition never true."""
     tree = parsed(path)
     mains = [each for each in tree.body if isinstance(each, ast.FunctionDef) and each.name == "main"] if tree else []
-    if tree is None or not mains:
+    if tree is None or not mains or any(map(_does_something, tree.body)):
         return None
     for each in tree.body:
         asks = ast.unparse(each.test) if isinstance(each, ast.If) else ""
