@@ -65,7 +65,7 @@ def test_fields_are_offered_part_by_part(machine):
 def test_the_arguments_that_a_launch_file_declares_are_offered_with_their_values(machine):
     line = ("launch", "day6_bot", "display.launch.py")
     assert machine.complete("launch", "day6_b") == ["day6_bot"]
-    assert machine.complete("launch", "day6_bot", "") == ["display.launch.py"]
+    assert machine.complete("launch", "day6_bot", "") == ["car.launch.py", "display.launch.py"]
     assert machine.complete(*line, "") == ["robot:=", "rviz_config:=", "sliders:=", "spin:="]
     assert machine.complete(*line, "spin:=false", "s") == ["sliders:="]
     assert machine.complete(*line, "spin:=") == ["spin:=false", "spin:=true"]

@@ -294,6 +294,7 @@ def test_where_the_controls_have_no_room_the_key_that_shows_what_is_hidden_is_to
     use(facts, tall, (80, 24))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(20, 9), (40, 12), (80, 24), (120, 40)])
 @pytest.mark.parametrize("glyphs", ["half", "ascii"])
 def test_fifty_nodes_with_names_of_any_length_are_drawn(size: tuple[int, int], glyphs: str) -> None:

@@ -85,6 +85,7 @@ def assert_is_well(at: Walk) -> None:
     assert pane.division.view.size == (pane.view.columns, pane.view.rows)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("environ", "size"), SCREENS)
 @pytest.mark.parametrize("robot", [*SEEN, *NOT_SEEN])
 def test_a_robot_in_a_window(
@@ -107,6 +108,7 @@ def test_a_robot_in_a_window(
     run(walk())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("columns", [8, 12, 20, 39, 52, 53, 54, 73, 74, 75])
 def test_every_size_of_a_window_has_a_view_whatever_is_open(machine: RVizMachine, columns: int) -> None:
     async def walk() -> None:

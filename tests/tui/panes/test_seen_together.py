@@ -183,6 +183,7 @@ async def test_tabs_that_are_not_seen_tell_what_they_are() -> None:
         assert "2 TurtleSim" in screen_text(one.app)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [(80, 24), (200, 60), (20, 5)])
 async def test_fifty_windows_at_a_time_are_all_reached_by_their_keys(size: Any) -> None:
     desk = FakeDesk()
