@@ -66,8 +66,7 @@ def test_what_a_students_program_says_to_nobody_piles_up_until_a_command_takes_i
     found = until(lambda: [each.model for each in display.windows if each.kind == "kitchen"], told=lambda: "no window")
     assert isinstance(found[0], Kitchen)
     kitchen = found[0]
-    look(lambda: kitchen.content.belt("/news") and kitchen.left.get("/news", 0) > 5)
-    assert kitchen.rates["/news"]
+    look(lambda: kitchen.content.belt("/news") and kitchen.left.get("/news", 0) > 5 and kitchen.rates["/news"])
     assert kitchen.conveyor.moving, "what is counted is seen on its way"
     terminals.append(terminal_with(desk, "ros2 topic hz /news"))
     look(lambda: [cook.title for cook in kitchen.content.cooks] == ["talker", "ros2 topic hz"])

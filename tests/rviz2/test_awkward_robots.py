@@ -86,8 +86,10 @@ def assert_is_well(at: Walk) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(("environ", "size"), SCREENS)
-@pytest.mark.parametrize("robot", [*SEEN, *NOT_SEEN])
+@pytest.mark.parametrize(
+    ("robot", "environ", "size"),
+    [(robot, *SCREENS[(n + more) % len(SCREENS)]) for n, robot in enumerate([*SEEN, *NOT_SEEN]) for more in (0, 2)],
+)
 def test_a_robot_in_a_window(
     machine: RVizMachine, tmp_path: Path, robot: str, environ: str, size: tuple[int, int]
 ) -> None:

@@ -14,6 +14,7 @@ import pytest
 from day6_urdf import check_text, load_robot, parse_robot
 from day6_urdf.kinematics import link_transforms
 from day6_urdf.load import RobotError
+from day6_urdf.topview.plan import plan_top
 from day6_urdf.topview.view import render_top
 
 LAUGHS = (
@@ -74,7 +75,7 @@ def test_it_is_answered_soon(name: str) -> None:
     assert report.robot is not None or report.diagnostics
     if report.robot is not None and not report.robot.loop:
         assert link_transforms(report.robot, {})
-        rows = render_top(report.robot, {}, 60, 20)
+        rows = render_top(plan_top(report.robot), {}, 60, 20)
         assert len(rows) == 20
     assert time.process_time() - began < 8.0
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from itertools import groupby, pairwise
 from operator import itemgetter
 
-from day6_urdf.topview.canvas import Row
+from day6_urdf.topview.canvas import Row, visible_part
 from day6_urdf.topview.frame import Spot, TopFrame
 
 DOTS = {"half": (1, 2), "cell": (1, 1), "braille": (2, 4)}
@@ -153,30 +153,16 @@ class Lines(Blocks):
             self._line(start, end, fill if edge < 0 else edge)
 
     def _line(self, start: Spot, end: Spot, colour: int) -> None:
-        part = _inside(start, end, self.frame.width, self.frame.height)
+        part = visible_part(start, end, self.frame.width, self.frame.height)
         if part is None:
             return
-        start, end = part
+        way = end[0] - start[0], end[1] - start[1]
+        start, end = ((start[0] + way[0] * share, start[1] + way[1] * share) for share in part)
         steps = max(1, math.ceil(max(abs(end[0] - start[0]), abs(end[1] - start[1]))))
         for step in range(steps + 1):
             share = step / steps
             column = math.floor(start[0] + (end[0] - start[0]) * share)
             self._run(math.floor(start[1] + (end[1] - start[1]) * share), column, column + 1, colour)
-
-
-def _inside(start: Spot, end: Spot, width: int, height: int) -> tuple[Spot, Spot] | None:
-    """The part of a straight line in a picture; None if it has none (Liang and Barsky)."""
-    (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
-    first, last = 0.0, 1.0
-    for way, room in ((-dx, x), (dx, width - x), (-dy, y), (dy, height - y)):
-        if way == 0:
-            if room < 0:
-                return None
-        elif way < 0:
-            first = max(first, room / way)
-        else:
-            last = min(last, room / way)
-    return ((x + dx * first, y + dy * first), (x + dx * last, y + dy * last)) if first <= last else None
 
 
 def _halves(lines: list[list[int]]) -> Row:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import unicodedata
 from functools import lru_cache
 from itertools import groupby
@@ -63,10 +64,10 @@ class Canvas:
 
     def box(self, left: int, top: int, right: int, bottom: int, lines: str, style: Style) -> None:
         """Draw a rectangle; `lines` are its four corners row by row, then the horizontal and the vertical line."""
-        for column in range(left, right + 1):
+        for column in range(max(left, 0), min(right, self.width - 1) + 1):
             self.put(column, top, lines[4], style)
             self.put(column, bottom, lines[4], style)
-        for row in range(top, bottom + 1):
+        for row in range(max(top, 0), min(bottom, self.height - 1) + 1):
             self.put(left, row, lines[5], style)
             self.put(right, row, lines[5], style)
         for character, (column, row) in zip(
@@ -84,7 +85,13 @@ class Canvas:
             character = lines[5]
         else:
             character = "\\" if across * down > 0 else "/"
-        for step in range(steps + 1):
+        part = (0.0, 1.0)
+        if steps > 4 * (self.width + self.height):  # most of it is outside
+            inside = visible_part((column, row), (to_column, to_row), self.width, self.height)
+            if inside is None:
+                return
+            part = inside
+        for step in range(math.floor(part[0] * steps), math.ceil(part[1] * steps) + 1):
             share = step / steps if steps else 0.0
             self.put(round(column + share * across), round(row + share * down), character, style)
 
@@ -100,6 +107,23 @@ class Canvas:
             cells[column] = (" ", cells[column][1])
         elif column + 1 < self.width and cells[column + 1][0] == "":
             cells[column + 1] = (" ", cells[column + 1][1])
+
+
+def visible_part(
+    start: tuple[float, float], end: tuple[float, float], width: float, height: float
+) -> tuple[float, float] | None:
+    """From and to which share of its length a straight line is in a picture; None if it never is (Liang and Barsky)."""
+    (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
+    first, last = 0.0, 1.0
+    for way, room in ((-dx, x), (dx, width - x), (-dy, y), (dy, height - y)):
+        if way == 0:
+            if room < 0:
+                return None
+        elif way < 0:
+            first = max(first, room / way)
+        else:
+            last = min(last, room / way)
+    return (first, last) if first <= last else None
 
 
 def _runs(cells: list[Run]) -> Row:

@@ -103,7 +103,7 @@ class TopFrame:
         """Dots across a metre."""
         for _ in range(5):  # the wheels' thickness depends on the scale, and the scale on the room they need
             metre = min(free_x / max(right - left, 1e-6), self.squash * free_y / max(top - bottom, 1e-6))
-            self.metre = min(max(metre, 1e-6), 1e9)
+            self.metre = min(max(metre, 1e-300), 1e9)
             left, bottom, right, top = self._extent(plan.bounds)
         self.front = right
         self._middle = (left + right) / 2, (bottom + top) / 2

@@ -84,21 +84,21 @@ class Letters:
         self._canvas.box(left, top, right, bottom, _LINES, style)
         if not front or right - left < 8 or bottom - top < 3:
             return
-        rear = left + round((right - left) * 0.45)
-        for row in range(max(top + 1, 0), min(bottom, self._canvas.height)):
-            self._canvas.text(left + 1, row, ":" * (rear - left - 1), "shade")
+        rear, first = left + round((right - left) * 0.45), max(left + 1, 0)
         deep = 1 + (bottom - top) // 7
-        for row in (*range(top + 1, top + 1 + deep), *range(bottom - deep, bottom)):
-            self._canvas.text(right - 1, row, "[]", "lamp")
+        for row in range(max(top + 1, 0), min(bottom, self._canvas.height)):
+            self._canvas.text(first, row, ":" * min(rear - first, self._canvas.width), "shade")
+            if row <= top + deep or row >= bottom - deep:
+                self._canvas.text(right - 1, row, "[]", "lamp")
 
     def _draw_circle(self, spot: Spot, radius: float, style: str) -> None:
         frame = self._frame
         x, y = frame.place(spot)
         column, row = math.floor(x), math.floor(y)
         reach, wide = int(radius * frame.down + 0.3), radius * frame.metre
-        for step in range(-reach, reach + 1):
+        for step in range(max(-reach, -row), min(reach, self._canvas.height - 1 - row) + 1):
             share = math.sqrt(max(1 - (step / frame.down / radius) ** 2, 0.0)) if reach else 1.0
-            half = max(int(wide * share + 0.5), 1 if wide > 0.4 else 0)
+            half = min(max(int(wide * share + 0.5), 1 if wide > 0.4 else 0), 4 * self._canvas.width + abs(column))
             if reach and abs(step) == reach:
                 edge = "." if step < 0 else "'"
                 text = edge + "-" * (2 * half - 1) + edge if half else edge
