@@ -17,6 +17,7 @@ from day6_tui.options import Options
 from day6_tui.panes.cells import cell_len, wrap
 from day6_tui.windows.lesson.page import PageRow, _finished_rows, step_page
 from day6_tui.windows.lesson.text import text_lines
+from tests.support.folded import folded
 
 DAY, DRILL = days()[0], drills()[0]
 
@@ -77,7 +78,7 @@ def test_the_last_step_says_that_it_is_the_end(lesson: Lesson, index: int, zh: s
 PATH = "~/ros2_ws/src/day6_publisher/day6_publisher/wheel_spinner.py"
 
 
-@pytest.mark.parametrize("width", range(20, 60))
+@folded("width", range(20, 60))
 def test_a_path_that_goes_on_below_shows_that_it_does(width: int) -> None:
     lines = ["".join(part.text for part in line) for line in text_lines(f"`{PATH}`", width, look("zh").colours)]
     assert "".join(lines) == PATH and all(cell_len(line) <= width for line in lines)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -13,6 +14,7 @@ from day6_tui.windows.rviz.drawer import LOWEST_VIEW, NARROWEST_PANEL, NARROWEST
 from day6_tui.windows.rviz.hints import panel_hints
 from day6_urdf import shipped_model
 from tests.rviz2.rviz_walk import Walk, mouse, run, walking
+from tests.support.folded import folded
 
 if TYPE_CHECKING:
     from tests.rviz2.rviz_machine import RVizMachine
@@ -24,9 +26,7 @@ HALF_OF_120 = (62, 20)
 # -- the panel and the view --------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("width", range(1, 160, 3))
-@pytest.mark.parametrize("height", [1, 2, 8, 16, 40])
-@pytest.mark.parametrize("is_open", [True, False])
+@folded("width, height, is_open", product(range(1, 160, 3), [1, 2, 8, 16, 40], [True, False]))
 def test_panel_edge_and_view_share_all_cells_and_the_view_never_starves(width: int, height: int, is_open: bool) -> None:
     parts = divide(width, height, panel_open=is_open)
     assert sum(part.area for part in parts) == width * height and (bool(parts.panel) is is_open or width < 3)
