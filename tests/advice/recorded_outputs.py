@@ -11,16 +11,17 @@ import sys
 import sysconfig
 from pathlib import Path
 
+import day6_core
 from day6_core.advice.below import first_line_below
 from day6_core.advice.explain import explain, scene_of
 from day6_core.advice.matching import cards_in
 from day6_core.advice.rules import Surroundings, hint_about_silence, hint_below
 from day6_core.session.plain import without_sequences
 from tests.advice.corpus import HINT, Mistake, Told, mistakes, play
-from tests.support.own_places import ROOT
 
 RECORDED = Path(__file__).with_suffix(".json")
-_PLACES = {"ROOT": str(ROOT), "STDLIB": sysconfig.get_path("stdlib")}
+_PLACES = {"CORE": str(Path(day6_core.__file__).parents[1]), "STDLIB": sysconfig.get_path("stdlib")}
+"""Beginnings of paths, which are others where the package is installed."""
 
 
 def recordable() -> list[Mistake]:
