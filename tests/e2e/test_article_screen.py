@@ -73,20 +73,25 @@ def twist(person: Hands, linear: float, angular: float) -> Callable[[str], bool]
     return pane(person, "echo", "\n".join(lines))
 
 
+def drive_the_turtle(person: Hands) -> None:
+    """Section 2.2: the turtle in terminal 1, its remote control in terminal 3, and one step forwards."""
+    screen = person.screen
+    person.run("ros2 run turtlesim turtlesim_node")
+    screen.wait("2 TurtleSim", pose(5.54))
+    person.new_terminal(3)
+    person.run("ros2 run turtlesim turtle_teleop_key")
+    screen.wait("'q' to quit.")
+    screen.press("Up")
+    screen.wait(pose(7.56), "Use arrow keys to move the turtle.")
+
+
 @everybody
 def test_section_2_messages_are_seen_while_the_turtle_moves(
     place: Place, hands: str, lang: str, size: tuple[int, int]
 ) -> None:
     with desk(place, hands, lang, size) as person:
         screen = person.screen
-        person.run("ros2 run turtlesim turtlesim_node")
-        screen.wait("2 TurtleSim", pose(5.54))
-        person.new_terminal(3)
-        person.run("ros2 run turtlesim turtle_teleop_key")
-        screen.wait("'q' to quit.")
-        screen.press("Up")
-        screen.wait(pose(7.56), "Use arrow keys to move the turtle.")
-
+        drive_the_turtle(person)
         person.new_terminal(4)
         person.run("ros2 node list")
         screen.wait_lines("/teleop_turtle", "/turtlesim")
@@ -236,13 +241,7 @@ def test_from_the_kitchen_to_the_two_publishers_in_one_desktop(place: Place) -> 
 
 def _section_2(person: Hands) -> None:
     screen = person.screen
-    person.run("ros2 run turtlesim turtlesim_node")
-    screen.wait("2 TurtleSim", pose(5.54))
-    person.new_terminal(3)
-    person.run("ros2 run turtlesim turtle_teleop_key")
-    screen.wait("'q' to quit.")
-    screen.press("Up")
-    screen.wait(pose(7.56), "Use arrow keys to move the turtle.")  # the turtle has moved
+    drive_the_turtle(person)
     person.new_terminal(4)
     person.run("ros2 node list")
     screen.wait_lines("/teleop_turtle", "/turtlesim")

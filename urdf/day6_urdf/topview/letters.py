@@ -28,7 +28,7 @@ class Letters:
     def draw(self) -> None:
         """Draw everything, from the ground up."""
         plan, tyres = self._frame.plan, self._frame.tyres(self._at)
-        for body in sorted(plan.bodies, key=lambda body: body.style != "chassis"):
+        for body in plan.bodies:
             if body.style != "caster":
                 self._draw_body(body)
         for one, two, _ in axles(tyres):

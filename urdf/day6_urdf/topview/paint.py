@@ -114,8 +114,8 @@ def paint_bodies(
     given: Mapping[str, Transform],
     colours: TopColours,
 ) -> None:
-    """Draw everything but wheels and casters, the chassis below all others."""
-    for body in sorted(plan.bodies, key=lambda body: body.style != "chassis"):
+    """Draw everything but wheels and casters."""
+    for body in plan.bodies:
         if body.style == "caster":
             continue
         fill = body_colour(body, colours) if is_known(plan, body.link, given) else colours.missing

@@ -54,6 +54,7 @@ class Body:
 class TopPlan:
     """The parts of a robot drawn from above, and its bounds: left, bottom, right, top (metres, root frame).
 
+    The bodies are in the order in which they are drawn, the chassis below all others.
     The bounds hold the robot at rest and, for the first few joints that carry no wheel, at their limits.
     """
 
@@ -153,6 +154,7 @@ def plan_top(robot: Robot, mesh_points: MeshPoints = lambda name: ()) -> TopPlan
         largest = max(bodies, key=lambda body: _area(body, rest[body.link]))
         chassis = largest.link
         bodies = [replace(b, style="chassis") if b.link == chassis and b.style == "body" else b for b in bodies]
+        bodies.sort(key=lambda body: body.style != "chassis")
     poses = (rest, *_swept(robot, rolling))
     sides = list(zip(*(_bounds(wheels, bodies, pose) for pose in poses), strict=True))
     return TopPlan(robot, rest, wheels, tuple(bodies), (min(sides[0]), min(sides[1]), max(sides[2]), max(sides[3])))

@@ -54,8 +54,8 @@ def render_top(
     longer = 1.5 if dots is None else 1.2
     frame = TopFrame(plan, columns, rows, dots or (1, 1), thick=thick, longer=longer, zoom=zoom, shift=shift)
     words = words_of(frame, transforms, labels or {})
-    canvas = Canvas(columns, rows)
     if dots is None:
+        canvas = Canvas(columns, rows)
         Letters(canvas, frame, transforms, turning).draw()
         for column, row, text, role in words:
             canvas.text(column, row, text, role)

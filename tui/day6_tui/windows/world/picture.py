@@ -275,10 +275,9 @@ def placing(pose: tuple[float, float, float]) -> Placing:
 
 
 def bodies_of(plan: TopPlan) -> list[tuple[Body, int]]:
-    """The bodies in the order in which they are drawn, the chassis below all others, and their kinds."""
+    """The bodies in the order in which they are drawn, and their kinds."""
     kinds = {"chassis": CHASSIS, "caster": CASTER}
-    bodies = sorted(plan.bodies, key=lambda body: body.style != "chassis")
-    return [(body, kinds.get(body.style, BODY)) for body in bodies]
+    return [(body, kinds.get(body.style, BODY)) for body in plan.bodies]
 
 
 def nose_of(plan: TopPlan) -> Points:

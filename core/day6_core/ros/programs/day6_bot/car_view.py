@@ -90,12 +90,13 @@ def _outermost(share_of: Callable[[str], str], trusted: bool, name: str) -> Sequ
         vertices = MeshStore(share_of, anywhere=trusted).read(name).vertices
     except (OSError, ValueError, MemoryError):
         return ()
+    if not len(vertices):
+        return ()
     turns = [2 * math.pi * step / DIRECTIONS for step in range(DIRECTIONS)]
     found = {}
     for x, y, z in ((math.cos(a) * math.cos(b), math.sin(a) * math.cos(b), math.sin(b)) for a in turns for b in TILTS):
-        if len(vertices):
-            index = int((vertices @ (x, y, z)).argmax())
-            found[index] = (float(vertices[index][0]), float(vertices[index][1]), float(vertices[index][2]))
+        index = int((vertices @ (x, y, z)).argmax())
+        found[index] = (float(vertices[index][0]), float(vertices[index][1]), float(vertices[index][2]))
     return list(found.values())
 
 
