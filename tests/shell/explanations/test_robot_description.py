@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from day6_core.advice.rules import in_short
+from tests.shell.explanations.asking import said
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="a terminal there has no pty")
 
@@ -21,19 +22,6 @@ ROBOT = """<robot name="car">
   </joint>
 </robot>
 """
-
-
-@pytest.fixture
-def tall(machine: Any, seat_at: Any) -> Any:
-    """A terminal that shows a whole card."""
-    return seat_at(machine.desk, 160, 50)
-
-
-def said(seat: Any, line: str) -> str:
-    """What a command prints, without line breaks of the screen."""
-    seat.line("clear")
-    seat.line(line)
-    return " ".join(seat.wait_prompt().split())
 
 
 @pytest.mark.parametrize("command", ["check_urdf", "ros2 run robot_state_publisher robot_state_publisher"])

@@ -7,20 +7,9 @@ from typing import Any
 
 import pytest
 
+from tests.shell.explanations.asking import said
+
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="a terminal there has no pty")
-
-
-def said(seat: Any, line: str) -> str:
-    """What a command prints, without line breaks of the screen."""
-    seat.line("clear")
-    seat.line(line)
-    return " ".join(seat.wait_prompt().split())
-
-
-@pytest.fixture
-def tall(machine: Any, seat_at: Any) -> Any:
-    """A terminal that shows a whole card."""
-    return seat_at(machine.desk, 160, 50)
 
 
 @pytest.mark.parametrize(

@@ -16,12 +16,6 @@ def said(seat: Any, line: str) -> str:
     return " ".join(seat.wait_prompt().split())
 
 
-@pytest.fixture
-def tall(machine: Any, seat_at: Any) -> Any:
-    """A terminal that shows a whole card."""
-    return seat_at(machine.desk, 160, 50)
-
-
 def test_why_explains_the_last_message_and_says_what_to_type(machine: Any, tall: Any) -> None:
     said(tall, "ros2 run turtlesm turtlesim_node")
     seen = said(tall, "why")

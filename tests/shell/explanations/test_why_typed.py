@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from day6_core.advice.matching import unfinished
+from tests.shell.explanations.asking import said
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="a terminal there has no pty")
 
@@ -15,19 +16,6 @@ SPAWN = "ros2 service call /spawn turtlesim/srv/Spawn"
 PUB = "ros2 topic pub /turtle1/cmd_vel geometry_msgs/msg/Twist"
 ZERO = "{x: 0.0, y: 0.0, z: 0.0}"
 TELEOP = "ros2 run turtlesim turtle_teleop_key --ros-args"
-
-
-def said(seat: Any, line: str) -> str:
-    """What a command prints, without line breaks of the screen."""
-    seat.line("clear")
-    seat.line(line)
-    return " ".join(seat.wait_prompt().split())
-
-
-@pytest.fixture
-def tall(machine: Any, seat_at: Any) -> Any:
-    """A terminal that shows a whole card."""
-    return seat_at(machine.desk, 160, 50)
 
 
 def hint(seat: Any, line: str) -> str:

@@ -12,11 +12,6 @@ EDGE = 1.5
 """Pixels across an outline."""
 
 
-def darker(colour: int) -> int:
-    """The colour of an outline."""
-    return sum(int((colour >> shift & 255) * 0.6) << shift for shift in (0, 8, 16))
-
-
 class SurfacePainter:
     """A `topview.paint.Painter`; `place` turns metres of the root frame into pixels, `scale` of them a metre."""
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from day6_tui.pixels.bands import Array
 from day6_tui.pixels.raster import Surface
 from day6_tui.pixels.sheet import Sheet
-from day6_tui.windows.robot.robot_pixels import SurfacePainter, darker
+from day6_tui.windows.robot.robot_pixels import SurfacePainter
 from day6_tui.windows.world.picture import (
     BEAM,
     FIRM,
@@ -40,6 +40,11 @@ FARTHEST_BEAM = 20.0
 """Metres that a ray without an end is drawn."""
 
 Spot = tuple[float, float]
+
+
+def darker(colour: int) -> int:
+    """The colour of an outline."""
+    return sum(int((colour >> shift & 255) * 0.6) << shift for shift in (0, 8, 16))
 
 
 class WorldPixels:
