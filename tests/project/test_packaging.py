@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import email
+import re
 import shutil
 import subprocess
 import sys
 import tarfile
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from markdown_it import MarkdownIt
 
 from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, ROOT, SHARE
+
+VENDORED = PACKAGES["day6_tui"] / "day6_tui/web/static/vendor/xterm"
 
 
 def files() -> list[Path]:
@@ -91,6 +97,37 @@ def test_the_wheel_brings_no_other_top_level_name(wheel: zipfile.ZipFile) -> Non
 def test_the_wheel_declares_the_command(wheel: zipfile.ZipFile) -> None:
     (entry_points,) = [name for name in {*wheel.namelist()} - content(wheel) if name.endswith("entry_points.txt")]
     assert "day6-tui = day6_tui.main:main" in wheel.read(entry_points).decode()
+
+
+@pytest.mark.process
+def test_the_page_of_the_package_links_only_what_is_in_the_repository(wheel: zipfile.ZipFile) -> None:
+    (name,) = [name for name in wheel.namelist() if name.partition("/")[2] == "METADATA"]
+    metadata = email.message_from_bytes(wheel.read(name))
+    pages = dict(line.split(", ") for line in metadata.get_all("Project-URL", []))
+    repository, tag = pages["Homepage"], f"v{metadata['Version']}"
+    own = re.compile(rf"{re.escape(repository)}/(?:blob|raw)/{re.escape(tag)}/([^#]+)")
+    linked = list(targets(metadata.get_payload()))
+    assert [target for target in linked if not target.startswith(("https://", "http://127.0.0.1", "#"))] == []
+    files = [found[1] for target in linked if (found := own.match(target))]
+    assert files and [file for file in files if not (ROOT / file).exists()] == []
+
+
+def targets(markdown: str) -> Iterator[str]:
+    """Yield where the links and pictures of a text lead, as a reader of Markdown understands it."""
+    for token in MarkdownIt().parse(markdown):
+        for inner in (token, *(token.children or ())):
+            yield from (str(inner.attrs[name]) for name in ("href", "src") if name in inner.attrs)
+            if inner.type in ("html_block", "html_inline"):
+                yield from re.findall(r'(?:href|src|srcset)="([^"]+)"', inner.content)
+
+
+@pytest.mark.process
+def test_the_wheel_brings_every_license_that_its_notice_speaks_of(wheel: zipfile.ZipFile) -> None:
+    (folder,) = {name.split("/")[0] for name in wheel.namelist()} - set(PACKAGES)
+    licenses = [name for name in wheel.namelist() if name.startswith(f"{folder}/licenses/")]
+    shipped = {name.rpartition(".")[2] for name in licenses if "/LICENSE." in name}
+    assert shipped == {path.name.removeprefix("LICENSE.") for path in VENDORED.rglob("LICENSE.*")}
+    assert {"LICENSE", "NOTICE"} <= {name.removeprefix(f"{folder}/licenses/") for name in licenses}
 
 
 @pytest.mark.process

@@ -21,7 +21,8 @@ VENDORED = STATIC / "vendor" / "xterm"
 def test_files_of_others_are_as_they_were_published() -> None:
     note = (VENDORED / "VENDORED.txt").read_text(encoding="utf-8")
     sums = dict(reversed(line.split("  ")) for line in note.splitlines() if re.match(r"[0-9a-f]{64}  ", line))
-    found = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in VENDORED.iterdir()}
+    files = (path for path in VENDORED.rglob("*") if path.is_file())
+    found = {path.relative_to(VENDORED).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
     del found["VENDORED.txt"]
     assert found == sums
 
