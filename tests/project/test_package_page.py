@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from types import ModuleType
 
 import pytest
+from catkin_pkg.package import parse_package
 
 from tests.support.folded import folded
-from tests.support.source_files import ROOT
+from tests.support.source_files import PACKAGES, ROOT
 
 PROJECT = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
 REPOSITORY = re.findall(r'^repository = "(.+)"$', PROJECT, re.MULTILINE)
@@ -76,3 +77,13 @@ def test_every_image_and_action_that_a_text_names_is_that_of_this_version() -> N
 @pytest.mark.parametrize("places", [REPOSITORY, VERSION])
 def test_address_and_version_are_declared_once(places: list[str]) -> None:
     assert len(places) == 1
+
+
+def test_our_manifests_claim_no_mailbox() -> None:
+    """An address has to stand in them (REP 149); nobody can ever own one of `.invalid` (RFC 2606)."""
+    said = {
+        (maintainer.name, maintainer.email)
+        for path in PACKAGES["day6_core"].rglob("package.xml")
+        for maintainer in parse_package(path).maintainers
+    }
+    assert said == {("day6-tui", "noreply@day6-tui.invalid")}
