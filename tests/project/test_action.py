@@ -1,0 +1,87 @@
+"""What the GitHub action runs, played on workspaces: green by tests that pass, and red by everything else."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.support.source_files import ROOT
+
+pytestmark = pytest.mark.process
+
+ACTION = ROOT / ".github/actions/workspace"
+PASSES = "def test_sum() -> None:\n    assert 1 + 1 == 2\n"
+FAILS = "def test_sum() -> None:\n    assert 1 + 1 == 3\n"
+SETUP = """from setuptools import setup
+setup(name='{name}', version='0.0.0', packages=['{name}'], data_files=[('share/{name}', ['package.xml'])])
+"""
+MANIFEST = """<package format="3"><name>{name}</name><version>0.0.0</version><description>d</description>
+<maintainer email="student@todo.todo">a</maintainer><license>MIT</license>{needs}
+<export><build_type>ament_python</build_type></export></package>
+"""
+
+
+def package(workspace: Path, name: str, test: str = "", setup: str = SETUP, needs: str = "") -> None:
+    """Write a package of Python; '' is no test."""
+    folder = workspace / "src" / name
+    files = {
+        "package.xml": MANIFEST.format(name=name, needs=needs),
+        "setup.py": setup.format(name=name),
+        f"{name}/__init__.py": "",
+    }
+    for path, text in (files | ({"test/test_it.py": test} if test else {})).items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8")
+
+
+def run(workspace: Path, packages: str = "", distro: str = "jazzy", allow_no_tests: str = "false") -> tuple[int, str]:
+    """Run the action's script; returns its status and the last line it prints."""
+    said = {"WORKSPACE": str(workspace), "PACKAGES": packages, "ROS_DISTRO": distro, "ALLOW_NO_TESTS": allow_no_tests}
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    done = subprocess.run(
+        [sys.executable, str(ACTION / "run")],
+        env={**os.environ, "PATH": path, **said},
+        stdout=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    return done.returncode, done.stdout.splitlines()[-1]
+
+
+def test_tests_that_pass_are_green(tmp_path: Path) -> None:
+    package(tmp_path, "good", PASSES)
+    assert run(tmp_path) == (0, "all tests passed")
+
+
+def test_a_test_that_fails_is_red_though_others_pass(tmp_path: Path) -> None:
+    package(tmp_path, "good", PASSES)
+    package(tmp_path, "bad", FAILS)
+    assert run(tmp_path) == (1, "::error::tests failed")
+
+
+def test_a_package_that_cannot_be_built_is_red_though_the_tests_of_others_would_pass(tmp_path: Path) -> None:
+    package(tmp_path, "good", PASSES)
+    package(tmp_path, "broken", PASSES, setup="raise SystemExit('no')\n")
+    assert run(tmp_path) == (1, "::error::the build failed")
+
+
+def test_a_workspace_without_tests_is_red_unless_that_is_allowed(tmp_path: Path) -> None:
+    package(tmp_path, "untested")
+    assert run(tmp_path) == (1, "::error::no test was run")
+    assert run(tmp_path, allow_no_tests="true") == (0, "all tests passed")
+
+
+def test_chosen_packages_are_built_with_what_they_need_and_only_they_are_tested(tmp_path: Path) -> None:
+    package(tmp_path, "needed", FAILS)
+    package(tmp_path, "chosen", "import needed\n\n" + PASSES, needs="<depend>needed</depend>")
+    package(tmp_path, "broken", setup="raise SystemExit('no')\n")
+    assert run(tmp_path, packages="chosen") == (0, "all tests passed")
+
+
+def test_an_unknown_distribution_is_refused(tmp_path: Path) -> None:
+    package(tmp_path, "good", PASSES)
+    status, said = run(tmp_path, distro="noble")
+    assert (status, said.split("'")[1]) == (1, "noble")
