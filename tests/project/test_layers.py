@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import itertools
 import shutil
 import subprocess
@@ -12,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.loaded import loaded
+
 pytestmark = pytest.mark.process
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,10 +21,7 @@ SCREEN = "day6_tui.main"
 
 pytest.importorskip("importlinter")
 
-_spec = importlib.util.spec_from_file_location("import_rules", CHECK)
-assert _spec is not None and _spec.loader is not None
-rules = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(rules)
+rules = loaded(".ci/import_rules.py")
 
 
 def said(tree: Path) -> tuple[str, int]:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from collections.abc import Iterator
-from types import ModuleType
 
 import pytest
 from catkin_pkg.package import parse_package
 
 from tests.support.folded import folded
+from tests.support.loaded import loaded
 from tests.support.source_files import PACKAGES, ROOT
 
 PROJECT = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
@@ -20,16 +19,7 @@ FILES = "https://host/a/b/blob/v1"
 PICTURES = "https://host/a/b/raw/v1"
 
 
-def loaded(name: str) -> ModuleType:
-    """Return a module of .ci, which is on no path."""
-    spec = importlib.util.spec_from_file_location(name, ROOT / ".ci" / f"{name}.py")
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-PAGE = loaded("package_page")
+PAGE = loaded(".ci/package_page.py")
 
 
 @folded(
