@@ -9,33 +9,12 @@ from pathlib import Path
 
 import pytest
 
+from tests.project.sample_workspace import FAILS, PASSES, package
 from tests.support.source_files import ROOT
 
 pytestmark = pytest.mark.process
 
 ACTION = ROOT / ".github/actions/workspace"
-PASSES = "def test_sum() -> None:\n    assert 1 + 1 == 2\n"
-FAILS = "def test_sum() -> None:\n    assert 1 + 1 == 3\n"
-SETUP = """from setuptools import setup
-setup(name='{name}', version='0.0.0', packages=['{name}'], data_files=[('share/{name}', ['package.xml'])])
-"""
-MANIFEST = """<package format="3"><name>{name}</name><version>0.0.0</version><description>d</description>
-<maintainer email="student@todo.todo">a</maintainer><license>MIT</license>{needs}
-<export><build_type>ament_python</build_type></export></package>
-"""
-
-
-def package(workspace: Path, name: str, test: str = "", setup: str = SETUP, needs: str = "") -> None:
-    """Write a package of Python; '' is no test."""
-    folder = workspace / "src" / name
-    files = {
-        "package.xml": MANIFEST.format(name=name, needs=needs),
-        "setup.py": setup.format(name=name),
-        f"{name}/__init__.py": "",
-    }
-    for path, text in (files | ({"test/test_it.py": test} if test else {})).items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(text, encoding="utf-8")
 
 
 def run(workspace: Path, packages: str = "", distro: str = "jazzy", allow_no_tests: str = "false") -> tuple[int, str]:
