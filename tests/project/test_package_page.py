@@ -56,7 +56,7 @@ def texts() -> Iterator[str]:
 def test_the_address_of_the_repository_is_the_same_everywhere() -> None:
     (repository,) = REPOSITORY
     mentions = re.compile(r"(?:\bgithub\.com/|\buses: )([\w.-]+/day6-tui)\b")
-    assert {f"https://github.com/{found}" for text in texts() for found in mentions.findall(text)} <= {repository}
+    assert {f"https://github.com/{found}" for text in texts() for found in mentions.findall(text)} == {repository}
 
 
 def test_every_image_and_action_that_a_text_names_is_that_of_this_version() -> None:
