@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 LANGUAGES = ("zh", "en")
+VARIABLE = "DAY6_LANG"
 
 
 def language_of(
@@ -18,7 +19,7 @@ def language_of(
     """
     chosen = [after for word, after in pairwise(words) if word == "--lang"]
     chosen += [word.partition("=")[2] for word in words if word.startswith("--lang=")]
-    for name in (*chosen, environ.get("DAY6_LANG", "")):
+    for name in (*chosen, environ.get(VARIABLE, "")):
         if name in LANGUAGES:
             return name
     return _language_of_locale(environ, platform) if wide_glyphs else "en"

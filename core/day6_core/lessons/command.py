@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from day6_core.language import LANGUAGES
+from day6_core.language import language_of
+from day6_core.lessons import parsers
 from day6_core.lessons.catalogue import HERE, lessons_in, offer, shipped_names
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.flaws import meant
@@ -23,28 +25,9 @@ EXAMPLES = {"lesson": "example.md", "drill": "example_drill.md"}
 
 def main(words: list[str]) -> int:
     """Entry point; returns the exit status."""
-    parser = argparse.ArgumentParser(prog="day6-tui lessons", description="Lesson files: see 'day6-tui lessons help'.")
-    verbs = parser.add_subparsers(dest="verb", metavar="VERB")
-    verbs.add_parser("list", help="the lessons and drills there are")
-    verbs.add_parser("help", help="how lessons are written")
-    add = verbs.add_parser("new", help="write a small lesson that works")
-    add.add_argument("file", type=Path, help="its name ends in .md")
-    add.add_argument("--drill", action="store_true", help="a drill: a fault, what mends it, three wrong answers")
-    for verb, text in (
-        ("check", "name every mistake with its line"),
-        ("preview", "show how it looks"),
-        ("play", "play the solutions and the wrong answers on a machine of its own"),
-    ):
-        sub = verbs.add_parser(verb, help=text)
-        sub.add_argument("file", type=Path, nargs="+", help="a file, or a folder with lessons (*.md)")
-        if verb == "play":
-            sub.add_argument("--step", metavar="NAME", help="only this step, after the solutions of those it needs")
-        if verb == "preview":
-            sub.add_argument("--lang", choices=LANGUAGES, default="zh")
-    options = parser.parse_args(words)
-    if options.verb is None:
-        parser.print_help()
-        return 2
+    language = language_of(os.environ, words)
+    options = parsers.lessons(language).parse_args(words)
+    options.lang = language
     try:
         if options.verb == "list":
             return _list()

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import argparse
+import os
 import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from day6_core.language import LANGUAGES
+from day6_core.language import LANGUAGES, language_of
+from day6_core.lessons import parsers
 from day6_core.lessons.catalogue import offer
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.progress import FOLDER, Progress, ProgressError, StepDone, load
@@ -150,19 +151,10 @@ def _pupils(folder: Path) -> tuple[list[Progress], list[tuple[Path, str]]]:
     return found, broken
 
 
-def main(arguments: list[str], language: str) -> int:
+def main(arguments: list[str]) -> int:
     """Run `day6-tui report ARGUMENTS`; returns the exit status."""
-    parser = argparse.ArgumentParser(
-        prog="day6-tui report", description="How far all pupils of this machine are: a table, or CSV and HTML files."
-    )
-    parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ (default: that of the desktop)")
-    parser.add_argument("--lessons", type=Path, metavar="DIR", help="the lessons are those of this folder")
-    parser.add_argument("--csv", type=Path, metavar="FILE", help="write a table for a spreadsheet")
-    parser.add_argument("--html", type=Path, metavar="FILE", help="write a page")
-    parser.add_argument("--force", action="store_true", help="overwrite existing files")
-    parser.add_argument("--lang", choices=LANGUAGES, default=language)
-    options = parser.parse_args(arguments)
-    language = options.lang
+    language = language_of(os.environ, arguments)
+    options = parsers.report(language).parse_args(arguments)
 
     def tell(key: str, **values: object) -> int:
         print(one_line(f"day6-tui report: {Say(key, **values).text(language)}"), file=sys.stderr)

@@ -9,7 +9,6 @@ Nothing in it says whether anything is right: `day6-tui grade` finds that out by
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import sys
@@ -19,14 +18,15 @@ import zipfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from day6_core.language import LANGUAGES
+from day6_core.language import language_of
+from day6_core.lessons import parsers
 from day6_core.lessons.grading.archive import LARGEST, MANIFEST, VERSION
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, name_mistake, pupils, safe_name
 from day6_core.lessons.texts import Say
 from day6_core.places import default_home
 from day6_core.session.harmless import one_line
 from day6_core.whole_file import replacing
-from day6_core.workspace.export import ExportError, export
+from day6_core.workspace.export import ExportError, Reason, export
 from day6_core.workspace.packages import holds_packages
 
 LOOSE = (".py", ".urdf", ".xacro", ".yaml", ".xml", ".rviz")
@@ -53,7 +53,7 @@ class Packed:
     packages: list[str] = field(default_factory=list)
     loose: list[str] = field(default_factory=list)
     answers: int = 0
-    left_out: list[Say | str] = field(default_factory=list)
+    left_out: list[Say | Reason] = field(default_factory=list)
 
 
 def submit(home: Path, target: Path, pupil: str = "", lesson: str = "") -> Packed:
@@ -156,18 +156,11 @@ def _loose(folder: Path, packed: Packed) -> list[Path]:
     return found
 
 
-def main(arguments: list[str], language: str) -> int:
+def main(arguments: list[str]) -> int:
     """Run `day6-tui submit ARGUMENTS`; returns the exit status."""
-    parser = argparse.ArgumentParser(
-        prog="day6-tui submit", description="Pack your programs and answers into one file for your teacher."
-    )
-    parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ (default: that of the desktop)")
-    parser.add_argument("--lesson", default="", metavar="NAME", help="only the answers of this lesson (default: all)")
-    parser.add_argument("--pupil", default="", metavar="NAME", help="whose work it is (needed where several learn)")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="the file to write (default: NAME.zip, here)")
-    parser.add_argument("--lang", choices=LANGUAGES, default=language)
+    language = language_of(os.environ, arguments)
+    parser = parsers.submit(language)
     options = parser.parse_args(arguments)
-    language = options.lang
 
     def tell(text: str) -> int:
         print(one_line(f"day6-tui submit: {text}"), file=sys.stderr)
@@ -182,11 +175,11 @@ def main(arguments: list[str], language: str) -> int:
     except SubmissionError as error:
         return tell(error.say.text(language))
     except ExportError as error:
-        return tell(str(error))
+        return tell(error.reason.said(parser.texts))
     except OSError as error:
         return tell(f"{error.filename or target}: {error.strerror or error}")
     for left in packed.left_out:
-        tell(Say("submit.left_out", what=left).text(language))
+        tell(Say("submit.left_out", what=left.said(parser.texts) if isinstance(left, Reason) else left).text(language))
     contents = (*packed.packages, *packed.loose, Say("submit.answers", count=packed.answers).text(language))
     print(one_line(Say("submit.done", file=target, contents=contents).text(language)))
     print(Say("submit.next").text(language))

@@ -7,7 +7,6 @@ so that no zip contains a file nobody meant to give away.
 
 from __future__ import annotations
 
-import argparse
 import os
 import stat
 import sys
@@ -17,6 +16,10 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.command_line.texts import CommandTexts, Wording
+from day6_core.command_line.values import Values
+from day6_core.language import language_of
 from day6_core.session.folder import working_folder
 from day6_core.whole_file import replacing
 from day6_core.workspace.packages import Package, find_packages, holds_packages
@@ -40,50 +43,66 @@ On a computer with ROS 2, in the folder of this file:
 """
 
 
+class Reason(NamedTuple):
+    """Why something cannot be packed: the text `cli.export.<key>`."""
+
+    key: str
+    values: dict[str, object]
+
+    def said(self, texts: Wording) -> str:
+        """The reason, in the language of the texts."""
+        return texts(f"cli.export.{self.key}", **self.values)
+
+
 class ExportError(Exception):
     """There is nothing to export, a named package is missing, or something must not be packed."""
+
+    def __init__(self, key: str, **values: object) -> None:
+        super().__init__(key)
+        self.reason = Reason(key, values)
+
+    def __str__(self) -> str:
+        return self.reason.said(CommandTexts("en"))
 
 
 class Exported(NamedTuple):
     """The packages in the zip, and the files of their folders that were left out, with the reason."""
 
     packages: list[str]
-    left_out: list[str]
+    left_out: list[Reason]
 
 
 def main(arguments: list[str]) -> int:
     """Run `day6-tui export ARGUMENTS`; returns the exit status."""
-    options = _parser().parse_args(arguments)
+    parser = build_parser(language_of(os.environ, arguments))
+    options, texts = parser.parse_args(arguments), parser.texts
+
+    def tell(text: str) -> int:
+        print(f"{parser.prog}: {text}", file=sys.stderr)
+        return 1
+
     workspace = _workspace(options.workspace, options.home)
     target = Path(options.output or f"{workspace.name}.zip")
     try:
         done = export(workspace, options.packages, target)
     except ExportError as error:
-        print(f"day6-tui export: {error}", file=sys.stderr)
-        return 1
+        return tell(error.reason.said(texts))
     except OSError as error:
-        print(f"day6-tui export: {str(error.filename or target)!r}: {error.strerror or error}", file=sys.stderr)
-        return 1
-    for text in done.left_out:
-        print(f"day6-tui export: left out: {text}", file=sys.stderr)
-    print(f"{target}: {', '.join(done.packages)} (of {workspace})")
+        return tell(f"{str(error.filename or target)!r}: {error.strerror or error}")
+    for left in done.left_out:
+        tell(texts("cli.export.left_out", what=left.said(texts)))
+    print(texts("cli.export.done", file=target, names=", ".join(done.packages), workspace=workspace))
     return 0
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="day6-tui export",
-        description="Put packages of the workspace into a zip that builds on a real ROS 2 unchanged.",
-    )
-    parser.add_argument("packages", nargs="*", metavar="PKG", help="names of packages (default: all)")
-    parser.add_argument(
-        "--workspace",
-        type=Path,
-        metavar="DIR",
-        help="the workspace (default: the one you are in, else ~/ros2_ws of the desktop)",
-    )
-    parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ (default: that of the desktop)")
-    parser.add_argument("-o", "--output", metavar="FILE", help="the zip to write (default: the workspace's name, here)")
+def build_parser(language: str = "en") -> CommandParser:
+    """The options of `day6-tui export`, and what it takes."""
+    parser = command_parser("export", language)
+    texts, values = parser.texts, Values(parser.texts)
+    parser.add_argument("packages", nargs="*", metavar="PKG", help=texts("cli.export.packages"))
+    parser.add_argument("--workspace", type=Path, metavar="DIR", help=texts("cli.export.workspace"))
+    parser.add_argument("--home", type=values.home, metavar="DIR", help=texts("cli.options.home"))
+    parser.add_argument("-o", "--output", metavar="FILE", help=texts("cli.export.output"))
     return parser
 
 
@@ -126,7 +145,7 @@ def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:
     is_package = (workspace / "package.xml").is_file()
     source = workspace / "src" if (workspace / "src").is_dir() and not is_package else workspace
     if not source.is_dir():
-        raise ExportError(f"there is no workspace {workspace}")
+        raise ExportError("no_workspace", folder=workspace)
     packages = [
         package
         for package in find_packages(["."], source, os.environ, lambda logger, text: None)
@@ -136,18 +155,18 @@ def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:
     wanted = list(dict.fromkeys(names)) or sorted(known)
     unknown = [name for name in wanted if name not in known]
     if unknown:
-        there = f"; there are {', '.join(sorted(known))}" if known else ""
-        raise ExportError(f"no package '{unknown[0]}' in {source}{there}")
+        key = "no_package.there" if known else "no_package"
+        raise ExportError(key, name=unknown[0], folder=source, names=", ".join(sorted(known)))
     if not wanted:
-        raise ExportError(f"no package in {source}")
+        raise ExportError("empty", folder=source)
     if os.path.lexists(target) and not zipfile.is_zipfile(target):
-        raise ExportError(f"'{target}' exists and is not a zip: it is left alone; choose another file with -o")
+        raise ExportError("not_zip", file=target)
     return Exported(wanted, _write([known[name] for name in wanted], source, workspace.name, target))
 
 
-def _write(packages: list[Package], source: Path, top: str, target: Path) -> list[str]:
+def _write(packages: list[Package], source: Path, top: str, target: Path) -> list[Reason]:
     """Write the zip; return what was left out."""
-    left_out: list[str] = []
+    left_out: list[Reason] = []
     target.parent.mkdir(parents=True, exist_ok=True)
     with replacing(target, mode=0o666) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(f"{top}/README.txt", _README.format(names=", ".join(package.name for package in packages)))
@@ -163,16 +182,14 @@ def _add(archive: zipfile.ZipFile, path: Path, name: str) -> None:
     with open(path, "rb", opener=_open_at_once) as file:
         status = os.fstat(file.fileno())
         if not stat.S_ISREG(status.st_mode):
-            raise ExportError(f"{str(path)!r} is not a file any more")
+            raise ExportError("gone", file=repr(str(path)))
         if status.st_size > LARGEST:
-            raise ExportError(
-                f"{str(path)!r} has {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} MB are packed: "
-                "move it out of the package"
-            )
+            size, most = status.st_size // 1_000_000, LARGEST // 1_000_000
+            raise ExportError("large", file=repr(str(path)), size=size, most=most)
         try:
             name.encode()
         except UnicodeEncodeError:
-            raise ExportError(f"the name of {str(path)!r} is not UTF-8: a zip cannot hold it") from None
+            raise ExportError("encoding", file=repr(str(path))) from None
         moment = max(time.localtime(status.st_mtime)[:6], (1980, 1, 1, 0, 0, 0))  # the earliest time in a zip
         info = zipfile.ZipInfo(name, moment)
         info.external_attr = (status.st_mode & 0xFFFF) << 16
@@ -189,7 +206,7 @@ def _open_at_once(path: str, flags: int) -> int:
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
-def _files(folder: Path, own: set[Path], left_out: list[str]) -> Iterator[Path]:
+def _files(folder: Path, own: set[Path], left_out: list[Reason]) -> Iterator[Path]:
     """Yield the files of a package, without `own` and without files left by tools.
 
     A folder that links of the package lead to is packed again at the first of them only, so that loops of links end.
@@ -209,12 +226,10 @@ def _files(folder: Path, own: set[Path], left_out: list[str]) -> Iterator[Path]:
             if _is_tools(entry):
                 continue
             if entry.is_symlink() and not real.is_relative_to(root):
-                raise ExportError(
-                    f"{str(path)!r} is a link to {str(real)!r}, outside the package: replace it with a copy, or remove it"
-                )
+                raise ExportError("link", file=repr(str(path)), target=repr(str(real)))
             if path.is_dir():
                 if entry.is_symlink() and (real in linked or real in path.parents):
-                    left_out.append(f"{str(path)!r} leads to a folder that is packed already")
+                    left_out.append(Reason("packed", {"file": repr(str(path))}))
                 else:
                     linked |= {real} if entry.is_symlink() else set()
                     waiting.append(path)
@@ -222,7 +237,7 @@ def _files(folder: Path, own: set[Path], left_out: list[str]) -> Iterator[Path]:
                 if real not in own:
                     yield path
             else:
-                left_out.append(f"{str(path)!r} {'is a broken link' if entry.is_symlink() else 'is not a file'}")
+                left_out.append(Reason("broken" if entry.is_symlink() else "strange", {"file": repr(str(path))}))
 
 
 def _is_tools(entry: os.DirEntry[str]) -> bool:

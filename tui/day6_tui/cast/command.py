@@ -7,33 +7,35 @@ import os
 import sys
 from pathlib import Path
 
-from day6_core.language import LANGUAGES, language_of
+from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.command_line.values import Values
+from day6_core.language import language_of
 from day6_core.session.harmless import one_line
 from day6_core.whole_file import replacing
 from day6_tui.cast.file import Cast, CastError, read
 from day6_tui.cast.film import Film
-from day6_tui.command_line import parser_with_options
 from day6_tui.locale import Texts
 
 MOST_FRAMES = 100
 
 
-def parser_of(texts: Texts) -> argparse.ArgumentParser:
-    """The options of `day6-tui cast`."""
-    parser, options = parser_with_options(texts, "day6-tui cast", "cli.cast")
-    parser.add_argument("file", metavar="FILE.cast", type=Path, help=texts("cli.cast.file"))
-    options.add_argument("--svg", metavar="OUT.svg", type=Path, help=texts("cli.cast.svg"))
-    options.add_argument("--at", metavar="SECONDS", type=_seconds, help=texts("cli.cast.at"))
-    options.add_argument("--frames", metavar="N", type=_count, default=1, help=texts("cli.cast.frames"))
-    options.add_argument("--force", action="store_true", help=texts("cli.cast.force"))
-    options.add_argument("--lang", choices=LANGUAGES, help=texts("cli.attach.lang"))
+def build_parser(language: str = "en") -> CommandParser:
+    """The options of `day6-tui cast`, and what it takes."""
+    parser = command_parser("cast", language)
+    texts, values, add = parser.texts, Values(parser.texts), parser.add_argument
+    add("file", metavar="FILE.cast", type=Path, help=texts("cli.cast.file"))
+    add("--svg", metavar="OUT.svg", type=Path, help=texts("cli.cast.svg"))
+    add("--at", metavar="SECONDS", type=values.seconds, help=texts("cli.cast.at"))
+    add("--frames", metavar="N", type=values.whole(1, MOST_FRAMES), default=1, help=texts("cli.cast.frames"))
+    add("--force", action="store_true", help=texts("cli.cast.force"))
     return parser
 
 
 def main(words: list[str]) -> int:
     """`day6-tui cast WORD…`; returns the exit status."""
-    texts = Texts(language_of(os.environ, words))
-    options = parser_of(texts).parse_args(words)
+    language = language_of(os.environ, words)
+    options = build_parser(language).parse_args(words)
+    texts = Texts(language)
     try:
         cast = read(options.file)
     except OSError as error:
@@ -81,22 +83,6 @@ def _export(cast: Cast, options: argparse.Namespace, texts: Texts) -> int:
     except OSError as error:
         return _refuse(f"{options.svg}: {error.strerror or error}")
     return 0
-
-
-def _seconds(text: str) -> float:
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = -1.0
-    if not 0 <= seconds < 1e9:
-        raise argparse.ArgumentTypeError(f"'{one_line(text)}' is no number of seconds")
-    return seconds
-
-
-def _count(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and 1 <= int(text[:9]) <= MOST_FRAMES):
-        raise argparse.ArgumentTypeError(f"'{one_line(text)}' is no number from 1 to {MOST_FRAMES}")
-    return int(text)
 
 
 def _refuse(text: str) -> int:

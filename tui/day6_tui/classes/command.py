@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 from functools import partial
 
+from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.command_line.texts import Wording
+from day6_core.language import language_of
 from day6_core.link.addresses import ROUTER_PORT, address_of
 from day6_core.link.classroom.keys import LONGEST_NAME, TEACHER, is_name
 from day6_core.link.classroom.pupil import Pupil
 from day6_core.link.classroom.teacher import Teacher
-from day6_tui.command_line import build_parser
-from day6_tui.locale import Texts
+from day6_tui.commands import desktop
 
 
-def class_parser(language: str = "en") -> argparse.ArgumentParser:
-    """The options of the desktop, and those of the class before them."""
-    texts = Texts(language)
-    parser = build_parser(language)
-    parser.prog, parser.description, parser.epilog = "day6-tui class", texts("cli.class"), None
+def build_parser(language: str = "en") -> CommandParser:
+    """The options of the class, and those of the desktop behind them."""
+    parser = command_parser("class", language)
+    texts = parser.texts
     options = parser.add_argument_group(texts("cli.class.group"))
-    parser._action_groups.insert(-2, parser._action_groups.pop())
     part = options.add_mutually_exclusive_group()
     told = texts("cli.class.teacher", port=ROUTER_PORT)
     part.add_argument("--teacher", action="store_true", help=told)
@@ -28,14 +29,22 @@ def class_parser(language: str = "en") -> argparse.ArgumentParser:
     part.add_argument("--join", type=partial(_endpoint, texts=texts), metavar="HOST[:PORT]", help=told)
     options.add_argument("--name", type=partial(_name, texts=texts), metavar="NAME", help=texts("cli.class.name"))
     options.add_argument("--room", action="store_true", help=texts("cli.class.room"))
+    desktop.add_options(parser)
     return parser
 
 
-def take_part(parser: argparse.ArgumentParser, options: argparse.Namespace, texts: Texts) -> None:
+def main(words: list[str]) -> int:
+    """`day6-tui class [OPTION …]`; returns the exit status."""
+    parser = build_parser(language_of(os.environ, words))
+    options = parser.parse_args(words)
+    _take_part(parser, options)
+    return desktop.begin(parser, options, ["class", *words])
+
+
+def _take_part(parser: CommandParser, options: argparse.Namespace) -> None:
     """Put the part in the class into the options of the desktop, in place of those of `class`; ends where they do not fit."""
-    if options.version:
-        options.part = None
-    elif options.connect:
+    texts = parser.texts
+    if options.connect:
         parser.error(texts("cli.class.connect"))
     elif options.teacher:
         if options.name is not None:
@@ -53,7 +62,7 @@ def take_part(parser: argparse.ArgumentParser, options: argparse.Namespace, text
     del options.teacher, options.join, options.name, options.room
 
 
-def _endpoint(text: str, texts: Texts) -> str:
+def _endpoint(text: str, texts: Wording) -> str:
     """Read a host with or without a port, or an endpoint."""
     bare_ipv6 = text.count(":") > 1 and not text.startswith("[")
     host = f"[{text}]" if bare_ipv6 else text
@@ -70,7 +79,7 @@ def _endpoint(text: str, texts: Texts) -> str:
     raise argparse.ArgumentTypeError(texts("cli.class.endpoint", text=text))
 
 
-def _name(text: str, texts: Texts) -> str:
+def _name(text: str, texts: Wording) -> str:
     if not is_name(text):
         rule = texts(f"cli.class.name.{_broken_rule(text)}", name=text, most=LONGEST_NAME)
         raise argparse.ArgumentTypeError(rule)

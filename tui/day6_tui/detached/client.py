@@ -10,6 +10,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.command_line.values import Values
+from day6_core.language import language_of
 from day6_core.link.paths import LinkError
 from day6_core.session.harmless import one_line
 from day6_tui.detached import wire
@@ -17,14 +20,19 @@ from day6_tui.detached.wire import Connection
 from day6_tui.locale import Texts
 
 
-def attach(words: list[str]) -> int:
-    """`day6-tui attach [--home DIR]`; returns the exit status."""
-    from day6_core.language import language_of
-    from day6_tui.command_line import attach_parser
+def build_parser(language: str = "en") -> CommandParser:
+    """The options of `day6-tui attach`."""
+    parser = command_parser("attach", language)
+    values = Values(parser.texts)
+    parser.add_argument("--home", type=values.home, metavar="DIR", help=parser.texts("cli.attach.home"))
+    return parser
 
+
+def main(words: list[str]) -> int:
+    """`day6-tui attach [--home DIR]`; returns the exit status."""
     language = language_of(os.environ, words)
+    options = build_parser(language).parse_args(words)
     texts = Texts(language)
-    options = attach_parser(language).parse_args(words)
     if sys.platform == "win32":
         return _refuse(texts("detached.windows"), 2)
     if not _has_terminal():
@@ -46,8 +54,9 @@ def attach(words: list[str]) -> int:
             return status
 
 
-def start(words: list[str], home: Path | None, texts: Texts) -> int:
+def start(words: list[str], home: Path | None, language: str) -> int:
     """`day6-tui --detach WORD…`: start the desktop under a keeper and show it here, if this is a terminal."""
+    texts = Texts(language)
     if sys.platform == "win32":
         return _refuse(texts("detached.windows"), 2)
     from day6_tui.detached import meeting, view
@@ -82,7 +91,7 @@ def start(words: list[str], home: Path | None, texts: Texts) -> int:
     if not _has_terminal():
         return _wait_until_it_runs(Connection(ours), view.hello(None), texts, home)
     status = view.show(Connection(ours), texts, _command(home, "attach"))
-    return attach(["--home", str(true_home), "--lang", texts.language]) if status is None else status
+    return main(["--home", str(true_home), "--lang", texts.language]) if status is None else status
 
 
 def _has_terminal() -> bool:

@@ -1,8 +1,8 @@
 """The texts of the user interface, in Chinese and English. Real ROS output never comes from here.
 
 A folder for each language holds a module for each part of the interface, the same ones with the same keys (a test compares
-them); scenes bring their own texts. The language is a value that is passed along and may change while the desktop runs, so a
-text is looked up where it is drawn, never at import.
+them); scenes bring their own texts, and those of the command line are below it (`day6_core.command_line`). The language is a
+value that is passed along and may change while the desktop runs, so a text is looked up where it is drawn, never at import.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
+from day6_core.command_line.texts import texts_in
 from day6_core.language import LANGUAGES
 from day6_core.lessons.scene import scenes
 
@@ -22,7 +23,7 @@ def catalogue(language: str) -> Mapping[str, str]:
     """All texts of 'zh' or 'en'. Raises ValueError for another language."""
     if language not in LANGUAGES:
         raise ValueError(f"no texts in {language!r}, only in {' and '.join(LANGUAGES)}")
-    texts: dict[str, str] = {}
+    texts = dict(texts_in(language))
     for part in parts(language):
         texts |= import_module(f"{__name__}.{language}.{part}").TEXTS
     return texts | dict(_texts_of_scenes(language))

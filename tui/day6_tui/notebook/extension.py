@@ -35,7 +35,7 @@ _loaded: list[Notebook] = []
 def load(shell: InteractiveShell) -> None:
     """Load it into an IPython shell; a second time changes nothing."""
     if not _loaded:
-        settle([])
+        settle(None)
         activate()
         _loaded.append(Notebook(shell))
 

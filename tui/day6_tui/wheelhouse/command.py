@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import argparse
 import importlib.util
 import os
 import sys
 import tempfile
 from pathlib import Path
 
-from day6_core.language import LANGUAGES, language_of
+from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.language import language_of
 from day6_core.session.harmless import one_line
-from day6_tui.command_line import parser_with_options
 from day6_tui.locale import Texts
 from day6_tui.wheelhouse import closure, folder, own_wheel
 from day6_tui.wheelhouse.guide import checker, guide
@@ -21,11 +20,27 @@ EXTRAS = ("serve",)
 """A teacher's machine may want them."""
 
 
+def build_parser(language: str = "en") -> CommandParser:
+    """The options of `day6-tui wheelhouse`, and what it takes."""
+    parser = command_parser("wheelhouse", language)
+    texts, add = parser.texts, parser.add_argument
+    add("folder", type=Path, metavar="DIR", help=texts("cli.wheelhouse.folder"))
+    add(
+        "--platform",
+        action="append",
+        choices=tuple(PLATFORMS),
+        metavar="NAME",
+        help=texts("cli.wheelhouse.platform"),
+    )
+    add("--python", action="append", choices=PYTHONS, metavar="3.12", help=texts("cli.wheelhouse.python"))
+    return parser
+
+
 def main(words: list[str]) -> int:
     """`day6-tui wheelhouse DIR [--platform P …] [--python V …]`; returns the exit status."""
     language = language_of(os.environ, words)
+    options = build_parser(language).parse_args(words)
     texts = Texts(language)
-    options = _parser(texts).parse_args(words)
     here = this_platform()
     if not here and not options.platform:
         return _refuse(texts("wheelhouse.no_platform"), 2)
@@ -72,14 +87,3 @@ def _fetch(targets: list[Target], place: Path) -> list[Path]:
 def _refuse(text: object, status: int) -> int:
     print(f"day6-tui wheelhouse: {one_line(str(text))}", file=sys.stderr)
     return status
-
-
-def _parser(texts: Texts) -> argparse.ArgumentParser:
-    parser, options = parser_with_options(texts, "day6-tui wheelhouse", "cli.wheelhouse")
-    parser.add_argument("folder", type=Path, metavar="DIR", help=texts("wheelhouse.folder"))
-    options.add_argument(
-        "--platform", action="append", choices=tuple(PLATFORMS), metavar="NAME", help=texts("wheelhouse.platform")
-    )
-    options.add_argument("--python", action="append", choices=PYTHONS, metavar="3.12", help=texts("wheelhouse.python"))
-    options.add_argument("--lang", choices=LANGUAGES, help=texts("cli.lang"))
-    return parser

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import signal
 import sys
@@ -10,16 +9,17 @@ import threading
 import time
 from pathlib import Path
 
-from day6_core.language import LANGUAGES
+from day6_core.language import language_of
+from day6_core.lessons import parsers
 from day6_core.lessons.grading import reports
-from day6_core.lessons.grading.grader import SECONDS, Graded, Grader
+from day6_core.lessons.grading.grader import Graded, Grader
+from day6_core.lessons.grading.limits import MOST_JOBS, SECONDS
 from day6_core.lessons.grading.scenarios import HERE, Grading, gradings
 from day6_core.lessons.source import LessonMistakes
 from day6_core.lessons.tables import Exists, must_be_new, write_table
 from day6_core.lessons.texts import Say
 from day6_core.session.harmless import lines, one_line
 
-MOST_JOBS = 64
 JOBS_FOR_A_CORE = 10
 """A submission waits most of its time: for a turtle to arrive, for the next message."""
 
@@ -38,34 +38,10 @@ def default_jobs() -> int:
     return max(1, min(cores * JOBS_FOR_A_CORE, memory // 2 // MEMORY_FOR_A_JOB, MOST_JOBS))
 
 
-def _parser(language: str) -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="day6-tui grade",
-        description="Run the programs of submissions (day6-tui submit) on hidden scenarios. Nothing they claim is believed.",
-    )
-    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="submissions, or folders of them (*.zip)")
-    parser.add_argument("--lesson", default="", metavar="NAME", help="only the scenarios of this lesson (default: all)")
-    parser.add_argument("--scenarios", type=Path, metavar="DIR", help="your own scenarios instead of those shipped")
-    parser.add_argument("--csv", type=Path, metavar="FILE", help="write a table for a spreadsheet")
-    parser.add_argument("--html", type=Path, metavar="FILE", help="write a page")
-    parser.add_argument("--force", action="store_true", help="overwrite existing files")
-    parser.add_argument("--jobs", type=int, metavar="N", help="so many submissions at a time")
-    parser.add_argument(
-        "--seconds",
-        type=float,
-        metavar="S",
-        help=f"time limit of a submission (default: {SECONDS:g}; {2 * SECONDS:g} for several lessons)",
-    )
-    parser.add_argument("--seed", default="", metavar="WORD", help="draw the same names and numbers as another time")
-    parser.add_argument("--lang", choices=LANGUAGES, default=language)
-    return parser
-
-
-def main(arguments: list[str], language: str) -> int:
+def main(arguments: list[str]) -> int:
     """Run `day6-tui grade ARGUMENTS`; the status is 0 if every submission passed everything, 1 if not, 2 for a bad call."""
-    parser = _parser(language)
-    options = parser.parse_args(arguments)
-    language = options.lang
+    language = language_of(os.environ, arguments)
+    options = parsers.grade(language).parse_args(arguments)
 
     def tell(key: str, **values: object) -> int:
         print(one_line(f"day6-tui grade: {Say(key, **values).text(language)}"), file=sys.stderr)
@@ -73,10 +49,6 @@ def main(arguments: list[str], language: str) -> int:
 
     if sys.platform == "win32":
         return tell("grade.windows")
-    if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
-        parser.error(f"argument --jobs: 1 to {MOST_JOBS}")
-    if options.seconds is not None and not 1 <= options.seconds <= 3600:
-        parser.error("argument --seconds: 1 to 3600")
     try:
         chosen = _chosen(options.scenarios, options.lesson)
         must_be_new([options.csv, options.html], options.force)

@@ -21,11 +21,11 @@ from typing import Any
 
 from day6_core.lessons.catalogue import days
 from day6_core.lessons.grading import shield
+from day6_core.lessons.grading.limits import SECONDS
 from day6_core.lessons.grading.scenarios import Grading
 from day6_core.lessons.texts import Say
 
 WARDEN = "day6_core.lessons.grading.warden"
-SECONDS = 60.0
 PATIENCE = 10.0
 """Seconds that a warden gets beyond its submission's, before it is ended too."""
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import io
+import os
 import signal
 import sys
 from pathlib import Path
 from typing import TextIO
 
+from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.command_line.values import Values
+from day6_core.language import VARIABLE, language_of
 from day6_core.session.folder import working_folder
 from day6_core.session.program import Program
 from day6_core.session.real_streams import RealInput, RealOutput
@@ -42,26 +45,25 @@ class KeptOutput(RealOutput):
         return None
 
 
-def build_parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="day6-tui exec",
-        description="Run lines of the simulated terminal without a screen, print what it would show, exit with the last status.",
-    )
-    parser.add_argument(
-        "-c", dest="commands", metavar="COMMANDS", help="the lines to run (otherwise FILE, otherwise standard input)"
-    )
-    parser.add_argument("file", nargs="?", metavar="FILE", help="a file of lines")
-    parser.add_argument("arguments", nargs="*", metavar="ARG", help="become $1, $2 … in them")
-    parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ (default: that of the desktop)")
-    parser.add_argument(
-        "--timeout", type=float, metavar="S", help=f"end everything after S seconds, with status {TIMED_OUT}"
-    )
+def build_parser(language: str = "en") -> CommandParser:
+    """The options of `day6-tui exec`, and what it takes."""
+    parser = command_parser("exec", language)
+    texts, values = parser.texts, Values(parser.texts)
+    parser.add_argument("-c", dest="commands", metavar="COMMANDS", help=texts("cli.exec.commands"))
+    parser.add_argument("file", nargs="?", metavar="FILE", help=texts("cli.exec.file"))
+    parser.add_argument("arguments", nargs="*", metavar="ARG", help=texts("cli.exec.arguments"))
+    parser.add_argument("--home", type=values.home, metavar="DIR", help=texts("cli.options.home"))
+    parser.add_argument("--timeout", type=values.seconds, metavar="S", help=texts("cli.exec.timeout", status=TIMED_OUT))
     return parser
 
 
 def main(arguments: list[str]) -> int:
     """Run `day6-tui exec ARGUMENTS` and return the status to exit with."""
-    options = build_parser().parse_args(arguments)
+    language = language_of(os.environ, arguments)
+    parser = build_parser(language)
+    options = parser.parse_args(arguments)
+    if options.lang is not None:
+        os.environ[VARIABLE] = language
     words = list(options.arguments)
     commands: str | None = options.commands
     name = "bash"
@@ -82,7 +84,7 @@ def main(arguments: list[str]) -> int:
     try:
         desk = Desk(options.home, display=False)
     except OSError as error:
-        print(f"day6-tui exec: the home folder cannot be used: {error}", file=sys.stderr)
+        print(f"{parser.prog}: {parser.texts('cli.exec.home.failed', reason=error)}", file=sys.stderr)
         return 1
     return run(desk, commands, words, name=name, stdin=stdin, timeout=options.timeout)
 

@@ -75,7 +75,7 @@ def write_vscode(project: Path, stubs: Path) -> list[Path]:
 def _vscode_settings(text: str, stubs: Path) -> str:
     present = parse(text) if text.strip() else {}
     if not isinstance(present, dict):
-        raise ValueError("it is no object")
+        raise ValueError("it isn't an object")
     system = f"terminal.integrated.env.{_SHELL_OF.get(sys.platform, 'linux')}"
     values: dict[str, Any] = {
         "python.analysis.extraPaths": _with_ours(

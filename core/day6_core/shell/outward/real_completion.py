@@ -1,4 +1,4 @@
-"""Tab in the real terminal: the completions of `ros2`, `colcon` and `day6-tui` for bash and zsh in `day6-tui shell`.
+"""Tab in the real terminal: what bash, zsh, fish and PowerShell read so that it completes `ros2`, `colcon` and `day6-tui`.
 
 The shells run `day6-tui complete SHELL LINE`, LINE being the text before the cursor; the output has one word per line.
 If there is none, the shell offers files.
@@ -6,11 +6,11 @@ If there is none, the shell offers files.
 
 from __future__ import annotations
 
-import argparse
 import shlex
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
+from day6_core.command_line.leading import DISTRIBUTION, LANGUAGE, leading
 from day6_core.shell.line.completion import COMPLETED, current_words, own_words, quoted
 
 if TYPE_CHECKING:
@@ -45,44 +45,72 @@ _day6_complete() {{
 }}
 compdef _day6_complete {names}
 """
-_TEXTS = {"bash": _BASH, "zsh": _ZSH}
+_FISH = """\
+function _day6_complete
+    set -l answers ({command} complete fish (commandline -cp | string collect) 2>/dev/null)
+    if set -q answers[1]
+        printf '%s\\n' $answers
+    else
+        __fish_complete_path (commandline -ct)
+    end
+end
+for name in {names}
+    complete -c $name -f -a '(_day6_complete)'
+end
+"""
+_POWERSHELL = """\
+Register-ArgumentCompleter -Native -CommandName {names} -ScriptBlock {{
+    param($word, $typed, $cursor)
+    $length = $cursor - $typed.Extent.StartOffset
+    $line = "$typed".PadRight($length).Substring(0, $length)
+    {command} complete powershell "$line" 2>$null | ForEach-Object {{
+        [System.Management.Automation.CompletionResult]::new($_, $_, 'ParameterValue', $_)
+    }}
+}}
+"""
+_TEXTS = {"bash": _BASH, "zsh": _ZSH, "fish": _FISH, "powershell": _POWERSHELL}
+_QUOTED_HERE = ("bash", "zsh")
+"""Shells that insert an answer as it is; the others write it as they need it."""
+
+SHELLS = tuple(_TEXTS)
 
 
-def functions(shell: str, command: list[str]) -> str:
-    """Return what bash or zsh must read so that Tab asks `command` (the words that run `day6-tui`)."""
-    return _TEXTS[shell].format(command=shlex.join(command), names=" ".join([*COMPLETED, "day6-tui"]))
+def functions(shell: str, command: list[str], names: Iterable[str] = (*COMPLETED, "day6-tui")) -> str:
+    """Return what a shell must read so that Tab asks `command` (the words that run `day6-tui`) after these names."""
+    joint = ", " if shell == "powershell" else " "
+    return _TEXTS[shell].format(command=shlex.join(command), names=joint.join(names))
 
 
-def main(arguments: list[str], own: Own) -> int:
-    """`day6-tui complete SHELL LINE`: print the words that could replace the one before the cursor."""
-    from day6_core.session.local import run_local
-
-    parser = argparse.ArgumentParser(prog="day6-tui complete", description=__doc__.partition("\n")[0])
-    parser.add_argument("shell", choices=sorted(_TEXTS))
-    parser.add_argument("line", help="what stands before the cursor")
-    options = parser.parse_args(arguments)
-
-    async def answer(session: Session) -> int:
-        for word in await answers(options.line, session, own):
-            session.print(_as_bash_replaces(options.line, word) if options.shell == "bash" else word)
-        return 0
-
-    return run_local(answer, ["day6-tui"], one_shot=True)
-
-
-async def answers(line: str, session: Session, own: Own) -> list[str]:
-    """Return the sorted words, quoted as needed, that could replace the last one of `line`; none where a file is wanted."""
+def complete(shell: str, line: str, own: Own) -> int:
+    """Print the words that could replace the one before the cursor; return the exit status."""
     words, _, quote = current_words(line)
-    typed = words[-1]
     offered: Iterable[str] | None = None
     if words[0] == "day6-tui":
-        if len(words) > 2 and words[1] in COMPLETED:
-            words = words[1:]
+        _, rest = leading(words[1:], (LANGUAGE, DISTRIBUTION))
+        if len(rest) > 1 and rest[0] in COMPLETED:
+            words = rest
         else:
             offered = own(words[1:])
     if words[0] in COMPLETED:
-        offered = await own_words(words, session, session.cwd, session.env)
-    return sorted({quoted(each, quote) for each in offered or () if each.startswith(typed)})
+        offered = _of_ros(words)
+    for each in sorted(each for each in set(offered or ()) if each.startswith(words[-1])):
+        word = quoted(each, quote) if shell in _QUOTED_HERE else each
+        print(_as_bash_replaces(line, word) if shell == "bash" else word)
+    return 0
+
+
+def _of_ros(words: list[str]) -> list[str]:
+    """What `ros2` or `colcon` offers for the last of the words, on this machine's graph."""
+    from day6_core.session.local import run_local
+
+    found: list[str] = []
+
+    async def ask(session: Session) -> int:
+        found.extend(await own_words(words, session, session.cwd, session.env) or ())
+        return 0
+
+    run_local(ask, ["day6-tui"], one_shot=True)
+    return found
 
 
 def _as_bash_replaces(line: str, word: str) -> str:

@@ -1,8 +1,7 @@
-"""`day6-tui shell` and `day6-tui env`: the real terminal, with our `ros2` and `python3`."""
+"""`day6-tui shell`: the real terminal, with our `ros2` and `python3`."""
 
 from __future__ import annotations
 
-import argparse
 import os
 import shlex
 import signal
@@ -11,8 +10,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.language import VARIABLE, language_of
 from day6_core.ros.environment import program_environment
-from day6_core.session.folder import working_folder
 
 _SELF = [sys.executable, "-m", "day6_tui.main"]
 """The words that run `day6-tui` wherever its own script may be."""
@@ -26,12 +26,17 @@ def environment() -> dict[str, str]:
     return env
 
 
+def build_parser(language: str = "en") -> CommandParser:
+    """The options of `day6-tui shell`."""
+    return command_parser("shell", language)
+
+
 def main(arguments: list[str]) -> int:
     """`day6-tui shell`: run a real sub-shell and return its status."""
-    parser = argparse.ArgumentParser(
-        prog="day6-tui shell", description="A real sub-shell in which ros2 and python3 are those of day6-tui."
-    )
-    parser.parse_args(arguments)
+    language = language_of(os.environ, arguments)
+    parser = build_parser(language)
+    if parser.parse_args(arguments).lang is not None:
+        os.environ[VARIABLE] = language
     # Git's bash sets SHELL on Windows too, to a path that only it understands.
     shell = os.environ.get("COMSPEC", "cmd.exe") if os.name == "nt" else os.environ.get("SHELL") or "/bin/sh"
     for number in (signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)):
@@ -41,9 +46,7 @@ def main(arguments: list[str]) -> int:
     with tempfile.TemporaryDirectory(prefix="day6-shell-", dir=place) as name:
         env = environment()
         words = [shell, *_start_file(Path(shell).name, Path(name), env)]
-        print(
-            f"ros2 and python3 are those of day6-tui in this shell ({Path(shell).name}); exit ends it.", file=sys.stderr
-        )
+        print(parser.texts("cli.shell.starts", name=Path(shell).name), file=sys.stderr)
         return call(words, env)
 
 
@@ -96,52 +99,3 @@ def _pass_on(child: subprocess.Popen[bytes], number: int) -> None:
     child.send_signal(number)
     if sys.platform != "win32" and number != signal.SIGHUP:
         child.send_signal(signal.SIGHUP)
-
-
-def print_environment(arguments: list[str]) -> int:
-    """`day6-tui env`: print what `eval "$(day6-tui env)"` needs, or write the settings of an editor."""
-    parser = argparse.ArgumentParser(
-        prog="day6-tui env",
-        description='Print variables for a shell: eval "$(day6-tui env)". Or write what an editor needs, into a project.',
-    )
-    parser.add_argument(
-        "--vscode", action="store_true", help="write .vscode/settings.json, .vscode/launch.json and .env"
-    )
-    parser.add_argument("--pycharm", action="store_true", help="write source roots and variables into .idea")
-    parser.add_argument(
-        "project",
-        nargs="?",
-        type=Path,
-        default=Path(),
-        metavar="FOLDER",
-        help="the project's folder (default: this one)",
-    )
-    options = parser.parse_args(arguments)
-    if options.vscode or options.pycharm:
-        return _write_settings(options)
-    before = dict(os.environ)
-    for name, value in program_environment().items():
-        if before.get(name) != value:
-            print(f"set {name}={value}" if os.name == "nt" else f"export {name}={shlex.quote(value)}")
-    return 0
-
-
-def _write_settings(options: argparse.Namespace) -> int:
-    from day6_core.ros.environment import activate
-    from day6_core.shell.outward import ide
-
-    activate()
-    project, stubs = working_folder() / options.project, ide.stub_folder()
-    try:
-        if not project.is_dir():
-            raise ValueError(f"{project} is no folder")
-        count = ide.write_stubs(stubs)
-        files = ide.write_vscode(project, stubs) if options.vscode else []
-        files += ide.write_pycharm(project, stubs) if options.pycharm else []
-    except (OSError, ValueError) as error:
-        print(f"day6-tui env: {error}", file=sys.stderr)
-        return 1
-    print(f"{count} packages of interfaces are in {stubs}")
-    for file in files:
-        print(f"wrote {file}")
-    return 0

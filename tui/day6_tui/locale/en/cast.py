@@ -26,11 +26,4 @@ TEXTS = {
     "cast.fault.json": "this is no JSON",
     "cast.fault.event": "this is no event: [seconds, kind, text]",
     "cast.fault.time": "this time is no number of seconds, or lies before that of the line above",
-    "cli.record": "record the screen into a new file, for asciinema or day6-tui cast",
-    "cli.cast": "Play a recording of the desktop, or any asciinema cast; or write its picture as SVG.",
-    "cli.cast.file": "a recording in asciinema's format, version 2",
-    "cli.cast.svg": "write the picture at --at, or at the end, into this file",
-    "cli.cast.at": "the time in seconds; without --svg, print the text of the screen then",
-    "cli.cast.frames": "so many pictures from beginning to end, as one moving SVG",
-    "cli.cast.force": "overwrite the SVG file if it exists",
 }

@@ -98,6 +98,4 @@ TEXTS = {
         "C ends what runs from before, S shows you how (a file of yours is copied to .mine first). "
         "What is typed here goes to the terminal. Progress is kept after every step."
     ),
-    "cli.lesson": "open this lesson at once (day1 … day6, or the name of a drill)",
-    "cli.lessons": "take the lessons of this folder (day6-tui lessons help says how they are written)",
 }

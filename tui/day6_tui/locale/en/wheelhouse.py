@@ -1,13 +1,6 @@
 """The wheelhouse."""
 
 TEXTS = {
-    "cli.wheelhouse": "Put everything that installs day6-tui without internet into a folder, for a USB stick.",
-    "wheelhouse.folder": "a new folder, an empty one, or one that this command has made",
-    "wheelhouse.platform": (
-        "for these machines, more than once for several: linux-x86_64, linux-aarch64 (Raspberry Pi OS, 64 bit), "
-        "windows-x86_64, macos-arm64, macos-x86_64 (default: machines like this one)"
-    ),
-    "wheelhouse.python": "for this version of Python, more than once for several: 3.10 to 3.14 (default: this one)",
     "wheelhouse.no_platform": "no wheels are known for machines like this one; say for which with --platform",
     "wheelhouse.no_pip": "there is no pip here, which fetches the files ({command})",
     "wheelhouse.foreign": "{file} is not from an earlier run, or was changed since: choose another folder",

@@ -26,11 +26,4 @@ TEXTS = {
     "cast.fault.json": "这不是 JSON",
     "cast.fault.event": "这不是一个事件：要有秒数、种类、文字三项",
     "cast.fault.time": "这个时间不是秒数，或者比上一行还早",
-    "cli.record": "把屏幕录制到一个新文件，可以用 asciinema 或 day6-tui cast 播放",
-    "cli.cast": "播放桌面的录像，或者任何 asciinema 录像；也可以把画面写成 SVG。",
-    "cli.cast.file": "asciinema 第 2 版格式的录像",
-    "cli.cast.svg": "把 --at 那一刻（默认是最后）的画面写进这个文件",
-    "cli.cast.at": "第几秒；不写 --svg 时打印那一刻屏幕上的文字",
-    "cli.cast.frames": "从头到尾这么多张画面，写成一个会动的 SVG",
-    "cli.cast.force": "SVG 文件已经存在时覆盖它",
 }

@@ -1,13 +1,6 @@
 """The wheelhouse."""
 
 TEXTS = {
-    "cli.wheelhouse": "把不联网安装 day6-tui 所需的一切放进一个文件夹，可以拷到 U 盘上。",
-    "wheelhouse.folder": "新的文件夹、空文件夹，或者这条命令以前做出来的文件夹",
-    "wheelhouse.platform": (
-        "给哪种电脑用，可以写几次：linux-x86_64、linux-aarch64（64 位树莓派系统）、windows-x86_64、macos-arm64、macos-x86_64"
-        "（默认：和这台一样的）"
-    ),
-    "wheelhouse.python": "给哪个版本的 Python 用，可以写几次：3.10 到 3.14（默认：这一个）",
     "wheelhouse.no_platform": "没有适合这种电脑的 wheel；请用 --platform 说明给哪种电脑用",
     "wheelhouse.no_pip": "这里没有 pip，没法下载（{command}）",
     "wheelhouse.foreign": "{file} 不是以前做出来的，或者后来被改过：请换一个文件夹",

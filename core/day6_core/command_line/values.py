@@ -1,0 +1,118 @@
+"""The kinds of values that options take; what is wrong with one is said in the user's language, before anything has begun."""
+
+from __future__ import annotations
+
+import os
+from argparse import ArgumentTypeError
+from collections.abc import Callable
+from pathlib import Path
+
+from day6_core.command_line.texts import Wording
+
+
+class Values:
+    """Each method is a `type` of an argument, or makes one. All raise ArgumentTypeError with the reason."""
+
+    def __init__(self, texts: Wording) -> None:
+        self._texts = texts
+
+    def wrong(self, kind: str, **values: object) -> ArgumentTypeError:
+        """The error for a value, to be raised."""
+        return ArgumentTypeError(self._texts(f"cli.wrong.{kind}", **values))
+
+    def folder(self, text: str) -> Path:
+        """A folder that exists, by its whole path."""
+        path = Path(text).expanduser()
+        if not path.is_dir():
+            raise self.wrong("folder", text=text)
+        return path.resolve()
+
+    def home(self, text: str) -> Path:
+        """A folder, or what can become one: nothing above it is a file."""
+        path = Path(text)
+        above = path.expanduser().absolute()
+        while not os.path.lexists(above) and above != above.parent:
+            above = above.parent
+        if not above.is_dir():
+            raise self.wrong("home", text=text)
+        return path
+
+    def file(self, text: str) -> str:
+        """A file that can be read."""
+        try:
+            if os.path.isdir(text):
+                raise self.wrong("file.folder", text=text)
+            with open(text, "rb", opener=_open_at_once):
+                return text
+        except FileNotFoundError:
+            raise self.wrong("file.missing", text=text) from None
+        except (OSError, ValueError) as error:
+            raise self.wrong("file", text=text, reason=getattr(error, "strerror", "") or error) from None
+
+    def whole(self, least: int, most: int) -> Callable[[str], int]:
+        """Whole numbers."""
+
+        def read(text: str) -> int:
+            if not (text.isascii() and text.isdigit() and len(text) < 10 and least <= int(text) <= most):
+                raise self.wrong("number", text=text, least=least, most=most)
+            return int(text)
+
+        return read
+
+    def number(self, least: float, most: float) -> Callable[[str], float]:
+        """Numbers."""
+        return lambda text: self._float(text, least, most, "number")
+
+    def seconds(self, text: str) -> float:
+        """A time, or how long something may take."""
+        return self._float(text, 0, 1e9, "seconds")
+
+    def minutes(self, text: str) -> float:
+        """How long something may take."""
+        return self._float(text, 0, 1e6, "minutes")
+
+    def address(self, text: str) -> str:
+        """A path (`/user/anna/day6/`) or a whole address of the web; it ends with a slash."""
+        from urllib.parse import urlsplit
+
+        parts = urlsplit(text)
+        if not (parts.scheme in ("http", "https") and parts.netloc) and not text.startswith("/"):
+            raise self.wrong("address", text=text)
+        return text if text.endswith("/") else f"{text}/"
+
+    def endpoint(self, *, listening: bool) -> Callable[[str], str]:
+        """Endpoints of Zenoh, to listen on or to connect to."""
+
+        def read(text: str) -> str:
+            from day6_core.link.addresses import address_of
+
+            try:
+                address_of(text, listening=listening)
+            except ValueError as error:
+                raise self.wrong("endpoint", reason=error) from None
+            return text
+
+        return read
+
+    def secret(self, text: str) -> str:
+        """A secret, or a file with one."""
+        from day6_core.link.secret import secret_of
+
+        try:
+            return secret_of(text)
+        except ValueError as error:
+            raise self.wrong("secret", reason=error) from None
+
+    def _float(self, text: str, least: float, most: float, kind: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = least - 1
+        if not least <= value <= most:
+            raise self.wrong(kind, text=text, least=least, most=most)
+        return value
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Open without waiting for the other end of a pipe."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
