@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
+from day6_core.command_line.texts import texts_in
 from tests.support.source_files import nodes, trees
 
 PARTS = ("day6_core/ros/ros2", "day6_core/ros/programs", "day6_core/shell", "day6_core/workspace", "day6_urdf")
@@ -27,6 +28,10 @@ BEGINS = re.compile(r"\s*\[?(?:WARN|ERROR|FATAL|Error: |Warning: ).*\w \w")
 """How texts begin that are made in one place and printed in another."""
 
 NUMBERS = ("number", "count", "len(", "line", "status", "seconds", "code", "size", "pid")
+
+
+KEYED = {"ExportError": "cli.export."}
+"""Errors that name a text of the command line by the end of its key."""
 
 
 class Emitted(NamedTuple):
@@ -82,13 +87,20 @@ def _in_module(tree: ast.Module, part: str) -> Iterator[tuple[str, str, int]]:
             yield "text", text, node.lineno
         elif isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and node.exc.args:
             if not _sink(node.exc) and (text := sample(node.exc.args[0])):
-                yield f"raise {ast.unparse(node.exc.func)}", text, node.lineno
+                name = ast.unparse(node.exc.func)
+                yield f"raise {name}", _of_key(KEYED[name], text) if name in KEYED else text, node.lineno
         elif part == "day6_core/ros/ros2" and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             kind = ast.unparse(node.returns) if node.returns is not None else ""
             if "int | str" in kind or (node.name in ("main", "_run") and "str" in kind):
                 for each in nodes(node):
                     if isinstance(each, ast.Return) and each.value is not None and (text := sample(each.value)):
                         yield "return", text, each.lineno
+
+
+def _of_key(begin: str, key: str) -> str:
+    """The English text with this key, filled in; a text of another `ExportError` as it is."""
+    text = texts_in("en").get(begin + key, key)
+    return re.sub(r"\{(\w+)\}", lambda field: "7" if field[1] in NUMBERS else "word", text)
 
 
 def _sink(call: ast.Call) -> str:

@@ -28,7 +28,7 @@ EXEMPT: dict[str, str] = {
     r"raise NotImplementedError|no shell$|urdf/__init__|properties\.py.*KeyError": "a mistake of ours",
     r"interpreter\.py.*\twordmword|state\.py.*write: exit|tf2_monitor\.py|: \n- ": "a time, a farewell, a heading, a list",
     r"(print_error|error|write|err|exit): [Uu]sage: ": "a usage says itself what to write; --help prints the same line",
-    r"ide\.py.*(it is no object|it has no configuration)|jsonc\.py": "the reason within `is not understood and was left`",
+    r"ide\.py.*(it isn't an object|it has no configuration)|jsonc\.py": "the reason within `is not understood and was left`",
     r"packages\.py:\d+: print_error: word: , ": "in the list below `could not have their rosdep keys resolved`",
 }
 

@@ -155,4 +155,4 @@ def test_an_existing_picture_is_overwritten_by_force_alone(tmp_path: Path, capsy
 def test_numbers_that_are_none_are_refused(tmp_path: Path, words: list[str], capsys) -> None:
     with pytest.raises(SystemExit) as raised:
         command.main([str(cast(tmp_path)), "--svg", str(tmp_path / "o.svg"), *words])
-    assert raised.value.code == 2 and "is no number" in capsys.readouterr().err
+    assert raised.value.code == 2 and "isn't a number" in capsys.readouterr().err

@@ -73,6 +73,7 @@ WRONG_COMMANDS = {
 @pytest.mark.parametrize(("command", "status", "words"), WRONG_COMMANDS.values(), ids=WRONG_COMMANDS)
 def test_a_wrong_command_is_answered_in_the_real_words(place: Place, command: str, status: int, words: str) -> None:
     place.file("broken.urdf", BROKEN_XML)
+    place.file("empty.urdf", "")
     place.file("two.urdf", TWO_ROOTS)
     place.file("slip.py", "prnt('hello')\n")
     done = place.execute(command)
@@ -106,7 +107,7 @@ def test_the_desktop_stays_alive_whatever_is_typed(place: Place) -> None:
 @pytest.mark.parametrize(
     ("robot", "words"),
     [
-        ("missing.urdf", ("Caught exception in launch", "No such file")),
+        ("empty.urdf", ("process has died", "was required")),
         ("broken.urdf", ("process has died", "was required")),
     ],
 )
@@ -114,6 +115,7 @@ def test_a_robot_that_cannot_be_read_ends_the_scene_with_the_reason(
     place: Place, robot: str, words: tuple[str, ...]
 ) -> None:
     place.file("broken.urdf", BROKEN_XML)
+    place.file("empty.urdf", "")
     with place.desktop("--scene", "car", "--robot", robot, "--reduced-motion") as screen:
         seen = screen.wait(*words, "student@day6:~$", "^Q")
         assert "2 ~" not in seen
@@ -143,7 +145,12 @@ def test_a_robot_of_ones_own_is_shown(place: Place) -> None:
         (("--scene", "nope"), "day6-tui: error: argument --scene: invalid choice: 'nope' (choose from"),
         (("--lang", "fr"), "day6-tui: error: argument --lang: invalid choice: 'fr' (choose from"),
         (("--glyphs", "teletext"), "day6-tui: error: argument --glyphs: invalid choice: 'teletext' (choose from"),
-        (("--fps", "nan"), "day6-tui: error: argument --fps: 'nan' is no number from 1 to 120\n"),
+        (("--fps", "nan"), "day6-tui: error: argument --fps: 'nan' isn't a number from 1 to 120\n"),
+        (("--robot", "nofile"), "day6-tui: error: argument --robot: there is no file 'nofile'\n"),
+        (("--lesson", "day99"), "day6-tui: error: argument --lesson: there is no lesson 'day99'"),
+        (("--home", __file__), "isn't a folder, and can't become one\n"),
+        (("demo", "9"), "day6-tui demo: error: argument DAY: there is no lesson 'day9'; the lessons are day1, day2,"),
+        (("serv",), "day6-tui: there is no command 'serv'; did you mean serve?\n"),
         (("--listen", "nonsense"), "day6-tui: error: argument --listen: 'nonsense' is not an endpoint like tcp/"),
         (("nope",), "day6-tui: there is no command 'nope'; day6-tui --help lists them\n"),
         ((), "day6-tui: the desktop needs a terminal; day6-tui exec runs commands without one\n"),
@@ -159,7 +166,9 @@ def test_a_wrong_option_is_told_before_anything_is_drawn(place: Place, words: tu
 
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_a_home_that_cannot_be_used_is_told_on_the_way_out(place: Place, lang: str) -> None:
-    path = place.file("a file", "") / "home"
+    path = place.work / "odd"
+    path.mkdir()
+    place.file("odd/ros2_ws", "")
     before, after = {"en": ("The home folder", "cannot be used: Not a dir"), "zh": ("主目录", "不能用：Not a dir")}[
         lang
     ]

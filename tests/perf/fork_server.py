@@ -24,7 +24,7 @@ from tests.perf.screen import Screen
 MODULES = (
     "day6_tui.app",
     "day6_tui.main",
-    "day6_tui.command_line",
+    "day6_tui.commands.desktop",
     "day6_core.shell.desk",
     "day6_core.shell.outside",
     "day6_core.ros.programs",

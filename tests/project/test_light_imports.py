@@ -32,7 +32,7 @@ def loaded(code: str) -> set[str]:
         "from sensor_msgs.msg import JointState; JointState()",
         "import rclpy; rclpy.init(); n = rclpy.create_node('n')",
         "import day6_tui.main",
-        "from day6_tui.command_line import build_parser; build_parser()",
+        "from day6_tui.commands.desktop import build_parser; build_parser()",
         "import day6_core.ros.ros2",
         "import day6_core.link",
         "import day6_urdf",

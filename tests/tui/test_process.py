@@ -178,8 +178,8 @@ def test_without_a_terminal_it_says_so_and_what_to_use_instead(home) -> None:
 @pytest.mark.parametrize(
     ("words", "variables", "said"),
     [
-        (["--help"], {}, ["usage: day6-tui", "most frames a second"]),
-        (["--lang", "zh", "--help"], {}, ["用法：day6-tui", "每秒最多画几帧", "编译工作空间"]),
+        (["--help"], {}, ["usage: day6-tui", "maximum frames per second"]),
+        (["--lang", "zh", "--help"], {}, ["用法：day6-tui", "每秒最多画几帧", "编译和测试工作空间"]),
         (["--lang=en", "--help"], {"LANG": "zh_CN.UTF-8"}, ["usage: day6-tui"]),
         (["--help"], {"LANG": "zh_CN.UTF-8"}, ["用法：day6-tui"]),
         (["--help"], {"DAY6_LANG": "zh"}, ["用法：day6-tui"]),
@@ -202,16 +202,16 @@ def test_the_command_line_speaks_the_language_of_the_user(monkeypatch, capfd, wo
 
 def test_the_command_line_knows_every_scene() -> None:
     from day6_core.lessons.scene import scenes
-    from day6_tui.command_line import build_parser
+    from day6_tui.commands.desktop import build_parser
 
     (option,) = [action for action in build_parser()._actions if action.dest == "scene"]
     assert tuple(option.choices) == tuple(scenes())
 
 
 @pytest.mark.process
-def test_a_home_that_is_a_file_is_told_after_the_terminal_is_restored(tmp_path) -> None:
-    (tmp_path / "file").write_text("")
-    terminal = Pty(tmp_path / "file")
+def test_a_home_that_cannot_be_used_is_reported_after_the_terminal_is_restored(tmp_path) -> None:
+    (tmp_path / "ros2_ws").write_text("")
+    terminal = Pty(tmp_path)
     assert terminal.wait() == 1
     text = terminal.output.decode()
     assert "The home folder" in text.rpartition("\x1b[?1049l")[2]

@@ -197,7 +197,7 @@ def test_a_file_that_is_no_zip_is_not_overwritten(
     package = workshop.create("one")
     before = (package / "setup.py").read_bytes()
     assert main(["--workspace", str(workshop.workspace), "-o", str(package / "setup.py")]) == 1
-    assert "setup.py' exists and is not a zip: it is left alone" in capsys.readouterr().err
+    assert "setup.py' exists and isn't a zip: it is left alone" in capsys.readouterr().err
     assert (package / "setup.py").read_bytes() == before
     target = tmp_path / "out.zip"
     for _ in range(2):
@@ -226,7 +226,7 @@ def test_the_workspace_one_stands_in_is_packed_and_named(
     monkeypatch.chdir(workspace / where)
     target = tmp_path / "out.zip"
     assert main(["-o", str(target)]) == 0
-    assert capsys.readouterr().out == f"{target}: one (of {workspace})\n"
+    assert capsys.readouterr().out == f"{target}: one (from {workspace})\n"
     with zipfile.ZipFile(target) as archive:
         assert "my_ws/src/one/setup.py" in archive.namelist()
 
@@ -251,6 +251,6 @@ def test_a_package_in_no_workspace_is_its_own(
     monkeypatch.chdir(alone / "one")
     target = tmp_path / "out.zip"
     assert main(["-o", str(target)]) == 0
-    assert capsys.readouterr().out == f"{target}: one (of {alone})\n"
+    assert capsys.readouterr().out == f"{target}: one (from {alone})\n"
     with zipfile.ZipFile(target) as archive:
         assert "alone/src/one/setup.py" in archive.namelist()

@@ -11,7 +11,6 @@ import os
 import sys
 from itertools import pairwise
 
-from day6_core.command_line.leading import DISTRIBUTION
 from day6_core.ros import distribution
 
 SETTING = "distro"
@@ -28,6 +27,8 @@ def settle(name: str | None) -> None:
 
 def option_in(words: list[str]) -> str | None:
     """Return the last distribution that the options of the desktop name, None without one; argparse refuses a wrong one."""
+    from day6_core.command_line.leading import DISTRIBUTION
+
     found = [after for word, after in pairwise(words) if word == DISTRIBUTION]
     found += [word.partition("=")[2] for word in words if word.startswith(f"{DISTRIBUTION}=")]
     return found[-1] if found and found[-1] in distribution.NAMES else None

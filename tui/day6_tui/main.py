@@ -6,8 +6,10 @@ import os
 import signal
 import sys
 import threading
+from typing import TYPE_CHECKING
 
-from day6_core.command_line.leading import DISTRIBUTION, LANGUAGE, leading
+if TYPE_CHECKING:
+    from day6_tui.commands.table import Command
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -21,21 +23,16 @@ def main(arguments: list[str] | None = None) -> int:
     guard_standard_streams()
     if words in (["-V"], ["--version"]):
         return show_version()
-    from day6_core.language import VARIABLE
     from day6_tui.commands.table import command_named
     from day6_tui.distribution_choice import option_in, settle
 
-    front, rest = leading(words, (LANGUAGE, DISTRIBUTION))
-    if not rest or rest[0].startswith("-"):
-        front, rest = [], ["", *words]  # no command: they are the desktop's
-    name, *rest = rest
+    front, (name, *rest) = _from_command(words)
     if (command := command_named(name)) is None:
         return _no_command(name, words)
-    language, distribution = _read(front)
-    if language is not None and command.group == "ros":
-        os.environ[VARIABLE] = language
-    elif language is not None:
-        rest = [LANGUAGE, language, *rest]
+    distribution = None
+    if front:
+        language, distribution = _read(front)
+        rest = _in_language(command, language, rest)
     settle(distribution or (option_in(rest) if command.is_desktop else None))
     status = command.run(rest)
     if arguments is None and command.is_desktop:
@@ -45,10 +42,31 @@ def main(arguments: list[str] | None = None) -> int:
     return status
 
 
+def _from_command(words: list[str]) -> tuple[list[str], list[str]]:
+    """The options before the command, and the words from it on; without a command, all words are options of the desktop, ''."""
+    if words and not words[0].startswith("-"):
+        return [], words
+    from day6_core.command_line.leading import DISTRIBUTION, LANGUAGE, leading
+
+    front, rest = leading(words, (LANGUAGE, DISTRIBUTION))
+    return (front, rest) if rest and not rest[0].startswith("-") else ([], ["", *words])
+
+
+def _in_language(command: Command, language: str | None, words: list[str]) -> list[str]:
+    """The words after a command, with the language that was named before it, if one was."""
+    from day6_core.command_line.leading import LANGUAGE
+    from day6_core.language import VARIABLE
+
+    if language is None:
+        return words
+    if command.group != "ros":
+        return [LANGUAGE, language, *words]
+    os.environ[VARIABLE] = language  # for the hints below errors
+    return words
+
+
 def _read(front: list[str]) -> tuple[str | None, str | None]:
     """The language and the distribution that stand before a command. Raises SystemExit for a wrong one."""
-    if not front:
-        return None, None
     from day6_core.language import language_of
     from day6_tui.commands.desktop import build_parser
 

@@ -142,7 +142,8 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | Non
     """Return the name that was probably meant, None if none is as near as `likeness` (1: the same)."""
     from difflib import get_close_matches
 
-    return next(iter(get_close_matches(word, list(known), 1, likeness)), None)
+    bare = {each.lstrip("-"): each for each in known}  # two dashes are no likeness
+    return next((bare[each] for each in get_close_matches(word.lstrip("-"), list(bare), 1, likeness)), None)
 
 
 def two_columns(rows: Iterable[tuple[str, str]], width: int, column: int) -> list[str]:

@@ -175,12 +175,23 @@ def test_what_the_real_shells_read_names_every_command_and_quotes_ours() -> None
     bash, zsh = (functions(shell, ["/a b/python", "-m", "x"]) for shell in ("bash", "zsh"))
     assert "'/a b/python' -m x complete bash" in bash and bash.endswith("_day6_complete ros2 colcon day6-tui\n")
     assert "'/a b/python' -m x complete zsh" in zsh and zsh.endswith("compdef _day6_complete ros2 colcon day6-tui\n")
-    assert "{{" not in bash + zsh
+    fish, powershell = (functions(shell, ["/a b/python", "-m", "x"]) for shell in ("fish", "powershell"))
+    assert "'/a b/python' -m x complete fish" in fish and "for name in ros2 colcon day6-tui\n" in fish
+    assert (
+        "'/a b/python' -m x complete powershell" in powershell and "-CommandName ros2, colcon, day6-tui " in powershell
+    )
+    assert "{{" not in bash + zsh + fish + powershell
 
 
 @pytest.mark.parametrize(
     ("shell", "line", "printed"),
-    [("bash", "ros2 topic ec", "echo"), ("bash", "ros2 'topi", "topic"), ("zsh", "ros2 'topi", "'topic'")],
+    [
+        ("bash", "ros2 topic ec", "echo"),
+        ("bash", "ros2 'topi", "topic"),
+        ("zsh", "ros2 'topi", "'topic'"),
+        ("fish", "day6-tui --lang zh ros2 'topi", "topic"),
+        ("powershell", "day6-tui --distro=kilted colcon te", "test test-result"),
+    ],
 )
 def test_day6_tui_complete_prints_a_word_on_each_line(
     shell: str, line: str, printed: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
@@ -188,5 +199,5 @@ def test_day6_tui_complete_prints_a_word_on_each_line(
     from day6_core.shell.outward import real_completion
 
     monkeypatch.setenv("DAY6_LINK", "off")
-    assert real_completion.main([shell, line], lambda words: []) == 0
-    assert capsys.readouterr().out.split() == [printed]
+    assert real_completion.complete(shell, line, lambda words: []) == 0
+    assert capsys.readouterr().out.split() == printed.split()

@@ -97,6 +97,11 @@ def test_exec_without_its_file_says_so(tmp_path: Path) -> None:
 def test_exec_with_a_home_that_cannot_be_says_so(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     result = day6("exec", "--home", "file", "-c", "true", cwd=tmp_path)
+    assert result.returncode == 2
+    assert result.stderr == "day6-tui exec: error: argument --home: 'file' isn't a folder, and can't become one\n"
+    (tmp_path / "home").mkdir()
+    (tmp_path / "home" / "ros2_ws").touch()
+    result = day6("exec", "--home", "home", "-c", "true", cwd=tmp_path)
     assert result.returncode == 1
     assert result.stderr.startswith("day6-tui exec: the home folder cannot be used: ")
     assert "Traceback" not in result.stderr

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.outward import execute, subshell
+from day6_core.shell.outward import execute, subshell, variables
 from day6_core.shell.process import launch_process
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals, terminals, limits of POSIX")
@@ -40,7 +40,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         (["file.sh", "x", "y"], "", 3, "file x y\n", ""),
         ([], "echo from $#\necho input; false", 1, "from 0\ninput\n", ""),
         (["nowhere.sh"], "", 127, "", "day6-tui exec: nowhere.sh: No such file or directory\n"),
-        (["--home", "file.sh", "-c", "true"], "", 1, "", "day6-tui exec: the home folder cannot be used: "),
+        (["--home", "odd", "-c", "true"], "", 1, "", "day6-tui exec: the home folder cannot be used: HERE/odd/ros2_ws/src: "),
         (["--home", "h", "-c", "cd; pwd; ls"], "", 0, "HERE/h\nros2_ws\n", ""),
         (["--timeout", "0.5", "-c", "echo a; sleep 60"], "", 124, "a\n", ""),
         (["-c", "break; echo on"], "", 0, "", ""),
@@ -53,11 +53,13 @@ def test_exec_runs_lines_and_exits_with_their_status(
     arguments: list[str], stdin: str, status: int, out: str, err: str,
 ) -> None:  # fmt: skip
     (here / "file.sh").write_text("echo file $1 $2\nexit 3\n")
+    (here / "odd").mkdir()
+    (here / "odd" / "ros2_ws").write_text("no folder")
     monkeypatch.setattr(sys, "stdin", io.StringIO(stdin))
     assert execute.main(arguments) == status
     said = capsys.readouterr()
     assert said.out.replace(str(here), "HERE") == out
-    assert said.err.startswith(err) and bool(said.err) == bool(err)
+    assert said.err.replace(str(here), "HERE").startswith(err) and bool(said.err) == bool(err)
 
 
 @pytest.mark.process
@@ -73,26 +75,29 @@ def test_exec_ends_with_the_signals_that_end_a_shell(
 
 
 def test_env_prints_only_what_differs(here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: Any) -> None:
-    assert subshell.print_environment([]) == 0
+    assert variables.main([]) == 0
     lines = capsys.readouterr().out.splitlines()
     names = [line.removeprefix("export ").partition("=")[0] for line in lines]
     assert all(line.startswith("export ") for line in lines) and {"PATH", "PYTHONPATH", "ROS_DISTRO"} <= set(names)
     monkeypatch.setenv("ROS_DISTRO", next(line for line in lines if "ROS_DISTRO" in line).partition("=")[2])
-    assert subshell.print_environment([]) == 0
+    assert variables.main([]) == 0
     assert "ROS_DISTRO" not in capsys.readouterr().out
 
 
 def test_env_writes_the_settings_of_editors_and_names_the_files(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (here / "project").mkdir()
-    assert subshell.print_environment(["--vscode", "project"]) == 0
+    assert variables.main(["--vscode", "project"]) == 0
     said = capsys.readouterr().out.splitlines()
     assert said[0].split(" ", 1)[1].startswith("packages of interfaces are in ")
     assert all(line.startswith("wrote ") for line in said[1:]) and (here / "project" / ".vscode/settings.json").exists()
     assert not (here / "project" / ".idea").exists()
-    assert subshell.print_environment(["--pycharm", "project"]) == 0
+    assert variables.main(["--pycharm", "project"]) == 0
     assert (here / "project" / ".idea").exists()
-    assert subshell.print_environment(["--vscode", "nowhere"]) == 1
-    assert capsys.readouterr().err == f"day6-tui env: {here}/nowhere is no folder\n"
+    with pytest.raises(SystemExit) as end:
+        variables.main(["--vscode", "nowhere"])
+    assert end.value.code == 2
+    said = capsys.readouterr().err
+    assert said == f"day6-tui env: error: argument FOLDER: '{here}/nowhere' isn't a folder\n"
 
 
 def test_the_sub_shell_is_the_users_with_a_start_file_that_goes_away(
@@ -112,7 +117,7 @@ def test_the_sub_shell_is_the_users_with_a_start_file_that_goes_away(
     (words, text) = calls.pop()
     assert (words[0], words[1], words[3]) == ("/usr/bin/bash", "--rcfile", "-i") and not Path(words[2]).exists()
     assert text.splitlines()[0] == "[ -f ~/.bashrc ] && . ~/.bashrc" and "PS1='(day6) '\"$PS1\"" in text
-    assert capsys.readouterr().err == "ros2 and python3 are those of day6-tui in this shell (bash); exit ends it.\n"
+    assert capsys.readouterr().err == "ros2 and python3 are day6-tui's in this shell (bash); exit ends it.\n"
     monkeypatch.setenv("SHELL", "/bin/dash")
     assert subshell.main([]) == 5 and calls.pop()[0] == ["/bin/dash"]
     monkeypatch.delenv("SHELL")

@@ -17,7 +17,7 @@ from day6_core.interfaces import get_message, interface_names
 from day6_core.interfaces.stubs import package_stubs
 from day6_core.ros.environment import PYTHON_PATH, python_folders
 from day6_core.shell.outward import ide, jsonc
-from day6_core.shell.outward.subshell import print_environment
+from day6_core.shell.outward.variables import main
 
 MINE = """\
 // my settings
@@ -103,7 +103,7 @@ def test_the_users_settings_are_kept_and_ours_come_first(project: Path) -> None:
     (project / ".vscode").mkdir()
     (project / ".vscode" / "settings.json").write_text(MINE, encoding="utf-8")
     (project / ".env").write_text("TOKEN=1\nPYTHONPATH=/mine\n", encoding="utf-8")
-    assert print_environment(["--vscode", str(project)]) == 0
+    assert main(["--vscode", str(project)]) == 0
     text = (project / ".vscode" / "settings.json").read_text(encoding="utf-8")
     settings = jsonc.parse(text)
     assert "// large" in text
@@ -122,7 +122,7 @@ def test_a_launch_configuration_is_added_beside_the_users_and_only_once(project:
         '{"version": "0.2.0", "configurations": [ // mine\n{"name": "Mine", "type": "node"}\n]}\n', encoding="utf-8"
     )
     for _ in range(2):
-        assert print_environment(["--vscode", str(project)]) == 0
+        assert main(["--vscode", str(project)]) == 0
     assert "// mine" in launch.read_text(encoding="utf-8")
     names = [each["name"] for each in jsonc.parse(launch.read_text(encoding="utf-8"))["configurations"]]
     assert names == [ide.LAUNCH_NAME, "Mine"]
@@ -132,9 +132,9 @@ def test_a_second_run_changes_nothing(project: Path) -> None:
     def contents() -> dict[str, str]:
         return {str(file): file.read_text(encoding="utf-8") for file in project.rglob("*") if file.is_file()}
 
-    print_environment(["--vscode", "--pycharm", str(project)])
+    main(["--vscode", "--pycharm", str(project)])
     first = contents()
-    print_environment(["--vscode", "--pycharm", str(project)])
+    main(["--vscode", "--pycharm", str(project)])
     assert contents() == first and len(first) == 6
 
 
@@ -144,7 +144,7 @@ def test_a_file_that_is_not_understood_is_left_alone_and_named(
     (project / ".vscode").mkdir()
     settings = project / ".vscode" / "settings.json"
     settings.write_text("{ broken", encoding="utf-8")
-    assert print_environment(["--vscode", str(project)]) == 1
+    assert main(["--vscode", str(project)]) == 1
     assert str(settings) in capsys.readouterr().err
     assert settings.read_text(encoding="utf-8") == "{ broken"
 
@@ -158,7 +158,7 @@ def test_pycharm_gets_source_roots_and_variables_beside_its_own(project: Path) -
         '<orderEntry type="jdk" jdkName="Python 3.12" jdkType="Python SDK"/></component></module>',
         encoding="utf-8",
     )
-    assert print_environment(["--pycharm", str(project)]) == 0
+    assert main(["--pycharm", str(project)]) == 0
     module = ElementTree.parse(idea / "mine.iml")
     assert module.find(".//orderEntry[@jdkName='Python 3.12']") is not None
     assert module.find(".//excludeFolder") is not None
@@ -189,7 +189,7 @@ def test_the_stubs_have_every_interface_with_its_fields_and_constants() -> None:
 
 @pytest.mark.process
 def test_a_plain_python3_with_the_editors_variables_is_a_ros_program(project: Path) -> None:
-    print_environment(["--vscode", str(project)])
+    main(["--vscode", str(project)])
     launch = json.loads((project / ".vscode" / "launch.json").read_text(encoding="utf-8"))
     (ours,) = launch["configurations"]
     env = {"PATH": os.environ.get("PATH", ""), "SYSTEMROOT": os.environ.get("SYSTEMROOT", ""), **ours["env"]}
@@ -209,7 +209,7 @@ PYRIGHT = os.environ.get("DAY6_PYRIGHT") or shutil.which("basedpyright", path=os
 @pytest.mark.process
 @pytest.mark.skipif(PYRIGHT is None, reason="basedpyright is not installed (DAY6_PYRIGHT may name another pyright)")
 def test_pyright_finds_nothing_wrong_with_a_lesson_and_much_with_a_slip(project: Path) -> None:
-    print_environment(["--vscode", str(project)])
+    main(["--vscode", str(project)])
     paths = jsonc.parse((project / ".vscode" / "settings.json").read_text(encoding="utf-8"))[
         "python.analysis.extraPaths"
     ]

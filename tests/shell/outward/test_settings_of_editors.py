@@ -175,7 +175,7 @@ def test_an_env_file_keeps_its_other_lines_and_folders(project: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "text", "why"),
     [
-        (".vscode/settings.json", "[]", "it is no object"),
+        (".vscode/settings.json", "[]", "it isn't an object"),
         (".vscode/launch.json", '{"configurations": [1]}', "object has no attribute"),
         (".vscode/launch.json", '{"version": 1', "delimiter"),
     ],

@@ -84,7 +84,8 @@ def main(arguments: list[str]) -> int:
     try:
         desk = Desk(options.home, display=False)
     except OSError as error:
-        print(f"{parser.prog}: {parser.texts('cli.exec.home.failed', reason=error)}", file=sys.stderr)
+        reason = f"{error.filename}: {error.strerror}" if error.strerror else error
+        print(f"{parser.prog}: {parser.texts('cli.exec.home.failed', reason=reason)}", file=sys.stderr)
         return 1
     return run(desk, commands, words, name=name, stdin=stdin, timeout=options.timeout)
 

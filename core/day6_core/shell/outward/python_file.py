@@ -6,8 +6,6 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from day6_core.command_line.leading import BEFORE_A_PROGRAM, leading
-
 if TYPE_CHECKING:
     from day6_core.command_line.parser import CommandParser
 
@@ -24,13 +22,10 @@ def build_parser(language: str = "en") -> CommandParser:
 
 def main(words: list[str]) -> int:
     """Become `python3 FILE ARG…` with our packages on its path; returns its exit status where that cannot be."""
-    from day6_core.language import VARIABLE, language_of
     from day6_core.ros.environment import program_environment
 
-    options, words = leading(words, BEFORE_A_PROGRAM)
-    if options:
-        os.environ[VARIABLE] = language = language_of(os.environ, options)
-        build_parser(language).parse_args(options)
+    if words and words[0].startswith("-"):
+        words = _obeyed(words)
     argv = [sys.executable, *words]
     environment = program_environment()
     if sys.platform != "win32":
@@ -38,3 +33,15 @@ def main(words: list[str]) -> int:
     from day6_core.shell.outward.subshell import call
 
     return call(argv, environment)
+
+
+def _obeyed(words: list[str]) -> list[str]:
+    """Obey the options of `day6-tui python` itself, and return the words for python3."""
+    from day6_core.command_line.leading import BEFORE_A_PROGRAM, leading
+    from day6_core.language import VARIABLE, language_of
+
+    options, words = leading(words, BEFORE_A_PROGRAM)
+    if options:
+        os.environ[VARIABLE] = language = language_of(os.environ, options)
+        build_parser(language).parse_args(options)
+    return words

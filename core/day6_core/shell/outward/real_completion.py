@@ -83,20 +83,38 @@ def functions(shell: str, command: list[str], names: Iterable[str] = (*COMPLETED
 
 def complete(shell: str, line: str, own: Own) -> int:
     """Print the words that could replace the one before the cursor; return the exit status."""
+    words, quote = _command_in(line)
+    found = _of_ros(words) if words[0] in COMPLETED else own(words[1:]) if words[0] == "day6-tui" else ()
+    for word in _fitting(found, words[-1], quote if shell in _QUOTED_HERE else None):
+        print(_as_bash_replaces(line, word) if shell == "bash" else word)
+    return 0
+
+
+async def answers(line: str, session: Session, own: Own) -> list[str]:
+    """Return the sorted words, quoted as needed, that could replace the last one of `line`; none where a file is wanted."""
+    words, quote = _command_in(line)
+    found: Iterable[str] | None = None
+    if words[0] in COMPLETED:
+        found = await own_words(words, session, session.cwd, session.env)
+    elif words[0] == "day6-tui":
+        found = own(words[1:])
+    return _fitting(found or (), words[-1], quote)
+
+
+def _command_in(line: str) -> tuple[list[str], str]:
+    """The words of the command that is typed, behind `day6-tui` that of ROS, and the quote in which the last one is."""
     words, _, quote = current_words(line)
-    offered: Iterable[str] | None = None
     if words[0] == "day6-tui":
         _, rest = leading(words[1:], (LANGUAGE, DISTRIBUTION))
         if len(rest) > 1 and rest[0] in COMPLETED:
-            words = rest
-        else:
-            offered = own(words[1:])
-    if words[0] in COMPLETED:
-        offered = _of_ros(words)
-    for each in sorted(each for each in set(offered or ()) if each.startswith(words[-1])):
-        word = quoted(each, quote) if shell in _QUOTED_HERE else each
-        print(_as_bash_replaces(line, word) if shell == "bash" else word)
-    return 0
+            return rest, quote
+    return words, quote
+
+
+def _fitting(offered: Iterable[str], typed: str, quote: str | None) -> list[str]:
+    """Those that begin with what is typed, sorted; with a quote ('' for none) as they must be typed, else as they are."""
+    found = sorted({each for each in offered if each.startswith(typed)})
+    return found if quote is None else [quoted(each, quote) for each in found]
 
 
 def _of_ros(words: list[str]) -> list[str]:
