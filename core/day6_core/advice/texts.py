@@ -571,15 +571,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "考试里没有卡片。课程窗口里的提示（先按 F5，再按 h）可以看，会记下来",
     ),
     "card.none": (
-        "There is no card for this. explain lists what there are cards for",
-        "这句话没有卡片。输入 explain 看有哪些卡片",
+        "There is no card for this. {explain} lists what there are cards for",
+        "这句话没有卡片。输入 {explain} 看有哪些卡片",
     ),
     "card.nothing": (
         "Nothing that this terminal printed lately has a card",
         "这个终端最近的输出里没有需要解释的话",
     ),
     "card.topics": (
-        "Cards, by topic. explain TOPIC lists one, explain 'TEXT' explains a message:",
-        "卡片，按主题。explain 主题 列出一类，explain '一句话' 解释那句话：",
+        "Cards, by topic. {explain} TOPIC lists one, {explain} 'TEXT' explains a message:",
+        "卡片，按主题。{explain} 主题 列出一类，{explain} '一句话' 解释那句话：",
     ),
 }

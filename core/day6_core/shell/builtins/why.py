@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import re
+import shutil
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
 from day6_core.language import language_of
+from day6_core.ros.executables import are_on, ros_commands
 from day6_core.session.session import Session
 from day6_core.session.streams import InputStream
 from day6_core.session.threads import in_thread
@@ -20,6 +24,12 @@ if TYPE_CHECKING:
     from day6_core.advice.matching import Match
     from day6_core.graph.graph import Graph
     from day6_core.shell.runs import Run, Runs
+
+_REAL = "day6-tui why"
+"""The one command in a real terminal: it lists, explains, and shows the cards of a topic."""
+
+_BETWEEN = re.compile(r"(\s*(?:;|&&|\|\|?)\s*)")
+_SOURCED = re.compile(r"(?:source|\.) (/opt/ros/\S+)")
 
 _OWN = re.compile(r"(?:^|[;&|({\n]|\b(?:then|do|else))\s*(?:why|explain)\b")
 
@@ -138,7 +148,8 @@ async def _show(session: Session, match: Match, output: str, command: str) -> in
     language = language_of(session.env)
     columns = session.stdout.columns
     graph, others = _graphs(session, match.card)
-    letters = letters_awaited(shell_of(session).desk) if session.host is not None else ""
+    inside = session.host is not None
+    letters = letters_awaited(shell_of(session).desk) if inside else ""
 
     def text() -> str:
         around = Surroundings(session.env, session.cwd, launch=command.startswith("ros2 launch"))
@@ -146,7 +157,10 @@ async def _show(session: Session, match: Match, output: str, command: str) -> in
         scene = scene_of(
             match, around, output=output, command=command, graph=seen, commands=command_names(), letters=letters
         )
-        return as_text(explain(match, scene, language), language, columns)
+        shown = explain(match, scene, language)
+        return as_text(
+            shown if inside else replace(shown, next=for_real_terminal(shown.next, session.env)), language, columns
+        )
 
     lines = (await in_thread(text)).split("\n")
     if session.stdout.isatty():
@@ -154,6 +168,24 @@ async def _show(session: Session, match: Match, output: str, command: str) -> in
         lines = with_colour("\n".join(lines))
     session.print("\n".join(lines))
     return 0
+
+
+def for_real_terminal(line: str, env: Mapping[str, str]) -> str:
+    """A command line as it is typed in a real terminal, which may have neither `ros2` nor /opt/ros."""
+    path = env.get("PATH", os.defpath)
+    if are_on(path):
+        return line
+    pieces = _BETWEEN.split(line)
+    for number in range(0, len(pieces), 2):
+        word, _, rest = pieces[number].partition(" ")
+        sourced = _SOURCED.fullmatch(pieces[number])
+        if sourced is not None and not os.path.exists(sourced[1]):
+            pieces[number] = "day6-tui shell"
+        elif word in ros_commands() and shutil.which(word, path=path) is None:
+            pieces[number] = f"day6-tui {pieces[number]}"
+        elif word == "python3" and rest and not rest.startswith("-"):
+            pieces[number] = f"day6-tui python {rest}"
+    return "".join(pieces)
 
 
 def with_colour(text: str) -> list[str]:
@@ -230,4 +262,5 @@ def _print_card(session: Session, card: Card, language: str) -> None:
 def _say(session: Session, key: str) -> str:
     from day6_core.advice.texts import TEXTS
 
-    return f"{session.name}: {TEXTS[key][language_of(session.env) == 'zh']}"
+    name, explaining = (session.name, "explain") if session.host is not None else (_REAL, _REAL)
+    return f"{name}: {TEXTS[key][language_of(session.env) == 'zh'].format(explain=explaining)}"
