@@ -1,22 +1,27 @@
 """ROS's commands, `python3` and `pytest` as real executables, so that `subprocess.run(["ros2", …])` of any program finds them.
 
-They are in one folder per installation, below the user's data folder. It is created when first needed and never changed: its
-name is a hash of its contents, so another installation has another folder.
+They are in one folder per interpreter, below the user's data folder. It is created when first needed, and its files never change:
+its name is a hash of what they start. A newer day6-tui of the same interpreter adds what is missing. The folders of interpreters
+that are gone are removed when a new one is created: nothing in them can be run any more, so none of them is in use.
 """
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import shlex
 import shutil
+import stat
 import sys
 import tempfile
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
 from day6_core.places import data_folder
 from day6_core.ros.program_index import COMMANDS
+from day6_core.whole_file import replace_file
 
 _SELF = ("-m", "day6_tui.main")
 """The arguments with which our Python is `day6-tui`, wherever its own script may be."""
@@ -30,8 +35,8 @@ def ros_commands() -> list[str]:
 def with_executables(path: str) -> str:
     """Return a PATH with the folder first, unchanged if it cannot be created."""
     entries = [entry for entry in path.split(os.pathsep) if entry]
-    there = [entry for entry in entries if os.path.basename(entry) == _digest() and os.path.isdir(entry)]
-    ours = there[0] if there else _folder()
+    there = (entry for entry in entries if os.path.basename(entry) == _digest() and _is_complete(entry))
+    ours = next(there, None) or _folder()
     return os.pathsep.join(dict.fromkeys([ours, *entries])) if ours else path
 
 
@@ -54,14 +59,16 @@ def texts(system: str = os.name) -> dict[str, str]:
 
 @cache
 def _digest() -> str:
-    return "bin-" + hashlib.sha256(repr(sorted(texts().items())).encode()).hexdigest()[:12]
+    """Return the folder's name: a hash of the interpreter and of how our files call it."""
+    first = [text for name, text in texts().items() if name.partition(".")[0] in ("python3", "day6-tui")]
+    return "bin-" + hashlib.sha256(repr(first).encode()).hexdigest()[:12]
 
 
 @cache
 def _folder() -> str | None:
     """Return the folder's path, created if missing; None if it cannot be written."""
     folder = data_folder() / _digest()
-    if folder.is_dir():
+    if _is_complete(folder):
         return str(folder)
     new = ""
     try:
@@ -72,13 +79,70 @@ def _folder() -> str | None:
         os.rename(new, folder)
     except OSError:
         shutil.rmtree(new, ignore_errors=True)
-        return str(folder) if folder.is_dir() else None  # another process has just created it, or it cannot be created
+        return (
+            str(folder) if _is_complete(folder) else None
+        )  # another process has just created it, or it cannot be created
+    remove_orphans(folder.parent)
     return str(folder)
 
 
-def write_executables(folder: Path) -> None:
-    """Write the files into a folder. Raises OSError."""
-    for name, text in texts().items():
-        file = folder / name
-        file.write_bytes(text.encode("utf-8"))
-        file.chmod(0o755)
+def _is_complete(folder: str | Path) -> bool:
+    """Return whether the folder has all our files, after adding those that a newer version has more than the one that made it."""
+    try:
+        missing = texts().keys() - set(os.listdir(folder))
+        write_executables(Path(folder), missing)
+    except OSError:
+        return False
+    return True
+
+
+def write_executables(folder: Path, names: Iterable[str] | None = None) -> None:
+    """Write the files into a folder, or those with these names. Raises OSError."""
+    for name in texts() if names is None else names:
+        replace_file(folder / name, texts()[name].encode("utf-8"), mode=0o755, sync=False, follow=False)
+        (folder / name).chmod(0o755)  # whatever the umask: pupils that are users of their own run them, too
+
+
+def remove_orphans(data: Path) -> None:
+    """Remove the folders whose interpreter is gone; what is not ours in them stays."""
+    for folder in data.glob("bin-*"):
+        interpreter = _interpreter(folder / "python3")
+        if interpreter is not None and not os.path.exists(interpreter) and not folder.is_symlink():
+            with contextlib.suppress(OSError):  # another process removes it, too
+                remove_executables(folder)
+
+
+def remove_executables(folder: Path) -> None:
+    """Remove our files from a folder, and the folder if nothing is left in it. Raises OSError."""
+    for file in folder.iterdir():
+        if is_executable_of_ours(file):
+            file.unlink(missing_ok=True)
+    if not any(folder.iterdir()):
+        folder.rmdir()
+
+
+def is_executable_of_ours(file: Path) -> bool:
+    """Return whether a file was written by `write_executables`, of this installation or another one."""
+    return (file.suffix == ".bat" and _begin(file).startswith(b'@"%DAY6_PYTHON%" ')) or _interpreter(file) is not None
+
+
+def _interpreter(file: Path) -> str | None:
+    """Return the interpreter that one of our files calls, None if it is not one of ours."""
+    try:
+        first, line = _begin(file).decode("utf-8").split("\n")[:2]
+        words = shlex.split(line)
+    except ValueError:
+        return None
+    ours = first == "#!/bin/sh" and words[:1] == ["exec"] and words[-1:] == ["$@"] and len(words) > 2
+    return words[1] if ours else None
+
+
+def _begin(file: Path) -> bytes:
+    """Return the first bytes of a file that is no link, none if it cannot be read."""
+    try:
+        if not stat.S_ISREG(file.lstat().st_mode):
+            return b""
+        with open(file, "rb") as opened:
+            return opened.read(10_000)
+    except OSError:
+        return b""
