@@ -199,9 +199,101 @@ def test_a_file_that_is_no_zip_is_not_overwritten(
     assert main(["--workspace", str(workshop.workspace), "-o", str(package / "setup.py")]) == 1
     assert "setup.py' exists and isn't a zip: it is left alone" in capsys.readouterr().err
     assert (package / "setup.py").read_bytes() == before
-    target = tmp_path / "out.zip"
-    for _ in range(2):
-        assert main(["--workspace", str(workshop.workspace), "-o", str(target)]) == 0
+
+
+@pytest.mark.parametrize(
+    ("language", "told"), [("en", "' exists: --force replaces it"), ("zh", "' 已经存在：加 --force")]
+)
+def test_a_zip_that_exists_is_replaced_only_by_force(
+    workshop: Workshop,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    language: str,
+    told: str,
+) -> None:
+    monkeypatch.setenv("DAY6_LANG", language)
+    workshop.create("one")
+    words = ["--workspace", str(workshop.workspace), "-o", str(tmp_path / "out.zip")]
+    assert main(words) == 0
+    before = (tmp_path / "out.zip").read_bytes()
+    workshop.create("two")
+    assert main(words) == 1
+    assert f"out.zip{told}" in capsys.readouterr().err
+    assert (tmp_path / "out.zip").read_bytes() == before
+    assert main([*words, "--force"]) == 0
+    assert "two/setup.py" in packed(tmp_path / "out.zip")
+
+
+def test_no_zip_is_written_into_what_it_packs(
+    workshop: Workshop, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = workshop.create("one")
+    assert main(["--workspace", str(workshop.workspace), "-o", str(package / "out.zip")]) == 1
+    assert "out.zip' would be inside " in capsys.readouterr().err
+    monkeypatch.chdir(package)
+    assert main([]) == 0  # and the one without a name lies beside it
+    target = workshop.workspace / "ros2_ws.zip"
+    assert capsys.readouterr().out == f"{target}: one (of {workshop.workspace})\n"
+    assert list(workshop.workspace.rglob("*.zip")) == [target]
+
+
+@pytest.mark.parametrize("where", ["notes", "notes/deep", "src2"])
+def test_a_workspace_that_is_merely_above_is_named_and_not_packed(
+    workshop: Workshop, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    workshop.create("one")
+    folder = workshop.workspace / where
+    folder.mkdir(parents=True)
+    monkeypatch.chdir(folder)
+    assert main([]) == 1
+    told = capsys.readouterr()
+    assert told.out == "" and list(workshop.home.rglob("*.zip")) == []
+    assert told.err == (
+        f"day6-tui export: {folder} isn't in a workspace: there is no package.xml, and no folder src with packages\n"
+        "day6-tui export: go to your workspace with cd, or name it: day6-tui export --workspace DIR\n"
+        f"day6-tui export: for example: day6-tui export --workspace {workshop.workspace}\n"
+    )
+
+
+def test_in_an_empty_folder_the_workspace_of_the_desktop_is_named_and_not_packed(
+    workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("HOME", str(workshop.home))
+    monkeypatch.setenv("USERPROFILE", str(workshop.home))
+    (tmp_path / "empty").mkdir()
+    monkeypatch.chdir(tmp_path / "empty")
+    for language, example in ("en", "for example: "), ("zh", "例如："):
+        monkeypatch.setenv("DAY6_LANG", language)
+        workshop.create(f"of_{language}")
+        assert main([]) == 1
+        assert f"{example}day6-tui export --workspace {workshop.workspace}\n" in capsys.readouterr().err
+    assert list((tmp_path / "empty").iterdir()) == []
+
+
+def test_the_folder_that_holds_ros2_ws_packs_it(
+    workshop: Workshop, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workshop.create("one")
+    monkeypatch.chdir(workshop.home)
+    assert main([]) == 0
+    assert capsys.readouterr().out == f"ros2_ws.zip: one (of {workshop.workspace})\n"
+    monkeypatch.chdir(workshop.home.parent)
+    assert main(["--home", str(workshop.home), "-o", "other.zip"]) == 0
+    assert capsys.readouterr().out == f"other.zip: one (of {workshop.workspace})\n"
+
+
+@pytest.mark.process
+def test_the_command_in_an_empty_folder_says_so(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "day6_tui.main", "export"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+    )
+    assert (done.returncode, done.stdout, list(tmp_path.iterdir())) == (1, "", [])
+    assert f"{tmp_path} isn't in a workspace" in done.stderr
 
 
 def test_a_file_from_before_1980_is_packed(workshop: Workshop, tmp_path: Path) -> None:

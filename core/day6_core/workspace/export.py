@@ -8,6 +8,7 @@ so that no zip contains a file nobody meant to give away.
 from __future__ import annotations
 
 import os
+import shlex
 import stat
 import sys
 import time
@@ -20,11 +21,13 @@ from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.command_line.texts import CommandTexts, Wording
 from day6_core.command_line.values import Values
 from day6_core.language import language_of
+from day6_core.places import default_home
 from day6_core.session.folder import working_folder
 from day6_core.whole_file import replacing
 from day6_core.workspace.packages import Package, find_packages, holds_packages
 
 _LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache", "build", "install", "log"})
+_OF_COLCON = ("src", "build", "install", "log")
 _BUILT_TYPES = ("ros.", "python", "cmake")
 
 LARGEST = 500_000_000
@@ -81,10 +84,17 @@ def main(arguments: list[str]) -> int:
         print(f"{parser.prog}: {text}", file=sys.stderr)
         return 1
 
-    workspace = _workspace(options.workspace, options.home)
-    target = Path(options.output or f"{workspace.name}.zip")
+    here = working_folder()
+    workspace = _workspace(options.workspace, options.home, here)
+    if workspace is None:
+        tell(texts("cli.export.nowhere", folder=here))
+        tell(texts("cli.export.go_there"))
+        for each in _elsewhere(here):
+            tell(texts("cli.export.there_is", workspace=shlex.quote(str(each))))
+        return 1
+    target = Path(options.output) if options.output else _default_target(workspace, here)
     try:
-        done = export(workspace, options.packages, target)
+        done = export(workspace, options.packages, target, replace=options.force)
     except ExportError as error:
         return tell(error.reason.said(texts))
     except OSError as error:
@@ -101,34 +111,37 @@ def build_parser(language: str = "en") -> CommandParser:
     texts, values = parser.texts, Values(parser.texts)
     parser.add_argument("packages", nargs="*", metavar="PKG", help=texts("cli.export.packages"))
     parser.add_argument("--workspace", type=Path, metavar="DIR", help=texts("cli.export.workspace"))
-    parser.add_argument("--home", type=values.home, metavar="DIR", help=texts("cli.options.home"))
+    parser.add_argument("--home", type=values.home, metavar="DIR", help=texts("cli.export.home"))
     parser.add_argument("-o", "--output", metavar="FILE", help=texts("cli.export.output"))
+    parser.add_argument("-f", "--force", action="store_true", help=texts("cli.export.force"))
     return parser
 
 
-def _workspace(given: Path | None, home: Path | None) -> Path:
+def _workspace(given: Path | None, home: Path | None, here: Path) -> Path | None:
     if given is not None:
         return given.expanduser().resolve()
-    if home is None and (here := workspace_around(working_folder())) is not None:
-        return here
-    from day6_core.places import default_home
-
-    return (home or default_home()).expanduser().resolve() / "ros2_ws"
+    return workspace_around(here) if home is None else home.expanduser().resolve() / "ros2_ws"
 
 
 def workspace_around(folder: Path) -> Path | None:
-    """Return the workspace around a folder: the nearest one above it that has packages in `src` or has been built.
+    """Return the workspace in which one stands: in its top folder, or anywhere in what colcon reads and writes there.
 
-    One that was only just made, with an empty `src`, counts where one stands in it or in its `src`. A package outside
-    any workspace is its own workspace; None outside everything.
+    A workspace has packages in `src` or has been built. One that was only just made, with an empty `src`, counts where one stands
+    in it or in its `src`. A package outside any workspace is its own workspace. Failing all these, `ros2_ws` in this folder is
+    meant, as in the home folder of the desktop. A workspace that is merely above is not: nobody has named it.
     """
     package = None
     for each in (folder, *folder.parents):
         if (each / "package.xml").is_file():
-            package = each  # it may also have a folder src
-        elif holds_packages(each / "src") or (each / "install" / ".colcon_install_layout").is_file():
+            package = package or each  # it may also have a folder src
+        elif (each == folder or folder.relative_to(each).parts[0] in _OF_COLCON) and _is_workspace(each):
             return each
-    return package or next((each for each in (folder, folder.parent) if _is_new(each, folder)), None)
+    here = (each for each in (folder, folder.parent) if _is_new(each, folder))
+    return package or next(here, folder / "ros2_ws" if _is_workspace(folder / "ros2_ws") else None)
+
+
+def _is_workspace(folder: Path) -> bool:
+    return holds_packages(folder / "src") or (folder / "install" / ".colcon_install_layout").is_file()
 
 
 def _is_new(workspace: Path, here: Path) -> bool:
@@ -136,14 +149,34 @@ def _is_new(workspace: Path, here: Path) -> bool:
     return here in (workspace, source) and source.is_dir() and not any(source.iterdir())
 
 
-def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:
-    """Write the zip and return what is in it.
+def _elsewhere(here: Path) -> list[Path]:
+    """Workspaces that may be meant by somebody who stands in none: one above, and that of the desktop."""
+    homes = [Path(os.path.expanduser("~")), default_home()]
+    return [
+        each for each in dict.fromkeys([*here.parents, *(home / "ros2_ws" for home in homes)]) if _is_workspace(each)
+    ]
+
+
+def _source(workspace: Path) -> Path:
+    """The folder in which packages are looked for."""
+    is_package = (workspace / "package.xml").is_file()
+    return workspace / "src" if (workspace / "src").is_dir() and not is_package else workspace
+
+
+def _default_target(workspace: Path, here: Path) -> Path:
+    """A zip with the workspace's name: here, or beside what is packed if this is inside."""
+    source = _source(workspace)
+    name = f"{workspace.name}.zip"
+    return source.parent / name if here.is_relative_to(source) else Path(name)
+
+
+def export(workspace: Path, names: Iterable[str], target: Path, *, replace: bool = False) -> Exported:
+    """Write the zip and return what is in it. Only with `replace` a zip that exists is replaced.
 
     Raises:
         ExportError, OSError: it could not be written; no new file is left.
     """
-    is_package = (workspace / "package.xml").is_file()
-    source = workspace / "src" if (workspace / "src").is_dir() and not is_package else workspace
+    source = _source(workspace)
     if not source.is_dir():
         raise ExportError("no_workspace", folder=workspace)
     packages = [
@@ -161,6 +194,10 @@ def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:
         raise ExportError("empty", folder=source)
     if os.path.lexists(target) and not zipfile.is_zipfile(target):
         raise ExportError("not_zip", file=target)
+    if target.resolve().is_relative_to(source.resolve()):
+        raise ExportError("inside", file=target, folder=source)
+    if os.path.lexists(target) and not replace:
+        raise ExportError("exists", file=target)
     return Exported(wanted, _write([known[name] for name in wanted], source, workspace.name, target))
 
 
