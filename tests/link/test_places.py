@@ -55,7 +55,7 @@ TRAPS = [make_file, make_dangling_link, make_link_to_folder, make_open_folder, m
 def folders(short_folder: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Path, Path]:
     """The usual folder and the next, as if they were in /tmp and in the home folder."""
     usual, other = short_folder / "usual", short_folder / "home" / "run"
-    monkeypatch.setattr(paths, "_base_folders", lambda: [usual, other])
+    monkeypatch.setattr(paths, "runtime_folders", lambda: [usual, other])
     return usual, other
 
 

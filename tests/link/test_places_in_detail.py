@@ -123,12 +123,12 @@ def test_the_usual_folders_in_their_order(short_folder: Path, monkeypatch: pytes
     monkeypatch.setenv("HOME", str(short_folder))
     usual = [Path(f"/tmp/day6-{os.getuid()}"), short_folder / ".cache/day6-tui/run"]
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(short_folder))
-    assert paths._base_folders() == [short_folder / "day6", *usual]
+    assert paths.runtime_folders() == [short_folder / "day6", *usual]
     for nothing in ("", str(short_folder / "gone")):
         monkeypatch.setenv("XDG_RUNTIME_DIR", nothing)
-        assert paths._base_folders() == usual
+        assert paths.runtime_folders() == usual
     monkeypatch.setenv("DAY6_RUNTIME_DIR", "here")
-    assert paths._base_folders() == [Path.cwd() / "here"]
+    assert paths.runtime_folders() == [Path.cwd() / "here"]
 
 
 @pytest.mark.parametrize(

@@ -154,19 +154,19 @@ def _is_text(call: ast.Call) -> bool:
 def test_a_students_program_looks_for_the_link_where_the_desktop_is(
     given: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_core.link.paths import _base_folders
+    from day6_core.link.paths import runtime_folders
 
     for name in ("XDG_RUNTIME_DIR", "DAY6_RUNTIME_DIR"):
         monkeypatch.delenv(name, raising=False)
     for name, value in given.items():
         monkeypatch.setenv(name, value.format(tmp_path))
-    ours = _base_folders()[0]
+    ours = runtime_folders()[0]
     environment = Desk(tmp_path / "home", join_link=False).environment()
     for name in list(os.environ):
         monkeypatch.delenv(name)
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
-    assert _base_folders()[0] == ours
+    assert runtime_folders()[0] == ours
 
 
 def test_the_main_thread_never_waits_so_long_that_windows_would_miss_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import NamedTuple
 from zlib import crc32
 
+from day6_core.places import runtime_folders
 from day6_core.whole_file import PRIVATE, replace_file
 
 LONGEST_SOCKET_PATH = 100
@@ -109,7 +110,7 @@ def meeting_place(domain_id: int) -> MeetingPlace:
     tcp = sys.platform == "win32" or os.environ.get("DAY6_LINK") == "tcp"
     found: list[MeetingPlace] = []
     refusals: list[str] = []
-    for base in _base_folders():
+    for base in runtime_folders():
         try:
             found.append(MeetingPlace(_domain_folder(base, domain_id, tcp), tcp, tuple(refusals)))
         except LinkError as error:
@@ -143,7 +144,7 @@ def base_folders() -> list[Path]:
     """
     found: list[Path] = []
     refusals: list[str] = []
-    for base in _base_folders():
+    for base in runtime_folders():
         try:
             folder = _with_room(base, 1 + _SOCKET_NAME_LENGTH)
             _private_folder(folder)
@@ -258,19 +259,6 @@ def password(place: MeetingPlace) -> str:
     if not users.exists():
         replace_file(users, f"day6:{secret}\n".encode(), mode=PRIVATE, sync=False, follow=False)
     return secret
-
-
-def _base_folders() -> list[Path]:
-    named = os.environ.get("DAY6_RUNTIME_DIR")
-    if named:
-        return [Path(named).absolute()]
-    if sys.platform == "win32":
-        return [Path(os.environ.get("LOCALAPPDATA") or Path.home()) / "day6" / "run"]
-    folders = [Path(f"/tmp/day6-{os.getuid()}"), Path("~/.cache/day6-tui/run").expanduser()]
-    runtime = os.environ.get("XDG_RUNTIME_DIR")
-    if runtime and os.path.isdir(runtime) and os.access(runtime, os.W_OK):
-        folders.insert(0, Path(runtime) / "day6")
-    return folders
 
 
 def _private_folder(folder: Path) -> None:
