@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
+from zlib import crc32
 
 Pair = tuple[str, str]
 """A text in English and in Chinese."""
@@ -58,10 +59,16 @@ def log_folder() -> Path:
 
 
 def _sockets() -> list[Path]:
-    """The folders of sockets, also the one in which they are if the path of the chosen one is too long."""
+    """The folders of sockets, also those that stand in for a folder whose path is too long."""
+    folders = runtime_folders()
+    return [*folders, *filter(None, map(shorter_runtime_folder, folders))]
+
+
+def shorter_runtime_folder(folder: Path) -> Path | None:
+    """Return the folder that takes the place of one in which the path of a socket would be too long; None on Windows."""
     if sys.platform == "win32":
-        return runtime_folders()
-    return [*runtime_folders(), Path(f"/tmp/day6-{os.getuid()}")]
+        return None
+    return Path(f"/tmp/day6-{os.getuid()}") / f"{crc32(os.fsencode(folder)):08x}"
 
 
 def _left_behind() -> list[Path]:
@@ -83,6 +90,13 @@ def _is_left_behind(entry: os.DirEntry[str]) -> bool:
         return False
     mine = sys.platform == "win32" or status.st_uid == os.getuid()
     return mine and stat.S_ISDIR(status.st_mode) and time.time() - status.st_mtime > LEFT_BEHIND
+
+
+def shortened(path: Path | str) -> str:
+    """Return a path as it is shown: the home folder is ~."""
+    text, home = str(path), os.path.expanduser("~")
+    inside = text == home or text.startswith(home.rstrip(os.sep) + os.sep)
+    return f"~{text[len(home.rstrip(os.sep)) :]}" if inside and home.rstrip(os.sep) else text
 
 
 class Base(NamedTuple):
@@ -157,7 +171,7 @@ class Place(NamedTuple):
 
 _DOMAIN = r"\d{1,3}(/(meet(ing)?(\.lock)?|gate\.lock|port|secret|users|(p|doors|guests)-[\w.-]+|\.day6-[0-9a-f]{12}))?"
 _MEETING = rf"({_DOMAIN}|desktop-[0-9a-f]{{8}}(\.lock)?)"
-_OF_SERVER = rf"(p(/[0-9a-f]{{8}}(/{_MEETING})?)?|k(/{_MEETING})?)"
+_OF_SERVER = rf"(lock|p(/[0-9a-f]{{8}}(/{_MEETING})?)?|k(/{_MEETING})?)"
 _SOCKETS = rf"([0-9a-f]{{8}}/)?(c[0-9a-f]{{8}}(/{_OF_SERVER})?|{_MEETING}|[0-9a-f]{{8}})"
 
 PLACES = (

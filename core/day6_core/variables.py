@@ -366,6 +366,12 @@ VARIABLES = (
         NONE,
     ),
     Variable(
+        "SSH_CONNECTION",
+        "terminal",
+        ("Set by ssh; only reported by `day6-tui doctor`.", "由 ssh 设置；只由 `day6-tui doctor` 报告。"),
+        NONE,
+    ),
+    Variable(
         "COLUMNS",
         "terminal",
         ("Width of the text of `--help`.", "`--help` 文字的宽度。"),
@@ -413,6 +419,11 @@ VARIABLES = (
             "Python 包的文件夹。真正的 ROS 的文件夹会去掉，以免它的 `rclpy` 盖住这里的。",
         ),
         NONE,
+    ),
+    Variable(
+        "PYTHONHOME",
+        "system",
+        ("Python's own; `day6-tui doctor` warns of it.", "Python 自己的变量；设置了它时 `day6-tui doctor` 会提醒。"),
     ),
     Variable(
         "PYTHONUNBUFFERED",

@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import NamedTuple
 from zlib import crc32
 
-from day6_core.places import runtime_folders
+from day6_core.places import runtime_folders, shorter_runtime_folder
 from day6_core.whole_file import PRIVATE, replace_file
 
 LONGEST_SOCKET_PATH = 100
@@ -130,10 +130,11 @@ def _domain_folder(base: Path, domain_id: int, tcp: bool) -> Path:
 
 def _with_room(base: Path, length: int) -> Path:
     """Return `base`, or a shorter folder in its place if a socket's path with `length` more bytes would be too long."""
-    if sys.platform == "win32" or len(os.fsencode(base)) + length <= LONGEST_SOCKET_PATH:
+    shorter = shorter_runtime_folder(base)
+    if shorter is None or len(os.fsencode(base)) + length <= LONGEST_SOCKET_PATH:
         return base
-    _private_folder(Path(f"/tmp/day6-{os.getuid()}"))
-    return Path(f"/tmp/day6-{os.getuid()}") / f"{crc32(os.fsencode(base)):08x}"
+    _private_folder(shorter.parent)
+    return shorter
 
 
 def base_folders() -> list[Path]:

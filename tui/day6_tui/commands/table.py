@@ -79,6 +79,8 @@ _OWN = (
     Command("ros2", "ros", _ROS, "ros2"),
     Command("colcon", "ros", _ROS, "colcon"),
     Command("help", "own", "day6_tui.commands.help"),
+    Command("doctor", "own", "day6_tui.upkeep.doctor"),
+    Command("uninstall", "own", "day6_tui.upkeep.uninstall"),
     Command("completion", "own", "day6_tui.commands.completion"),
     Command("complete", "", "day6_tui.commands.complete"),
 )

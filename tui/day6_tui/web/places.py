@@ -62,6 +62,8 @@ class Places:
         """The runtime folders of the pupils."""
         self.keepers = self._run / "k"
         """Where the keepers are met; pupils cannot put anything there."""
+        self.lock = self._run / "lock"
+        """Held while the server runs, wherever its data is."""
 
     def make(self) -> None:
         """Create the folders. Raises OSError."""

@@ -48,6 +48,7 @@ class Server:
         self._offer = offer
         self._places = Places(settings.data, offer.mode)
         self._lock = FileLock(self._places.server / "lock")
+        self._runs = FileLock(self._places.lock)
         self._tokens = Tokens(self._places.server / "tokens.json")
         self._sessions = Sessions(settings, self._places, offer.mode, tell)
         self._runner: web.AppRunner | None = None
@@ -58,6 +59,7 @@ class Server:
         self._places.make()
         if not self._lock.try_acquire():
             raise InUse(str(self._settings.data))
+        self._runs.try_acquire()
         self._tokens.load()
         names = self._names()
         listener = self._listener()
@@ -158,6 +160,7 @@ class Server:
         if self._settings.unix is not None:
             with contextlib.suppress(OSError):
                 os.unlink(self._settings.unix)
+        self._runs.release()
         self._lock.release()
 
 

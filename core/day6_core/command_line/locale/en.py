@@ -255,6 +255,11 @@ TEXTS = {
     "cli.urdf_to_graphviz": "Draw the links and joints of a robot description.",
     "cli.xacro": "Expand a xacro file into URDF.",
     # day6-tui itself
+    "cli.doctor": "Check this installation.\nPrints what a bug report needs: plain text without secrets, ready to paste.",
+    "cli.uninstall": "List or remove what day6-tui has written.\nAlso says how to remove the package itself.",
+    "cli.uninstall.data": "remove what belongs to day6-tui itself, after a question; your files stay",
+    "cli.uninstall.files": "with --data: also remove your files, after another question: desktops, programs, progress, classes",
+    "cli.uninstall.yes": "ask no questions",
     "cli.help": "Show the help of a command.",
     "cli.help.command": "the command, and its verb if it has some",
     "cli.completion": "Print a script for Tab completion in your shell.",

@@ -223,6 +223,11 @@ TEXTS = {
     "cli.urdf_to_graphviz": "把机器人描述的 link 和 joint 画成图。",
     "cli.xacro": "把 xacro 文件展开成 URDF。",
     # day6-tui 自己
+    "cli.doctor": "检查这里的安装。\n输出报告问题时需要的内容：纯文本，不含密码，可以直接粘贴。",
+    "cli.uninstall": "列出或删除 day6-tui 写过的东西。\n也会说明怎样删除安装包本身。",
+    "cli.uninstall.data": "询问之后，删除 day6-tui 自己的数据；你的文件会保留",
+    "cli.uninstall.files": "和 --data 一起用：再次询问之后，也删除你的文件：桌面、程序、进度、班级",
+    "cli.uninstall.yes": "不询问",
     "cli.help": "显示一条命令的帮助。",
     "cli.help.command": "哪条命令；它有子命令的话，可以接着写子命令",
     "cli.completion": "打印一段脚本，让你的 shell 能用 Tab 键补全。",
