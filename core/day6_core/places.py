@@ -75,10 +75,7 @@ def _left_behind() -> list[Path]:
     """Temporary folders of programs that were killed: with the name that Python gave them, this user's, unchanged for a day."""
     import tempfile
 
-    temporary = tempfile.gettempdir()
-    folders = [temporary] if sys.platform == "win32" else [temporary, "/tmp"]
-    entries = (entry for folder in dict.fromkeys(folders) for entry in os.scandir(folder))
-    return sorted(Path(entry.path) for entry in entries if _is_left_behind(entry))
+    return sorted(Path(entry.path) for entry in os.scandir(tempfile.gettempdir()) if _is_left_behind(entry))
 
 
 def _is_left_behind(entry: os.DirEntry[str]) -> bool:

@@ -74,10 +74,12 @@ def remove(place: Place, path: Path) -> Removed:
 
 
 def _is_ours(place: Place, base: Path, path: Path) -> bool:
-    by_contents = _BY_CONTENTS.get(place.name)
-    if by_contents is not None:
+    if (by_contents := _BY_CONTENTS.get(place.name)) is not None:
         return by_contents(path)
-    return not place.files or re.fullmatch(place.files, path.relative_to(base).as_posix()) is not None
+    if not place.files:
+        return True
+    named = re.fullmatch(place.files, path.relative_to(base).as_posix()) is not None
+    return named and not path.is_symlink()  # day6-tui makes no links there
 
 
 def _inside(path: Path, *, upwards: bool = False) -> Iterator[Path]:

@@ -123,7 +123,8 @@ def _remove(held: list[Held], kind: str, texts: Texts, yes: bool) -> bool:
             where = shortened(str(error.filename or each.path))
             print(one_line(f"day6-tui: {where}: {error.strerror or error}"), file=sys.stderr)
     _remove_empty([data_folder()])
-    print(texts(f"uninstall.{kind}.done", size=total))
+    rest = sum(size_of(each.path).bytes for each in held if os.path.lexists(each.path))
+    print(texts(f"uninstall.{kind}.done", size=Size(total.bytes - rest)))
     print()
     return whole
 
