@@ -10,6 +10,8 @@ from xml.etree import ElementTree
 import pytest
 
 from day6_core.session.harmless import one_line
+from day6_core.shell.screen.rows import runs_of
+from day6_core.shell.screen.screen import Screen
 from day6_tui.cast import command
 from day6_tui.cast.file import CastError, read
 from day6_tui.cast.film import Film
@@ -119,26 +121,89 @@ def test_nothing_of_a_file_comes_out_as_it_is(tmp_path: Path, capfd, svg: bool) 
         assert "<script>alert('&amp;')</script>" in "".join(root.itertext()).replace("\n", "")
 
 
-def test_svg_has_colours_wide_characters_and_marks(tmp_path: Path) -> None:
-    film = Film(read(cast(tmp_path, [0, "o", "\x1b[1;4;38;2;1;2;3;48;5;196m海a\x1b[0;7m x \x1b[31my"])))
-    film.go_to(1)
-    text = picture([film.rows()], film.size)
+def drawn(text: str, columns: int = 8, rows: int = 4) -> str:
+    screen = Screen(columns, rows)
+    screen.feed(text)
+    return picture([[runs_of(screen.row(y)) for y in range(rows)]], (columns, rows))
+
+
+def paths(svg: str) -> dict[str, str]:
+    """What is filled with each colour."""
+    return dict(re.findall(r'<path fill="(#[0-9a-f]+)" shape-rendering="crispEdges" d="([^"]*)"/>', svg))
+
+
+def test_svg_has_colours_wide_characters_and_marks() -> None:
+    svg = drawn("\x1b[1;4;38;2;1;2;3;48;5;196m海a\x1b[0;7m x \x1b[31my")
     assert re.search(
-        r'<text x="0"[^>]*textLength="18"[^>]*fill="#010203" font-weight="bold" text-decoration="underline">海<', text
+        r'<g fill="#010203" font-weight="bold"><text class="w" x="0.6"[^>]*>海</text><text x="16"[^>]*>a<', svg
     )
-    assert re.search(r'<text x="18"[^>]*textLength="9"[^>]*>a<', text)
-    assert '<rect x="0" y="0" width="18" height="18" fill="#ff0000"/>' in text
-    ElementTree.fromstring(text)
+    assert paths(svg)["#ff0000"] == "M0 0h24v16h-24z", "the ground of three cells is one rectangle"
+    assert paths(svg)["#010203"] == "M0 14h24v1h-24z", "and so is the line below them"
+    ElementTree.fromstring(svg)
 
 
-def test_a_moving_svg_shows_every_picture_once(tmp_path: Path) -> None:
-    path = cast(tmp_path, *([number, "o", f"\x1b[1;1H{number}"] for number in range(5)))
+def test_every_wide_character_has_its_place_and_every_word_its_width() -> None:
+    svg = drawn("海龟 go on  ▸x", 20)
+    assert '<text class="w" x="0.6 16.6" y="12.5">海龟</text>' in svg
+    assert '<text x="40" y="12" textLength="40">go on</text>' in svg
+    assert '<text x="96" y="12" textLength="8" lengthAdjust="spacingAndGlyphs">▸</text>' in svg
+    assert '<text x="104" y="12">x</text>' in svg
+
+
+@pytest.mark.parametrize(
+    ("text", "path"),
+    [
+        ("█\r\n█", "M0 0h8v32h-8z"),
+        ("▀▄", "M0 0h8v8h-8zM8 8h8v8h-8z"),
+        ("▂▌", "M0 12h8v4h-8zM8 0h4v16h-4z"),
+        ("▟", "M0 8h8v8h-8zM4 0h4v8h-4z"),
+        ("⠁⢀", "M0 0h3v3h-3zM12 12h3v3h-3z"),
+        ("──┓\r\n  ┃", "M0 7h16v1h-16zM16 7h5v2h-5zM19 7h2v25h-2z"),
+        ("━━╸", "M0 7h21v2h-21z"),
+        ("╼", "M0 7h4v1h-4zM3 7h5v2h-5z"),
+    ],
+)
+def test_blocks_braille_and_lines_are_shapes_without_seams(text: str, path: str) -> None:
+    svg = drawn(f"\x1b[38;2;1;2;3m{text}")
+    found = paths(svg)["#010203"]
+    assert area(found) == area(path) and "<text" not in svg
+    assert found.count("M") <= path.count("M")
+
+
+def area(path: str) -> set[tuple[int, int]]:
+    """The units that a path covers."""
+    rects = [tuple(map(int, rect)) for rect in re.findall(r"M(\d+) (\d+)h(\d+)v(\d+)h-\d+z", path)]
+    return {(column, row) for x, y, w, h in rects for column in range(x, x + w) for row in range(y, y + h)}
+
+
+def test_shades_are_mixed_colours_and_round_corners_are_strokes() -> None:
+    svg = drawn("\x1b[38;2;200;100;0;48;2;0;0;0m░\x1b[0;38;2;1;2;3m╭╯")
+    assert paths(svg) == {"#321900": "M0 0h8v16h-8z"}
+    assert re.search(r'<path fill="none" stroke="#010203" d="M11.5 16[^M]*M19.5 0[^M]*"/>', svg)
+
+
+def test_a_moving_svg_shows_every_picture_once_and_the_last_to_who_wants_no_motion(tmp_path: Path) -> None:
+    path = cast(tmp_path, [0, "o", "\x1b[2;1Hstays"], *([number, "o", f"\x1b[1;1H{number}"] for number in range(5)))
     out = tmp_path / "out.svg"
     assert command.main([str(path), "--svg", str(out), "--frames", "5"]) == 0
-    root = ElementTree.fromstring(out.read_text())
-    groups = [group for group in root.iter() if group.tag.endswith("}g") and group.get("visibility")]
-    assert ["".join(group.itertext()).strip() for group in groups] == ["0", "1", "2", "3", "4"]
-    assert sum(group.get("visibility") == "visible" for group in groups) == 1
+    svg = out.read_text()
+    groups = {
+        "".join(group.itertext()).strip(): group.get("class", "")
+        for group in ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}g")
+        if "fill" not in group.attrib and "transform" not in group.attrib
+    }
+    assert sorted(groups) == ["0", "1", "2", "3", "4", "stays"] and not groups["stays"], "what stays is written once"
+    assert "@media(prefers-reduced-motion:reduce)" in svg
+    for number in range(5):
+        name = groups[str(number)]
+        steps = re.search(rf"@keyframes {name}{{(.*?)}}}}", svg)
+        assert steps is not None
+        shown = [
+            float(at) for at, seen in re.findall(r"([\d.]+)%{visibility:(\w+)", steps[1] + "}") if seen == "visible"
+        ]
+        assert shown == [20 * number]
+        hidden = re.search(rf"\.{name}{{[^}}]*visibility:hidden}}", svg)
+        assert (hidden is None) == (number == 4)
 
 
 def test_an_existing_picture_is_overwritten_by_force_alone(tmp_path: Path, capsys) -> None:
