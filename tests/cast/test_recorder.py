@@ -113,3 +113,16 @@ def test_the_screen_never_waits_for_the_disk(tmp_path: Path, monkeypatch) -> Non
     recorder.stop()
     assert recorder.fault == "the disk is too slow"
     assert (tmp_path / "a.cast").stat().st_size < 110_000
+
+
+def test_a_question_whether_to_end_is_recorded_only_if_the_recording_goes_on(tmp_path: Path) -> None:
+    clock, asks = _Clock(), False
+    recorder = Recorder(tmp_path / "a.cast", lambda: (20, 3), clock=clock, asks=lambda: asks)
+    said = []
+    for asks, text in ((False, "before"), (True, "really?"), (True, " sure?"), (False, "no"), (True, "really end?")):
+        clock.now += 1
+        recorder.write(text)
+        said.append(text)
+    recorder.stop()
+    events = read(tmp_path / "a.cast").events[1:]
+    assert [(event.time, event.text) for event in events] == [*enumerate(said[:4], 1)]

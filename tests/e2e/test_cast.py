@@ -24,7 +24,11 @@ def test_the_screen_is_recorded_from_the_first_picture_to_the_last_and_played(pl
         terminal.resize(100, 30)
         terminal.line("echo $((7*7)) wide")
         terminal.wait("49 wide")
-        terminal.quit()
+        terminal.line("cat")
+        terminal.wait("1 cat")
+        terminal.press("Ctrl-Q")
+        terminal.wait("Programs are still running")
+        terminal.press("Ctrl-Q")
         assert terminal.wait_end() == 0
     lines = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
     assert (lines[0]["width"], lines[0]["height"]) == (80, 24)
@@ -32,7 +36,10 @@ def test_the_screen_is_recorded_from_the_first_picture_to_the_last_and_played(pl
     assert [line[2] for line in lines[1:] if line[1] == "r"][-1] == "100x30"
     assert not any("\x1b[?1000" in line[2] or "\x1b[?1049" in line[2] for line in lines[1:])
     text = place.run("cast", str(path), "--at", str(lines[-1][0])).stdout
-    assert "49 wide" in text and "recording" in text
+    assert "49 wide" in text and "recording" in text and "still running" not in text
+    assert place.run("cast", str(path), "--svg", "last.svg").returncode == 0
+    svg = (place.work / "last.svg").read_text(encoding="utf-8")
+    assert ">49 wide<" in svg and "still running" not in svg, "what was asked at the end is left out"
     with place.terminal("cast", str(path), "--lang", "en", columns=110, rows=32) as terminal:
         terminal.wait("student@day6:~$", " 1× ")
         terminal.press("+", "+")

@@ -194,7 +194,7 @@ class Day6App(TerminalApp):
         self.classroom = Classroom(self, self._tell, is_possible=self.detachment.is_possible or is_pupil)
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(parts, self, detach, class_link.joined if class_link is not None else lambda: 0)
-        self.recording = Recording(parts, self, looks)
+        self.recording = Recording(parts, self, looks, self.leaving.asks)
         self.actions = self._make_actions()
         top = TopLine(
             parts,

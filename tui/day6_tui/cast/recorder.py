@@ -51,7 +51,8 @@ class Recorder:
     """One recording; it begins at once. Any thread may call anything.
 
     `size` returns the columns and rows of the screen; `failed` is called, on the thread that writes, when the recording ends by
-    itself: `fault` then says why.
+    itself: `fault` then says why. While `asks`, the user is being asked whether all this shall end: what is written meanwhile is
+    kept back, and is part of the recording only if it goes on afterwards.
 
     Raises:
         OSError: the file cannot be made; FileExistsError if it exists, unless `replace`.
@@ -65,12 +66,14 @@ class Recorder:
         replace: bool = False,
         environ: Mapping[str, str] = os.environ,
         failed: Callable[[], object] = lambda: None,
+        asks: Callable[[], bool] = lambda: False,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.path = path
         self.fault = ""
         """Why it ended by itself, in the system's words."""
         self._failed = failed
+        self._asks = asks
         self._size = size
         self._clock = clock
         self._began = clock()
@@ -83,6 +86,8 @@ class Recorder:
         self._waiting = 0
         self._lock = threading.Lock()
         self._over = False
+        self._held: list[bytes] | None = None
+        """What was written since the user is being asked."""
         header = {
             "version": 2,
             "width": self._shown[0],
@@ -105,6 +110,7 @@ class Recorder:
         """Record what is being sent to the terminal."""
         if self._over:
             return
+        self._keep_back(self._asks())
         size = self._size()
         if size != self._shown:
             self._shown = size
@@ -112,9 +118,16 @@ class Recorder:
         if kept := picture_of(text):
             self._put([round(self.seconds, 6), "o", kept])
 
+    def _keep_back(self, back: bool) -> None:
+        with self._lock:
+            if not back and self._held and not self._over:
+                self._queue.put(b"".join(self._held))
+            self._held = (self._held or []) if back else None
+
     def stop(self) -> None:
         """End the recording and wait until it is on the disk, but not for ever."""
         with self._lock:
+            self._held = None
             if not self._over:
                 self._over = True
                 self._queue.put(None)
@@ -132,7 +145,10 @@ class Recorder:
                 self.fault = "the disk is too slow"
                 self._queue.put(None)
                 return
-            self._queue.put(data)
+            if self._held is not None:
+                self._held.append(data)
+            else:
+                self._queue.put(data)
 
     def _work(self) -> None:
         try:

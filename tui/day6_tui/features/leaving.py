@@ -31,6 +31,12 @@ class Leaving(Feature):
         """How many pupils are joined to this desktop."""
         self._asked: Modal | None = None
         """The question whether to end what runs."""
+        self._question: Modal | None = None
+        """The question whether to end at all."""
+
+    def asks(self) -> bool:
+        """Whether the user is being asked if the desktop shall end."""
+        return self._question is not None and self._desktop.overlay is self._question
 
     def lost(self) -> list[str]:
         """What the windows cannot keep if the desktop ends now, each with the reason."""
@@ -75,7 +81,7 @@ class Leaving(Feature):
         if self._detach is not None:
             answers.append(Answer("d", texts("quit.detach"), self._detach))
         question = Question(self._look, title, text, answers, careful=bool(lost))
-        self._asked = None if lost else question
+        self._asked, self._question = None if lost else question, question
         self._desktop.open_overlay(question)
 
     def _about_running(self, running: list[str]) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -28,10 +29,12 @@ SECONDS = 1.0
 class Recording(Feature):
     """At most one recording at a time."""
 
-    def __init__(self, parts: Parts, app: TerminalApp, looks: Looks) -> None:
+    def __init__(self, parts: Parts, app: TerminalApp, looks: Looks, asks: Callable[[], bool]) -> None:
         super().__init__(parts)
         self._app = app
         self._looks = looks
+        self._asks = asks
+        """Whether the user is being asked if the desktop shall end."""
         self._recorder: Recorder | None = None
         self._seconds: Timer | None = None
         self._pixels = ""
@@ -90,7 +93,11 @@ class Recording(Feature):
             return texts("record.not_here")
         try:
             recorder = Recorder(
-                path, lambda: (app.size.width, app.size.height), replace=replace, failed=self._look.wake
+                path,
+                lambda: (app.size.width, app.size.height),
+                replace=replace,
+                failed=self._look.wake,
+                asks=self._asks,
             )
         except OSError as error:
             return one_line(error.strerror or str(error))
