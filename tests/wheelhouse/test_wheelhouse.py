@@ -105,6 +105,15 @@ def test_markers_are_judged_for_the_other_machine(index: Index, tmp_path: Path) 
     assert needed(index, tmp_path, own, "linux-aarch64", "3.12", "serve") == {"colours", "web", "cable"}
 
 
+def test_the_metadata_of_a_package_inside_the_wheel_is_not_the_wheels(index: Index, tmp_path: Path) -> None:
+    wheel_of(index.place, "colours", "1.0")
+    own = tmp_path / "own-1.0-py3-none-any.whl"
+    with zipfile.ZipFile(own, "w") as packed:
+        packed.writestr("own/ros/inside-2.0.dist-info/METADATA", "Metadata-Version: 2.1\nName: inside\nVersion: 2.0\n")
+        packed.writestr("own-1.0.dist-info/METADATA", "Metadata-Version: 2.1\nName: own\nRequires-Dist: colours\n")
+    assert needed(index, tmp_path, own, "linux-x86_64") == {"colours"}
+
+
 def test_a_version_that_somebody_else_forbids_is_replaced(index: Index, tmp_path: Path) -> None:
     wheel_of(index.place, "base", "1.0")
     wheel_of(index.place, "base", "2.0", "strange")

@@ -89,7 +89,8 @@ def _want(projects: dict[str, _Project], requirement: Requirement) -> None:
 
 def _requirements(wheel: Path, extra: str, target: Target) -> list[Requirement]:
     with zipfile.ZipFile(wheel) as packed:
-        name = next(each for each in packed.namelist() if each.endswith(".dist-info/METADATA"))
+        # At the top only: packages inside (launch_testing …) bring metadata of their own.
+        name = next(each for each in packed.namelist() if re.fullmatch(r"[^/]+\.dist-info/METADATA", each))
         found = BytesParser().parsebytes(packed.read(name)).get_all("Requires-Dist") or []
     environment = {**target.markers(), "extra": extra}
     bare = {**environment, "extra": ""}
