@@ -11,15 +11,20 @@ import pytest
 
 from tests.support.source_files import ROOT
 
-DOCUMENTS = ("README.md", "tests/README.md", "core/day6_core/lessons/WRITING.md")
-OF_USERS = {"setup.py", "package.xml", "CMakeLists.txt", "INSTALL.txt", "sin(i/10)"}
+PAGES = tuple(
+    path.relative_to(ROOT).as_posix()
+    for part in ("developers", "trust", "contributing")
+    for path in sorted((ROOT / "docs").glob(f"*/{part}/*.md"))
+)
+DOCUMENTS = ("README.md", "CONTRIBUTING.md", "tests/README.md", "core/day6_core/lessons/WRITING.md", *PAGES)
+OF_USERS = {"setup.py", "package.xml", "CMakeLists.txt", "INSTALL.txt", "README.txt", "sin(i/10)"}
 """What isn't ours, or no file."""
 
 
 @functools.cache
 def ours() -> set[str]:
     """Return every file and folder by each end of its path: 'core/day6_core/elide.py', 'day6_core/elide.py', 'elide.py'."""
-    paths = [Path(folder) for folder in ("core", "tui", "urdf", "tests", "hub", "pyproject.toml")]
+    paths = [Path(folder) for folder in ("core", "tui", "urdf", "tests", "hub", "docs", "pyproject.toml", "CHANGELOG.md")]
     found = {inner.relative_to(ROOT) for path in paths for inner in ((ROOT / path), *(ROOT / path).rglob("*"))}
     return {"/".join(path.parts[start:]) for path in found for start in range(len(path.parts))}
 
