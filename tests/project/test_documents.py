@@ -24,7 +24,9 @@ OF_USERS = {"setup.py", "package.xml", "CMakeLists.txt", "INSTALL.txt", "README.
 @functools.cache
 def ours() -> set[str]:
     """Return every file and folder by each end of its path: 'core/day6_core/elide.py', 'day6_core/elide.py', 'elide.py'."""
-    paths = [Path(folder) for folder in ("core", "tui", "urdf", "tests", "hub", "docs", "pyproject.toml", "CHANGELOG.md")]
+    paths = [
+        Path(folder) for folder in ("core", "tui", "urdf", "tests", "hub", "docs", "pyproject.toml", "CHANGELOG.md")
+    ]
     found = {inner.relative_to(ROOT) for path in paths for inner in ((ROOT / path), *(ROOT / path).rglob("*"))}
     return {"/".join(path.parts[start:]) for path in found for start in range(len(path.parts))}
 
