@@ -58,7 +58,7 @@ def test_a_recording_by_the_palette_asks_before_it_overwrites_and_tells_where_it
         terminal.press("F7")
         terminal.wait("Commands")
         terminal.line("record the screen")
-        terminal.wait("Record the screen into")
+        terminal.wait("Record the screen to")
         terminal.send("\x15mine.cast\r")
         terminal.wait("mine.cast", "Enter")
         assert mine.read_text() == "mine"

@@ -163,7 +163,7 @@ def test_leaving_a_class_asks_while_a_pupil_is_joined(place: Place, desk: Place,
     with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
         teacher.wait(texts("teacher.here", here=1, all=1))
         teacher.press("Ctrl-Q")
-        teacher.wait(texts("quit.class"), "1 pupil is joined")
+        teacher.wait(texts("quit.class"), "1 pupil is connected")
         teacher.press("Ctrl-Q")
         assert teacher.wait_end() == 0
         pupil.line("echo still-$((40 + 2))")

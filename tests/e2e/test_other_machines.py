@@ -27,8 +27,8 @@ def port() -> int:
 
 
 OPEN = {
-    "en": ("open {port}: 0", "anyone who reaches port {port} can read and command", "there is no secret: anyone who"),
-    "zh": ("开放 {port}：0 台", "能连到端口 {port} 的人都能读取和指挥", "没有口令"),
+    "en": ("open {port}: 0", "anyone who reaches port {port} can read and control", "there is no secret: anyone who"),
+    "zh": ("开放 {port}：0 台", "能连到端口 {port} 的人都能读取数据、发送命令", "没有口令"),
 }
 
 

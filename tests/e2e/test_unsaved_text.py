@@ -90,13 +90,13 @@ def test_where_no_copy_can_be_made_it_is_told_and_leaving_asks(place: Place) -> 
     try:
         with desktop(place, *([str(SETPRIV), *WITHOUT_RIGHTS] if ROOT else [])) as screen:
             type_in_nano(screen)
-            screen.wait("no copy of the unsaved text: Permission denied")
+            screen.wait("no backup of the text: Permission denied")
             screen.send("\x13")
             screen.wait("not saved: Permission denied")
             screen.press("F2", "Ctrl-Q")
-            screen.wait("Not everything is saved", "work.txt")
+            screen.wait("You have unsaved work", "work.txt")
             screen.press("Esc")
-            screen.wait_gone("Not everything is saved")
+            screen.wait_gone("You have unsaved work")
             screen.kill(signal.SIGTERM)
             assert screen.wait_end() != 0
             assert b"work.txt (Permission denied)" in screen.output

@@ -158,7 +158,7 @@ def test_a_value_is_typed_in_rviz_as_fast_as_a_terminal_can_send_it(place: Place
     with place.terminal("rviz2", "-f", "base_link", columns=120, rows=40, DAY6_LANG="en") as screen:
         screen.wait("Fixed Frame base_link", "Background Color")
         screen.send("\x1b[B\x1b[B\r\x15q; 2; 3\r")
-        screen.wait("three numbers from 0 to 255, please")
+        screen.wait("enter three numbers from 0 to 255")
         screen.send("\x1b[H\x1b[3~1\r\x1b[A\r\x15map\r")
         screen.wait("1; 2; 3", "Fixed Frame map")
         screen.send("/quality\r\r")

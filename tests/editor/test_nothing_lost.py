@@ -86,10 +86,10 @@ def test_that_no_copy_can_be_kept_is_told_until_there_is_room_again(tmp_path: Pa
     async def act(bench: Bench) -> None:
         disk(True)
         await bench.press("a")
-        assert "no copy of the unsaved text: No space left on device" in await keep_now(bench)
-        assert "no copy" in await look_now(bench)
+        assert "no backup of the unsaved text: No space left on device" in await keep_now(bench)
+        assert "no backup" in await look_now(bench)
         disk(False)
-        assert "no copy" not in await look_now(bench)
+        assert "no backup" not in await look_now(bench)
 
     async def again(bench: Bench) -> None:
         assert bench.text == "a" and bench.pane.editor.recovered
@@ -193,7 +193,7 @@ def test_another_file_is_not_opened_over_a_text_that_cannot_be_kept(tmp_path: Pa
         disk(True)
         await bench.press("a", "ctrl+t")
         await bench.press("enter")
-        assert bench.text == "a" and "no copy" in screen_text(bench.app)
+        assert bench.text == "a" and "no backup" in screen_text(bench.app)
 
     Bench(tmp_path, "gedit").run(act)
 

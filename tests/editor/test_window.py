@@ -79,7 +79,7 @@ def test_a_closed_gedit_asks_once_and_keeps_the_unsaved_text(tmp_path: Path) -> 
 
     async def again(bench: Bench) -> None:
         assert bench.text == "a"
-        assert "not saved last time" in screen_text(bench.app)
+        assert "unsaved text restored" in screen_text(bench.app)
 
     Bench(tmp_path, "gedit").run(act)
     Bench(tmp_path, "gedit").run(again)

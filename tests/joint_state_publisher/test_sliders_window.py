@@ -166,7 +166,7 @@ def test_another_publisher_is_named_and_the_jitter_explained(lang: str, word: st
     assert "wheel_spinner" in text and word in text
 
 
-@pytest.mark.parametrize(("described", "word"), [(False, "/robot_description"), (True, "no joint")])
+@pytest.mark.parametrize(("described", "word"), [(False, "/robot_description"), (True, "no movable joints")])
 def test_without_joints_it_says_why(described: bool, word: str) -> None:
     model = FakeModel()
     model.described = described

@@ -61,7 +61,7 @@ stuck = Stuck()
 def test_nodes_of_cells_live_between_them(kernel: Kernel) -> None:
     assert "import rclpy" in kernel.run("%load_ext day6_tui")
     assert kernel.run("import rclpy; rclpy.init();") == ""
-    assert kernel.run(TALKER) == "/talker goes on in the background; node.destroy_node() ends it\n"
+    assert kernel.run(TALKER) == "/talker keeps running in the background; node.destroy_node() ends it\n"
     kernel.until("node.count > 3")
     kernel.run("heard = []; listener = Node('listener')")
     kernel.run("listener.create_subscription(String, 'chatter', lambda message: heard.append(message.data), 10);")
@@ -86,7 +86,7 @@ def test_a_node_made_again_is_alone_and_heard_on_rosout(kernel: Kernel) -> None:
     kernel.run(TALKER)
     kernel.run("from rcl_interfaces.msg import Log; lines = []; listener = Node('listener')")
     kernel.run("listener.create_subscription(Log, '/rosout', lambda message: lines.append(message.msg), 10);")
-    assert kernel.run(TALKER) == "/talker: the node made here before has been destroyed\n"
+    assert kernel.run(TALKER) == "/talker: the node created here before has been destroyed\n"
     assert kernel.run("print(listener.get_node_names().count('talker'))") == "1\n"
     assert "[talker]: the new one" in kernel.run("node.get_logger().info('the new one')")
     assert not kernel.troubles
@@ -116,7 +116,7 @@ def test_services_answer_in_the_cell_that_calls(kernel: Kernel) -> None:
     kernel.run("import rclpy; from rclpy.node import Node; from example_interfaces.srv import AddTwoInts; rclpy.init()")
     kernel.run("def add(request, response):\n    response.sum = request.a + request.b\n    return response")
     said = kernel.run("server = Node('server'); server.create_service(AddTwoInts, 'add', add); user = Node('user')")
-    assert said == "/server, /user go on in the background; destroy_node() ends one of them, rclpy.shutdown() all\n"
+    assert said == "/server, /user keep running in the background; destroy_node() ends one of them, rclpy.shutdown() all\n"
     kernel.run("client = user.create_client(AddTwoInts, 'add'); print(client.wait_for_service(10.0))")
     assert kernel.run("print(client.call(AddTwoInts.Request(a=40, b=2)).sum)") == "42\n"
     future = "future = client.call_async(AddTwoInts.Request(a=1, b=2)); rclpy.spin_until_future_complete(user, future)"
@@ -129,7 +129,7 @@ def test_a_callback_that_fails_is_shown_once_and_ends_its_node_only(kernel: Kern
     kernel.run("import rclpy; rclpy.init()")
     kernel.run(TALKER)
     cell = kernel.start(BAD)
-    kernel.wait(lambda: "/bad is not spun any more" in kernel.shown[cell], cell)
+    kernel.wait(lambda: "/bad no longer spins" in kernel.shown[cell], cell)
     kernel.run("before = node.count")
     kernel.until("node.count > before + 5")
     shown = kernel.shown[cell]
@@ -147,7 +147,7 @@ def test_a_callback_that_ends_the_program_ends_its_node(kernel: Kernel) -> None:
     cell = kernel.start(
         "node = Node('leaving'); node.create_timer(0.01, lambda: exit_now(3)); from sys import exit as exit_now"
     )
-    kernel.wait(lambda: "/leaving is not spun any more" in kernel.shown[cell], cell)
+    kernel.wait(lambda: "/leaving no longer spins" in kernel.shown[cell], cell)
     assert "Traceback" not in kernel.shown[cell]
 
 

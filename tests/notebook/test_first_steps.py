@@ -22,7 +22,7 @@ def cells() -> list[str]:
 @pytest.mark.process
 def test_every_cell_does_what_the_text_above_it_says(kernel: Kernel) -> None:
     load, init, talker, listener, nodes, topic, stop, driver, pose, end = cells()
-    assert "ROS 2 is here" in kernel.run(load)
+    assert "ROS 2 is ready" in kernel.run(load)
     assert kernel.run(init) == ""
     assert "does nothing" in kernel.run(init)
     talks, hears = kernel.start(talker), kernel.start(listener)

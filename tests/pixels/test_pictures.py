@@ -290,7 +290,7 @@ def test_a_slow_terminal_gets_coarser_pictures_and_at_last_characters(monkeypatc
             cells.append(stage.pictures.cell(40, 20))
         assert cells[0] == CELL and min(cells[:-1]) < CELL
         assert stage.app.look.glyphs.name == "half"
-        assert "characters draw the pictures now" in screen_text(stage.app)
+        assert "pictures are now drawn with characters" in screen_text(stage.app)
 
     play(SIXEL, monkeypatch, scenes)
 

@@ -174,7 +174,7 @@ def test_the_message_of_the_chosen_topic_is_shown_and_its_field_can_be_plotted(b
 def test_topics_are_chosen_for_a_new_bag(bag):
     async def act(tool):
         await tool.go("w")
-        assert "Which topics are exported?" in tool.text and tool.text.count("[x]") == 4
+        assert "Which topics should be exported?" in tool.text and tool.text.count("[x]") == 4
         await tool.go("space", "down", "space", "enter")
         assert "Save selected region" in tool.text
         for _ in range(30):
@@ -198,7 +198,7 @@ def test_a_long_reason_is_told_whole_and_gives_way_to_the_topic(bag):
     use(bag, act, size=(80, 24))
 
 
-@pytest.mark.parametrize(("lang", "text"), (("en", "'bag' is not complete"), ("zh", "'bag' 不完整")))
+@pytest.mark.parametrize(("lang", "text"), (("en", "'bag' is incomplete"), ("zh", "'bag' 不完整")))
 def test_what_rqt_bag_has_no_words_for_is_told_in_the_users_language(desk, lang, text):
     file = write_bag(desk.folder / "bag") / "bag_0.mcap"
     file.write_bytes(file.read_bytes()[:-500])

@@ -65,7 +65,7 @@ def test_text_is_typed_into_a_prompt(console):
 
 def test_pause_and_clear(console):
     assert "paused" in look(console, ["p"])
-    assert "No log message yet" in look(console, ["c"])
+    assert "No log messages yet" in look(console, ["c"])
 
 
 @pytest.mark.parametrize(("size", "seen"), [((40, 10), 20), ((60, 12), 28), ((120, 40), 35)])
@@ -382,7 +382,7 @@ def test_a_time_range_begins_at_the_chosen_message_and_takes_times_of_day(consol
         for text, good in (("noon", False), ("25:00", False), ("1970-01-01 23:00", True)):
             await pilot.press(*["backspace"] * 8, *text, "enter")
             await step(app, pilot)
-            assert ("This is no time" in screen_text(app)) is not good
+            assert ("Not a time" in screen_text(app)) is not good
         (each,) = (each for each in console.choice.highlights if each.kind == "time")
         assert each.start_ns == 5_000_000_000 and each.stop_ns is not None
 

@@ -61,7 +61,7 @@ def test_perspectives_are_switched_made_and_removed_in_a_menu() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "complaint"), [("talk", "There is one of this name."), ("a/b", "This cannot be its name.")]
+    ("name", "complaint"), [("talk", "This name is taken."), ("a/b", "Not a valid name.")]
 )
 def test_a_name_that_is_taken_or_that_no_file_can_have_is_refused(name: str, complaint: str) -> None:
     requests, screen = play("p", *"New", "enter", *name, "enter")

@@ -166,7 +166,7 @@ def test_where_there_is_no_desktop_it_is_said(tmp_path: Path) -> None:
     machine.end()
 
 
-@pytest.mark.parametrize(("lang", "told"), [("en", "type python3 in your terminal"), ("zh", "现在没有桌面")])
+@pytest.mark.parametrize(("lang", "told"), [("en", "run python3 in your terminal"), ("zh", "现在没有桌面")])
 def test_why_there_is_no_python_is_said_in_the_users_language(lang: str, told: str) -> None:
     model = PyConsole()
     model.take(f"{NO_DESKTOP}\n", Kind.REMARK)
@@ -301,7 +301,7 @@ def test_the_end_is_told_and_enter_begins_anew() -> None:
         assert sent == [""]
         model.ended(3)
         await window.press("x")
-        assert "ended with status 3" in window.text and "Enter new Python" in window.text
+        assert "exited with status 3" in window.text and "Enter new Python" in window.text
         await window.press("enter")
         assert begun == [True]
 

@@ -82,7 +82,7 @@ def test_where_there_is_no_desktop_it_is_said(tmp_path: Path) -> None:
     machine.end()
 
 
-@pytest.mark.parametrize(("lang", "told"), [("en", "type them into your own terminal"), ("zh", "现在没有桌面")])
+@pytest.mark.parametrize(("lang", "told"), [("en", "use your own terminal"), ("zh", "现在没有桌面")])
 def test_why_no_command_can_be_run_is_said_in_the_users_language(lang: str, told: str) -> None:
     model = RqtShell()
     model.take(f"{NO_DESKTOP}\n", Kind.REMARK)

@@ -281,7 +281,7 @@ def test_what_goes_while_it_is_held_is_let_go(machine: RVizMachine) -> None:
             table.controls.server.applyChanges()
             await at.settle()
             await at.press("right", "space", "enter", "enter", "x")
-            await at.until(lambda: "There is no interactive marker" in at.screen())
+            await at.until(lambda: "There are no interactive markers" in at.screen())
 
     run(walk())
 

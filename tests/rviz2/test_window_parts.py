@@ -492,7 +492,7 @@ def test_the_desktop_asks_before_it_ends_with_a_changed_view(machine: RVizMachin
             assert at.app.leaving.lost() == []
             await changed(at)
             await at.press("ctrl+q")
-            assert "Not everything is saved" in at.screen() and "RViz" in at.screen()
+            assert "You have unsaved work" in at.screen() and "RViz" in at.screen()
             at.app.look.texts.language = "zh"
             await at.press("escape", "ctrl+q")
             assert "RViz 的设置还没保存，退出就没有了" in at.screen()

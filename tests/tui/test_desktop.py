@@ -262,7 +262,7 @@ async def test_the_help_of_the_guide_is_about_the_guide(desk) -> None:
         app.welcome.show_guide()
         await pilot.press("f1")
         await step(app, pilot)
-        assert "No window is open at present" in screen_text(app)
+        assert "No window is open, so here are" in screen_text(app)
 
 
 @pytest.mark.parametrize("size", [(80, 24), (120, 40)])
@@ -766,7 +766,7 @@ async def test_after_the_last_step_f9_goes_on_and_only_then_stops_the_world(desk
             await pilot.press("pagedown")
             await step(app, pilot)
             assert app.scenes.steering.held
-            assert desk.terminals[0].sent == typed and "go on" in screen_lines(app)[-1]
+            assert desk.terminals[0].sent == typed and "resume" in screen_lines(app)[-1]
         await pilot.press("f9")
         await step(app, pilot)
         assert app.scenes.player is None and not desk.clock.paused

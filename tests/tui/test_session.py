@@ -183,7 +183,7 @@ async def test_a_foreign_file_of_layouts_is_told_and_never_overwritten(tmp_path)
     async with opened(tmp_path, scene="empty") as (app, pilot):
         await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
         await _named(app, pilot, "mine")
-        await until(app, pilot, lambda: "not a file of layouts" in screen_text(app))
+        await until(app, pilot, lambda: "not a layout file" in screen_text(app))
         await pilot.press("escape")
         app.actions["layout.load"]()
         await until(app, pilot, lambda: "Layout: four terminals" in screen_text(app))

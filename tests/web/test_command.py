@@ -52,12 +52,12 @@ def test_what_cannot_be_is_told_in_a_line(words: list[str], status: int, reason:
 
 def test_a_folder_has_one_server_and_files_of_others_stay(class_server: Serving) -> None:
     status, said = refused("--isolation", "none", "--port", "0", folder=class_server.folder / "class")
-    assert status == 2 and "another server uses this folder" in said
+    assert status == 2 and "in use by another server" in said
     folder = make_short_folder("d6w-")
     (folder / "server").mkdir()
     (folder / "server" / "tokens.json").write_text("my own text")
     status, said = refused("--isolation", "none", "--port", "0", folder=folder)
-    assert status == 2 and "not what this program writes" in said
+    assert status == 2 and "not written by this program" in said
     assert (folder / "server" / "tokens.json").read_text() == "my own text"
     (folder / "socket").write_text("no socket")
     status, said = refused("--isolation", "none", "--unix", str(folder / "socket"))

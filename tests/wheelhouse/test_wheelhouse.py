@@ -275,7 +275,7 @@ def test_the_guide_names_machines_and_versions_and_types_the_right_python() -> N
     assert "in place of" not in text and "{" not in text
     assert "Windows" not in guide.guide(HERE[:1]) and "Linux" not in guide.guide(HERE[1:]).replace("Debian", "")
     several = guide.guide([*HERE, Target(PLATFORMS["linux-x86_64"], "3.10")])
-    assert "write its number in place of 3.12" in several and "python3.12 -m venv" in several
+    assert "replace 3.12 with its number" in several and "python3.12 -m venv" in several
 
 
 @pytest.mark.process

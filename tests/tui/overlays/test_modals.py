@@ -229,7 +229,7 @@ async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk:
         assert seen == {app.look.texts(f"manual.{page}") for page in pages()}
         burst(app, "tab", *"tread", "ctrl+u", *"Randomize")
         await step(app, pilot)
-        assert "A slider for every joint" in screen_text(app) and "Help: Joint sliders" in screen_lines(app)[1]
+        assert "A slider for every movable joint" in screen_text(app) and "Help: Joint sliders" in screen_lines(app)[1]
         await pilot.press("enter")
         await step(app, pilot)
         assert "Help: Joint sliders" in screen_lines(app)[1] and "type to search" in screen_text(app)
@@ -294,7 +294,7 @@ async def test_leaving_names_what_still_runs_and_ends_it_when_told(desk: FakeDes
             terminal.busy, terminal.title = True, title
         await pilot.press("ctrl+q")
         await step(app, pilot)
-        assert "turtlesim_node, talker.py still run. End all and quit?" in screen_text(app)
+        assert "turtlesim_node, talker.py are running. End all and quit?" in screen_text(app)
         await pilot.press("escape")
         await step(app, pilot)
         assert left == [] and app.desktop.overlay is None
@@ -346,7 +346,7 @@ async def test_settings_that_cannot_be_understood_are_told_and_left_alone(
     if not text.startswith(b'{"'):
         async with opened(desk, 120, 24, lang="en", scene="empty") as (app, pilot):
             await step(app, pilot)
-            assert "cannot be read and is left as it is" in screen_text(app) + "".join(told)
+            assert "cannot be read and was left unchanged" in screen_text(app) + "".join(told)
             assert path.read_bytes() == text
 
 

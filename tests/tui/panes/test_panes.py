@@ -112,7 +112,7 @@ async def test_a_title_is_dragged_onto_another_pane(desk) -> None:
         target = app.desktop.slots[1].region
         await pilot.mouse_down(offset=(app.desktop.slots[2].region.x + 20, 1))
         await drag(pilot, target.x + 20, target.bottom - 3)
-        assert "let go to put it below ~" in screen_text(app)
+        assert "drop it below ~" in screen_text(app)
         await pilot.mouse_up(offset=(target.x + 20, target.bottom - 3))
         await step(app, pilot)
         assert app.desktop.slots[2].region.y == app.desktop.slots[1].region.bottom

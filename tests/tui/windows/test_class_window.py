@@ -41,7 +41,7 @@ async def test_typing_begins_with_the_yes_of_the_pupil(class_of: Class) -> None:
     async with class_of() as window:
         await window.come("anna")
         await window.press("t")
-        assert "asked whether you may type: it begins with the yes" in window.text
+        assert "waiting for permission to type; it starts" in window.text
         await window.say("anna", asked=True)
         await window.say("anna", asked=False, may_type=True)
         assert "you type for anna" in window.text
@@ -88,7 +88,7 @@ async def test_a_yes_begins_nothing_while_the_keyboard_is_in_a_terminal(class_of
         window.app.desktop.focus_pane(window.app.terminals.panes[0])
         await window.step()
         await window.say("anna", asked=False, may_type=True)
-        assert "asked whether" not in window.text and "you type for" not in window.text
+        assert "permission to type" not in window.text and "you type for" not in window.text
 
 
 @pytest.mark.parametrize("how", ["taken back", "taken back while keys were on their way", "gone"])
@@ -100,11 +100,11 @@ async def test_keys_do_nothing_after_typing_was_cut_short_until_the_teacher_has_
         await type_for(window, "anna")
         if how == "gone":
             await window.leave("anna")
-            told = "anna is gone"
+            told = "anna has left"
         else:
             why = "class.refused.taken_back" if how == "taken back" else "class.refused.type"
             await window.say("anna", may_type=False, refused=why)
-            told = "anna has taken it back"
+            told = "anna has withdrawn permission"
         assert told in window.text
         sent = len(window.part.sent)
         await window.press("f", "x", "S", "enter", "e")
@@ -134,7 +134,7 @@ async def test_what_came_of_the_question_is_told_and_goes_away_with_its_reason(c
         await window.press("t")
         await window.say("anna", asked=True)
         await window.say("anna", asked=False, refused="class.refused.no")
-        assert texts("class.refused.no") in window.text and "it begins with the yes" not in window.text
+        assert texts("class.refused.no") in window.text and "permission to type" not in window.text
         await window.press("escape")
         assert texts("class.refused.no") in window.line_with("anna")
         await window.say("anna", refused="")
@@ -143,7 +143,7 @@ async def test_what_came_of_the_question_is_told_and_goes_away_with_its_reason(c
         await window.say("anna", refused="class.refused.busy")
         assert texts("class.refused.busy") in window.text
         await window.say("anna", refused="")
-        assert texts("class.refused.busy") not in window.text and "asked whether" not in window.text
+        assert texts("class.refused.busy") not in window.text and "permission to type" not in window.text
 
 
 async def test_after_a_no_a_second_question_may_have_a_yes(class_of: Class) -> None:
@@ -368,7 +368,7 @@ async def test_those_who_were_turned_away_are_told_of(class_of: Class) -> None:
         window.part.turned_away("anna", "taken")
         window.part.turned_away("ben", "full")
         await window.step()
-        assert "anna is taken: another machine asks for this name" in window.text
+        assert "anna is taken: another computer is asking for this name" in window.text
         assert "ben cannot join: the class is full" in window.text
         await window.come("ben")
         above_the_notice = window.text.rpartition("\n")[0]
@@ -464,7 +464,7 @@ async def test_the_row_of_who_is_gone_can_be_removed_and_no_other(class_of: Clas
     async with class_of() as window:
         await window.come("anna", "ben", "carl")
         await window.press("d")
-        assert "only who is gone" in window.text and "anna  " in window.text
+        assert "only pupils who have left" in window.text and "anna  " in window.text
         await window.leave("ben")
         await window.press("end", "delete")
         assert "ben" not in window.text and "▸ carl" in window.text
@@ -518,7 +518,7 @@ async def test_the_report_and_the_log_are_written_and_nothing_is_overwritten(cla
         (tmp_path / "lesson.csv").unlink()
         await window.press("e")
         await window.press(*["backspace"] * 30, *"lesson.csv", "enter")
-        assert "lesson-log.csv is there already" in window.text and not (tmp_path / "lesson.csv").exists()
+        assert "lesson-log.csv already exists" in window.text and not (tmp_path / "lesson.csv").exists()
 
 
 # -- the rest of the desktop -------------------------------------------------------------------------------------------
@@ -554,7 +554,7 @@ async def test_the_action_of_the_class_brings_the_window_to_the_front_and_never_
             assert window.app.desktop.focused_pane is window.pane
 
 
-@pytest.mark.parametrize(("names", "told"), [(["anna"], "1 pupil is joined"), (["anna", "ben"], "2 pupils are joined")])
+@pytest.mark.parametrize(("names", "told"), [(["anna"], "1 pupil is connected"), (["anna", "ben"], "2 pupils are connected")])
 async def test_leaving_asks_while_pupils_are_joined(class_of: Class, names: list[str], told: str) -> None:
     async with class_of() as window:
         left: list[object] = []

@@ -2,29 +2,29 @@
 
 TEXTS = {
     "bag.none": "No bag is open: o opens one.",
-    "bag.cut": "'{name}' is not complete: it is shown as far as it goes.",
+    "bag.cut": "'{name}' is incomplete: everything up to the break is shown.",
     "bag.cancelled": "Cancelled: '{name}' is shown as far as it was read.",
     "bag.empty": "'{name}' has no messages.",
     "bag.messages": "{count} messages",
     "bag.open": "open",
     "bag.open.title": "Open a bag",
-    "bag.open.note": "The bag's folder, or a file of it (.mcap, .db3).",
+    "bag.open.note": "The bag's folder, or one of its files (.mcap, .db3).",
     "bag.play": "play",
     "bag.pause": "pause",
     "bag.publish": "publish",
-    "bag.unpublish": "no longer publish",
+    "bag.unpublish": "stop publishing",
     "bag.publish_all": "publish all, none",
     "bag.speed": "faster, slower",
     "bag.step": "previous, next message",
     "bag.choose": "choose a topic",
-    "bag.pan": "move what is seen",
+    "bag.pan": "move the view",
     "bag.scrub": "move the playhead",
     "bag.zoom": "zoom in, out",
     "bag.fit": "see everything",
     "bag.ends": "to the beginning, the end",
-    "bag.region": "select from here, until here",
+    "bag.region": "select from here, to here",
     "bag.no_region": "select nothing",
-    "bag.open.other": "another one …",
+    "bag.open.other": "another …",
     "bag.view": "message",
     "bag.no_message": "no message before the playhead",
     "bag.panel": "to the fields of the message, and back",
@@ -36,21 +36,21 @@ TEXTS = {
     "bag.record.title": "Select name for new rosbag",
     "bag.record.topics": "Select the topics you want to record",
     "bag.recording": "recording: {count} messages, {size}; r stops",
-    "bag.recording_paused": "recording paused: {count} messages, {size}; Space goes on",
+    "bag.recording_paused": "recording paused: {count} messages, {size}; Space resumes",
     "bag.stop_recording": "stop recording",
-    "bag.hold_recording": "pause, go on",
+    "bag.hold_recording": "pause, resume",
     "bag.save": "export the selected region",
     "bag.save.title": "Save selected region...",
-    "bag.save.topics": "Which topics are exported?",
+    "bag.save.topics": "Which topics should be exported?",
     "bag.name.note": "A new folder: nothing is overwritten.",
     "bag.name.none": "It needs a name.",
     "bag.all": "All",
     "bag.tick": "tick",
-    "bag.go_on": "go on",
+    "bag.go_on": "continue",
     "bag.cancel": "cancel",
     "bag.menu": "menu",
     "bag.menu.publish": "Publish",
-    "bag.menu.unpublish": "No longer publish",
+    "bag.menu.unpublish": "Stop publishing",
     "bag.menu.publish_all": "Publish All",
     "bag.menu.publish_none": "Publish None",
     "bag.menu.view": "View the message",
@@ -60,16 +60,18 @@ TEXTS = {
     "bag.menu.open": "Load Bag",
     "bag.menu.record": "Record Bag",
     "help.rqt_bag": (
-        "A bag on a timeline: a line for each topic, with higher bars where there are more messages. The red line is the "
-        "playhead.\n\nTick a topic (Enter) and its messages are published, with the recorded quality of service: its newest "
-        "message wherever the playhead is moved to, and every message while it plays. So Plot and RViz follow the playhead. "
-        "(The real rqt_bag publishes only while it plays.) Frames go back in time only in an RViz that goes by the bag's clock: "
-        "rqt_bag --clock, and use_sim_time for RViz.\n\nClick or drag in the timeline to move the playhead, drag in the "
-        "ruler to select a region, turn the wheel to zoom, drag with the middle button or Shift to move what is seen. Playing "
-        "goes around in the selected region, or in everything. Of a bag only its index is read: large ones open at once.\n\n"
-        "v shows the message or image of the chosen topic at the playhead; Tab goes to its fields, where g types the command "
-        "that plots one. w exports the selected region to a new bag, r records a new one in place of what is open.\n\n"
-        "Keys are the real one's, but for Up and Down: they choose a topic here, there they zoom as Page Up and Page Down do. "
-        "A perspective of rqt keeps the open bags, the ticked topics, the region and what is seen."
+        "A bag on a timeline: one line per topic, with taller bars where there are more messages. The red line is the "
+        "playhead.\n\n"
+        "Tick a topic (Enter) and its messages are published with their recorded quality of service: the newest message "
+        "wherever you move the playhead, and every message while the bag plays. So Plot and RViz follow the playhead. (The "
+        "real rqt_bag publishes only while it plays.) For frames to go back in time, RViz must follow the bag's clock: "
+        "rqt_bag --clock, and use_sim_time for RViz.\n\n"
+        "Click or drag in the timeline to move the playhead, drag in the ruler to select a region, turn the wheel to zoom, "
+        "and drag with the middle button or Shift to move the view. Playback loops over the selected region, or over the "
+        "whole bag. Only a bag's index is read at first, so large bags open at once.\n\n"
+        "v shows the chosen topic's message or image at the playhead; Tab goes to its fields, where g types the command "
+        "that plots one. w exports the selected region to a new bag, r records a new bag in place of the open one.\n\n"
+        "The keys are those of the real rqt_bag, except for Up and Down: here they choose a topic, there they zoom like "
+        "Page Up and Page Down. An rqt perspective remembers the open bags, the ticked topics, the region and the view."
     ),
 }

@@ -26,15 +26,15 @@ TEXTS = {
     "bar.door.joined.short": "joined",
     "bar.door.calling": "connecting {host}",
     "notice.open_class": "anyone who reaches port {port} can join the class; --secret keeps others out",
-    "notice.open": "anyone who reaches port {port} can read and command; --secret keeps others out",
+    "notice.open": "anyone who reaches port {port} can read and control; --secret keeps others out",
     "bar.help": "F1 Help",
     "bar.starting": "starting …",
     "bar.playing": "typing for you",
     "bar.external": "your own programs keep normal speed",
     # presenting
-    "bar.scene.paused": "paused: type what you like",
+    "bar.scene.paused": "paused: type whatever you like",
     "bar.scene.pause": "pause",
-    "bar.scene.resume": "go on",
+    "bar.scene.resume": "resume",
     "bar.scene.step": "step",
     "bar.scene.stop": "stop",
 }

@@ -6,8 +6,8 @@ TEXTS = {
     "console.node": "Node",
     "console.stamp": "Stamp",
     "console.location": "Location",
-    "console.none": "No log message yet: they come from /rosout.",
-    "console.filtered": "All messages are left out; a shows them.",
+    "console.none": "No log messages yet: they come from /rosout.",
+    "console.filtered": "All messages are excluded; a shows them.",
     "console.newest": "follow the newest",
     "console.count": "{count} messages",
     "console.shown": "{count} of {total} messages",
@@ -43,7 +43,7 @@ TEXTS = {
     "console.only": "Show highlighted messages only",
     "console.only.short": "only these",
     "console.text": "Text",
-    "console.text.note": "Takes effect while it is typed; an empty line turns it off.",
+    "console.text.note": "Takes effect as you type; an empty line turns it off.",
     "console.regexp": "Regex",
     "console.as_text": "plain text",
     "console.enabled": "Enabled",
@@ -52,8 +52,8 @@ TEXTS = {
     "console.stop_ns": "Until",
     "console.no_end": "no end",
     "console.start_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05.",
-    "console.stop_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05; an empty line: no end.",
-    "console.wrong_time": "This is no time, like 14:05:01.250.",
+    "console.stop_ns.note": "Like 14:05:01.250 or 2026-01-31 14:05; leave it empty for no end.",
+    "console.wrong_time": "Not a time, like 14:05:01.250.",
     "console.filters": "filters",
     "console.filters.title": "Filters",
     "console.files": "save, load",
@@ -71,19 +71,21 @@ TEXTS = {
     "console.highlights.kind.time": "Highlight messages from a time range",
     "console.highlights.kind.location": "Highlight messages from a location",
     "console.highlights.kind.custom": "Highlight messages: custom",
-    "console.undone": "as it was",
+    "console.undone": "undone",
     "help.rqt_console": (
-        "The log messages of all nodes, from the topic /rosout, the newest at the end. The arrow keys or a click choose one: "
-        "it is shown below the table, and Enter or a double click shows all of it. Esc follows the newest again. "
-        "A click on a column's name sorts by it, a second one the other way round; s and S do the same.\n\n"
-        "/ leaves out messages that contain a text, h highlights them: what you type takes effect at once, Tab makes a regular "
-        "expression of it, Enter keeps it, Esc takes it back. The capital letters, or a click on a box, leave out severities: "
-        "D, I, W, E, F. n leaves out the node of the chosen message, a shows everything again. f lists all filters, those that "
-        "leave out and those that highlight, as below the table of the real window: Enter changes one, Del removes it.\n\n"
-        "Space pauses: what comes meanwhile is lost, as in the real one. c clears. w saves what is shown to a file, o loads one; "
-        "such files go to and from the real rqt_console.\n\n"
-        "What a node does not log at all is decided by its level: see --log-level, and the logger services. The location is the "
-        "file, function and line that logs: of a Python node a whole path, of a C++ node, as in a binary installation, from its "
-        "package's folder on; it is that of the program that runs here, which is not written in C++."
+        "The log messages of all nodes, from the topic /rosout, newest last. Choose one with the arrow keys or a click: it "
+        "is shown below the table, and Enter or a double click shows it in full. Esc follows the newest again. A click on "
+        "a column's name sorts by it, a second click reverses the order; s and S do the same.\n\n"
+        "/ excludes messages that contain a text, h highlights them: what you type takes effect at once, Tab makes it a "
+        "regular expression, Enter keeps it, Esc undoes it. Capital letters, or a click on a box, exclude severities: D, "
+        "I, W, E, F. n excludes the node of the chosen message, a shows everything again. f lists all filters, both "
+        "excluding and highlighting, like the area below the table of the real window: Enter changes one, Del removes "
+        "it.\n\n"
+        "Space pauses: messages that arrive meanwhile are lost, as in the real one. c clears. w saves the messages shown "
+        "to a file, o loads one; the real rqt_console reads and writes the same files.\n\n"
+        "What a node doesn't log at all depends on its level: see --log-level and the logger services. The location is the "
+        "file, function and line that logs: a full path for a Python node; for a C++ node, as in a binary installation, a "
+        "path that starts at its package's folder. It is the location in the program that runs here, which isn't written "
+        "in C++."
     ),
 }

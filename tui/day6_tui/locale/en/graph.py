@@ -23,22 +23,24 @@ TEXTS = {
     "rqt.auto": "auto refresh",
     "rqt.node_filter": "Node filter",
     "rqt.topic_filter": "Topic filter",
-    "rqt.filter_note": "Names or regular expressions separated by commas; a leading - leaves out, / is all. Example: -/rqt.*",
+    "rqt.filter_note": (
+        "Names or regular expressions, separated by commas; a leading - excludes, / means all. Example: -/rqt.*"
+    ),
     "rqt.save": "Save the graph as",
     "rqt.save_note": ".dot for Graphviz, .pdf, .svg or .png for a picture",
     "rqt.load": "Open a DOT file",
-    "rqt.load_note": "It is shown instead of the live graph, until r refreshes.",
+    "rqt.load_note": "Shown instead of the live graph until r refreshes.",
     "rqt.loaded": "from the file {name}; r shows the live graph",
     "rqt.node": "{name}: {arriving} arrows in, {leaving} out",
     "rqt.topic": "{name}: published by {arriving}, subscribed to by {leaving}",
     "help.rqt_graph": (
-        "Which node talks to which. Round boxes (ellipses in the real rqt_graph) are nodes, arrows and square boxes are topics. "
-        "A pulse runs along an arrow when messages pass. "
-        "The line below says what the filters hide; where the check boxes have no room, which key shows it.\n\n"
-        "A small window has no room for the picture: there each arrow is a line, from the node that publishes over the topic to "
-        "the one that subscribes.\n\n"
-        "Drag or arrow keys: move. Wheel, + and -: zoom, from names in full to an overview. v (Fit) fits it to the "
-        "window again, and keeps to it until you move. An arrow with a number at an edge says how many boxes lie beyond it. "
-        "A click, or j and k, chooses a box: the line below describes it."
+        "Which node talks to which. Round boxes (ellipses in the real rqt_graph) are nodes; arrows and square boxes are "
+        "topics. A pulse runs along an arrow when messages pass. The line below says what the filters hide; if there is no "
+        "room for the check boxes, it says which key shows the rest.\n\n"
+        "If the window is too small for the picture, each arrow becomes a line: from the publishing node, over the topic, "
+        "to the subscribing one.\n\n"
+        "Drag or arrow keys: move. Wheel, + and -: zoom, from full names to an overview. v (Fit) fits the graph to the "
+        "window and keeps it there until you move. An arrow with a number at an edge says how many boxes lie beyond it. A "
+        "click, or j and k, chooses a box; the line below describes it."
     ),
 }

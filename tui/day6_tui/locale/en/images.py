@@ -1,7 +1,7 @@
 """rqt_image_view and showimage."""
 
 TEXTS = {
-    "images.none": "There is no topic with images (sensor_msgs/msg/Image) yet. Start a camera.",
+    "images.none": "No topic has images (sensor_msgs/msg/Image) yet. Start a camera.",
     "images.choose": "t chooses a topic.",
     "images.no_topic": "Nobody publishes {topic}.",
     "images.waiting": "Waiting for an image on {topic}.",
@@ -13,24 +13,24 @@ TEXTS = {
     "images.save": "save",
     "images.save_title": "Save as image",
     "images.dynamic": "dynamic range",
-    "images.range": "greatest range",
-    "images.range_note": "Metres that are white in an image of distances.",
+    "images.range": "maximum range",
+    "images.range_note": "The distance in metres that is drawn white in a depth image.",
     "images.bad_range": "A number from 0.01 to 100.",
     "images.mouse": "publish clicks",
     "help.rqt_image_view": (
-        "The images of a topic. t, or a click on its name, chooses one of the topics with images. The newest image is shown, a "
-        "few times a second, however many come.\n\n"
-        "1 shows every pixel of the image, arrows then move the part that is seen; 1 again fits all of it into the window. r "
-        "rotates, R to the left. The line below tells size and encoding, and which pixel the mouse is on. w saves the whole "
-        "image (png, jpg, bmp, tiff).\n\n"
-        "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
-        "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."
+        "The images of a topic. t, or a click on its name, chooses a topic with images. However many arrive, the newest is "
+        "shown a few times a second.\n\n"
+        "1 shows the image pixel for pixel, and the arrows move the visible part; 1 again fits the whole image into the "
+        "window. r rotates it to the right, R to the left. The line below gives its size and encoding, and the pixel under "
+        "the mouse. w saves the whole image (png, jpg, bmp, tiff).\n\n"
+        "Depth images (16UC1, 32FC1) are grey: black is 0, white the maximum range, which x changes. d uses the smallest "
+        "and largest distance in the image. m publishes the point you click on <topic>_mouse_left."
     ),
     "help.showimage": (
-        "The newest image of the topic image, fitted into the window, a few times a second, however many come. The line below "
-        "tells size and encoding, and which pixel the mouse is on. `ros2 run image_tools cam2image --ros-args -p "
+        "The newest image on the topic image, fitted into the window, a few times a second, however many arrive. The line "
+        "below gives its size and encoding, and the pixel under the mouse. `ros2 run image_tools cam2image --ros-args -p "
         "burger_mode:=true` publishes images without a camera.\n\n"
-        "In real ROS 2 this is a window of OpenCV, as large as the image. Closing it ends the program; there it would come back "
-        "with the next image."
+        "In real ROS 2 this is an OpenCV window, as large as the image. Here, closing it ends the program; there, the "
+        "window comes back with the next image."
     ),
 }

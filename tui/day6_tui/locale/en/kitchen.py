@@ -2,7 +2,7 @@
 
 TEXTS = {
     "action.kitchen": "Kitchen: the graph as cooks, belts and dishes",
-    "help.action.kitchen": "shows the live graph as a kitchen in which dishes move when messages pass; once more closes it",
+    "help.action.kitchen": "shows the live graph as a kitchen where dishes move when messages pass; again closes it",
     "kitchen.title": "Kitchen",
     "kitchen.count": "cooks: {cooks}, belts: {belts}",
     "kitchen.hidden": ", hidden: {count}",
@@ -13,7 +13,7 @@ TEXTS = {
     "kitchen.show_hidden": "hidden ones",
     "kitchen.hide": "hide again",
     "kitchen.scroll": "scroll",
-    "kitchen.leave": "choose nothing",
+    "kitchen.leave": "deselect",
     "kitchen.empty": (
         "The kitchen is empty: no node is running.\nStart a cook in a terminal, for example\n"
         "ros2 run turtlesim turtlesim_node"
@@ -31,35 +31,37 @@ TEXTS = {
     "kitchen.cook": "{name} is a cook.",
     "kitchen.cook.gives": "Puts dishes on {belts}.",
     "kitchen.cook.takes": "Takes dishes from {belts}.",
-    "kitchen.cook.idle": "Stands at no belt that is shown.",
-    "kitchen.cook.twins": "{count} cooks have this name, and nobody can tell them apart!",
-    "kitchen.cook.ros": "ROS: node {name}, publishes {gives}, subscribes to {takes} of these topics.",
+    "kitchen.cook.idle": "Not at any of the belts shown.",
+    "kitchen.cook.twins": "{count} cooks have this name, so nobody can tell them apart!",
+    "kitchen.cook.ros": "ROS: node {name}, publishes {gives} of these topics, subscribes to {takes}.",
     "kitchen.belt.moves": "The belt {belt} carries {shape} from {givers} to {takers}.",
-    "kitchen.belt.unheard": "{givers} puts {shape} on the belt {belt}, but nobody takes them: they pile up at its end.",
+    "kitchen.belt.unheard": "{givers} puts {shape} on the belt {belt}, but nobody takes it: dishes pile up at the end.",
     "kitchen.belt.unfilled": "{takers} waits at the belt {belt} for {shape}, but nobody puts any on it.",
     "kitchen.belt.type": "{giver} puts {shape} on the belt {belt}, but the hatch of {taker} only fits {wanted}: nothing gets in.",
     "kitchen.belt.qos": (
-        "{giver} puts {shape} on the belt {belt}, but {taker} takes dishes on other terms only, and gets none."
+        "{giver} puts {shape} on the belt {belt}, but {taker} only takes dishes on other terms and gets none."
     ),
     "kitchen.belt.ros": "ROS: topic {belt}, type {type}; publishers: {givers}; subscribers: {takers}.",
-    "kitchen.belt.type.ros": "ROS: on {belt} {giver} publishes {sent} and {taker} subscribes to {detail}: not the same type.",
-    "kitchen.belt.qos.ros": "ROS: on {belt} the QoS of {giver} does not satisfy {taker}: {detail}.",
+    "kitchen.belt.type.ros": (
+        "ROS: on {belt}, {giver} publishes {sent} and {taker} subscribes to {detail}: not the same type."
+    ),
+    "kitchen.belt.qos.ros": "ROS: on {belt}, the QoS of {giver} does not satisfy {taker}: {detail}.",
     "kitchen.belt.rate": "{rate} messages a second, measured.",
-    "kitchen.belt.still": "No message passes at the moment.",
-    "kitchen.belt.unknown": ("How many messages pass cannot be counted from here."),
+    "kitchen.belt.still": "No messages are passing right now.",
+    "kitchen.belt.unknown": "The messages cannot be counted from here.",
     "help.kitchen": (
-        "The live graph as a kitchen. Cooks are nodes, belts are topics, dishes are messages. A dish looks like its message "
-        "type: the same type, the same shape, letter and colour. A cook whose hatch fits another shape gets nothing, and the "
-        "belt is marked.\n\n"
-        "Shapes: ( ) a plate of commands (Twist); { } a bowl of words (String); [ ] a box of numbers (Int32, "
-        "Float64); < > a cover over a place (Pose, TFMessage); # # a frame for what is seen (Image, Color); \\ / a cup of what "
-        "was measured (JointState, LaserScan); = = a parcel, everything else.\n\n"
-        "A dish moves when a message really passed. Where many pass, only some are drawn; the number beside the type is the "
-        "measured rate. ?/s: nobody here can count them. What nobody takes stays at the end of the belt; its number is counted "
-        "from when the kitchen was opened.\n\n"
+        "The live graph as a kitchen. Cooks are nodes, belts are topics, dishes are messages. A dish looks like its "
+        "message type: the same type means the same shape, letter and colour. If a cook's hatch has another shape, nothing "
+        "gets through, and the belt is marked.\n\n"
+        "Shapes: ( ) a plate of commands (Twist); { } a bowl of words (String); [ ] a box of numbers (Int32, Float64); < > "
+        "a cover over a place (Pose, TFMessage); # # a frame around a picture (Image, Color); \\ / a cup of measurements "
+        "(JointState, LaserScan); = = a parcel, everything else.\n\n"
+        "A dish moves when a message has really passed. If many pass, only some are drawn; the number beside the type is "
+        "the measured rate. ?/s means that they cannot be counted from here. Dishes that nobody takes stay at the end of "
+        "the belt; their number is counted from when you opened the kitchen.\n\n"
         "■ puts dishes on a belt, ► takes them, × cannot take them; a belt passes under the counters of all others. Dotted "
         "belts are empty: nobody puts anything on them.\n\n"
-        "/rosout, /parameter_events and hidden nodes are left out; h shows them. A click on a cook or a belt explains it. "
-        "The kitchen itself subscribes to nothing and is not in the picture."
+        "/rosout, /parameter_events and hidden nodes are left out; h shows them. Click a cook or a belt for an "
+        "explanation. The kitchen itself subscribes to nothing and isn't in the picture."
     ),
 }

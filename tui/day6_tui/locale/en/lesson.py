@@ -2,10 +2,10 @@
 
 TEXTS = {
     "lesson.title": "Lessons",
-    "lesson.coming": "The lessons are coming …",
+    "lesson.coming": "Loading the lessons …",
     "lesson.days": "Six days",
-    "lesson.none": "there are no lessons here",
-    "lesson.drill.open": "Not mended yet. Look for the cause; h gives a hint.",
+    "lesson.none": "no lessons here",
+    "lesson.drill.open": "Not fixed yet. Look for the cause; h gives a hint.",
     "lesson.topic.environment": "Environment",
     "lesson.topic.workspace": "Workspace",
     "lesson.topic.package": "Packages",
@@ -21,10 +21,12 @@ TEXTS = {
     "lesson.topic.network": "Network",
     "lesson.unknown": "there is no lesson {name}",
     "lesson.minutes": "{minutes} min",
-    "lesson.drills": "Find the fault",
-    "lesson.own": "Lessons of this folder",
-    "lesson.drills.own": "Find the fault (of this folder)",
-    "lesson.drills.more": "Something does not work; find out why. All in a folder of its own: your files are not touched.",
+    "lesson.drills": "Find the bug",
+    "lesson.own": "Lessons in this folder",
+    "lesson.drills.own": "Find the bug (in this folder)",
+    "lesson.drills.more": (
+        "Something doesn't work; find out why. Each drill has its own folder: your files are not touched."
+    ),
     "lesson.step": "Step {number} of {all}",
     "lesson.working": "typing for you …",
     "lesson.more": "↓ more",
@@ -35,22 +37,26 @@ TEXTS = {
     "lesson.next.key": "F5 {next}",
     "lesson.done.key": "Done · F5",
     "lesson.solved": "Done! {key} {go_on}.",
-    "lesson.already": "You have done this already. Have a look, then {key} {go_on}.",
-    "lesson.done_before": "You have solved this step before: do it again, or go on with F5 and →.",
+    "lesson.already": "You have already done this. Have a look, then {key} {go_on}.",
+    "lesson.done_before": "You have solved this step before: do it again, or move on with F5 and →.",
     "lesson.go_on": "goes on to the next step",
     "lesson.go_on.day": "finishes today's lesson",
     "lesson.go_on.drill": "finishes this drill",
     "lesson.finished": "{title}: done! {how} Enter opens what comes next.",
     "lesson.finished.best": "Everything right, without a single hint!",
-    "lesson.finished.all": "Everything right; hints read: {hints}.",
+    "lesson.finished.all": "Everything right; hints used: {hints}.",
     "lesson.finished.unhelped": "{solved} of {all} steps right, without a single hint.",
-    "lesson.finished.some": "{solved} of {all} steps right; hints read: {hints}.",
-    "lesson.leftovers": "Still running from before: {names}. To begin with an empty desk press {key} (capital): I end them.",
+    "lesson.finished.some": "{solved} of {all} steps right; hints used: {hints}.",
+    "lesson.leftovers": (
+        "Still running from before: {names}. To start with an empty desktop, press {key} (capital) and I'll end them."
+    ),
     "lesson.key.clear": "end what runs",
-    "lesson.missing": "This step needs an earlier one: {names}. Press {key} (capital) and I set it up.",
+    "lesson.missing": "This step needs earlier ones: {names}. Press {key} (capital) and I'll set them up.",
     "lesson.first": "F5, then {key}",
     "lesson.problem": "That did not work: {reason}",
-    "lesson.something_runs": "Still running: {names}. Ctrl-C ends them, or I do: press {key} (capital). The drill begins then.",
+    "lesson.something_runs": (
+        "Still running: {names}. End them with Ctrl-C, or press {key} (capital) and I'll do it. Then the drill starts."
+    ),
     "lesson.not_saved": "Your progress was not saved: {reason}",
     "lesson.key.choose": "choose",
     "lesson.key.open": "open",
@@ -60,42 +66,43 @@ TEXTS = {
     "lesson.key.hint": "hint",
     "lesson.key.type": "type it for me",
     "lesson.key.prepare": "set it up",
-    "lesson.key.steps": "back, on",
+    "lesson.key.steps": "back, forward",
     "lesson.key.list": "lessons",
     "lesson.key.scroll": "pages",
     "lesson.key.solution": "show me how",
-    "lesson.key.again": "this step again",
+    "lesson.key.again": "redo this step",
     "lesson.key.terminal": "to the terminal",
-    "lesson.key.random": "any drill",
+    "lesson.key.random": "random drill",
     "lesson.key.exam": "exam",
-    "lesson.key.hold": "hold",
+    "lesson.key.hold": "pause",
     "lesson.key.on": "on",
     "lesson.key.speed": "speed",
     "lesson.key.stop": "stop the demo",
-    "lesson.key.demo": "demonstrate from here on",
+    "lesson.key.demo": "demo from here on",
     "lesson.key.notes": "notes for the teacher",
-    "lesson.demo": "demonstration {speed}×",
-    "lesson.demo.held": "demonstration held",
+    "lesson.demo": "demo {speed}×",
+    "lesson.demo.held": "demo paused",
     "lesson.notes": "For the teacher",
     "lesson.exam.step": "Exam {number} of {all}",
     "lesson.exam.over": "The exam is over: {solved} of {all} solved",
     "lesson.exam.result": "{seconds} s, {hints} hints",
     "lesson.name": "What is your name?",
-    "lesson.name.note": "Progress is kept under your name",
+    "lesson.name.note": "Your progress is saved under this name",
     "lesson.name.empty": "a name is needed",
     "lesson.name.long": "this name is too long",
-    "lesson.name.control": "this name has characters that cannot be shown",
+    "lesson.name.control": "this name has characters that cannot be displayed",
     "action.lessons": "Lessons",
-    "help.action.lessons": "lessons, step by step; on to the next step when one is done",
+    "help.action.lessons": "lessons, step by step; goes to the next step when one is done",
     "action.pupil": "Another pupil",
-    "help.action.pupil": "progress is kept under a pupil's name",
+    "help.action.pupil": "progress is saved under each pupil's name",
     "help.lesson": (
-        "Learning step by step. The terminal beside it is yours: do what it says; it watches the running system, ticks off "
-        "what is there and says what it saw where something is not.\n\n"
-        "F5 goes on when a step is done; otherwise it goes between lesson and terminal. h gives a hint, three in all, "
-        "the last one is the command; then Enter types it for you. A question is answered by a letter and Enter.\n\n"
-        "Left and Right show the step before and after, L (capital) the list of lessons, P sets up the steps that are needed, "
-        "C ends what runs from before, S shows you how (a file of yours is copied to .mine first). "
-        "What is typed here goes to the terminal. Progress is kept after every step."
+        "Learn step by step. The terminal beside it is yours: do what the lesson says. It watches the running system, "
+        "ticks off what you have done, and says what it saw if something is missing.\n\n"
+        "F5 goes to the next step when one is done; otherwise it switches between lesson and terminal. h gives a hint, "
+        "three in all; the last one is the command, and then Enter types it for you. Answer a question with a letter and "
+        "Enter.\n\n"
+        "Left and Right show the previous and the next step, L (capital) the list of lessons. P sets up the steps you "
+        "need, C ends what is still running from before, S shows you how (your own file is copied to .mine first). "
+        "Anything else you type here goes to the terminal. Progress is saved after every step."
     ),
 }

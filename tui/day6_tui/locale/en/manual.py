@@ -6,15 +6,16 @@ TEXTS = {
     "help.keys": "↑ ↓ scroll   Tab next page   Esc back",
     "help.everywhere": "Keys that work everywhere",
     "help.desk": (
-        "This is the desk of a small Ubuntu computer with ROS 2. On it are terminals, in which you type commands, and the "
-        "windows that programs open.\n\nNothing happens here that a command did not cause. Everything you learn here works the "
-        "same on a real Ubuntu.\n\nStarted by day6-tui --detach, the desk outlives its terminal: F7, Detach leaves it (so does a "
-        "closed window), and everything goes on; day6-tui attach comes back."
+        "This is the desktop of a small Ubuntu computer with ROS 2. It has terminals, where you type commands, and the "
+        "windows that programs open.\n\n"
+        "Nothing happens here unless a command causes it. Everything you learn here works the same on a real Ubuntu.\n\n"
+        "If you start it with day6-tui --detach, the desktop outlives its terminal: leave it with F7, Detach, or just "
+        "close the terminal's window, and everything keeps running; day6-tui attach brings it back."
     ),
     # the manual
     "help.search": "type to search all pages",
-    "manual.desk": "The desk",
-    "manual.welcome": "The choices at the start",
+    "manual.desk": "The desktop",
+    "manual.welcome": "The start menu",
     "manual.guide": "Commands to try",
     "manual.terminal": "Terminals",
     "manual.editor": "The editor",

@@ -1,9 +1,11 @@
 """Panes, their places, and the session that is opened again."""
 
 TEXTS = {
-    "help.panes": "Alt+←↑↓→\tthe pane on that side\nAlt+1 … 9\tthe pane with that number\n"
-    "Shift+Alt+←\tand ↑ ↓ →: moves the border\nMouse\tdrag borders and titles; double-click a title to enlarge",
-    "drop.told": "{name}: let go to put it {where}",
+    "help.panes": (
+        "Alt+←↑↓→\tthe pane on that side\nAlt+1 … 9\tthe pane with that number\nShift+Alt+←\tand ↑ ↓ →: move the "
+        "border\nMouse\tdrag borders and titles; double-click a title to enlarge"
+    ),
+    "drop.told": "{name}: drop it {where}",
     "drop.left": "to the left of {name}",
     "drop.right": "to the right of {name}",
     "drop.above": "above {name}",
@@ -11,14 +13,14 @@ TEXTS = {
     "drop.tab": "behind {name}, as a tab",
     "layout.name": "A name for this layout",
     "layout.no_name": "It needs a name",
-    "layout.saved": "The layout is saved as {name}",
+    "layout.saved": "Layout saved as {name}",
     "layout.own": "saved",
-    "layout.foreign": "not a file of layouts of version {version}",
+    "layout.foreign": "not a layout file of version {version}",
     "layout.unreadable": "{file}: {reason}",
-    "session.title": "Go on from last time",
-    "session.ask": "When you left, these were running. Start them again?\n\n{what}",
+    "session.title": "Continue from last time",
+    "session.ask": "These were running when you left. Start them again?\n\n{what}",
     "session.back": "Not now",
     "session.start": "Start again",
     "session.restored": "from {when}",
-    "session.foreign": "not a session of this version; it stays as it is",
+    "session.foreign": "not a session of this version; left unchanged",
 }

@@ -30,15 +30,15 @@ TEXTS = {
     "rviz.hint.description": "the robot description is broken: {reason}",
     "rviz.hint.config": "{file} could not be read: {reason}",
     "rviz.hint.no_config": "there is no file {file}; this is the default view",
-    "rviz.bad.bool": "true or false, please",
-    "rviz.bad.int": "a whole number, please",
-    "rviz.bad.float": "a number, please",
+    "rviz.bad.bool": "enter true or false",
+    "rviz.bad.int": "enter a whole number",
+    "rviz.bad.float": "enter a number",
     "rviz.bad.finite": "this number is not finite",
-    "rviz.bad.vector": "three numbers, please: 0; 0; 0.5",
-    "rviz.bad.quaternion": "four numbers, please: x; y; z; w",
-    "rviz.bad.colour": "three numbers from 0 to 255, please: red; green; blue",
-    "rviz.bad.enum": "one of these, please: {options}",
-    "rviz.bad.name": "a name, please",
+    "rviz.bad.vector": "enter three numbers: 0; 0; 0.5",
+    "rviz.bad.quaternion": "enter four numbers: x; y; z; w",
+    "rviz.bad.colour": "enter three numbers from 0 to 255: red; green; blue",
+    "rviz.bad.enum": "choose one of these: {options}",
+    "rviz.bad.name": "enter a name",
     "rviz.bad.picture": "the name must end in .png or .svg",
     "rviz.choose": "Choose",
     "rviz.find": "Find a property",
@@ -58,13 +58,13 @@ TEXTS = {
     "rviz.leave.title": "There are unsaved changes",
     "rviz.leave.save": "to {file}, then close",
     "rviz.leave.discard": "close without saving",
-    "rviz.leave.cancel": "go on",
+    "rviz.leave.cancel": "keep working",
     "rviz.unsaved": "the settings of RViz",
     "rviz.quality": "quality: {name}",
     "rviz.nothing_to_focus": "there is nothing to look at yet",
-    "rviz.view_saved": "view saved as {name}: its line below Views (Enter) leads back, ^R renames it, ^X removes it",
-    "rviz.no_controls": "There is no interactive marker: add the display InteractiveMarkers and start a server",
-    "rviz.tool.bad_topic": "{topic} is no name for a topic; the tool sends nothing",
+    "rviz.view_saved": "view saved as {name}: its line below Views (Enter) returns to it, ^R renames it, ^X removes it",
+    "rviz.no_controls": "There are no interactive markers: add the display InteractiveMarkers and start a server",
+    "rviz.tool.bad_topic": "{topic} isn't a valid topic name; the tool sends nothing",
     "rviz.type.Axes": "the axes of a frame",
     "rviz.type.Grid": "lines on the ground",
     "rviz.type.LaserScan": "points of a laser scanner",
@@ -115,11 +115,11 @@ TEXTS = {
     "rviz.seen.frames": "the axes of {count} frames",
     "rviz.seen.no_frames": "no frames: nobody publishes /tf",
     "rviz.seen.axes": "the axes of {frame}",
-    "rviz.seen.unknown": "{name}: nothing, its class is not here",
-    "rviz.seen.left_out": "{name}: {type} is the one display left out here; PointCloud2 shows clouds of points",
-    "rviz.seen.waiting": "{name}: {count} messages wait for a transform from {frame} to {fixed}",
+    "rviz.seen.unknown": "{name}: nothing, its class is not available here",
+    "rviz.seen.left_out": "{name}: {type} is the only display not available here; PointCloud2 shows point clouds",
+    "rviz.seen.waiting": "{name}: {count} messages are waiting for a transform from {frame} to {fixed}",
     "rviz.seen.markers": "{name}: interactive markers: {count}",
-    "rviz.seen.nameless": "{name}: {count} messages without a frame in their header, which cannot be placed",
+    "rviz.seen.nameless": "{name}: {count} messages without a frame in their header cannot be placed",
     "rviz.seen.point": "{name}: {count} point",
     "rviz.seen.points": "{name}: {count} points",
     "rviz.seen.image": "{name}: image of {size} pixels",
@@ -136,29 +136,27 @@ TEXTS = {
     "rviz.seen.turned": ", turned {degrees}°",
     "rviz.seen.more": "and {count} more links",
     "help.rviz2": (
-        "RViz shows what ROS knows: robots, frames, sensor data. It moves nothing. On the left is the Displays panel, on the "
-        "right the 3-D view.\n\n"
+        "RViz shows what ROS knows: robots, frames, sensor data. It moves nothing. On the left is the Displays panel, on "
+        "the right the 3-D view.\n\n"
         "Three settings show your robot: Fixed Frame (a frame that exists, such as base_link), Add RobotModel, and in it "
         "Description Topic /robot_description. Red and yellow lines say what is missing; the line at the bottom says it in "
-        "full. While the panel is folded, the worst of them stands below the picture.\n\n"
-        "Tab\tpanel or view; in a narrow window the picture comes first: when a robot is there, the panel folds until Tab\n"
-        "Enter\tchange a value, open a branch\n"
-        "Space\tcheck box\n/\tfind a property, also in closed branches\n"
-        "a or ^N\tadd a display, like the button Add at the lower left (↓ below the last line or Shift Tab goes there)\n"
-        "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
-        "d\thide or show the panel, like the arrow at its edge\n"
-        "arrows\tturn the view, with Shift pan it\n+ -\tzoom\n"
-        "f\tlook at the robot (the first one is framed by itself), or at what is selected\n"
-        "4\t45° from above\nz\tview as at the start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS, ThirdPersonFollower\n"
-        "k\tkeep the view: a line below Views leads back\nl\tquality: less detail is faster\nr\treset\n"
-        "^S w ^O\tsave, save as, open\ne\tsave a picture\n"
-        "m i s … u\tthe tools, in RViz's own letters (a second press or Esc leaves one): m Move Camera, i Interact, s Select, "
-        "c Focus Camera, n Measure, p 2D Pose Estimate, g 2D Goal Pose, u Publish Point\n\n"
-        "A pose: press where it shall be, drag to where it shall look, let go. With keys: arrows and Enter for the place, arrows "
-        "and Enter for the direction; Shift makes finer steps. The other tools: click, or arrows and Enter.\n\n"
-        "Interactive markers: drag their controls; the right button opens their menu. With keys: x goes from one control to the "
-        "next, Enter takes it and lets it go, arrows and Page keys move or turn it, Space opens the menu or changes between "
-        "moving and turning.\n\n"
+        "full. While the panel is folded, the worst of them is shown below the picture.\n\n"
+        "Tab\tpanel or view; in a narrow window the picture comes first: when a robot is there, the panel folds until "
+        "Tab\nEnter\tchange a value, open a branch\nSpace\tcheck box\n/\tfind a property, also in closed branches\na or "
+        "^N\tadd a display, like the button Add at the lower left (↓ on the last line or Shift Tab goes there)\n^X ^D "
+        "^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\nd\thide or show the panel, like the arrow at "
+        "its edge\narrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot (the first one is framed "
+        "automatically), or at what is selected\n4\t45° from above\nz\tview as at the start\nv\tOrbit, XYOrbit, "
+        "TopDownOrtho, FPS, ThirdPersonFollower\nk\tkeep the view: a line below Views returns to it\nl\tquality: less "
+        "detail is faster\nr\treset\n^S w ^O\tsave, save as, open\ne\tsave a picture\nm i s … u\tthe tools, in RViz's own "
+        "letters (a second press or Esc leaves one): m Move Camera, i Interact, s Select, c Focus Camera, n Measure, p 2D "
+        "Pose Estimate, g 2D Goal Pose, u Publish Point\n\n"
+        "A pose: press where it should be, drag in the direction it should face, let go. With keys: arrows and Enter for "
+        "the place, then arrows and Enter for the direction; Shift makes finer steps. The other tools: click, or arrows "
+        "and Enter.\n\n"
+        "Interactive markers: drag their controls; the right button opens their menu. With keys: x goes from one control "
+        "to the next, Enter grabs it and lets it go, arrows and Page keys move or turn it, Space opens the menu or "
+        "switches between moving and turning.\n\n"
         "Mouse: drag turns, Shift or Ctrl and drag pans, the wheel zooms."
     ),
 }

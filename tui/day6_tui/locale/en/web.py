@@ -2,103 +2,132 @@
 
 TEXTS = {
     # keeping pupils apart (day6_core/isolation): what a mode is, and why one is not to be had
-    "isolation.is.users": "each pupil is a Unix user of their own: no pupil can read, change or end what is another's; "
-    "names of processes and of files in /tmp can be seen, and ports on this machine are everybody's",
-    "isolation.is.bubblewrap": "each pupil is in a sandbox of their own (bubblewrap): nothing of other pupils can be seen, "
-    "read or ended; programs have no network unless you allow it",
-    "isolation.is.landlock": "each pupil can open only their own files and end only their own programs (Landlock), "
-    "but can connect to the sockets of another pupil's desktop and type into it: this does not keep pupils apart",
+    "isolation.is.users": (
+        "each pupil is a Unix user: no pupil can read, change or end anything of another's; the names of processes and of "
+        "files in /tmp are visible, and ports on this machine are shared"
+    ),
+    "isolation.is.bubblewrap": (
+        "each pupil is in a sandbox (bubblewrap): nothing of other pupils can be seen, read or ended; programs have no "
+        "network unless you allow it"
+    ),
+    "isolation.is.landlock": (
+        "each pupil can open only their own files and end only their own programs (Landlock), but can connect to the "
+        "sockets of another pupil's desktop and type into it: this does not keep pupils apart"
+    ),
     "isolation.is.none": "all pupils are the same user: each can read, change and end everything of every other pupil, "
     "and everything else that belongs to this user",
-    "isolation.no.linux": "exists on Linux only",
-    "isolation.no.root": "needs a server that is started as root",
-    "isolation.no.as_root": "is for a server that is not root",
+    "isolation.no.linux": "only exists on Linux",
+    "isolation.no.root": "needs a server started as root",
+    "isolation.no.as_root": "only for a server that isn't root",
     "isolation.no.bwrap": "needs bubblewrap (Debian, Ubuntu: apt install bubblewrap)",
-    "isolation.no.landlock": "this Linux has no Landlock (5.13 or later, and switched on)",
-    "isolation.no.fails": "was tried and does not start: {reason}",
-    "isolation.no.open": "was tried and does not keep pupils apart here; this went through: {names}",
-    "isolation.no.closed": "other users cannot go into {folder}: put day6-tui, its Python and the homes where all may go "
-    "(for example python3 -m venv /opt/day6-tui)",
-    "isolation.no.owner": "{folder} has files of another user; if they are the pupil's: chown -R {uid}:{uid} {folder}",
-    "isolation.no.inside": "{folder} lies in a folder that every pupil may read: choose another place for it",
-    "isolation.no.taken": "{folder} belongs to user {uid}, whose number another server on this machine uses",
+    "isolation.no.landlock": "this Linux has no Landlock (needs 5.13 or later, with Landlock enabled)",
+    "isolation.no.fails": "was tried and doesn't start: {reason}",
+    "isolation.no.open": "was tried and doesn't keep pupils apart here; these got through: {names}",
+    "isolation.no.closed": (
+        "other users cannot enter {folder}: put day6-tui, its Python and the homes where everyone can (for example python3 "
+        "-m venv /opt/day6-tui)"
+    ),
+    "isolation.no.owner": (
+        "{folder} contains another user's files; if they belong to the pupil: chown -R {uid}:{uid} {folder}"
+    ),
+    "isolation.no.inside": "{folder} is inside a folder that every pupil can read: choose another place for it",
+    "isolation.no.taken": "{folder} belongs to user {uid}, a number used by another server on this machine",
     "isolation.no.uids": "all user numbers from {first} to {last} are in use",
     # a class in browser tabs: `day6-tui serve`
     "serve.windows": "serve needs Unix sockets and pseudo-terminals: Linux or macOS (on Windows: inside WSL)",
     "serve.no_mode": "--isolation {name}: {reason}",
     "serve.not_mode": "not --isolation {name}: {reason}",
     "serve.as_before": "--isolation {name}, as before in this folder",
-    "serve.other_mode": "{name}: the desktop of the last server was ended: it was kept apart by --isolation {mode}",
+    "serve.other_mode": "{name}: the last server's desktop was ended: it was isolated by --isolation {mode}",
     "serve.at": "open {address} in a browser",
     "serve.apart": "how pupils are kept apart: {what}",
     "serve.back": "To the start page",
-    "serve.start.what": "ROS 2 in a browser tab: turtlesim, RViz, rqt_graph and terminals, on a desktop of your own.",
+    "serve.start.what": "ROS 2 in a browser tab: turtlesim, RViz, rqt_graph and terminals, on your own desktop.",
     "serve.start.word": "Class word",
     "serve.start.name": "Your name",
     "serve.start.enter": "Open my desktop",
-    "serve.start.go_on": "Go on as {name}",
-    "serve.start.leave": "I am not {name}",
+    "serve.start.go_on": "Continue as {name}",
+    "serve.start.leave": "I'm not {name}",
     "serve.start.by_link": "Use the link or the QR code your teacher gave you.",
     "serve.start.apart": "How pupils are kept apart here:",
-    "serve.start.none": "All of you share one account here: everybody can open, change and end what the others have. "
-    "Please leave it alone, and keep no secrets here.",
+    "serve.start.none": (
+        "You all share one account here: everyone can open, change and end what belongs to others. Please leave it alone, "
+        "and keep no secrets here."
+    ),
     "serve.wrong.word": "That is not the class word.",
-    "serve.wrong.often": "Too many wrong tries. Wait a minute.",
-    "serve.wrong.name": "Somebody is called {name} already. Choose another name; if it is you, use the browser you began with.",
+    "serve.wrong.often": "Too many wrong attempts. Wait a minute.",
+    "serve.wrong.name": (
+        "Somebody is already called {name}. Choose another name; if it's you, use the browser you started with."
+    ),
     "serve.wrong.link": "This link is not valid (any more). Ask your teacher for a new one.",
     "serve.wrong.stranger": "This page needs a link from your teacher.",
     "serve.wrong.host": "Open the address your teacher gave you.",
     "serve.wrong.address": "There is no page at this address.",
     "serve.name.empty": "Type a name.",
     "serve.name.long": "This name is too long: 32 characters at most.",
-    "serve.name.letters": "A name has letters and digits, and perhaps blanks, dots and dashes.",
+    "serve.name.letters": "A name may have letters and digits, and also spaces, dots and dashes.",
     "serve.no_packages": "serve needs more packages: pip install 'day6-tui[serve]'",
-    "serve.not_apart": "--host {host}: pupils are not kept apart here (--isolation {name}), "
-    "so each could read and change everything of this user; if you trust them: --trust-pupils",
-    "serve.in_use": "{folder}: another server uses this folder",
-    "serve.bad_tokens": "{file} is not what this program writes there: move it away, and all links are made anew",
-    "serve.again": "{number} desktops of the last server go on",
+    "serve.not_apart": (
+        "--host {host}: pupils are not kept apart here (--isolation {name}), so each could read and change everything this "
+        "user owns; if you trust them: --trust-pupils"
+    ),
+    "serve.in_use": "{folder}: in use by another server",
+    "serve.bad_tokens": "{file} was not written by this program: move it away, and all links are made again",
+    "serve.again": "{number} desktops of the last server are still running",
     "serve.link": "{name}: {link}",
     "serve.teacher": "the teacher: {link}",
-    "serve.kept": "{number} desktops go on; the next server with this folder finds them",
+    "serve.kept": "{number} desktops keep running; the next server with this folder finds them",
     "serve.ending": "ending {number} desktops; the files stay in {folder}",
-    "serve.left": "{name}: not everything of the last desktop could be ended",
+    "serve.left": "{name}: not all programs of the last desktop could be ended",
     "serve.idle": "{name}: ended after {minutes} minutes without a key; the files stay",
     "serve.refused": "{name}: no desktop: {reason}",
     "serve.full": "{name}: no desktop: {most} are running, and --most allows no more",
     "serve.no_record": "{file}: cannot be written ({reason})",
-    "serve.bad_record": "{file} is not what this program writes there; the last desktops are found by the names of the pupils",
+    "serve.bad_record": "{file} was not written by this program; the last desktops are found by the pupils' names",
     "serve.disk.over": "{name}: {used} MB in the home folder, more than {most} MB",
-    "serve.disk.ended": "{name}: ended, {used} MB in the home folder where {most} MB are allowed; the files stay",
+    "serve.disk.ended": "{name}: ended, {used} MB in the home folder with {most} MB allowed; the files stay",
     "serve.class.large": "{file} is too large for a list of names",
-    "serve.class.encoding": "{file}: neither UTF-8 nor GBK",
+    "serve.class.encoding": "{file}: not UTF-8 or GBK",
     "serve.class.line": "not a line of a table",
-    "serve.class.twice": "this name is there twice",
+    "serve.class.twice": "this name appears twice",
     "serve.class.bad": "{file}, line {line} “{text}”: {reason}",
     "serve.class.nameless": "no name",
     "serve.class.empty": "{file}: no names",
     "serve.wrong.disk": "The server's disk is full. Tell your teacher.",
-    "serve.links.what": "Print this page and cut it up: each pupil gets one link. Whoever has the link has the desktop.",
+    "serve.links.what": (
+        "Print this page and cut it up: each pupil gets one link. Anyone with the link has the desktop."
+    ),
     "serve.links.none": "Nobody is on the list yet.",
     "serve.links.back": "Back to the class",
-    "serve.links.local": "These links work on this machine only: other devices cannot use them. "
-    "For other devices, end the server and start it with --host 0.0.0.0.",
-    "serve.links.unknown": "The link you gave out before still works. It cannot be shown again; a new link makes it invalid.",
-    "serve.links.by_word": "Not on the list of names: whoever chose this name with the class word needs no link.",
-    "serve.links.not_kept": "The new links work until the server ends: they could not be written down ({reason}).",
+    "serve.links.local": (
+        "These links only work on this machine, not on other devices. For other devices, end the server and start it with "
+        "--host 0.0.0.0."
+    ),
+    "serve.links.unknown": (
+        "The link you gave out before still works. It cannot be shown again; a new link makes it invalid."
+    ),
+    "serve.links.by_word": "Not on the list: pupils who chose their name with the class word need no link.",
+    "serve.links.not_kept": "The new links work until the server ends: they could not be saved ({reason}).",
     "serve.links.watching": "To watch only:",
     "serve.links.new": "New link…",
-    "serve.links.new.sure": "Every older link of {name} stops working, on paper and in every browser. "
-    "{name} then needs the new one.",
+    "serve.links.new.sure": (
+        "All older links of {name} stop working, on paper and in every browser. {name} will need the new one."
+    ),
     "serve.links.new.yes": "Make a new link",
-    "serve.links.watch": "Link for watching…",
-    "serve.links.watch.sure": "Whoever has it sees the desktop of {name} and cannot type; {name} is told that somebody watches. "
-    "An older link for watching stops working.",
-    "serve.links.watch.yes": "Make a link for watching",
+    "serve.links.watch": "Watch link…",
+    "serve.links.watch.sure": (
+        "Anyone with this link sees the desktop of {name} but cannot type; {name} can see that somebody is watching. An "
+        "older watch link stops working."
+    ),
+    "serve.links.watch.yes": "Make a watch link",
     "serve.links.all": "New links for all…",
-    "serve.links.all.sure": "All {count} pupils of the list get new links, to be printed here. "
-    "Every older one stops working, on paper and in every browser.",
+    "serve.links.all.sure": (
+        "All {count} pupils on the list get new links, to be printed here. All older ones stop working, on paper and in "
+        "every browser."
+    ),
     "serve.links.all.yes": "Make new links for all",
-    "serve.disk.say": "Your home folder holds {used} MB, and {most} MB are allowed. "
-    "Remove what you do not need, or your desktop will be ended.",
+    "serve.disk.say": (
+        "Your home folder holds {used} MB, and {most} MB are allowed. Delete what you don't need, or your desktop will be "
+        "ended."
+    ),
 }

@@ -10,12 +10,12 @@ TEXTS = {
     "world.step": "step",
     "world.reset": "back to the start",
     "help.world": (
-        "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
-        "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
-        "and senses with /scan and /line_sensor.\n\n"
-        "To enter, every link needs <inertial>; a link without <collision> goes through walls.\n\n"
-        "+ and - zoom, arrows move the view, f follows the robot, 0 shows everything. l shows the lidar, t wipes the trail. "
-        "Space pauses, n takes one step, [ and ] change the speed of time, r puts the robot back to its start. "
-        "RTF is the real-time factor, as in Gazebo: how many seconds passed in here while one passed on your watch."
+        "A small world with physics, where a real lesson would use Gazebo. The wheels touch the floor, so the robot rolls "
+        "when they turn: /cmd_vel or /joint_commands turns them. The robot publishes its position on /odom, as measured by "
+        "the wheels, and its sensors on /scan and /line_sensor.\n\n"
+        "To enter this world, every link needs <inertial>; a link without <collision> passes through walls.\n\n"
+        "+ and - zoom, arrows move the view, f follows the robot, 0 shows everything. l shows the lidar, t wipes the "
+        "trail. Space pauses, n takes one step, [ and ] change the speed of time, r puts the robot back to its start. RTF "
+        "is the real-time factor, as in Gazebo: the seconds that pass in here while one passes on your watch."
     ),
 }

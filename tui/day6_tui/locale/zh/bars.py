@@ -26,7 +26,7 @@ TEXTS = {
     "bar.door.joined.short": "已加入",
     "bar.door.calling": "正在呼叫 {host}",
     "notice.open_class": "能连到端口 {port} 的人都能加入这个班；--secret 可以把别人挡在外面",
-    "notice.open": "能连到端口 {port} 的人都能读取和指挥；--secret 可以把别人挡在外面",
+    "notice.open": "能连到端口 {port} 的人都能读取数据、发送命令；--secret 可以把别人挡在外面",
     "bar.help": "F1 帮助",
     "bar.starting": "正在启动……",
     "bar.playing": "正在替你输入",

@@ -24,7 +24,7 @@ TEXTS = {
     "class.log.lesson": "打开课程",
     "class.log.step": "下一步",
     "class.log.error": "出错",
-    "class.log.mended": "错误没有了",
+    "class.log.mended": "错误已解决",
     "class.log.hand": "举手",
     "class.log.lowered": "手放下",
     "class.sayings.none": "还没有。",
@@ -116,7 +116,7 @@ TEXTS = {
     "teacher.csv.lesson": "课程",
     "teacher.csv.step": "学到第几步",
     "teacher.csv.steps": "共几步",
-    "teacher.csv.exists": "{file} 已经有了",
+    "teacher.csv.exists": "{file} 已经存在",
     "teacher.csv.written": "写好了：{files}",
     "help.classroom": (
         "通过网络加入这个桌面的班级：谁在哪一课的哪一步，谁举了手，谁的上一条命令出错了、是哪张卡片，谁好久没有按键。"

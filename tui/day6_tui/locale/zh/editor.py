@@ -8,7 +8,7 @@ TEXTS = {
     "editor.write": "保存（再按 Enter）",
     "editor.write.name": "要写入的文件名",
     "editor.name": "要有一个名字",
-    "editor.exists": "{name} 已经有了：再按一次 Enter 就覆盖它",
+    "editor.exists": "{name} 已经存在：再按一次 Enter 就覆盖它",
     "editor.modified": "改过的内容要保存吗？",
     "editor.modified.text": "{file} 里有改动还没有保存。",
     "editor.modified.save": "保存",

@@ -109,13 +109,11 @@ TEXTS = {
     "inspector.spin_ended": "{node}：现在没有人 spin 它，它的回调都在等。{program} 是离开了 spin，还是在睡觉？",
     "inspector.ended_unspun": "{program} 马上就结束了：里面没有 spin，回调没有机会运行。要写 rclpy.spin(node)",
     "inspector.calls_in_callback": "{node}：{what} 用 call() 等回答（{where}）；它一等，就没有人能收回答了。要用 call_async",
-    "inspector.spins_in_callback": (
-        "{node}：{what} 在回调里又 spin（{where}），这样永远回不来。要用 call_async 和完成后的回调"
-    ),
+    "inspector.spins_in_callback": "{node}：{what} 在回调里又 spin（{where}），这样永远不会返回。要用 call_async 和完成后的回调",
     "inspector.rate_in_callback": "{node}：{what} 用 Rate 睡觉（{where}），可它的定时器这时不能运行。要用定时器",
     "inspector.waits_in_callback": "{node}：{what} 在等服务（{where}）；这段时间别的回调都不能运行",
     "inspector.sleeps_in_callback": "{node}：{what} 在 {where} 睡觉：{text}；这段时间别的回调都不能运行。要用定时器",
-    "inspector.stays_in_callback": "{node}：{what} 一直不回来（{where}：{text}）；这段时间别的回调都不能运行",
+    "inspector.stays_in_callback": "{node}：{what} 一直不返回（{where}：{text}）；这段时间别的回调都不能运行",
     "inspector.rate_alone": "{node}：{where} 的 rate.sleep() 会永远等下去：要有第二个线程来 spin 这个节点",
     "inspector.call_alone": "{node}：{where} 的 call() 会永远等下去：要有第二个线程来 spin 这个节点",
     "inspector.program_waits_service": "{node} 在 {where} 等服务 {name}，但没有人提供它",
