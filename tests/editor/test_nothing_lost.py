@@ -86,7 +86,7 @@ def test_that_no_copy_can_be_kept_is_told_until_there_is_room_again(tmp_path: Pa
     async def act(bench: Bench) -> None:
         disk(True)
         await bench.press("a")
-        assert "no backup of the unsaved text: No space left on device" in await keep_now(bench)
+        assert "no backup of the text: No space left on device" in await keep_now(bench)
         assert "no backup" in await look_now(bench)
         disk(False)
         assert "no backup" not in await look_now(bench)

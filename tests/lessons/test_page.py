@@ -48,7 +48,7 @@ def test_whoever_did_everything_alone_is_praised_and_others_hear_what_they_did()
     assert f"{every} 步里做对了 3 步，看了 1 个提示。" in finished(DAY, "zh", 3, 1)
     assert f"{every} 步里做对了 3 步，一个提示也没看。" in finished(DAY, "zh", 3, 0)
     assert "Everything right, without a single hint!" in finished(DAY, "en", every, 0)
-    assert "Everything right; hints read: 1." in finished(DRILL, "en", 1, 1)
+    assert "Everything right; hints used: 1." in finished(DRILL, "en", 1, 1)
     assert f"1 of {every} steps right, without a single hint." in finished(DAY, "en", 1, 0)
 
 

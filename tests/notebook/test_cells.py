@@ -158,7 +158,7 @@ def test_a_callback_that_does_not_return_holds_up_its_own_node_only(kernel: Kern
     cell = kernel.start(STUCK)
     kernel.run("before = node.count")
     kernel.until("node.count > before + 5")
-    kernel.wait(lambda: "/stuck: a callback has not returned" in kernel.shown[cell], cell)
+    kernel.wait(lambda: "/stuck: a callback hasn't returned" in kernel.shown[cell], cell)
     assert re.search(r"\(Cell In\[\d+\], line \d\)", kernel.shown[cell])
     kernel.run("import threading; stuck.destroy_node()")
     kernel.until("not [each for each in threading.enumerate() if 'stuck' in each.name]")
