@@ -1,0 +1,162 @@
+"""What holds of the documents without running them: both languages say the same, links lead somewhere, code can be read."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+import sys
+import textwrap
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import yaml
+
+from tests.docs.pages import (
+    DOCS,
+    LANGUAGES,
+    PARSED,
+    READ,
+    RUN,
+    WORDS,
+    Block,
+    Page,
+    documents,
+    of_docs,
+    page,
+    same_in_both,
+    slug_of,
+    with_blocks,
+)
+from tests.support.folded import folded
+from tests.support.source_files import ROOT
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+BLOCKS = [block for page in with_blocks() for block in page.blocks()]
+PAIRS = [
+    *((name, each, of_docs("zh").get(name)) for name, each in of_docs("en").items()),
+    *(
+        (path.name, page(path), page(path.with_suffix(".zh.md")))
+        for path in ROOT.glob("*.md")
+        if path.with_suffix(".zh.md").exists()
+    ),
+]
+
+
+def test_both_languages_have_the_same_pages() -> None:
+    assert [*of_docs("en")] == [*of_docs("zh")] != []
+
+
+@folded("name, english, chinese", PAIRS, ids=lambda pair: pair[0])
+def test_both_languages_have_the_same_headings_and_code(name: str, english: Page, chinese: Page | None) -> None:
+    assert chinese is not None, f"{name} is missing in Chinese"
+    levels = [[heading.level for heading in each.headings()] for each in (english, chinese)]
+    assert levels[0] == levels[1]
+    code = [[same_in_both(block) for block in each.blocks()] for each in (english, chinese)]
+    assert code[0] == code[1]
+
+
+@folded("each", documents(), ids=lambda each: each.name)
+def test_every_link_leads_somewhere(each: Page) -> None:
+    lost = [target for _, target in each.links() if _lost(each.path, target)]
+    assert lost == []
+
+
+def _lost(document: Path, target: str) -> bool:
+    """Whether a relative link leads nowhere: no file, no such heading, or out of the repository."""
+    if urlsplit(target).scheme:
+        return False
+    path, _, anchor = unquote(target).partition("#")
+    found = (document.parent / path).resolve() if path else document
+    if not found.exists() or not found.is_relative_to(ROOT):
+        return True
+    return bool(anchor) and not (found.suffix == ".md" and anchor in page(found).anchors)
+
+
+@folded("each", documents(), ids=lambda each: each.name)
+def test_pictures_are_in_the_repository_and_in_the_language_of_their_page(each: Page) -> None:
+    pictures = [target for kind, target in each.links() if kind == "src"]
+    assert [target for target in pictures if urlsplit(target).scheme] == []
+    other = {"en": ".zh.", "zh": ".en."}[each.language]
+    assert [target for target in pictures if other in target] == []
+
+
+@folded("each", [page for language in LANGUAGES for page in of_docs(language).values()], ids=lambda each: each.name)
+def test_a_page_begins_with_its_only_title(each: Page) -> None:
+    assert each.tokens[0].type == "heading_open"
+    assert [heading.level for heading in each.headings()].count(1) == 1
+
+
+@folded(
+    "heading, slug",
+    [
+        ("Install and run", "install-and-run"),
+        ("What `ros2 run` does, and why?", "what-ros2-run-does-and-why"),
+        ("第 5 天：话题（topic）", "第-5-天话题topic"),
+        ("A -- B", "a----b"),
+        ("setup.py, __init__", "setuppy-__init__"),
+    ],
+)
+def test_anchors_are_githubs(heading: str, slug: str) -> None:
+    assert slug_of(heading) == slug
+
+
+# -- blocks of code ----------------------------------------------------------------------------------------------------
+
+Reader = Callable[[str], object]
+READERS: dict[str, Reader] = {
+    "yaml": lambda text: [*yaml.safe_load_all(text)],
+    "json": json.loads,
+    "toml": tomllib.loads,
+    "xml": ET.fromstring,
+    "csv": lambda text: [*csv.reader(io.StringIO(text), strict=True)],
+    "python": lambda text: compile(text, "block", "exec"),
+}
+
+
+@folded("block", BLOCKS, ids=lambda block: block.place)
+def test_a_block_of_code_names_its_language_and_can_be_read(block: Block) -> None:
+    assert block.language in (*RUN, *PARSED, *READ)
+    READERS.get(block.language, str)(textwrap.dedent(block.code))
+    if block.language == "text":
+        assert not re.search(r"^\$ ", block.code, re.MULTILINE), "what is typed is in a console block"
+
+
+@folded("block", BLOCKS, ids=lambda block: block.place)
+def test_the_comment_before_a_block_is_understood(block: Block) -> None:
+    if block.kind == "run":
+        assert [name for name in block.words if block.language not in WORDS.get(name, ())] == []
+        assert all((name == "timeout") == bool(value) for name, value in block.words.items())
+        float(block.words.get("timeout", 0))
+    elif block.kind == "file":
+        assert block.language in ("python", *PARSED, "markdown", "text", "csv")
+        path = Path(block.says.removeprefix("~/"))
+        assert not path.is_absolute() and ".." not in path.parts
+    else:
+        assert block.language in RUN and block.says, "a block that isn't run says why"
+
+
+def test_pages_hold_no_html_but_comments() -> None:
+    found = [
+        f"{each.name}: {token.content.strip()}"
+        for language in LANGUAGES
+        for each in of_docs(language).values()
+        for token in each.tokens
+        for part in (token, *(token.children or ()))
+        if part.type in ("html_block", "html_inline") and not re.fullmatch(r"<!--.*-->\s*", part.content, re.DOTALL)
+    ]
+    assert found == []
+
+
+def test_every_picture_is_used() -> None:
+    used = {
+        (each.path.parent / target).resolve() for each in documents() for kind, target in each.links() if kind == "src"
+    }
+    assert sorted(set((DOCS / "pictures").glob("*.svg")) - used) == []
