@@ -142,7 +142,8 @@ def test_lesson_files_without_a_screen(place: Place) -> None:
     played = place.run("lessons", "play", "mine.md")
     assert (played.returncode, played.stdout[:4]) == (0, "ok  ")
     assert place.run("lessons", "list").returncode == 0
-    assert "## Checks" in place.run("lessons", "help").stdout
+    for language, heading in (("en", "## Checks"), ("zh", "## 检查")):
+        assert heading in place.run("lessons", "help", DAY6_LANG=language).stdout
     bad = place.work / "bad.md"
     bad.write_text(EXAMPLE.replace("- node:", "- nodes:"))
     result = place.run("lessons", "check", "bad.md")

@@ -7,8 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.language import LANGUAGES
 from day6_core.lessons import catalogue, remarks
 from day6_core.lessons.actions import WINDOWS
+from day6_core.lessons.command import WRITING
 from day6_core.lessons.reading import read_lesson
 from day6_core.lessons.source import LessonMistakes
 from tests.support.window_kinds import window_kinds
@@ -176,14 +178,16 @@ def test_the_windows_a_lesson_may_name_are_those_there_are() -> None:
     assert set(WINDOWS) == set(window_kinds()) - {"classroom"}  # the teacher's
 
 
-def test_the_documentation_names_every_window_and_topic() -> None:
-    text = (catalogue.HERE / "WRITING.md").read_text(encoding="utf-8")
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_documentation_names_every_window_and_topic(language: str) -> None:
+    text = (WRITING / f"{language}.md").read_text(encoding="utf-8")
     assert [name for name in (*WINDOWS, *remarks.TOPICS) if f"`{name}`" not in text and name != "lesson"] == []
 
 
-def test_the_blocks_of_the_documentation_can_be_read(tmp_path: Path) -> None:
-    text = (catalogue.HERE / "WRITING.md").read_text(encoding="utf-8")
-    found = re.findall(r"\n```yaml\n(.*?)```\n", text[: text.index("## Hidden scenarios")], re.DOTALL)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_blocks_of_the_documentation_can_be_read(tmp_path: Path, language: str) -> None:
+    text = (WRITING / f"{language}.md").read_text(encoding="utf-8")
+    found = re.findall(r"\n```yaml\n(.*?)```\n", text, re.DOTALL)
     assert len(found) == 2
     for block, example in zip(found, (EXAMPLE, DRILL), strict=True):
         before, after = example.index("~~~yaml\n") + len("~~~yaml\n"), example.index("~~~\n\n## zh")

@@ -19,7 +19,8 @@ from day6_core.lessons.reading import read_lesson
 from day6_core.lessons.source import LessonMistakes, Mistake
 from day6_core.session.harmless import lines, one_line
 
-WRITING = Path(__file__).with_name("WRITING.md")
+WRITING = Path(__file__).with_name("writing")
+"""How lessons are written, a page in each language; the documentation has a copy of them."""
 EXAMPLES = {"lesson": "example.md", "drill": "example_drill.md"}
 
 
@@ -32,7 +33,7 @@ def main(words: list[str]) -> int:
         if options.verb == "list":
             return _list()
         if options.verb == "help":
-            print(WRITING.read_text(encoding="utf-8"), end="")
+            print((WRITING / f"{language}.md").read_text(encoding="utf-8"), end="")
             return 0
         if options.verb == "new":
             return _new(options.file, "drill" if options.drill else "lesson")

@@ -1,4 +1,4 @@
-"""What a lesson is: steps with their checks and actions, and the texts in both languages (`WRITING.md`)."""
+"""What a lesson is: steps with their checks and actions, and the texts in both languages (`writing/en.md`)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Page:
-    """A step's texts in one language; `body` and `do` are Markdown as WRITING.md describes it."""
+    """A step's texts in one language; `body` and `do` are Markdown as writing/en.md describes it."""
 
     title: str
     picture: tuple[str, ...] = ()

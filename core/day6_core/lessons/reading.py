@@ -1,4 +1,4 @@
-"""Reads a lesson file (`WRITING.md`)."""
+"""Reads a lesson file (`writing/en.md`)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scenes: what is typed for whoever chose it, by the files of the folder `scenes` (WRITING.md, "Scenes").
+"""Scenes: what is typed for whoever chose it, by the files of the folder `scenes` (writing/en.md, "Scenes").
 
 Their texts are shown in the first frame of the desktop, so these files are read without YAML, which takes 16 ms and 1.5 MB.
 """

@@ -1,6 +1,6 @@
 """The named checks of lessons: a table of functions, what a lesson file may write for them, and their verdicts.
 
-A check is a function `name(live, arguments…) -> Verdict` in one of the modules here. Its parameters are what WRITING.md
+A check is a function `name(live, arguments…) -> Verdict` in one of the modules here. Its parameters are what writing/en.md
 documents: names, types and defaults are read from the signature. It looks at `Live` and changes nothing.
 """
 

@@ -1,4 +1,4 @@
-"""Reads hidden scenarios (WRITING.md, "Hidden scenarios"): what is prepared, what runs the pupil's program, what must hold.
+"""Reads hidden scenarios (writing/en.md, "Hidden scenarios"): what is prepared, what runs the pupil's program, what must hold.
 
 The values in them (`@name@`) are drawn anew for every grading, the same ones for all submissions.
 """
