@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import re
+import shlex
 import sys
 import textwrap
 import xml.etree.ElementTree as ET
@@ -15,6 +16,7 @@ from urllib.parse import unquote, urlsplit
 
 import yaml
 
+from tests.docs.command_lines import mistake, own
 from tests.docs.pages import (
     DOCS,
     LANGUAGES,
@@ -24,6 +26,7 @@ from tests.docs.pages import (
     WORDS,
     Block,
     Page,
+    commands,
     documents,
     of_docs,
     page,
@@ -160,3 +163,52 @@ def test_every_picture_is_used() -> None:
         (each.path.parent / target).resolve() for each in documents() for kind, target in each.links() if kind == "src"
     }
     assert sorted(set((DOCS / "pictures").glob("*.svg")) - used) == []
+
+
+# -- day6-tui in lines for a real shell --------------------------------------------------------------------------------
+
+
+def _lines(block: Block) -> list[str]:
+    if block.language == "console":
+        return [command for command, _ in commands(block)]
+    joined = block.code.replace("\\\n", " ").replace("`\n", " ")
+    return [re.sub(r"(^|\s)#.*", "", line) for line in joined.splitlines()]
+
+
+@folded(
+    "place, words",
+    [
+        (block.place, words)
+        for block in BLOCKS
+        if block.language in ("console", "sh", "powershell")
+        for line in _lines(block)
+        if "day6-tui" in line
+        for words in own(line)
+    ],
+    ids=lambda case: f"{case[0]} {shlex.join(case[1])}",
+)
+def test_every_day6_tui_of_a_block_is_a_command_with_its_options(place: str, words: list[str]) -> None:
+    assert mistake(words) == ""
+
+
+@folded(
+    "line, right",
+    [
+        ("day6-tui", True),
+        ("uv run day6-tui --scene turtle --lang zh", True),
+        (".venv\\Scripts\\day6-tui --glyphs ascii", True),
+        ("ros2 run car go 2>&1 | day6-tui why", True),
+        ("day6-tui --distro humble ros2 topic list", True),
+        ("day6-tui python wheel_spinner.py --ros-args -r a:=b", True),
+        ("day6-tui lessons play FILE --step NAME", True),
+        ("day6-tui serve --class pupils.csv --host 0.0.0.0", True),
+        ('eval "$(day6-tui env)"', True),
+        ("day6-tui --scene desert", False),
+        ("day6-tui lessons paly FILE", False),
+        ("day6-tui serve --clas pupils.csv", False),
+        ("day6-tui why; day6-tui nothing", False),
+    ],
+)
+def test_a_command_line_is_judged_by_the_parsers(line: str, right: bool) -> None:
+    found = [*own(line)]
+    assert found and all(mistake(words) == "" for words in found) is right
