@@ -66,6 +66,7 @@ ODD = bool(os.environ.get("DAY6_TESTS_ODD"))
 SPREAD = (
     "tests/advice/test_mistakes.py",
     "tests/conformance/test_programs.py",
+    "tests/docs/test_blocks.py",
     *(f"tests/e2e/test_{first}" for first in string.ascii_lowercase if first != "s"),  # those of test_signals share one
     *(f"tests/inspector/test_{name}.py" for name in ("drills", "healthy", "lessons_end", "tutorials")),
     *(f"tests/shell/test_{name}.py" for name in ("endless", "execute", "process")),

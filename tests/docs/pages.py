@@ -70,7 +70,7 @@ class Page:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self.name = path.relative_to(ROOT).as_posix()
+        self.name = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name
         self.tokens = _PARSER.parse(path.read_text(encoding="utf-8"))
 
     @property

@@ -6,7 +6,7 @@ import os
 import re
 import shutil
 import textwrap
-from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 from time import sleep
 
@@ -19,25 +19,45 @@ from tests.support.waiting import Deadline, run
 pytestmark = pytest.mark.process
 
 
-@pytest.fixture
-def terminal(request: pytest.FixtureRequest, tmp_path: Path, short_folder: Path) -> Iterator[Terminal]:
-    made = Terminal(tmp_path, short_folder, request.getfixturevalue("page").language)
-    yield made
-    made.close()
-
-
 PAGES = [page for page in with_blocks() if any(block.kind != "not run" for block in page.blocks())]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_the_blocks_of_a_page_do_what_it_says(page: Page, terminal: Terminal) -> None:
-    for block in page.blocks():
-        if block.kind == "file":
-            file = terminal.home / block.says.removeprefix("~/")
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(textwrap.dedent(block.code), encoding="utf-8")
-        elif block.kind == "run" and block.language in RUNNERS:
-            RUNNERS[block.language](block, terminal)
+def test_the_blocks_of_a_page_do_what_it_says(page: Page, tmp_path: Path, short_folder: Path) -> None:
+    _play(page, tmp_path, short_folder)
+
+
+WRONG = {
+    "another output": "```console\n$ echo one\ntwo\n```",
+    "more output": "```console\n$ seq 2\n1\n```",
+    "a status": "```console\n$ false\n```",
+    "no status": "<!-- run: fails -->\n```console\n$ true\n```",
+    "ends too early": "```console\n$ echo one\ntwo\n^C\n```",
+    "fails in the background": "<!-- run: background -->\n```console\n$ ls nothing\nsomething\n```",
+    "fails before its time": "<!-- run: timeout=9 -->\n```python\nraise ValueError\n```",
+    "a program that fails": "```python\nraise SystemExit(1)\n```",
+    "a line of the real shell": "```sh\nfalse\ntrue\n```",
+}
+
+
+@pytest.mark.parametrize("text", WRONG.values(), ids=WRONG)
+def test_a_page_that_says_something_else_fails(text: str, tmp_path: Path, short_folder: Path) -> None:
+    file = tmp_path / "page.md"
+    file.write_text(f"# Title\n\n{text}\n", encoding="utf-8")
+    with pytest.raises(pytest.fail.Exception, match=r"page\.md:"):
+        _play(Page(file), tmp_path, short_folder)
+
+
+def _play(page: Page, folder: Path, runtime: Path) -> None:
+    """Do what the blocks of a page say, one after the other, in a home of its own."""
+    with closing(Terminal(folder, runtime, page.language)) as terminal:
+        for block in page.blocks():
+            if block.kind == "file":
+                file = terminal.home / block.says.removeprefix("~/")
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(textwrap.dedent(block.code), encoding="utf-8")
+            elif block.kind == "run" and block.language in RUNNERS:
+                RUNNERS[block.language](block, terminal)
 
 
 def _console(block: Block, terminal: Terminal) -> None:
@@ -58,7 +78,8 @@ def _sh(block: Block, terminal: Terminal) -> None:
     if bash is None or os.name != "posix":
         pytest.skip("this system has no bash for the lines of the real shell")
     done = run([bash, "-e"], block.code, cwd=terminal.real, env=terminal.environment)
-    assert (done.returncode != 0) == ("fails" in block.words), f"{block.place}: {done.stdout}{done.stderr}"
+    if (done.returncode != 0) != ("fails" in block.words):
+        pytest.fail(f"{block.place}: status {done.returncode}\n{done.stdout}{done.stderr}", pytrace=False)
 
 
 RUNNERS = {"console": _console, "python": _python, "sh": _sh}
@@ -67,44 +88,41 @@ RUNNERS = {"console": _console, "python": _python, "sh": _sh}
 def _typed(block: Block, terminal: Terminal, command: str, lines: list[str], **words: str) -> None:
     """Type a command, and compare what it does with what the page says."""
     if "background" in words:
-        _wait_for(block, terminal.start(command), command, lines)
+        _wait_for(block, terminal.start(command), lines)
     elif "timeout" in words:
         typed = terminal.interrupt_after(terminal.start(command), float(words["timeout"]))
-        assert not typed.failed_by_itself(), f"{block.place}: {command}\n{typed.printed}"
-        _compare(block, typed, command, [*lines, "..."])
+        _agree(block, typed, _is_so(typed, [*lines, "..."]) and not typed.failed_by_itself(), lines)
     elif lines[-1:] == ["^C"]:
         typed = terminal.start(command)
-        if lines[:-1]:
-            _wait_for(block, typed, command, lines[:-1])
-            terminal.interrupt(typed)
-        else:
-            terminal.interrupt_after(typed, 2)
-        assert not typed.failed_by_itself(), f"{block.place}: {command}\n{typed.printed}"
+        _wait_for(block, typed, lines[:-1])
+        terminal.interrupt_after(typed, 0 if lines[:-1] else 2)
+        _agree(block, typed, not typed.failed_by_itself(), lines)
     elif lines and command.endswith("&"):
-        _wait_for(block, terminal.start_job(command.removesuffix("&")), command, lines)
+        _wait_for(block, terminal.start_job(command.removesuffix("&")), lines)
     else:
         typed = terminal.type(command)
         deadline = Deadline(RETRIED)
         while "retry" in words and not _is_so(typed, lines) and not deadline.is_over():
             sleep(0.2)
             typed = terminal.type(command)
-        _compare(block, typed, command, lines)
-        assert (typed.status != 0) == ("fails" in words), f"{block.place}: {command}: {typed.status}\n{typed.printed}"
+        _agree(block, typed, _is_so(typed, lines) and (typed.status != 0) == ("fails" in words), lines)
 
 
-def _wait_for(block: Block, typed: Typed, command: str, lines: list[str]) -> None:
+def _wait_for(block: Block, typed: Typed, lines: list[str]) -> None:
     """Wait until a program has printed these lines."""
     wanted = [*lines, "..."]
     deadline = Deadline(RETRIED)
-    while not _is_so(typed, wanted) and typed.status in (None, 0) and not deadline.is_over():
+    while not _is_so(typed, wanted) and typed.status is None and not deadline.is_over():
         sleep(0.02)
-    _compare(block, typed, command, wanted)
+    _agree(block, typed, _is_so(typed, wanted), wanted)
 
 
-def _compare(block: Block, typed: Typed, command: str, lines: list[str]) -> None:
-    if not _is_so(typed, lines):
-        wanted = "\n".join(lines)
-        pytest.fail(f"{block.place}: {command}\n-- wanted\n{wanted}\n-- printed\n{typed.printed}", pytrace=False)
+def _agree(block: Block, typed: Typed, as_said: bool, lines: list[str]) -> None:
+    """Fail with what a command was said to print, and what it has printed."""
+    if not as_said:
+        wanted, status = "\n".join(lines), f"-- status {typed.status}"
+        command = typed.file.read_text(encoding="utf-8")
+        pytest.fail(f"{block.place}: {command}-- wanted\n{wanted}\n-- printed\n{typed.printed}{status}", pytrace=False)
 
 
 def _is_so(typed: Typed, lines: list[str]) -> bool:

@@ -42,6 +42,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
+PICTURES = DOCS / "pictures"
 BLOCKS = [block for page in with_blocks() for block in page.blocks()]
 PAIRS = [
     *((name, each, of_docs("zh").get(name)) for name, each in of_docs("en").items()),
@@ -69,7 +70,7 @@ def test_both_languages_have_the_same_headings_and_code(name: str, english: Page
 @folded("each", documents(), ids=lambda each: each.name)
 def test_every_link_leads_somewhere(each: Page) -> None:
     lost = [target for _, target in each.links() if _lost(each.path, target)]
-    assert lost == []
+    assert not lost, ", ".join(lost)
 
 
 def _lost(document: Path, target: str) -> bool:
@@ -158,11 +159,14 @@ def test_pages_hold_no_html_but_comments() -> None:
     assert found == []
 
 
-def test_every_picture_is_used() -> None:
+def test_every_picture_is_used_and_made_by_a_script_in_both_languages() -> None:
     used = {
         (each.path.parent / target).resolve() for each in documents() for kind, target in each.links() if kind == "src"
     }
-    assert sorted(set((DOCS / "pictures").glob("*.svg")) - used) == []
+    there = set(PICTURES.glob("*.svg"))
+    made = {PICTURES / f"{script.stem}.{language}.svg" for script in PICTURES.glob("*.yaml") for language in LANGUAGES}
+    assert sorted(there ^ made) == []
+    assert sorted(there - used) == []
 
 
 # -- day6-tui in lines for a real shell --------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ while read -r how file; do
     run) . "$file" < /dev/null > "$file.out" 2>&1; echo $? > "$file.status" ;;
     start) {{ . "$file" & echo $! > "$file.pid"; wait $!; echo $? > "$file.code"; }} < /dev/null 2>&1 |
       {{ {_LINES}; mv "$file.code" "$file.status"; }} & ;;
-    job) {{ . "$file"; }} < /dev/null 2>&1 | {_LINES} & echo 0 > "$file.status" ;;
+    job) {{ . "$file"; }} < /dev/null 2>&1 | {_LINES} & ;;
     interrupt) kill -INT "$(cat "$file.pid")" ;;
   esac
 done
@@ -46,7 +46,7 @@ class Typed:
 
     @property
     def status(self) -> int | None:
-        """The status with which it has ended; None while it runs."""
+        """The status with which it has ended; None while it runs, and of a job."""
         text = self._read(".status")
         return int(text) if text.endswith("\n") else None
 
