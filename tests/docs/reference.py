@@ -99,7 +99,8 @@ def command_line(language: str) -> Iterator[str]:
     every = list(commands())
     texts = next(parser.texts for each in every if (parser := each.parser(language)) is not None)
     for group, members in groupby(every, lambda each: each.group):
-        yield f"## {texts(f'cli.group.{group}') if group else word('desktop', language)}\n"
+        title = texts(f"cli.group.{group}") if group else word("desktop", language)
+        yield f"## {title[0].upper()}{title[1:]}\n"
         plain = []
         for each in members:
             if (parser := each.parser(language)) is None:
