@@ -7,6 +7,8 @@ import re
 import pytest
 
 from day6_core.advice.matching import card_for
+from day6_core.language import LANGUAGES
+from day6_core.workspace.export_texts import TEXTS, said
 from tests.advice.emitted import Emitted, emitted
 
 EXEMPT: dict[str, str] = {
@@ -32,13 +34,16 @@ EXEMPT: dict[str, str] = {
     r"packages\.py:\d+: print_error: word: , ": "in the list below `could not have their rosdep keys resolved`",
 }
 
+TOLD_BY_EXPORT = {"done", "left_out", "packed_already", "broken_link", "no_file", "go_there", "there_is"}
+"""Texts of `day6-tui export` that refuse nothing."""
+
 CARRIER = re.compile(r"(?:word|\d|[:/ (),\n])*\Z")
 """A text that is nothing but what is filled in: what it carries is enumerated where it is made."""
 
 
 def exempt(message: Emitted) -> bool:
-    said = message.text.removeprefix("bash: ")
-    return CARRIER.match(said) is not None or any(
+    printed = message.text.removeprefix("bash: ")
+    return CARRIER.match(printed) is not None or any(
         re.search(pattern, f"{message.place}: {message.how}: {message.text}") for pattern in EXEMPT
     )
 
@@ -50,6 +55,14 @@ def test_every_text_has_a_card() -> None:
         if not exempt(message) and not any(map(card_for, message.text.split("\n")))
     ]
     assert not without, "\n".join([f"{len(without)} texts have no card:", *without])
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("key", sorted(TEXTS.keys() - TOLD_BY_EXPORT))
+def test_every_refusal_of_export_has_a_card(key: str, language: str) -> None:
+    words = dict.fromkeys(re.findall(r"{(\w+)}", TEXTS[key][0]), "word") | {"size": "7", "most": "7"}
+    card = card_for(f"day6-tui export: {said(key, language, **words)}")
+    assert card is not None and card.card.id == "export-refused"
 
 
 @pytest.mark.long

@@ -140,8 +140,8 @@ def _is_text(call: ast.Call) -> bool:
     owner = function.value if isinstance(function, ast.Attribute) else None
     name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
     if name in ("read_text", "write_text"):
-        # Those of Path; `files.BuildOutput` always writes UTF-8.
-        return owner is not None and ast.unparse(owner).rpartition(".")[2] != "output"
+        # Those of Path; `files.BuildOutput` always writes UTF-8, and importlib.metadata reads it.
+        return owner is not None and ast.unparse(owner).rpartition(".")[2] not in ("output", "metadata")
     if isinstance(owner, ast.Name) and owner.id == "subprocess":
         return any(each.arg in ("text", "universal_newlines") for each in call.keywords)
     if name == "fdopen" or (name == "open" and owner is None):

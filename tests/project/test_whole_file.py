@@ -192,7 +192,7 @@ def export(path: Path) -> None:
         "<export><build_type>ament_python</build_type></export></package>"
     )
     (package / "setup.py").write_text("from setuptools import setup\nsetup(name='one')\n")
-    pack(path.parent, [], path / "out.zip")
+    pack(path.parent, [], path / "out.zip", replace=True)
 
 
 def copy_model(path: Path) -> None:

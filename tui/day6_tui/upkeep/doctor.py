@@ -7,15 +7,16 @@ from __future__ import annotations
 
 import getpass
 import os
-import queue
 import re
 import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from pathlib import Path
+from queue import Empty
 
 from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.inbox import Inbox
 from day6_core.isolation.cell import Phrase
 from day6_core.language import language_of
 from day6_core.places import shortened
@@ -53,7 +54,7 @@ def build_parser(language: str = "en") -> CommandParser:
 
 def bounded(check: Callable[[], Iterable[Line]], seconds: float) -> Iterator[Line]:
     """Yield the lines of a check as they come; one that stands still or fails is a problem itself."""
-    lines: queue.SimpleQueue[Line | None] = queue.SimpleQueue()
+    lines: Inbox[Line | None] = Inbox()
     name = check.__name__
 
     def work() -> None:
@@ -72,7 +73,7 @@ def bounded(check: Callable[[], Iterable[Line]], seconds: float) -> Iterator[Lin
     while True:
         try:
             line = lines.get(timeout=seconds)
-        except queue.Empty:
+        except Empty:
             yield problem("check.late", "check.late.todo", name=name, seconds=f"{seconds:.0f} s")
             return
         if line is None:

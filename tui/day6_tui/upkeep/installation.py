@@ -41,13 +41,13 @@ class Installation(NamedTuple):
 def installation() -> Installation:
     """Return how the package was installed of which this program is."""
     try:
-        found = distribution(NAME)
+        metadata = distribution(NAME)
     except PackageNotFoundError:
         return Installation("", source=Path(__file__).resolve().parents[3])
     parts = Path(sys.prefix).parts
     tool = next((kind for kind, folders in _TOOLS.items() if _holds(parts, folders)), "")
-    installer = (found.read_text("INSTALLER") or "pip").strip()
-    return Installation(tool or ("uv" if installer == "uv" else "pip"), found.version, _source(found))
+    installer = (metadata.read_text("INSTALLER") or "pip").strip()
+    return Installation(tool or ("uv" if installer == "uv" else "pip"), metadata.version, _source(metadata))
 
 
 _TOOLS = {"pipx": ("pipx", "venvs", NAME), "uv tool": ("uv", "tools", NAME)}
@@ -58,10 +58,10 @@ def _holds(parts: tuple[str, ...], wanted: tuple[str, ...]) -> bool:
     return any(parts[at : at + len(wanted)] == wanted for at in range(len(parts)))
 
 
-def _source(found: Distribution) -> Path | None:
+def _source(metadata: Distribution) -> Path | None:
     """The folder of an editable installation (PEP 610)."""
     try:
-        described = json.loads(found.read_text("direct_url.json") or "{}")
+        described = json.loads(metadata.read_text("direct_url.json") or "{}")
     except ValueError:
         return None
     if not described.get("dir_info", {}).get("editable"):

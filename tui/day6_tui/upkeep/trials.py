@@ -106,7 +106,7 @@ def cannot_write(folder: Path) -> str:
 
 def meet(folder: Path | None) -> None:
     """Listen in a folder (None: at a TCP port of this machine), connect, send a byte. Raises OSError."""
-    if folder is None:
+    if folder is None or sys.platform == "win32":
         listener = socket.create_server(("127.0.0.1", 0))
         path = ""
     else:
@@ -214,8 +214,9 @@ def memory() -> tuple[int, int]:
         with open("/proc/meminfo", encoding="ascii") as file:
             lines = dict(line.split(":", 1) for line in file)
         return tuple(int(lines[name].split()[0]) * 1024 for name in ("MemTotal", "MemAvailable"))  # type: ignore[return-value]
-    with contextlib.suppress(OSError, ValueError, AttributeError):
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"), 0
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError, ValueError):
+            return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"), 0
     return 0, 0
 
 
