@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from day6_core import places
 from day6_core.link.file_lock import FileLock
 from day6_core.places import BASES, LEFT_BEHIND
 from day6_core.ros.executables import write_executables
@@ -195,6 +196,22 @@ def test_where_nobody_can_be_asked_nothing_is_removed(home: Path, capsys: pytest
     before = files(home)
     assert uninstall.main(["--data", "--lang", "en"]) == 2
     assert "--yes removes without asking" in capsys.readouterr().err and files(home) == before
+
+
+def test_in_a_terminal_of_the_desktop_it_refuses(
+    home: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("DAY6_JOB", "x.1.")
+    assert uninstall.main(["--lang", "en"]) == 1
+    assert "type it in a real terminal" in capsys.readouterr().err
+
+
+def test_our_folders_go_when_they_are_empty_and_others_do_not(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DAY6_RUNTIME_DIR")
+    write(home / ".cache/day6-tui/run/0/meet")
+    monkeypatch.setattr(places, "runtime_folders", lambda: [home / ".cache/day6-tui/run"])
+    assert uninstall.main(["--data", "--files", "--yes"]) == 0
+    assert list((home / ".cache").iterdir()) == [] and (home / "share").is_dir()
 
 
 def test_files_alone_is_refused(capsys: pytest.CaptureFixture[str]) -> None:

@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from day6_core.graph.domain import DomainError, domain_from_text
+from day6_core.guardian import MARK
 from day6_core.language import LANGUAGES, language_of
 from day6_core.link.paths import LinkError, base_folders, meeting_place
 from day6_core.places import PLACES, data_folder, default_home, runtime_folders
@@ -97,6 +98,7 @@ _SURROUNDINGS: dict[str, Callable[[], bool]] = {
     "ssh": lambda: "SSH_CONNECTION" in os.environ,
     "tmux": lambda: "TMUX" in os.environ,
     "screen": lambda: "STY" in os.environ,
+    "desktop": lambda: MARK in os.environ,
 }
 """What is around this program, and how it is recognised."""
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from day6_core.command_line.parser import CommandParser, command_parser
+from day6_core.guardian import MARK
 from day6_core.language import language_of
 from day6_core.places import PLACES, Place, data_folder, shortened
 from day6_core.session.harmless import one_line
@@ -42,6 +43,9 @@ def main(words: list[str]) -> int:
     options = parser.parse_args(words)
     if options.files and not options.data:
         parser.error(texts("uninstall.files_alone"))
+    if MARK in os.environ:
+        print(f"day6-tui: {texts('uninstall.inside')}", file=sys.stderr)
+        return REFUSED
     held = [Held(place, path, size_of(path)) for place in PLACES if place.base != "desktop" for path in place.found()]
     if not options.data:
         _list(held, texts)
@@ -122,7 +126,7 @@ def _remove(held: list[Held], kind: str, texts: Texts, yes: bool) -> bool:
             whole = False
             where = shortened(str(error.filename or each.path))
             print(one_line(f"day6-tui: {where}: {error.strerror or error}"), file=sys.stderr)
-    _remove_empty([data_folder()])
+    _remove_empty([data_folder(), *(each.path.parent for each in held)])
     rest = sum(size_of(each.path).bytes for each in held if os.path.lexists(each.path))
     print(texts(f"uninstall.{kind}.done", size=Size(total.bytes - rest)))
     print()
@@ -138,8 +142,9 @@ def _agrees(question: str) -> bool:
 
 
 def _remove_empty(folders: Iterable[Path]) -> None:
-    for folder in folders:
-        if folder.is_dir() and not folder.is_symlink() and not os.listdir(folder):
+    """Remove those of our own folders (day6-tui, day6-1000 …) in which nothing is left."""
+    for folder in dict.fromkeys(folders):
+        if folder.name.startswith("day6") and folder.is_dir() and not folder.is_symlink() and not os.listdir(folder):
             folder.rmdir()
 
 

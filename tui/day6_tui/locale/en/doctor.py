@@ -26,6 +26,7 @@ TEXTS = {
     "doctor.system.ssh": "over ssh",
     "doctor.system.tmux": "in tmux",
     "doctor.system.screen": "in screen",
+    "doctor.system.desktop": "in a terminal of the desktop, where ~ is its own folder; a real terminal reports on yours",
     "doctor.terminal": "terminal {columns}x{lines}, TERM={term}, COLORTERM={colour}",
     "doctor.terminal.none": "no terminal here (input or output is piped), TERM={term}; only the desktop needs one",
     "doctor.terminal.small": "terminal {columns}x{lines}, TERM={term}, COLORTERM={colour}",

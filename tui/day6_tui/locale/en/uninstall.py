@@ -12,6 +12,7 @@ TEXTS = {
         "and the .vscode, .idea and .env of projects."
     ),
     "uninstall.runs": "nothing was removed, because day6-tui is running: {what}. End it first",
+    "uninstall.inside": "this is a terminal of the desktop, where ~ is another folder: type it in a real terminal",
     "uninstall.comma": ", ",
     "uninstall.runs.program": "process {pid} on domain {domain}",
     "uninstall.runs.desktop": "a detached desktop (day6-tui attach, then ^Q)",

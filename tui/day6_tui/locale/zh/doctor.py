@@ -26,6 +26,7 @@ TEXTS = {
     "doctor.system.ssh": "通过 ssh",
     "doctor.system.tmux": "在 tmux 里",
     "doctor.system.screen": "在 screen 里",
+    "doctor.system.desktop": "在桌面的终端里，~ 是桌面自己的文件夹；要看你自己的文件夹，请在真正的终端里运行",
     "doctor.terminal": "终端 {columns}x{lines}，TERM={term}，COLORTERM={colour}",
     "doctor.terminal.none": "这里没有终端（输入或输出接到了管道），TERM={term}；只有桌面需要终端",
     "doctor.terminal.small": "终端 {columns}x{lines}，TERM={term}，COLORTERM={colour}",

@@ -12,6 +12,7 @@ TEXTS = {
         "以及项目里的 .vscode、.idea 和 .env。"
     ),
     "uninstall.runs": "什么都没有删除，因为 day6-tui 正在运行：{what}。请先结束它",
+    "uninstall.inside": "这是桌面里的终端，~ 是另一个文件夹：请在真正的终端里输入",
     "uninstall.comma": "、",
     "uninstall.runs.program": "域 {domain} 里的进程 {pid}",
     "uninstall.runs.desktop": "一个已分离的桌面（day6-tui attach，再按 ^Q）",
