@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import email
 import re
-import shutil
 import subprocess
 import sys
 import tarfile
@@ -15,7 +14,7 @@ from pathlib import Path
 import pytest
 from markdown_it import MarkdownIt
 
-from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, ROOT, SHARE
+from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, ROOT, SHARE, copy_of_checkout
 
 VENDORED = PACKAGES["day6_tui"] / "day6_tui/web/static/vendor/xterm"
 
@@ -60,8 +59,7 @@ def test_the_packages_themselves_import_nothing() -> None:
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A wheel and a source distribution of a copy of the checkout, so that nothing stale can leak into them."""
     folder = tmp_path_factory.mktemp("built")
-    copy = folder / "checkout"
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns("__pycache__", ".*_cache", ".git", ".venv*", "build"))
+    copy = copy_of_checkout(folder / "checkout")
     code = f"import hatchling.build as b; b.build_wheel({str(folder)!r}); b.build_sdist({str(folder)!r})"
     done = subprocess.run([sys.executable, "-c", code], cwd=copy, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

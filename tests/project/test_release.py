@@ -12,7 +12,7 @@ import pytest
 
 from tests.support.folded import folded
 from tests.support.loaded import loaded
-from tests.support.source_files import ROOT
+from tests.support.source_files import ROOT, copy_of_checkout
 
 RELEASE = loaded(".ci/release")
 VERSION = RELEASE.version(ROOT)
@@ -82,11 +82,7 @@ def test_a_tag_of_anything_but_the_version_is_refused(tag: str) -> None:
 
 @pytest.mark.process
 def test_the_wheel_of_a_release_is_built_of_its_source_distribution(tmp_path: Path) -> None:
-    copy = tmp_path / "checkout"
-    shutil.copytree(
-        ROOT, copy, ignore=shutil.ignore_patterns("__pycache__", ".*_cache", ".git", ".venv*", "build", "dist")
-    )
-    shutil.rmtree(copy / "tests")
+    copy = copy_of_checkout(tmp_path / "checkout")
     done = subprocess.run([sys.executable, ".ci/release", "build"], cwd=copy, stdout=subprocess.PIPE, text=True)
     assert done.returncode == 0, done.stdout
     assert {path.name for path in (copy / "dist").iterdir()} == {

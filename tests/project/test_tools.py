@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, ROOT, trees
+from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, copy_of_checkout, trees
 
 pytestmark = pytest.mark.process
 
@@ -45,8 +45,7 @@ def imported() -> set[str]:
 def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the repository with a module at its top that imports all that ours import, and beside it a bare Python."""
     folder = tmp_path_factory.mktemp("tools")
-    copy = folder / "checkout"
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns("__pycache__", ".*_cache", ".git", ".venv*", "build"))
+    copy = copy_of_checkout(folder / "checkout")
     (copy / "asking.py").write_text("".join(f"import {module}\n" for module in sorted(imported())), encoding="utf-8")
     venv.create(folder / "bare", symlinks=sys.platform != "win32")
     return copy

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import shutil
 import unicodedata
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,6 +16,12 @@ ON_THE_PATH = PACKAGES["day6_core"] / "day6_core" / "ros" / "python"
 OF_DISTRIBUTIONS = ON_THE_PATH.with_name("python_of")
 SHARE = ON_THE_PATH.with_name("share")
 """Data of the package: programs find the first two on sys.path, launch files and configurations in the third."""
+
+
+def copy_of_checkout(place: Path) -> Path:
+    """Copy the repository without what tools have left in it; returns the place."""
+    left = ("__pycache__", ".*_cache", ".git", ".hypothesis", ".venv*", "build", "dist")
+    return Path(shutil.copytree(ROOT, place, ignore=shutil.ignore_patterns(*left)))
 
 
 def place(name: str) -> Path:
