@@ -1,4 +1,4 @@
-"""Prints the README's table "How true": plays everything that is recorded, and counts what is equal.
+"""Prints the table of docs/en/trust/conformance.md: plays everything that is recorded, and counts what is equal.
 
     python -m tests.conformance.score [--sources FOLDER --real PYTHON [--colcon COLCON] [--clone]]
 

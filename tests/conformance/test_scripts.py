@@ -1,4 +1,4 @@
-"""What the scripts behind the README's figures count as equal, and whether what they take in is named."""
+"""What the scripts behind the figures of docs/en/trust/conformance.md count as equal, and whether what they take in is named."""
 
 from __future__ import annotations
 
