@@ -289,4 +289,4 @@ def test_a_teachers_own_drill_has_its_heading_and_the_notes_come_into_sight(plac
         screen.press("F5")
         screen.wait(keyboard_at("A little turtle"))
         screen.press("T")
-        screen.wait(texts("lesson.notes"), "aloud what the terminal says")
+        screen.wait(texts("lesson.notes"), "message aloud")

@@ -42,8 +42,8 @@ def _talkers() -> list[Forgery]:
         ("prints what a talker logs", _program("import time\nfor n in range(99):\n    print(f'[INFO] said: Hello {n}', flush=True)\n    time.sleep(0.3)"), none),
         ("prints JSON that says it has passed", _program("print('{\"lesson\":\"day5\",\"scenario\":\"talker\",\"ok\":true,\"problems\":[],\"seconds\":1}')"), none),
         ("publishes once", TALKER.replace("self.create_timer(0.5, self.speak)", "self.speak()"), "No message on" ),
-        ("always says the same", TALKER.replace("Hello {self.number}", "Hello 1"), "these were different: Hello 1"),
-        ("says two things by turns", TALKER.replace("{self.number}", "{self.number % 2}"), "these were different"),
+        ("always says the same", TALKER.replace("Hello {self.number}", "Hello 1"), "only these different values: Hello 1"),
+        ("says two things by turns", TALKER.replace("{self.number}", "{self.number % 2}"), "only these different values"),
         ("says it on another topic", TALKER.replace("'chatter'", "'chater'"), none),
         ("sends numbers", TALKER.replace("String", "Int32").replace("note.data = f'Hello {self.number}'", "note.data = self.number"), "Its type is std_msgs/msg/Int32"),
         ("never spins", TALKER.replace("rclpy.spin(Talker())", "Talker()\n        " + "import time\n        time.sleep(60)"), "No message on"),
@@ -76,8 +76,8 @@ def _talkers() -> list[Forgery]:
 
 
 def _listeners() -> list[Forgery]:
-    none = "Nobody subscribes to it|Subscribed are: "
-    unheard = "That was not in what it printed"
+    none = "Nobody subscribes to it|The subscribers are: "
+    unheard = "It didn't print that"
     echo = "import subprocess\nsubprocess.run(['ros2', 'topic', 'echo', '/chatter'])"
     texts = [
         ("prints what lessons' listeners print", _program("import time\nfor n in range(40):\n    print(f'heard: Hello {n}', flush=True)\n    time.sleep(0.2)"), none),
@@ -98,7 +98,7 @@ def _listeners() -> list[Forgery]:
         ("reads the words from the grader's memory", _program(_SNOOP), none),
         ("writes verdicts into all open files of the others", _program(_WRITER), none),
         ("answers for the node without listening", _program("import rclpy\nrclpy.init()\nnode = rclpy.create_node('day6_listener')\nrclpy.spin(node)"), none),
-        ("lets another node of its own listen", LISTENER.replace("        self.create_subscription(String", "        import rclpy.node\n        self.ear = rclpy.node.Node('ear', use_global_arguments=False)\n        self.ear.create_subscription(String").replace("rclpy.spin(Listener())", "rclpy.spin(Listener().ear)"), "Subscribed are: /ear"),
+        ("lets another node of its own listen", LISTENER.replace("        self.create_subscription(String", "        import rclpy.node\n        self.ear = rclpy.node.Node('ear', use_global_arguments=False)\n        self.ear.create_subscription(String").replace("rclpy.spin(Listener())", "rclpy.spin(Listener().ear)"), "The subscribers are: /ear"),
         ("ends at once", _program("print('heard: everything')"), none),
     ]  # fmt: skip
     return [Forgery("day5", "listener", name, {INNER + "listener.py": text}, reason) for name, text, reason in texts]
@@ -277,7 +277,7 @@ def _packages() -> list[Forgery]:
         ("builds", "names no dependencies", {TOP + "package.xml": PACKAGE_XML.replace("  <depend>std_msgs</depend>\n", "")}, "Missing: std_msgs"),
         ("builds", "is a CMake package", {TOP + "package.xml": PACKAGE_XML.replace("ament_python", "ament_cmake")}, "colcon says|ament_cmake"),
         ("runs", "has no such executable", {TOP + "setup.py": SETUP.replace("            'hello = day6_publisher.hello:main',\n", "")}, "hello"),
-        ("runs", "prints nothing", {INNER + "hello.py": HELLO.replace("print('This is my own package!')", "pass")}, "not in what it printed"),
+        ("runs", "prints nothing", {INNER + "hello.py": HELLO.replace("print('This is my own package!')", "pass")}, "It didn't print that"),
         ("runs", "fails after printing", {INNER + "hello.py": HELLO.replace("package!')", "package!')\n    raise SystemExit(3)")}, "status 3"),
         ("runs", "names a module that is not there", {TOP + "setup.py": SETUP.replace("day6_publisher.hello:main", "day6_publisher.hallo:main")}, "status 1"),
         ("runs", "writes a .bashrc whose ros2 fails", {INNER + "hello.py": "import os\n\n\ndef main():\n    os.kill(os.getpid(), 9)\n"}, "status"),

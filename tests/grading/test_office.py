@@ -64,7 +64,7 @@ def test_submit_leaves_what_is_no_submission_alone(
         archive.writestr("notes.txt", "mine")
     before = target.read_bytes()
     assert main(["submit", "--home", str(home), "-o", str(target), "--lang", "en"]) == 1
-    assert "is not a submission" in capsys.readouterr().err
+    assert "isn't a submission" in capsys.readouterr().err
     assert target.read_bytes() == before
 
 
@@ -74,7 +74,7 @@ def test_submit_says_what_is_missing(home: Path, tmp_path: Path, capsys: pytest.
     for words, said in (
         (["--home", str(home)], "several pupils"),
         (["--home", str(home), "--pupil", "carl"], "no pupil 'carl'"),
-        (["--home", str(home), "--pupil", "a\nb"], "cannot be shown"),
+        (["--home", str(home), "--pupil", "a\nb"], "cannot be displayed"),
         (["--home", str(tmp_path / "nobody")], "nothing to hand in"),
     ):
         assert main(["submit", *words, "-o", target, "--lang", "en"]) == 1
@@ -139,7 +139,7 @@ def test_a_progress_file_that_cannot_be_used_is_told(home: Path, capsys: pytest.
 
 def test_no_pupils_is_no_empty_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["report", "--home", str(tmp_path), "--lang", "en"]) == 1
-    assert "no pupil has learned" in capsys.readouterr().err
+    assert "no pupil has done a lesson" in capsys.readouterr().err
 
 
 # -- grade -------------------------------------------------------------------------------------------------------------
@@ -158,7 +158,7 @@ def test_bad_calls_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         ([file, "--scenarios", str(tmp_path / "empty")], "no scenario in"),
         ([file, "--scenarios", str(tmp_path / "bad")], "x.md:4: '## zh TITLE' is missing"),
         ([file, "--scenarios", str(tmp_path / "nowhere")], "Not a directory"),
-        ([str(tmp_path / "empty")], "no submission"),
+        ([str(tmp_path / "empty")], "no such submission"),
     ):
         assert main(["grade", *words, "--lang", "en"]) == 2
         assert said in capsys.readouterr().err

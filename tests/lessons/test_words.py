@@ -67,9 +67,9 @@ def test_an_empty_list_is_told_in_a_sentence() -> None:
         "现在什么也没有运行。",
     ]
     assert [each.text("en") for each in empty] == [
-        "There is none at all.",
-        "There is no node /talker, nor any other.",
-        "Nothing runs now.",
+        "There are none.",
+        "There is no node /talker, or any other node.",
+        "Nothing is running.",
     ]
     assert Say("package.saw", names=("a", "b")).text("zh") == "现在有：a、b。"
 
@@ -81,7 +81,7 @@ def test_what_is_not_there_yet_is_told_in_one_breath(tmp_path: Path, kind: str) 
     noun = {"folder": "文件夹", "file": "文件"}[kind]
     missing = condition.judge(live)
     assert missing.text("zh") == f"要有{noun} ~/my_robot（现在还没有）"
-    assert missing.text("en") == f"the {kind} ~/my_robot is there (not yet)"
+    assert missing.text("en") == f"the {kind} ~/my_robot exists (not yet)"
     (tmp_path / "my_robot").mkdir() if kind == "folder" else (tmp_path / "my_robot").touch()
     assert condition.judge(live).text("zh") == f"要有{noun} ~/my_robot"
 

@@ -16,7 +16,7 @@ def share(install: Path) -> list[Path]:
 def main() -> int:
     """Print what was seen; return 0 if the file is there."""
     if not share(WORKSPACE / "install"):
-        print("ros2 launch 还找不到 band.launch.py (ros2 launch does not find it yet)")
+        print("ros2 launch 还找不到 band.launch.py (ros2 launch doesn't find it yet)")
         return 1
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)

@@ -35,13 +35,13 @@ def main() -> int:
     rclpy.shutdown()
     standing = sum(speed < STANDING for speed in speeds)
     if len(speeds) < ENOUGH:
-        print("没有海龟报告位置 (no turtle tells its pose)")
+        print("没有海龟报告位置 (no turtle publishes its pose)")
     elif standing == len(speeds):
         print("海龟站着不动 (the turtle stands still)")
     elif standing:
         print("海龟走走停停 (the turtle stops and starts)")
     else:
-        print("海龟一直在走 (the turtle goes on without a stop)")
+        print("海龟一直在走 (the turtle keeps moving)")
     return 0 if len(speeds) >= ENOUGH and not standing else 1
 
 

@@ -28,7 +28,7 @@ def main() -> int:
     settings = (FOLDER / "lamp.yaml").read_text(encoding="utf-8")
     program = (FOLDER / "lamp.py").read_text(encoding="utf-8")
     if settings == GIVEN and "'brightness', 10, fixed" in program:
-        print("还没有改动 (nothing was changed yet)")
+        print("还没有改动 (nothing has been changed yet)")
         return 1
     changed, numbers = re.subn(r"(brightness\s*:\s*)80\b", rf"\g<1>{HIDDEN}", settings)
     if not numbers:
@@ -47,11 +47,11 @@ def main() -> int:
             finally:
                 lamp.kill()
     if shown is None:
-        print("文件里换一个数，灯就不亮了 (with another number in the file it does not shine)")
+        print("文件里换一个数，灯就不亮了 (with another number in the file it doesn't shine)")
     elif shown != HIDDEN:
         print(f"文件里换一个数，亮度还是 {shown} (with another number in the file it is still {shown})")
     else:
-        print("灯听文件的话 (the lamp obeys its file)")
+        print("灯听文件的话 (the lamp follows its file)")
     return 0 if shown == HIDDEN else 1
 
 

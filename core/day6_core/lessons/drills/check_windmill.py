@@ -38,7 +38,7 @@ def main() -> int:
     rclpy.shutdown()
     turned = sum(abs(math.remainder(b - a, 2 * math.pi)) for a, b in itertools.pairwise(angles))
     if not angles:
-        print("没有人知道叶片在哪里 (nobody tells where the sail is)")
+        print("没有人知道叶片在哪里 (nobody publishes where the sail is)")
     elif turned < ENOUGH:
         print("叶片不动 (the sail stands still)")
     else:
