@@ -73,8 +73,8 @@ def wheel(built: Path) -> zipfile.ZipFile:
 
 
 def content(wheel: zipfile.ZipFile) -> set[str]:
-    """Return what it installs, without its own metadata."""
-    return {name for name in wheel.namelist() if not name.split("/")[0].endswith(".dist-info")}
+    """Return what it installs as packages, without its own metadata and what is for the rest of the system."""
+    return {name for name in wheel.namelist() if not name.split("/")[0].endswith((".dist-info", ".data"))}
 
 
 @pytest.mark.process
@@ -89,6 +89,12 @@ def test_the_wheel_holds_every_source_and_data_file(wheel: zipfile.ZipFile) -> N
 def test_the_wheel_brings_no_other_top_level_name(wheel: zipfile.ZipFile) -> None:
     tops = {name.split("/")[0] for name in content(wheel)}
     assert tops == set(PACKAGES)
+
+
+@pytest.mark.process
+def test_the_wheel_brings_the_man_page_and_nothing_else_for_the_system(wheel: zipfile.ZipFile) -> None:
+    shared = {name.partition(".data/")[2]: wheel.read(name) for name in wheel.namelist() if ".data/" in name}
+    assert shared == {"data/share/man/man1/day6-tui.1": (ROOT / "docs" / "man" / "day6-tui.1").read_bytes()}
 
 
 @pytest.mark.process
