@@ -35,9 +35,9 @@ def _lines() -> Iterator[str]:
     assert parser is not None
     texts = CommandTexts(LANGUAGE)
     yield '.\\" Made by .ci/man_page.py from the parsers; change the texts in core/day6_core/command_line/locale.'
-    yield ".TH DAY6\\-TUI 1 \"\" \"day6\\-tui\""
+    yield '.TH DAY6\\-TUI 1 "" "day6\\-tui"'
     yield from (".nh", ".ad l")
-    yield from (".SH NAME", f"day6\\-tui \\- {_text(desktop.summary(LANGUAGE).partition('. ')[0])}")
+    yield from (".SH NAME", f"day6\\-tui \\- {_text(desktop.summary(LANGUAGE))}")
     yield ".SH SYNOPSIS"
     for count, usage in enumerate(("[OPTION ...]", "COMMAND [ARG ...]")):
         yield from ([".br"] if count else [])
@@ -61,7 +61,9 @@ def _lines() -> Iterator[str]:
 def _section(parser: CommandParser, told: Container[str] = ()) -> Iterator[str]:
     """A command or verb, without the options that were told already."""
     yield f'.SS "{_text(parser.prog)}"'
-    yield _text(parser.format_usage().partition(": ")[2].strip())
+    for count, usage in enumerate(parser.format_usage().partition(": ")[2].strip().split("\n")):
+        yield from ([".br"] if count else [])
+        yield _text(usage.strip())
     for line in (parser.description or "").split("\n"):
         yield from (".PP", _text(line[:1].upper() + line[1:]))
     yield from _arguments(parser, told)

@@ -31,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
         return _no_command(name, words)
     distribution = None
     if front:
-        language, distribution = _read(front)
+        language, distribution = _read(front, words)
         rest = _in_language(command, language, rest)
     settle(distribution or (option_in(rest) if command.is_desktop else None))
     status = command.run(rest)
@@ -65,12 +65,12 @@ def _in_language(command: Command, language: str | None, words: list[str]) -> li
     return words
 
 
-def _read(front: list[str]) -> tuple[str | None, str | None]:
-    """The language and the distribution that stand before a command. Raises SystemExit for a wrong one."""
+def _read(front: list[str], words: list[str]) -> tuple[str | None, str | None]:
+    """The language and the distribution that stand before a command, in the words. Raises SystemExit for a wrong one."""
     from day6_core.language import language_of
     from day6_tui.commands.desktop import build_parser
 
-    chosen = build_parser(language_of(os.environ, front)).parse_args(front)
+    chosen = build_parser(language_of(os.environ, words)).parse_args(front)
     return chosen.lang, chosen.distro
 
 

@@ -53,6 +53,10 @@ class CommandParser(argparse.ArgumentParser):
             self.known[added.dest] = known
         return added
 
+    def used_as(self, *forms: str) -> None:
+        """Show these words behind its name as its usage, one form a line, in place of every option."""
+        self.usage = f"\n{' ' * len(self.texts('cli.usage'))}".join(f"%(prog)s {form}" for form in forms)
+
     def add_verb(self, name: str) -> CommandParser:
         """Add a verb that explains itself with the text `cli.<command>.<name>`; return its parser. One must be given then."""
         texts, command = self.texts, self.prog.rpartition(" ")[2]

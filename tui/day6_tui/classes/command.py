@@ -21,7 +21,7 @@ def build_parser(language: str = "en") -> CommandParser:
     """The options of the class, and those of the desktop behind them."""
     parser = command_parser("class", language)
     texts = parser.texts
-    parser.usage = "%(prog)s {--teacher | --join HOST --name NAME} [OPTION ...]"
+    parser.used_as("--teacher [OPTION ...]", "--join HOST --name NAME [OPTION ...]")
     options = parser.add_argument_group(texts("cli.class.group"))
     part = options.add_mutually_exclusive_group()
     told = texts("cli.class.teacher", port=ROUTER_PORT)

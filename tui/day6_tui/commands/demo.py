@@ -12,7 +12,7 @@ from day6_tui.commands import desktop
 def build_parser(language: str = "en") -> CommandParser:
     """What it takes, and the options of the desktop."""
     parser = command_parser("demo", language)
-    parser.usage = "%(prog)s [OPTION ...] DAY"
+    parser.used_as("[OPTION ...] DAY")
     parser.add_argument(
         "lesson", type=_name, metavar="DAY", known=desktop.lesson_names, help=parser.texts("cli.demo.day")
     )

@@ -27,7 +27,7 @@ def build_parser(language: str = "en") -> CommandParser:
     """The options of the desktop, and the list of commands."""
     texts = CommandTexts(language)
     parser = CommandParser("day6-tui", texts=texts, description=texts("cli.desktop"))
-    parser.usage = f"%(prog)s [OPTION ...]\n{' ' * len(texts('cli.usage'))}%(prog)s COMMAND [ARG ...]"
+    parser.used_as("[OPTION ...]", "COMMAND [ARG ...]")
     parser.epilog = _command_list(texts)
     add_options(parser)
     return parser

@@ -58,7 +58,7 @@ TEXTS = {
     "cli.group.own": "day6-tui itself",
     "cli.more": "day6-tui COMMAND --help says more about a command.",
     # The desktop
-    "cli.desktop": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",
+    "cli.desktop": "ROS 2 for people who have no ROS 2.\nWithout a command, opens the desktop.",
     "cli.desktop.scene": "what to start with (default: the choices of the welcome page)",
     "cli.desktop.robot": "your own URDF file instead of the car that comes with day6-tui",
     "cli.desktop.distro": "the ROS 2 distribution (default: ROS_DISTRO, else your last choice, else jazzy)",

@@ -56,7 +56,7 @@ TEXTS = {
     "cli.group.own": "day6-tui 自己",
     "cli.more": "想详细了解一条命令：day6-tui 命令 --help",
     # 桌面
-    "cli.desktop": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",
+    "cli.desktop": "没有装 ROS 2 也能用 ROS 2。\n后面不写命令，就打开桌面。",
     "cli.desktop.scene": "从哪个场景开始（默认：欢迎页面上的选项）",
     "cli.desktop.robot": "用你自己的 URDF 文件代替自带的小车",
     "cli.desktop.distro": "用哪个 ROS 2 发行版（默认：ROS_DISTRO，否则上次选的，再否则 jazzy）",
