@@ -14,8 +14,9 @@ import pytest
 from day6_core.command_line.parser import CommandParser, nearest
 from day6_core.command_line.texts import CommandTexts
 from day6_core.command_line.values import Values
+from day6_core.link.unusable import TEXTS as UNUSABLE
 
-WORDS = re.compile(r"[A-Za-z][a-z]{2,}")
+CHINESE = re.compile("[\u4e00-\u9fff]")
 
 
 def parser(language: str) -> CommandParser:
@@ -145,7 +146,7 @@ WRONG = [
     ("seconds", "nan", "'nan' isn't a number of seconds", "“nan”不是秒数"),
     ("minutes", "-1", "'-1' isn't a number of minutes", "“-1”不是分钟数"),
     ("address", "host", "'host' isn't an address", "“host”不是地址"),
-    ("secret", "short", "the secret has 5 characters", "不能用作口令：the secret has 5"),
+    ("secret", "short", "the secret has 5 characters", "口令：只有 5 个字符，至少要 8 个"),
 ]
 
 
@@ -177,3 +178,30 @@ def test_a_home_may_still_be_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert values.home("new/deep") == Path("new/deep") and values.home(".") == Path()
     Path("robot.urdf").touch()
     assert values.file("robot.urdf") == "robot.urdf"
+
+
+@pytest.mark.parametrize(
+    ("text", "chinese"),
+    [
+        ("nonsense", "'nonsense' 不是 tcp/192.168.1.5:7447 这样的地址"),
+        ("quic/a:1", "'quic/a:1' 的协议不认识：请用 tcp, udp 或 ws"),
+        ("tcp/a", "'tcp/a' 没有端口：应该写 tcp/a:7447"),
+        ("tcp/a:0", "'tcp/a:0' 的端口不是 1 到 65535 的数"),
+        ("tcp/::1:1", "'tcp/::1:1' 的 IPv6 地址要加方括号：tcp/[::1]:7447"),
+        ("tcp/1.2.3:1", "'tcp/1.2.3:1' 的地址不对：1.2.3"),
+        ("tcp/0.0.0.0:1", "'tcp/0.0.0.0:1' 指这台电脑的所有地址，不能用来连接"),
+        ("tcp/-a:1", "'tcp/-a:1' 的主机名不对：-a"),
+        ("tcp/:1", "'tcp/:1' 没有主机名"),
+        ("tcp/a\nb:1", "'tcp/a\\nb:1' 的主机名不对"),
+    ],
+)
+def test_a_wrong_endpoint_is_refused_in_chinese_too(text: str, chinese: str) -> None:
+    with pytest.raises(argparse.ArgumentTypeError) as error:
+        Values(CommandTexts("zh")).endpoint(listening=False)(text)
+    assert str(error.value) == chinese
+
+
+def test_every_reason_is_there_in_both_languages_with_the_same_fields() -> None:
+    for key, texts in UNUSABLE.items():
+        english, chinese = (set(re.findall(r"\{(\w+)", text)) for text in texts)
+        assert english == chinese and CHINESE.search(texts[1]) and not CHINESE.search(texts[0]), key

@@ -85,11 +85,12 @@ class Values:
 
         def read(text: str) -> str:
             from day6_core.link.addresses import address_of
+            from day6_core.link.unusable import Unusable
 
             try:
                 address_of(text, listening=listening)
-            except ValueError as error:
-                raise self.wrong("endpoint", reason=error) from None
+            except Unusable as error:
+                raise ArgumentTypeError(error.said(self._texts.language)) from None
             return text
 
         return read
@@ -97,11 +98,12 @@ class Values:
     def secret(self, text: str) -> str:
         """A secret, or a file with one."""
         from day6_core.link.secret import secret_of
+        from day6_core.link.unusable import Unusable
 
         try:
             return secret_of(text)
-        except ValueError as error:
-            raise self.wrong("secret", reason=error) from None
+        except Unusable as error:
+            raise ArgumentTypeError(error.said(self._texts.language)) from None
 
     def _float(self, text: str, least: float, most: float, kind: str) -> float:
         try:

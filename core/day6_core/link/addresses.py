@@ -10,6 +10,8 @@ import sys
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from day6_core.link.unusable import Unusable
+
 ROUTER_PORT = 7447
 """rmw_zenoh's, as of any router of Zenoh."""
 PROTOCOLS = ("tcp", "udp", "ws")
@@ -33,37 +35,37 @@ def address_of(endpoint: str, *, listening: bool) -> Address:
     Host names are not resolved here: that may take seconds, and the result may change.
 
     Raises:
-        ValueError: the endpoint is invalid; the message gives the reason.
+        Unusable: the endpoint is invalid, for this reason.
     """
     protocol, slash, rest = endpoint.partition("/")
     if not (protocol.isalnum() and slash and rest):
-        raise ValueError(f"{endpoint!r} is not an endpoint like tcp/192.168.1.5:7447")
+        raise Unusable("endpoint", endpoint=endpoint)
     if protocol not in PROTOCOLS:
-        raise ValueError(f"{endpoint!r} has an unknown protocol: use {', '.join(PROTOCOLS[:-1])} or {PROTOCOLS[-1]}")
+        raise Unusable("protocol", endpoint=endpoint, others=", ".join(PROTOCOLS[:-1]), last=PROTOCOLS[-1])
     host, colon, port = rest.rpartition(":")
     if not rest.isprintable():
-        raise ValueError(f"{endpoint!r} has no valid host name")
+        raise Unusable("host", endpoint=endpoint)
     if not colon or host.count("[") != host.count("]"):
-        raise ValueError(f"{endpoint!r} has no port: write {protocol}/{rest}:7447")
+        raise Unusable("port_missing", endpoint=endpoint, right=f"{protocol}/{rest}:{ROUTER_PORT}")
     if not (port.isascii() and port.isdecimal() and 1 <= int(port) <= 65535):
-        raise ValueError(f"{endpoint!r} has no port from 1 to 65535")
+        raise Unusable("port", endpoint=endpoint)
     return Address(protocol, _host(endpoint, protocol, host, listening=listening), int(port))
 
 
 def _host(endpoint: str, protocol: str, host: str, *, listening: bool) -> str:
     bracketed = host.startswith("[") and host.endswith("]")
     if not bracketed and _BARE_IPV6.fullmatch(host):
-        raise ValueError(f"{endpoint!r} needs brackets around an IPv6 address: {protocol}/[::1]:7447")
+        raise Unusable("brackets", endpoint=endpoint, right=f"{protocol}/[::1]:{ROUTER_PORT}")
     if bracketed or _NUMBERS.fullmatch(host):
         host = host.strip("[]")
         try:
             ip = ipaddress.IPv6Address(host) if bracketed else ipaddress.IPv4Address(host)
         except ValueError:
-            raise ValueError(f"{endpoint!r} has no valid address: {host}") from None
+            raise Unusable("address", endpoint=endpoint, host=host) from None
         if ip.is_unspecified and not listening:
-            raise ValueError(f"{endpoint!r} means every address of this machine, so it cannot be connected to")
+            raise Unusable("every", endpoint=endpoint)
     elif not _NAME.fullmatch(host):
-        raise ValueError(f"{endpoint!r} has no valid host name: {host or 'it is empty'}")
+        raise Unusable("host_named" if host else "host_empty", endpoint=endpoint, host=host)
     return host
 
 

@@ -6,6 +6,8 @@ import os
 import stat
 import sys
 
+from day6_core.link.unusable import Unusable
+
 USER = "day6"
 """The user name that goes with it: a real ROS 2 gives Zenoh's `transport/auth/usrpwd` this name and the secret."""
 SHORTEST = 8
@@ -18,15 +20,15 @@ def secret_of(text: str) -> str:
     A word on a command line can be read by every user of the machine; a file that others can read is refused.
 
     Raises:
-        ValueError: the secret cannot be used; the message gives the reason.
+        Unusable: the secret cannot be used, for this reason.
     """
     if not (os.path.lexists(text) or "/" in text or os.sep in text):
-        return _checked(text, "the secret")
+        return _checked(text)
     try:
         secret = _read(text)
     except OSError as error:
-        raise ValueError(f"{text}: {error.strerror or error}") from None
-    return _checked(secret, text)
+        raise Unusable("secret_unread", path=text, reason=error.strerror or error) from None
+    return _checked(secret, where=text)
 
 
 def _read(path: str) -> str:
@@ -34,17 +36,17 @@ def _read(path: str) -> str:
     with os.fdopen(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)), "rb") as file:
         status = os.fstat(file.fileno())
         if not stat.S_ISREG(status.st_mode):
-            raise ValueError(f"{path} is not a file")
+            raise Unusable("secret_no_file", path=path)
         if sys.platform != "win32" and status.st_mode & 0o077:
-            raise ValueError(f"other users can read {path}; do: chmod 600 {path}")
+            raise Unusable("secret_open", path=path)
         return file.read(4 * _LONGEST).decode("utf-8", errors="replace").strip()
 
 
-def _checked(secret: str, where: str) -> str:
+def _checked(secret: str, **where: str) -> str:
     if len(secret) < SHORTEST:
-        raise ValueError(f"{where} has {len(secret)} characters, at least {SHORTEST} are needed")
+        raise Unusable("secret_short", **where, count=len(secret), least=SHORTEST)
     if len(secret) > _LONGEST:
-        raise ValueError(f"{where} has more than {_LONGEST} characters")
+        raise Unusable("secret_long", **where, most=_LONGEST)
     if not secret.isprintable() or ":" in secret or any(character.isspace() for character in secret):
-        raise ValueError(f"{where} must be one word without a colon")
+        raise Unusable("secret_word", **where)
     return secret

@@ -43,8 +43,6 @@ TEXTS = {
     "cli.wrong.minutes": "'{text}' isn't a number of minutes",
     "cli.wrong.word": "'{text}' is too easy to guess; use at least {least} characters",
     "cli.wrong.address": "'{text}' isn't an address: http://…, https://… or /…",
-    "cli.wrong.secret": "{reason}",
-    "cli.wrong.endpoint": "{reason}",
     "cli.wrong.lesson": (
         "there is no lesson '{name}'; the lessons are {names} (day6-tui lessons list names the drills, too)"
     ),

@@ -43,8 +43,6 @@ TEXTS = {
     "cli.wrong.minutes": "“{text}”不是分钟数",
     "cli.wrong.word": "“{text}”太容易猜到；至少要 {least} 个字符",
     "cli.wrong.address": "“{text}”不是地址：应该是 http://…、https://… 或 /…",
-    "cli.wrong.secret": "不能用作口令：{reason}",
-    "cli.wrong.endpoint": "不是能用的地址：{reason}",
     "cli.wrong.lesson": "没有叫“{name}”的课；有：{names}（day6-tui lessons list 也列出练习）",
     "cli.wrong.lesson.close": "没有叫“{name}”的课；是不是想写 {close}？",
     "cli.wrong.lesson.none": "没有叫“{name}”的课，也没有别的课",
