@@ -21,9 +21,8 @@ OURS = re.compile(r"(\.ci|\.github|core|docs|hub|tests|tui|urdf|day6_core|day6_t
 @functools.cache
 def ours() -> set[str]:
     """Return every file and folder by each end of its path: 'core/day6_core/elide.py', 'day6_core/elide.py', 'elide.py'."""
-    paths = [
-        Path(folder) for folder in (".ci", ".github", "core", "docs", "hub", "pyproject.toml", "tests", "tui", "urdf")
-    ]
+    names = ".ci .github CHANGELOG.md core docs hub pyproject.toml tests tui urdf"
+    paths = [Path(name) for name in names.split()]
     found = {inner.relative_to(ROOT) for path in paths for inner in ((ROOT / path), *(ROOT / path).rglob("*"))}
     return {"/".join(path.parts[start:]) for path in found for start in range(len(path.parts))}
 
