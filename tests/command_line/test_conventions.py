@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -15,18 +14,6 @@ from day6_tui.commands.table import commands
 from day6_tui.main import main
 
 NEEDS_NOTHING = [command.name for command in commands() if command.group != "ros" and command.name]
-
-
-@pytest.fixture(autouse=True)
-def plain(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
-    """A terminal of 80 columns, no network, a folder of its own, and variables that no command changes for others."""
-    before = dict(os.environ)
-    monkeypatch.setenv("COLUMNS", "80")
-    monkeypatch.setenv("DAY6_LINK", "off")
-    monkeypatch.chdir(tmp_path)
-    yield
-    os.environ.clear()
-    os.environ.update(before)
 
 
 def said(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:

@@ -39,6 +39,7 @@ def test_no_text_can_be_taken_for_a_command_of_roff() -> None:
     assert man_page._text(".x\n'y\\-…") == "\\&.x\n\\&'y\\e\\-\\[u2026]"
 
 
+@pytest.mark.outside
 @pytest.mark.process
 @pytest.mark.parametrize(("tool", "command"), [("groff", "groff -ww -man -Tutf8"), ("mandoc", "mandoc -W warning")])
 def test_the_page_is_read_without_a_warning(tool: str, command: str) -> None:

@@ -33,6 +33,8 @@ def loaded(code: str) -> set[str]:
         "import rclpy; rclpy.init(); n = rclpy.create_node('n')",
         "import day6_tui.main",
         "from day6_tui.commands.desktop import build_parser; build_parser()",
+        "from day6_tui.commands.table import commands; [each.parser('zh') for each in commands()]",
+        "from day6_tui.commands.complete import own_words; own_words(['serve', '--'])",
         "import day6_core.ros.ros2",
         "import day6_core.link",
         "import day6_urdf",
@@ -40,6 +42,18 @@ def loaded(code: str) -> set[str]:
 )
 def test_nothing_heavy_is_imported(code: str) -> None:
     assert {name.split(".")[0] for name in loaded(code)} & HEAVY == set()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a process cannot become another one there")
+def test_a_program_of_a_user_waits_for_no_parser_and_no_texts_of_the_command_line() -> None:
+    code = (
+        "import os\nfrom day6_tui.main import main\ndef become(*words): raise SystemExit\nos.execve = become\n"
+        "try: main(['python', 'file.py', '--lang', 'zh'])\nexcept SystemExit: pass"
+    )
+    found = loaded(code)
+    assert "day6_core.shell.outward.python_file" in found
+    assert not {"argparse", "gettext"} & (found - loaded("pass"))
+    assert not {name for name in found if name.startswith(("day6_core.command_line", "day6_core.session.s"))}
 
 
 def test_import_rclpy_stays_small() -> None:

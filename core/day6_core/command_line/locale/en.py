@@ -202,6 +202,7 @@ TEXTS = {
     "cli.env.pycharm": "write source roots and variables into .idea",
     "cli.env.project": "the project's folder (default: this one)",
     "cli.env.stubs": "{count} packages of interfaces are in {folder}",
+    "cli.env.not_understood": "{file} is not understood and was left as it is: {reason}",
     "cli.env.wrote": "wrote {file}",
     "cli.python": "Run a Python file unmodified as a ROS program.\nThat is python3 with rclpy on its path.",
     "cli.python.file": "the file to run, or any option of python3 (without one: python3 itself)",

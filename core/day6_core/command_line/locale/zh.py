@@ -170,6 +170,7 @@ TEXTS = {
     "cli.env.pycharm": "把源文件夹和变量写进 .idea",
     "cli.env.project": "项目的文件夹（默认：当前文件夹）",
     "cli.env.stubs": "{count} 个接口包写在 {folder}",
+    "cli.env.not_understood": "看不懂 {file}，没有改动它：{reason}",
     "cli.env.wrote": "写好了 {file}",
     "cli.python": "把一个 Python 文件原样当作 ROS 程序运行。\n也就是能找到 rclpy 的 python3。",
     "cli.python.file": "要运行的文件，或者 python3 的任何选项（不写就是 python3 自己）",

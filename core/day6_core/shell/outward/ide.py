@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
+from day6_core.command_line.texts import CommandTexts, Wording
 from day6_core.places import data_folder
 from day6_core.ros.distribution import DEFAULT, current
 from day6_core.ros.environment import program_environment, python_folders
@@ -23,6 +24,18 @@ from day6_core.whole_file import replace_file
 
 LAUNCH_NAME = "day6: this Python file"
 _SHELL_OF = {"win32": "windows", "darwin": "osx"}
+
+
+class NotUnderstood(ValueError):
+    """A file of the user's editor that cannot be parsed; it was left as it is."""
+
+    def __init__(self, file: Path, reason: object) -> None:
+        self._values = {"file": file, "reason": reason}
+        super().__init__(self.said(CommandTexts("en")))
+
+    def said(self, texts: Wording) -> str:
+        """Say so in the language of the texts."""
+        return texts("cli.env.not_understood", **self._values)
 
 
 def variables() -> dict[str, str]:
@@ -61,7 +74,7 @@ def stub_folder() -> Path:
 def write_vscode(project: Path, stubs: Path) -> list[Path]:
     """Write .vscode/settings.json, .vscode/launch.json and .env; return them.
 
-    Raises OSError, and ValueError (with the file's name) when an existing file cannot be parsed.
+    Raises OSError, and NotUnderstood when an existing file cannot be parsed.
     """
     folder = project / ".vscode"
     folder.mkdir(exist_ok=True)
@@ -145,7 +158,7 @@ def _with_ours(present: Iterable[str] | None, ours: list[str]) -> list[str]:
 def write_pycharm(project: Path, stubs: Path) -> list[Path]:
     """Make our folders source roots of the project, and give every new run configuration our variables; return the files.
 
-    Raises OSError and ValueError as `write_vscode`.
+    Raises OSError and NotUnderstood as `write_vscode`.
     """
     idea = project / ".idea"
     (idea / "runConfigurations").mkdir(parents=True, exist_ok=True)
@@ -235,6 +248,6 @@ def _change(file: Path, edit: Callable[[str], str]) -> None:
     try:
         after = edit(before)
     except (ValueError, ElementTree.ParseError, AttributeError, TypeError) as error:
-        raise ValueError(f"{file} is not understood and was left as it is: {error}") from error
+        raise NotUnderstood(file, error) from error
     if after != before:
         replace_file(file, after.replace("\n", os.linesep).encode("utf-8"))

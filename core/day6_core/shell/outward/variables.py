@@ -51,8 +51,9 @@ def _write_settings(parser: CommandParser, options: argparse.Namespace) -> int:
         count = ide.write_stubs(stubs)
         files = ide.write_vscode(project, stubs) if options.vscode else []
         files += ide.write_pycharm(project, stubs) if options.pycharm else []
-    except (OSError, ValueError) as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+    except (OSError, ide.NotUnderstood) as error:
+        reason = f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else error.said(parser.texts)
+        print(f"{parser.prog}: {reason}", file=sys.stderr)
         return 1
     print(parser.texts("cli.env.stubs", count=count, folder=stubs))
     for file in files:
