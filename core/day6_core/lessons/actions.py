@@ -1,4 +1,4 @@
-"""The actions of lesson files and scenes (writing/en.md): what may be written for each. `stage` and `scene_player` perform them."""
+"""The actions of lesson files and scenes (writing/en.md): what may be written for each. `stage` and `scene_player` do them."""
 
 from __future__ import annotations
 
