@@ -116,13 +116,17 @@ def test_the_screen_never_waits_for_the_disk(tmp_path: Path, monkeypatch) -> Non
 
 
 def test_a_question_whether_to_end_is_recorded_only_if_the_recording_goes_on(tmp_path: Path) -> None:
-    clock, asks = _Clock(), False
-    recorder = Recorder(tmp_path / "a.cast", lambda: (20, 3), clock=clock, asks=lambda: asks)
-    said = []
-    for asks, text in ((False, "before"), (True, "really?"), (True, " sure?"), (False, "no"), (True, "really end?")):
+    clock, asking = _Clock(), [False]
+    recorder = Recorder(tmp_path / "a.cast", lambda: (20, 3), clock=clock, asks=lambda: asking[0])
+    for asking[0], text in (
+        (False, "before"),
+        (True, "really?"),
+        (True, " sure?"),
+        (False, "no"),
+        (True, "really end?"),
+    ):
         clock.now += 1
         recorder.write(text)
-        said.append(text)
     recorder.stop()
-    events = read(tmp_path / "a.cast").events[1:]
-    assert [(event.time, event.text) for event in events] == [*enumerate(said[:4], 1)]
+    events = [event for event in read(tmp_path / "a.cast").events if event.time]
+    assert [(event.time, event.text) for event in events] == [(1, "before"), (2, "really?"), (3, " sure?"), (4, "no")]

@@ -77,15 +77,23 @@ def colour_of(name: str, default: str) -> str:
     return f"#{name}" if len(name) == 6 and set(name.lower()) <= _HEX else default
 
 
-def picture(frames: Sequence[Rows], size: tuple[int, int], seconds: Sequence[float] = (), title: str = "") -> str:
+def picture(
+    frames: Sequence[Rows],
+    size: tuple[int, int],
+    seconds: Sequence[float] = (),
+    title: str = "",
+    over: Sequence[Sequence[str]] = (),
+) -> str:
     """The screens, of at most `size` columns and rows, as an SVG text; of several each is seen for so many `seconds`.
 
-    Who wants no motion sees the last of them.
+    Who wants no motion sees the last of them. `over` has for each what is drawn over its cells: elements in units of `CELL`.
     """
     width, height = (count * cell + 2 * MARGIN for count, cell in zip(size, CELL, strict=True))
     when: defaultdict[_Part, list[int]] = defaultdict(list)
     for index, frame in enumerate(frames):
-        for part in dict.fromkeys(part for y, row in enumerate(frame[: size[1]]) for part in _parts(row, y, size[0])):
+        parts = [part for y, row in enumerate(frame[: size[1]]) for part in _parts(row, y, size[0])]
+        parts += [_Part(3, "", "", element) for element in (over[index] if over else ())]
+        for part in dict.fromkeys(parts):
             when[part].append(index)
     shown: defaultdict[int, defaultdict[tuple[int, ...], list[_Part]]] = defaultdict(lambda: defaultdict(list))
     for part, indexes in when.items():
@@ -159,7 +167,7 @@ def _parts(row: Sequence[tuple[str, Style]], y: int, columns: int) -> Iterator[_
                 for x0, y0, *rest in shape:
                     yield _Part(1, front, "", (left + x0, top + y0, *rest))  # type: ignore[arg-type]
             elif piece in _ARCS:
-                yield _Part(1, front, "arc", f"M{left + _ARCS[piece][0]} {top + _ARCS[piece][1]}{_ARCS[piece][2]}")
+                yield _Part(1, front, "", f"M{left + _ARCS[piece][0]} {top + _ARCS[piece][1]}{_ARCS[piece][2]}")
             elif seen := piece.rstrip():
                 yield _Part(2, front, marks, _Text(left, top + 12, seen, _cells(seen), char_width(seen[0]) == 2))
 
@@ -259,6 +267,9 @@ def _drawn(parts: Sequence[_Part]) -> Iterator[str]:
             path = "".join(f"M{x} {y}h{w}v{h}h-{w}z" for x, y, w, h in merged(rects))
             yield f'<path fill="{colour}" shape-rendering="crispEdges" d="{path}"/>\n'
         if arcs := [part.what for part in alike if isinstance(part.what, str)]:
+            if not colour:
+                yield from arcs
+                continue
             yield f'<path fill="none" stroke="{colour}" d="{"".join(arcs)}"/>\n'
         if texts := [part.what for part in alike if isinstance(part.what, _Text)]:
             yield f'<g fill="{colour}"{marks}>{"".join(map(_written, texts))}</g>\n'
