@@ -1,4 +1,6 @@
-"""Walks docs/en/teachers/jupyterhub.md with a real JupyterHub, two pupils and a real browser: python -m tests.web.try_hub BIN PROXY FOLDER
+"""Walks docs/en/teachers/jupyterhub.md with a real JupyterHub, two pupils and a real browser.
+
+    python -m tests.web.try_hub BIN PROXY FOLDER
 
 BIN is the bin folder of an environment with jupyterhub, jupyterlab, jupyter-server-proxy and day6-tui[serve], PROXY that of
 configurable-http-proxy; screenshots go to FOLDER. Prints PSS and CPU of the hub, its proxy and a pupil's server, and when the
