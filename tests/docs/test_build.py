@@ -31,6 +31,12 @@ a paragraph:
 - two
 
 ## 第 5 天：话题（topic）
+一行，
+又一行
+接着
+> 引用，
+> 还是引用
+
 see [above](#第-5-天话题topic), ![picture](../pictures/p.en.svg), [program](../../program.py)
 | a | b |
 | --- | --- |
@@ -69,7 +75,13 @@ def _built(tree: Path, more: str = "") -> tuple[int, str]:
 def test_a_page_of_commonmark_becomes_what_it_says(tree: Path) -> None:
     assert _built(tree) == (0, "")
     html = (tree / "build" / "site" / "en" / "index.html").read_text(encoding="utf-8")
-    for part in ('src="pictures/p.en.svg"', 'href="https://example.org/r/blob/main/program.py"', "<code>x | y</code>"):
+    for part in (
+        'src="pictures/p.en.svg"',
+        'href="https://example.org/r/blob/main/program.py"',
+        "<code>x | y</code>",
+        "一行，又一行接着",
+        "引用，\n还是引用",
+    ):
         assert part in html
 
 
