@@ -128,9 +128,11 @@ def test_the_language_changes_while_a_lesson_runs(place: Place, lessons: Path) -
         screen.wait("Open the turtle's window", "Step 1 of 1")
 
 
-def test_a_lesson_that_is_not_there_is_told(place: Place, lessons: Path) -> None:
-    with place.desktop("--lessons", str(lessons), "--lesson", "day9", lang="en") as screen:
-        screen.wait(Texts("en")("lesson.unknown", name="day9"))
+def test_a_lesson_that_is_not_there_is_refused_before_the_desktop_opens(place: Place, lessons: Path) -> None:
+    with place.desktop("--lessons", str(lessons), "--lesson", "day9", lang="en", columns=200) as screen:
+        assert screen.wait_end() == 2
+        assert "there is no lesson 'day9'; the lessons are example, second" in screen.look()
+        assert b"\x1b[?1049h" not in screen.output
 
 
 def test_lesson_files_without_a_screen(place: Place) -> None:
