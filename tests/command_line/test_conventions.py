@@ -169,3 +169,15 @@ def test_python_takes_only_its_own_options_in_front_of_the_file(tmp_path: Path) 
             [sys.executable, "-m", "day6_tui", "python", *words], capture_output=True, text=True, cwd=tmp_path
         )
         assert (done.returncode, done.stdout, done.stderr) == (0, out, "")
+
+
+@pytest.mark.process
+@pytest.mark.skipif(sys.platform == "win32", reason="a pipe without a reader is a different error on Windows")
+@pytest.mark.parametrize("words", ["doctor", "uninstall", "lessons help", "lessons list", "--version"])
+def test_a_reader_that_has_seen_enough_ends_the_command_in_silence(words: str, tmp_path: Path) -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    command = [sys.executable, "-m", "day6_tui", *words.split()]
+    done = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, text=True, cwd=tmp_path)
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (128 + 13, "")

@@ -12,6 +12,10 @@ if TYPE_CHECKING:
     from day6_tui.commands.table import Command
 
 
+READER_GONE = 128 + 13
+"""As in a shell: ended by SIGPIPE."""
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Entry point of `day6-tui`; returns the exit status."""
     if arguments is None:
@@ -21,6 +25,20 @@ def main(arguments: list[str] | None = None) -> int:
 
     words = sys.argv[1:] if arguments is None else arguments
     guard_standard_streams()
+    try:
+        try:
+            return _obey(words, alone=arguments is None)
+        finally:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+    except BrokenPipeError:  # `day6-tui doctor | head -1`
+        if arguments is None:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python writes what is left when it ends
+        return READER_GONE
+
+
+def _obey(words: list[str], *, alone: bool) -> int:
+    """Run the command that the words name; return its status. `alone`: nothing of this process is needed after it."""
     if words in (["-V"], ["--version"]):
         return show_version()
     from day6_tui.commands.table import command_named
@@ -35,7 +53,7 @@ def main(arguments: list[str] | None = None) -> int:
         rest = _in_language(command, language, rest)
     settle(distribution or (option_in(rest) if command.is_desktop else None))
     status = command.run(rest)
-    if arguments is None and command.is_desktop:
+    if alone and command.is_desktop:
         from day6_core.session.ending import leave
 
         leave(status)
