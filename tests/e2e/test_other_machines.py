@@ -43,7 +43,7 @@ def test_an_open_door_says_who_can_come_in(place: Place, port: int, lang: str) -
 
 
 IN_USE = {
-    "en": ("port {port} in use", "another program uses this port"),
+    "en": ("port {port} in use", "another program is using this port"),
     "zh": ("端口 {port} 被占用", "这个端口被别的程序占用"),
 }
 
@@ -59,7 +59,7 @@ def test_a_taken_port_is_told_and_programs_still_meet(place: Place, lang: str) -
             screen.wait(top)
             done = place.run("ros2", "doctor")
             assert done.returncode == 0 and "check(s) failed" in done.stdout
-            assert f"ERROR: tcp/127.0.0.1:{port}: another program uses this port" in done.stderr
+            assert f"ERROR: tcp/127.0.0.1:{port}: another program is using this port" in done.stderr
             screen.line("ros2 run turtlesim turtlesim_node &")
             screen.wait("TurtleSim")
             assert "/turtlesim" in place.run("ros2", "node", "list").stdout

@@ -59,7 +59,7 @@ def car_desktop(place: Place, *commands: str) -> Terminal:
     screen = place.desktop("--scene", "empty", columns=120, rows=40)
     screen.wait("student@day6:~$")
     screen.line(CAR)
-    screen.wait("╭ 2 car_view", "nobody publishes /joint_states: the wheels do not turn")
+    screen.wait("╭ 2 car_view", "nobody publishes /joint_states: the wheels don't turn")
     return screen
 
 
@@ -144,7 +144,7 @@ def test_the_wheels_turn_as_the_students_program_says(place: Place) -> None:
         screen.wait(lambda seen: re.search(r"/joint_states (4\d|5[0-5]) Hz", seen))
         assert picture(screen) != before
         screen.press("Ctrl-C")
-        seen = screen.wait("KeyboardInterrupt", "nobody publishes /joint_states: the wheels do not turn", "+0.00 rad/s")
+        seen = screen.wait("KeyboardInterrupt", "nobody publishes /joint_states: the wheels don't turn", "+0.00 rad/s")
         still = SPINS.search(seen)
 
         screen.line("clear; python3 wrong_names.py")

@@ -108,7 +108,7 @@ def test_a_world_that_lost_time_lately_is_told_until_it_keeps_up_again(lab: Lab)
     assert lab.findings() == {}, "a program that starts may take a moment"
     lab.advance(1.8)
     lab.clock.lost_ns += 1_700_000_000
-    said = "this computer is too slow for all that runs here: time passes at 0.52x instead of 1x"
+    said = "this computer is too slow for everything running here: time passes at 0.52x instead of 1x"
     assert lab.findings()["late"].startswith(said)
     for _ in range(LOOKS // 2):
         found = lab.findings()

@@ -156,7 +156,7 @@ def test_enter_or_a_click_writes_the_next_command_into_a_terminal_and_does_not_r
 def test_nothing_is_wrong_is_only_said_of_what_was_looked_at() -> None:
     async def act(app: Any, pilot: Any) -> None:
         text = screen_text(app)
-        assert "nothing is wrong in what was looked at" in text and "not looked at: the files" in text
+        assert "nothing is wrong in what was checked" in text and "not checked: the files" in text
 
     use(Model(unseen=("files",)), act)
 

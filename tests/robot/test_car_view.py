@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from tests.robot.conftest import Machine, Running
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-STAYS = "This draws angles only. To let it drive: ros2 launch day6_world world.launch.py"
-NO_JOINT_STATES = "nobody publishes /joint_states: the wheels do not turn"
+STAYS = "This only draws angles. To make it drive: ros2 launch day6_world world.launch.py"
+NO_JOINT_STATES = "nobody publishes /joint_states: the wheels don't turn"
 
 
 def open_car(machine: Machine, *args: str) -> CarModel:

@@ -96,14 +96,14 @@ SLIPS = ("rso2 topic list", "python3 -c 'count = 1; cuont'", "ros2 run my_pkg my
 async def test_the_inspector_names_nothing_until_the_drill_is_solved(tmp_path: Path, exam: bool) -> None:
     async with drill(tmp_path, exam=exam) as (app, pilot):
         await inspect(app, pilot)
-        await until(app, pilot, _shows(app, "search yourself"))
+        await until(app, pilot, _shows(app, "find the bug yourself"))
         model = inspector(app)
         assert model.findings == () and "turtlesm" not in "".join(map(str, model.findings))
         assert "nothing is wrong" not in screen_text(app) and FINDING not in screen_text(app)
         await solve(app, pilot)
         await until(app, pilot, lambda: FINDING in screen_text(app).replace("\n", " ") or model.findings)
         assert any(each.id == "inspector.no_package" for each in model.findings)
-        await until(app, pilot, lambda: "search yourself" not in screen_text(app))
+        await until(app, pilot, lambda: "find the bug yourself" not in screen_text(app))
 
 
 @pytest.mark.long
@@ -111,10 +111,10 @@ async def test_the_inspector_names_nothing_until_the_drill_is_solved(tmp_path: P
 async def test_it_works_again_once_the_drill_is_given_up(tmp_path: Path, how: str) -> None:
     async with drill(tmp_path) as (app, pilot):
         await inspect(app, pilot)
-        await until(app, pilot, _shows(app, "search yourself"))
+        await until(app, pilot, _shows(app, "find the bug yourself"))
         app.desktop.go_to_pane(app.lessons.pane)
         await pilot.press({"solution": "S", "next": "right", "list": "L"}[how])
-        await until(app, pilot, lambda: "search yourself" not in screen_text(app))
+        await until(app, pilot, lambda: "find the bug yourself" not in screen_text(app))
         if how != "solution":
             await until(app, pilot, lambda: app.lessons.pane.course.state.lesson is None)
 
@@ -127,7 +127,7 @@ async def test_an_inspector_that_was_open_before_falls_silent(tmp_path: Path) ->
         await inspect(app, pilot)
         await until(app, pilot, lambda: inspector(app).version)
         app.lessons.pane.course.request(lambda: app.lessons.pane.course.open("slip"))
-        await until(app, pilot, _shows(app, "search yourself"))
+        await until(app, pilot, _shows(app, "find the bug yourself"))
 
 
 @pytest.mark.long
@@ -185,7 +185,7 @@ WAYS = ["f1", "click", "why", "explain \"Package 'turtlesm' not found\""]
 async def test_in_an_exam_there_are_no_cards_until_the_drill_is_solved(tmp_path: Path, how: str) -> None:
     async with drill(tmp_path, exam=True) as (app, pilot):
         await ask(app, pilot, how)
-        await until(app, pilot, _shows(app, "In an exam there are no cards"))
+        await until(app, pilot, _shows(app, "There are no cards in an exam"))
         assert not isinstance(app.desktop.overlay, CardModal)
         assert "Why here" not in screen_text(app)
         await solve(app, pilot)

@@ -53,7 +53,7 @@ def test_a_sign_between_numbers_is_named_and_put_right(value: str, sign: str) ->
     text = ROBOT.replace(f'"{value}"', f'"{wrong}"', 1)
     line = ROBOT[: ROBOT.index(f'"{value}"')].count("\n") + 1
     said = hint(text)
-    assert f'write "{value}" for "{wrong}"' in said and f'no Chinese "{sign}"' in said
+    assert f'write "{value}" instead of "{wrong}"' in said and f'not a Chinese "{sign}"' in said
     assert f'把 "{wrong}" 写成 "{value}"' in hint(text, "zh") and f"中文的「{sign}」" in hint(text, "zh")
     assert line - 1 <= int(said.split("line ")[1].split(",")[0]) <= line  # the element, or the one it is in
 
@@ -70,7 +70,7 @@ def test_a_wide_sign_in_a_number_is_named_and_put_right(attribute: str) -> None:
     value = value.strip('"')
     wide = value.translate({ord("."): "。", ord("-"): "－"} if "." in value else {ord(value): chr(ord(value) + 0xFEE0)})
     said = hint(ROBOT.replace(attribute, f'{name}="{wide}"', 1))
-    assert f'write "{value}" for "{wide}"' in said and f'a Chinese "{sign_in(wide)}" is no part of a number' in said
+    assert f'write "{value}" instead of "{wide}"' in said and f'a Chinese "{sign_in(wide)}" cannot be part of a number' in said
 
 
 @pytest.mark.parametrize(

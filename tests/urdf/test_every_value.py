@@ -511,7 +511,7 @@ DISC = '<cylinder radius="0.1" length="0.2"/>'
         (rolling(DISC, "1 0 0"), "wheel w does not turn"),
         (rolling(DISC, "2 0.9 0"), "wheel w does not turn"),
         (rolling(DISC, "0 0 0"), "joint j has no axis"),
-        (rolling(DISC, "0 1 0", "revolute"), "joint j may only move from 1 to 1"),
+        (rolling(DISC, "0 1 0", "revolute"), "joint j can only move from 1 to 1"),
         (rolling(DISC, "1 0 0", "prismatic"), None),
         (rolling('<cylinder radius="0.1" length="0.21"/>', "1 0 0"), None),
         (rolling(DISC, "1 0 0", more="0.05"), "wheel w does not turn"),

@@ -35,13 +35,13 @@ def test_a_correct_file_needs_no_hint() -> None:
 
 def test_a_tag_that_is_not_closed_is_found_by_line_and_column() -> None:
     text = '<robot name="r">\n  <link name="a">\n    <visual>\n  </link>\n</robot>\n'
-    assert hint(text).startswith("hint: car.urdf, line 3, column 5: the tag <visual> that begins here is not closed")
+    assert hint(text).startswith("hint: car.urdf, line 3, column 5: the tag <visual> that starts here isn't closed")
     assert hint(text, "zh").startswith("提示：car.urdf 第 3 行第 5 列：这里开始的标签 <visual> 没有关好")
 
 
 def test_a_link_that_is_not_there_gets_the_nearest_name_suggested() -> None:
     text = CAR.format(type="continuous", child="wheel_left", more="")
-    assert "there is no link of that name. Did you mean left_wheel?" in hint(text)
+    assert "there is no link with that name. Did you mean left_wheel?" in hint(text)
     assert "是不是想写 left_wheel？" in hint(text, "zh")
 
 

@@ -505,8 +505,8 @@ def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> Non
 @pytest.mark.parametrize(
     ("read_only", "words"),
     [
-        (False, "You have left your desktop. It goes on, and so do its programs."),
-        (True, "This pupil has left the desktop. It goes on."),
+        (False, "You have left your desktop. It keeps running, and so do its programs."),
+        (True, "This pupil has left the desktop. It keeps running."),
     ],
 )
 def test_a_desktop_that_was_left_is_said_to_go_on(desk: Desk, read_only: bool, words: str) -> None:

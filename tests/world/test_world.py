@@ -114,7 +114,7 @@ def test_a_wall_stops_the_car_and_only_odom_believes_it_went_on(machine: Machine
     assert truth[-1].pose.pose.position.x == pytest.approx(x)
     assert truth[-1].twist.twist.linear.x == pytest.approx(0)
     assert odometry[-1].pose.pose.position.x > 2.5
-    assert "it touches a wall: the wheels slip, and /odom does not notice" in machine.said
+    assert "it touches a wall: the wheels slip, and /odom doesn't notice" in machine.said
     drive(machine, -0.5, seconds=2.0)
     assert machine.model.snapshot().pose[0] < x - 0.5
 
@@ -134,13 +134,13 @@ def test_the_article_s_car_is_a_ghost_and_may_not_enter(machine: Machine) -> Non
     running = machine.open_world(robot=shipped_model())
     assert machine.model.snapshot().robot is None
     assert machine.said == [
-        "day6_bot may not enter this world:",
+        "day6_bot cannot enter this world:",
         (
             "base_link, left_wheel, right_wheel, caster: no <inertial>. Forces cannot move a link without mass; it "
             "would be a ghost"
         ),
     ]
-    assert "[ERROR] [world]: day6_bot may not enter this world:" in running.log
+    assert "[ERROR] [world]: day6_bot cannot enter this world:" in running.log
 
 
 def test_a_refused_robot_has_no_joint_states(machine: Machine) -> None:
@@ -155,7 +155,7 @@ def test_one_link_without_mass_is_named(machine: Machine, tmp_path: Path) -> Non
 
 def test_a_chassis_without_collision_drives_through_walls(machine: Machine, tmp_path: Path) -> None:
     machine.open_world("world:=walls", "y:=1.0", "x:=-0.2", robot=without("collision", "base_link", tmp_path))
-    assert machine.said[0] == "base_link: no <collision>. They go through walls like ghosts"
+    assert machine.said[0] == "base_link: no <collision>. They pass through walls like ghosts"
     drive(machine, 0.5, seconds=3.0)
     # Its wheels, caster and lidar still have one: the caster is the first to touch the wall.
     assert 0.55 - 0.2 < machine.model.snapshot().pose[0] < 0.55
@@ -163,7 +163,7 @@ def test_a_chassis_without_collision_drives_through_walls(machine: Machine, tmp_
 
 def test_wheels_without_collision_turn_in_the_air(machine: Machine, tmp_path: Path) -> None:
     machine.open_world(robot=without("collision", "left_wheel", tmp_path))
-    assert machine.said[0].startswith("left_wheel: wheels without <collision> do not touch the floor")
+    assert machine.said[0].startswith("left_wheel: wheels without <collision> don't touch the floor")
     drive(machine, 0.5, seconds=2.0)
     assert machine.model.snapshot().pose == (0.0, 0.0, 0.0)
     assert machine.model.snapshot().angles["left_wheel_joint"] > 10

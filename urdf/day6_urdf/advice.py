@@ -35,7 +35,7 @@ _TEXTS = {
         "关节 {joint} 没有转轴：0 0 0 不是一个方向",
     ),
     "stuck": (
-        "joint {joint} may only move from {low:g} to {low:g}, so it cannot move. Wheels need the type continuous",
+        "joint {joint} can only move from {low:g} to {low:g}, so it cannot move. Wheels need the type continuous",
         "关节 {joint} 只能从 {low:g} 动到 {low:g}，也就是动不了。轮子应该用 continuous 类型",
     ),
 }

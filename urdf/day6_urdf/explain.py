@@ -36,7 +36,7 @@ class Hint:
 _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     (
         r"XML_ERROR_MISMATCHED_ELEMENT.*name=(\S+)",
-        "the tag <{0}> that begins here is not closed: it needs </{0}> after its contents, or a / before its >",
+        "the tag <{0}> that starts here isn't closed: it needs </{0}> after its contents, or a / before its >",
         "这里开始的标签 <{0}> 没有关好：内容后面要有 </{0}>，或者在 > 前面写 /",
     ),
     (
@@ -47,10 +47,10 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     (r"XML_ERROR_EMPTY_DOCUMENT", "the file is empty, or it cannot be read", "文件是空的，或者读不了"),
     (
         r"XML_ERROR_ELEMENT_DEPTH",
-        "the tags are nested too deeply: most likely one is never closed",
+        "the tags are nested too deeply: probably one is never closed",
         "标签套得太深：多半有一个没有关上",
     ),
-    (r"Error=XML_ERROR", "from here on the file is not valid XML", "从这里开始就不是正确的 XML 了"),
+    (r"Error=XML_ERROR", "from here on, the file isn't valid XML", "从这里开始就不是正确的 XML 了"),
     (
         r"too large: (\S+ MB)",
         "a robot description is usually a few kilobytes of text; detailed shapes belong in mesh files",
@@ -65,7 +65,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     (r"version", 'remove the attribute version, or write version="1.0"', '去掉 version 属性，或者写 version="1.0"'),
     (
         r"No link elements found",
-        "there is no <link> in the robot: it needs at least one",
+        "the robot has no <link>: it needs at least one",
         "机器人里没有 <link>，至少要有一个",
     ),
     (
@@ -81,7 +81,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     (
         r"Two root links found: \[(.*)\] and \[(.*)\]",
         (
-            "neither {0} nor {1} is attached to another link. All links have to form one tree: exactly one, the root, is "
+            "neither {0} nor {1} is attached to another link. All links must form one tree: exactly one, the root, is "
             "not a child. Is a joint missing, or is its child wrong?"
         ),
         (
@@ -96,7 +96,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     ),
     (
         r"(child|parent) link \[(.*)\] of joint \[(.*)\] not found",
-        "joint {2} names {1} as its {0} link, but there is no link of that name{near}",
+        "joint {2} names {1} as its {0} link, but there is no link with that name{near}",
         "joint {2} 的 {0} 写的是 {1}，可是没有叫这个名字的 link{near}",
     ),
     (
@@ -108,7 +108,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
         r"[Jj]oint \[(.*)\] (is of type (REVOLUTE|PRISMATIC)|has no limits)",
         (
             'a {kind} joint moves between two limits: add <limit lower="…" upper="…" effort="…" velocity="…"/>, or make it '
-            "continuous if it may turn without limit"
+            "continuous if it can turn without limit"
         ),
         (
             '{kind} 关节只能在两个极限之间动：加上 <limit lower="…" upper="…" effort="…" velocity="…"/>；'
@@ -117,7 +117,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     ),
     (
         r"joint limit: no (effort|velocity)",
-        'a <limit> has to have effort="…" and velocity="…"',
+        'a <limit> needs effort="…" and velocity="…"',
         '<limit> 里必须写 effort="…" 和 velocity="…"',
     ),
     (
@@ -147,11 +147,11 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     ),
     (
         r"rgba values: Unable to parse component \[(.*)\]",
-        'a colour is four numbers from 0 to 1 (red, green, blue, opacity), but "{0}" is not such a number',
+        'a colour is four numbers from 0 to 1 (red, green, blue, opacity), but "{0}" is not one',
         '颜色是四个 0 到 1 的数（红、绿、蓝、不透明度），"{0}" 不行',
     ),
     (r"Unable to parse component \[(.*)\]", '"{0}" is not a number', '"{0}" 不是数'),
-    (r"inertia element (\w+) is not a valid double", "{0} is not a number", "{0} 不是数"),
+    (r"inertia element (\w+) is not a valid double", "{0} isn't a number", "{0} 不是数"),
     (r"(\w+) \[(.*)\] is not a float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
     (r"(\S+) value \((.*)\) is not a valid float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
     (r"(\S+) \[(.*)\] is not a valid float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
@@ -239,17 +239,17 @@ def _put_right(value: str, language: str) -> str:
 _VALUE = re.compile(r"(?:component|value|\w+) [\[(]([^\])]*)[\])] (?:to a double|is not a )")
 _CHINESE = {
     True: (
-        'blanks stand between numbers and no Chinese "{sign}": write "{right}" for "{wrong}"',
+        'put spaces between numbers, not a Chinese "{sign}": write "{right}" instead of "{wrong}"',
         '数和数之间用空格，不用中文的「{sign}」：把 "{wrong}" 写成 "{right}"',
     ),
     False: (
-        'a Chinese "{sign}" is no part of a number: write "{right}" for "{wrong}"',
+        'a Chinese "{sign}" cannot be part of a number: write "{right}" instead of "{wrong}"',
         '数里面不能有中文的「{sign}」：把 "{wrong}" 写成 "{right}"',
     ),
 }
 """Whether the sign separates numbers -> English, Chinese."""
 _CHINESE_TAG = (
-    'this tag has a Chinese "{sign}": quotation marks are ", and between attributes stand only blanks',
+    'this tag has a Chinese "{sign}": quotation marks are ", and only spaces go between attributes',
     '这个标签里有中文的「{sign}」：引号要用英文的 "，属性之间只用空格',
 )
 

@@ -41,7 +41,10 @@ OFFICE: dict[str, tuple[str, str]] = {
     "office.failed": ("{file}: {reason}", "{file}：{reason}"),
     # report
     "report.title": ("Pupils' progress", "学生的学习进度"),
-    "report.none": ("no pupil has done a lesson on this machine yet ({folder})", "这台电脑上还没有学生上过课（{folder}）"),
+    "report.none": (
+        "no pupil has done a lesson on this machine yet ({folder})",
+        "这台电脑上还没有学生上过课（{folder}）",
+    ),
     "report.pupil": ("pupil", "学生"),
     "report.lesson": ("lesson", "课程"),
     "report.solved": ("solved", "完成"),

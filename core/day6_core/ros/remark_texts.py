@@ -21,67 +21,67 @@ TEXTS = {
     "inspector.silent_joint": "the joint {joint} can move, but nobody sends its position on {topic}",
     "inspector.slow": "{topic} arrives {rate} times a second; the eye needs about 20",
     "inspector.late": (
-        "this computer is too slow for all that runs here: time passes at {pace}x instead of {speed}x, "
-        "and topics arrive less often than their programs mean to"
+        "this computer is too slow for everything running here: time passes at {pace}x instead of {speed}x, "
+        "and topics arrive less often than intended"
     ),
     "inspector.open": (
-        "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can read and command"
+        "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can read and control"
     ),
     "inspector.open_class": (
         "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can join the class"
     ),
     "inspector.open_secret": "{endpoint} is open to anyone who knows the secret, {joined} joined",
     "inspector.opening": "{endpoint} is about to be opened",
-    "inspector.in_use": "{endpoint}: another program uses this port, so no other machine can join; retrying",
+    "inspector.in_use": "{endpoint}: another program is using this port, so no other machine can join; retrying",
     "inspector.no_name": "{endpoint}: this name is unknown; retrying",
     "inspector.shut": "{endpoint} cannot be opened ({reason}), so no other machine can join; retrying",
     "inspector.calling": "connecting to {endpoint}",
-    "inspector.joined": "joined to {endpoint}",
-    "inspector.nobody": "no answer from {endpoint}: the machine is there, but no program listens on this port; retrying",
+    "inspector.joined": "joined {endpoint}",
+    "inspector.nobody": "no answer from {endpoint}: the machine is there, but nothing listens on this port; retrying",
     "inspector.no_answer": "no answer from {endpoint}; retrying",
-    "inspector.wrong_secret": "refused by {endpoint}: wrong secret, or it asks for none",
-    "inspector.no_secret": "refused by {endpoint}: it asks for a secret, or it is not ROS",
-    "inspector.no_class": "{endpoint} answers, but no class is held there; trying again",
-    "inspector.name_taken": "{endpoint}: somebody else in the class has your name; trying again",
-    "inspector.class_full": "{endpoint}: the class is full; trying again",
-    "inspector.other_domain": "{endpoint}: this room has another ROS_DOMAIN_ID; trying again",
+    "inspector.wrong_secret": "refused by {endpoint}: wrong secret, or it needs none",
+    "inspector.no_secret": "refused by {endpoint}: it needs a secret, or it isn't ROS",
+    "inspector.no_class": "{endpoint} answers, but there is no class; retrying",
+    "inspector.name_taken": "{endpoint}: somebody else in the class has your name; retrying",
+    "inspector.class_full": "{endpoint}: the class is full; retrying",
+    "inspector.other_domain": "{endpoint}: this room has another ROS_DOMAIN_ID; retrying",
     "inspector.unreachable": "cannot connect to {endpoint} ({reason}); retrying",
-    "inspector.alone": "programs of other processes cannot be seen: {reason}",
-    "inspector.elsewhere": "a folder other than the usual one is used to meet other processes: {reason}",
-    "inspector.refused_many": "{count} announcements of other processes were refused: there are too many",
-    "inspector.refused_names": "{count} announcements of other processes were refused: ROS does not allow such names",
-    "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
+    "inspector.alone": "other processes cannot be seen: {reason}",
+    "inspector.elsewhere": "meeting other processes in an unusual folder: {reason}",
+    "inspector.refused_many": "{count} announcements from other processes were refused: too many",
+    "inspector.refused_names": "{count} announcements from other processes were refused: ROS doesn't allow such names",
+    "inspector.refused_messages": "{count} messages from other processes could not be read and were dropped",
     "inspector.refused_sessions": "{count} items from other machines were refused: they claim to come from this one",
-    "inspector.not_built": "`{line}`: {package} is in {folder}, but it has not been built yet",
+    "inspector.not_built": "`{line}`: {package} is in {folder}, but it hasn't been built yet",
     "inspector.not_sourced": (
-        "`{line}`: {package} is built, but terminal {number} does not know it: it was opened before, or nothing was "
-        "sourced in it"
+        "`{line}`: {package} is built, but terminal {number} doesn't know it: it was opened before the build, or hasn't "
+        "sourced it"
     ),
     "inspector.nowhere_sourced": "{packages}: built, but no terminal knows it yet",
     "inspector.no_entry_point": (
-        "`{line}`: {executable} is a file of {package}, but entry_points in setup.py does not name it: add {entry} "
+        "`{line}`: {executable} is a file in {package}, but entry_points in setup.py doesn't name it: add {entry} "
         "and build again"
     ),
-    "inspector.entry_not_built": "`{line}`: setup.py names {executable}, but {package} was not built since",
+    "inspector.entry_not_built": "`{line}`: setup.py names {executable}, but {package} hasn't been built since",
     "inspector.no_setup_cfg": (
-        "{package}: its executables were installed where `ros2 run` does not look: setup.cfg with script_dir is missing"
+        "{package}: its executables were installed where `ros2 run` doesn't look: setup.cfg with script_dir is missing"
     ),
     "inspector.entry_py": "{package}: the entry point {entry} says {wrong}; a module has no .py: write {right}",
     "inspector.entry_module": "{package}: the entry point {entry} names {module}, but there is no such file",
     "inspector.entry_function": (
         "{package}: the entry point {entry} names {module}:{function}, but that file has no function {function}"
     ),
-    "inspector.entry_form": "{package}: the entry point {entry} is not written as 'name = package.file:main'",
-    "inspector.launch_not_built": "`{line}`: {file} was added to setup.py of {package}, but it was not built since",
+    "inspector.entry_form": "{package}: the entry point {entry} isn't written as 'name = package.file:main'",
+    "inspector.launch_not_built": "`{line}`: {file} was added to setup.py of {package}, but it hasn't been built since",
     "inspector.launch_not_installed": (
-        "{package}: {file} is not installed: {where} does not name it (data_files), so `ros2 launch` cannot find it"
+        "{package}: {file} isn't installed: {where} doesn't name it (data_files), so `ros2 launch` cannot find it"
     ),
-    "inspector.not_rebuilt": "{package}: {files} was changed after the build; what runs is the old one",
+    "inspector.not_rebuilt": "{package}: {files} was changed after the build; the old version is running",
     "inspector.inner_package": (
-        "the package {inner} is inside the folder of {outer}: colcon does not look there. Move it into src"
+        "the package {inner} is inside the folder of {outer}: colcon doesn't look there. Move it into src"
     ),
     "inspector.stray_build": (
-        "there is a second build in {folder}: somebody ran colcon there. Build in the workspace only, and remove "
+        "there is a second build in {folder}: somebody ran colcon there. Build only in the workspace, and remove "
         "this one"
     ),
     "inspector.unreadable": "could not be read: {what}",
@@ -90,60 +90,58 @@ TEXTS = {
     "inspector.no_server": "{nodes} wants to call {name}, but nobody offers it",
     "inspector.service_near": "{nodes} wants to call {name}, but only {near} is offered: is one of the names a typo?",
     "inspector.said_too_soon": (
-        "{topic}: {node} published before anybody who listens had found it, and nothing since: wait for a subscriber "
-        "first"
+        "{topic}: {node} published before any subscriber had found it, and nothing since: wait for a subscriber first"
     ),
     "inspector.gone_too_soon": (
-        "{topic}: {node} was there for only {seconds} s and nobody has heard it: who publishes once waits for a "
-        "subscriber first"
+        "{topic}: {node} existed for only {seconds} s and nobody heard it: to publish once, wait for a subscriber first"
     ),
     "inspector.never_spun": "{node} is never spun: its callbacks cannot run. {program} needs rclpy.spin(node)",
     "inspector.spin_ended": (
-        "{node}: nobody spins it now, so its callbacks wait. Has {program} left its spin, or does it sleep?"
+        "{node}: nothing spins it now, so its callbacks wait. Has {program} left its spin, or is it sleeping?"
     ),
     "inspector.ended_unspun": (
         "{program} ended at once: nothing in it spins, so no callback could run. It needs rclpy.spin(node)"
     ),
     "inspector.calls_in_callback": (
-        "{node}: {what} waits for an answer by call() ({where}); while it waits nobody can receive the answer. Use "
+        "{node}: {what} waits for an answer with call() ({where}); while it waits, the answer cannot arrive. Use "
         "call_async"
     ),
     "inspector.spins_in_callback": (
-        "{node}: {what} spins inside a callback ({where}); that never comes back. Use call_async and a done callback"
+        "{node}: {what} spins inside a callback ({where}); that never returns. Use call_async and a done callback"
     ),
-    "inspector.rate_in_callback": "{node}: {what} sleeps by a Rate ({where}), whose timer cannot run meanwhile. Use a timer",
+    "inspector.rate_in_callback": "{node}: {what} sleeps with a Rate ({where}), whose timer cannot run meanwhile. Use a timer",
     "inspector.waits_in_callback": "{node}: {what} waits for a service ({where}); no other callback runs meanwhile",
     "inspector.sleeps_in_callback": "{node}: {what} sleeps at {where}: {text}; no other callback runs meanwhile. Use a timer",
-    "inspector.stays_in_callback": "{node}: {what} does not come back ({where}: {text}); no other callback runs meanwhile",
+    "inspector.stays_in_callback": "{node}: {what} doesn't return ({where}: {text}); no other callback runs meanwhile",
     "inspector.rate_alone": "{node}: rate.sleep() at {where} waits for ever: a second thread has to spin the node",
     "inspector.call_alone": "{node}: call() at {where} waits for ever: a second thread has to spin the node",
     "inspector.program_waits_service": "{node} waits at {where} for the service {name}, which nobody offers",
     "inspector.program_waits_action": "{node} waits at {where} for the action {name}, which nobody offers",
-    "inspector.hidden_error": "{node} has lost an exception that nobody sees: {error} ({where})",
+    "inspector.hidden_error": "{node} lost an exception that nobody saw: {error} ({where})",
     "inspector.no_clock": "{node} uses simulated time, but nobody has sent /clock: its timers stand still",
     "inspector.tells_nothing": (
-        "{node}: its program does not answer; it is stopped (Ctrl-Z) or very busy, so nobody can look into it"
+        "{node}: its program doesn't answer; it is stopped (Ctrl-Z) or very busy, so nobody can look inside"
     ),
     "inspector.parameter_file": "the parameter file {file} cannot be read: {reason}",
-    "inspector.parameter_keys": "{file} is for {keys}, but no node is called so (there is {nodes}): its values are ignored",
+    "inspector.parameter_keys": "{file} is for {keys}, but no node has that name (there is {nodes}): its values are ignored",
     "inspector.parameter_nothing": "{file} has no ros__parameters: its values are ignored",
-    "inspector.domains": "terminal {number} is in ROS_DOMAIN_ID {domain} and sees nothing of {nodes}, which run in {other}",
+    "inspector.domains": "terminal {number} is in ROS_DOMAIN_ID {domain} and cannot see {nodes}, in {other}",
     "inspector.no_stamp": "{topic}: header.stamp is 0, so robot_state_publisher ignores it: set it to the clock's now()",
     "inspector.unequal_joints": "{topic} has {names} names and {positions} positions; such messages are ignored",
     "inspector.no_state_publisher": (
-        "{nodes} sends {topic}, but robot_state_publisher does not run: nobody makes transforms of it"
+        "{nodes} sends {topic}, but robot_state_publisher isn't running: nobody makes transforms from it"
     ),
     "inspector.rviz_no_description": (
-        "RViz waits for a robot, but nobody publishes /robot_description: does robot_state_publisher run?"
+        "RViz waits for a robot, but nobody publishes /robot_description: is robot_state_publisher running?"
     ),
     "inspector.bad_description": "the robot description is broken: {reason}",
     "inspector.wheel_tumbles": (
-        'the wheel {link} turns about another axis than its cylinder\'s, so it tumbles: rpy="1.5707963 0 0" in <visual>'
+        "the wheel {link} doesn't turn about its cylinder's axis, so it tumbles: rpy=\"1.5707963 0 0\" in <visual>"
     ),
     "inspector.wheel_no_axis": "the joint {joint} has no axis to turn about: 0 0 0 is not a direction",
-    "inspector.wheel_stuck": "the joint {joint} may only move from one angle to the same: wheels need the type continuous",
+    "inspector.wheel_stuck": "the joint {joint} cannot move: its limits are equal. Wheels need the type continuous",
     "inspector.wheel_height": (
-        "the wheels {links} do not stand on one floor: their lowest points are {difference} m apart (origin of their "
+        "the wheels {links} are not at the same height: their lowest points are {difference} m apart (origin of their "
         "joints)"
     ),
     "inspector.body_low": (
@@ -152,30 +150,30 @@ TEXTS = {
     ),
     "inspector.fixed_frame": "RViz: nobody sends the Fixed Frame {frame}; choose {other} (known: {frames})",
     "inspector.no_transforms": "RViz: nobody sends transforms, so not even the Fixed Frame {frame} is known",
-    "inspector.untransformed": "RViz: no transform from {links} to {frame}: nobody sends the joints that lead there",
+    "inspector.untransformed": "RViz: no transform from {links} to {frame}: nobody sends the joints in between",
     "inspector.no_robot_model": "RViz shows no robot, because it has no RobotModel display: Add, RobotModel",
     "inspector.robot_model_deaf": (
         "RViz: the RobotModel listens to {topic} and has no description: set its Description Topic to {right}"
     ),
-    "inspector.unseen.terminals": "not looked at: the terminals (they are on the desktop only)",
-    "inspector.unseen.files": "not looked at: the files of the workspaces",
-    "inspector.unseen.programs": "not looked at: the insides of other programs",
+    "inspector.unseen.terminals": "not checked: the terminals (they exist only on the desktop)",
+    "inspector.unseen.files": "not checked: the files of the workspaces",
+    "inspector.unseen.programs": "not checked: the insides of other programs",
     "inspector.quiet.drill": (
-        "In a drill you search yourself: the inspector says nothing until it is solved or given up. Look at what the programs "
+        "In a drill you find the bug yourself: the inspector is silent until you solve it or give up. Look at what the programs "
         "say, at `ros2 node list`, `ros2 topic list`, `ros2 topic info -v`; `why` explains a message."
     ),
     "inspector.quiet.exam": (
-        "In an exam you search yourself: the inspector says nothing until the drill is solved. Look at what the programs say, at "
+        "In an exam you find the bug yourself: the inspector is silent until you solve it. Look at what the programs say, at "
         "`ros2 node list`, `ros2 topic list`, `ros2 topic info -v`."
     ),
     "inspector.well": "nothing is wrong",
-    "inspector.well_so_far": "nothing is wrong in what was looked at",
+    "inspector.well_so_far": "nothing is wrong in what was checked",
     # Beside the car
     "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
     "car.loading": "reading the robot description",
     "car.bad_description": "the robot description is broken: {text}",
     "car.no_wheels": "this robot has no wheels: nothing turns about a horizontal axis",
-    "car.no_joint_states": "nobody publishes {topic}: the wheels do not turn",
+    "car.no_joint_states": "nobody publishes {topic}: the wheels don't turn",
     "car.wrong_type": "{topic} has type {type}, but it must be sensor_msgs/msg/JointState",
     "car.unknown_joint": "joint {joint} is not in the URDF",
     "car.unknown_joint_near": "joint {joint} is not in the URDF; did you mean {nearest}?",
@@ -184,20 +182,20 @@ TEXTS = {
     "car.many_publishers": "{count} publishers on {topic}: {nodes}",
     "car.slow": "{topic} arrives only {rate} times a second: the eye needs about 20",
     "car.silent": "nothing on {topic} for {seconds} s",
-    "car.stays": "This draws angles only. To let it drive: ros2 launch day6_world world.launch.py",
+    "car.stays": "This only draws angles. To make it drive: ros2 launch day6_world world.launch.py",
     # Below the world
     "world.waiting_for_robot": "the world is empty: nobody has published /robot_description yet",
-    "world.refused": "{robot} may not enter this world:",
+    "world.refused": "{robot} cannot enter this world:",
     "world.bad_description": "the robot description is broken: {text}",
     "world.left_away": "parts of the robot could not be read: {text}",
     "world.no_inertial": "{links}: no <inertial>. Forces cannot move a link without mass; it would be a ghost",
     "world.bad_mass": "{link}: a mass of {mass} kg is impossible",
     "world.bad_inertia": "{link}: the inertia is not greater than 0 about every axis",
     "world.bad_number": "{link}: a size or position is not a number",
-    "world.no_drive": "it has no left and right wheels that could drive it",
+    "world.no_drive": "it has no left and right wheel to drive it",
     "world.stands_in_wall": "at ({x:.2f}, {y:.2f}) it would stand in a wall",
-    "world.no_collision": "{links}: no <collision>. They go through walls like ghosts",
-    "world.wheels_without_collision": "{links}: wheels without <collision> do not touch the floor. They turn and push nothing",
+    "world.no_collision": "{links}: no <collision>. They pass through walls like ghosts",
+    "world.wheels_without_collision": "{links}: wheels without <collision> don't touch the floor. They turn but push nothing",
     "world.nobody_drives": "nobody publishes {topic}: drive with ros2 run teleop_twist_keyboard teleop_twist_keyboard",
     "world.keeps_going": "nobody publishes {topic} any more: the last command applies until another one arrives",
     "world.wrong_type": "{topic} has type {type}, but this world needs {wanted}: start it with stamped:={stamped}",
@@ -205,6 +203,6 @@ TEXTS = {
         "{nodes} publishes {topic} as well. That topic reports where the wheels are; it is not a command, so nothing rolls. With "
         "-r joint_states:=joint_commands it becomes one"
     ),
-    "world.bumped": "it touches a wall: the wheels slip, and /odom does not notice",
+    "world.bumped": "it touches a wall: the wheels slip, and /odom doesn't notice",
     "world.sideways": "linear.y is ignored: two wheels cannot go sideways",
 }

@@ -77,7 +77,7 @@ def test_a_package_that_is_not_built_or_not_sourced_is_told_so(machine: Any, sea
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python --node-name go car").status == 0
     seat.line("ros2 run car go")
     lines = seat.wait_prompt().replace("\n", "")
-    assert "Package 'car' not found" in lines and "but it has not been built yet. Run: cd" in lines
+    assert "Package 'car' not found" in lines and "but it hasn't been built yet. Run: cd" in lines
     seat.line("clear; colcon build")
     assert "there is no package below this folder" not in seat.wait_prompt()  # this is home, and ros2_ws is below it
     seat.line("clear; mkdir empty; cd empty; colcon build")

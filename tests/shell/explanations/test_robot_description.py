@@ -28,7 +28,7 @@ ROBOT = """<robot name="car">
 def test_a_chinese_comma_is_told_below_the_tools_own_message(machine: Any, tall: Any, command: str) -> None:
     (machine.desk.home / "car.urdf").write_text(ROBOT)
     seen = said(tall, f"{command} car.urdf")
-    message, hint = "Unable to parse component [0，1，0] to a double", 'write "0 1 0" for "0，1，0"'
+    message, hint = "Unable to parse component [0，1，0] to a double", 'write "0 1 0" instead of "0，1，0"'
     assert message in seen and hint in seen and seen.index(message) < seen.index(hint)
     card = said(tall, "why")
     assert hint in card and "What to check" not in card
@@ -41,5 +41,5 @@ def test_the_editor_says_it_with_its_line() -> None:
     message = (
         "Malformed axis element for joint [j]: Unable to parse component [0，1，0] to a double (while parsing a vector)"
     )
-    assert in_short(message, 7, "en").startswith('line 7: blanks stand between numbers and no Chinese "，"')
+    assert in_short(message, 7, "en").startswith('line 7: put spaces between numbers, not a Chinese "，"')
     assert in_short(message, 7, "zh").startswith("第 7 行：数和数之间用空格")

@@ -20,9 +20,9 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="a terminal there has no
         ("a+=(4)", "this terminal has no arrays"),
         ("a[0]=3", "this terminal has no arrays"),
         ("readarray lines", "this terminal has no arrays"),
-        ("cat <(ls)", "this terminal does not know <( …)"),
-        ("coproc ls", "coproc is a command of bash that this terminal does not have"),
-        ("exec ls", "exec is a command of bash that this terminal does not have"),
+        ("cat <(ls)", "this terminal doesn't know <( …)"),
+        ("coproc ls", "coproc is a bash command that this terminal doesn't have"),
+        ("exec ls", "exec is a bash command that this terminal doesn't have"),
     ],
 )
 def test_what_this_terminal_lacks_of_bash_is_told_at_once(tall: Any, typed: str, told: str) -> None:
@@ -42,7 +42,7 @@ def test_what_is_wrong_in_bash_too_is_not_called_an_array(tall: Any, typed: str)
     seen = said(tall, typed)
     assert "syntax error" in seen and "hint" not in seen
     card = said(tall, "why")
-    assert "The shell does not understand how this line is written" in card and "arrays" not in card
+    assert "The shell doesn't understand how this line is written" in card and "arrays" not in card
 
 
 @pytest.mark.process
@@ -71,7 +71,7 @@ def test_a_package_of_c_plus_plus_says_plainly_why_it_is_not_built(machine: Any,
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_cmake --node-name go car").status == 0
     assert "has no C++ compiler" in said(tall, "cd ~/ros2_ws; colcon build")
     card = said(tall, "why")
-    assert "car is a package of C++" in card and "nothing is wrong with it" in card and "ament_python" in card
+    assert "car is a C++ package" in card and "nothing is wrong with it" in card and "ament_python" in card
     said(tall, "ros2 run car go")
     assert "its last build failed" in said(tall, "why")
 
@@ -79,10 +79,10 @@ def test_a_package_of_c_plus_plus_says_plainly_why_it_is_not_built(machine: Any,
 @pytest.mark.parametrize(
     ("manifest", "told"),
     [
-        ("<package><name>car</name></package>", "src/car/package.xml lacks <version>"),
-        ("<robot/>", "everything has to be inside <package> and not <robot>"),
-        ("<package><name>car</package>", "src/car/package.xml is not right in line 1 (mismatched tag)"),
-        ("", "src/car/package.xml is not right in line 1 (no element found)"),
+        ("<package><name>car</name></package>", "<version> is missing in ~/ros2_ws/src/car/package.xml"),
+        ("<robot/>", "everything has to be inside <package>, not <robot>"),
+        ("<package><name>car</package>", "src/car/package.xml has a mistake in line 1 (mismatched tag)"),
+        ("", "src/car/package.xml has a mistake in line 1 (no element found)"),
     ],
 )
 def test_a_manifest_that_colcon_passes_over_in_silence_is_named(
@@ -97,7 +97,7 @@ def test_a_manifest_that_colcon_passes_over_in_silence_is_named(
     assert told in card.replace("In src", "in src") and "Type next nano src/car/package.xml" in card
     said(tall, "ros2 run car go")
     card = said(tall, "why")
-    assert "its package.xml is not right, so colcon leaves it out" in card
+    assert "its package.xml has a mistake, so colcon leaves it out" in card
     assert "Type next nano src/car/package.xml" in card
 
 

@@ -25,7 +25,7 @@ def test_why_explains_the_last_message_and_says_what_to_type(machine: Any, tall:
     assert said(tall, "why; echo $?").count("Package 'turtlesm' not found") == 1  # what why prints is no message
     said(tall, "ls nothing_here")
     assert "'nothing_here'" in said(tall, "why") and "turtlesm" in said(tall, "why 2")
-    assert "Nothing that this terminal printed lately has a card" in said(tall, "why 9")
+    assert "There is no card for anything this terminal has printed lately" in said(tall, "why 9")
     assert said(tall, "why 9 > out; echo $?").endswith("1 student@day6:~$")
 
 
@@ -62,7 +62,7 @@ def test_in_chinese_the_grey_line_tells_the_cause_that_is_found(machine: Any, ta
 
 
 def test_a_new_terminal_has_nothing_to_explain_and_says_so(seat: Any) -> None:
-    assert "why: Nothing that this terminal printed lately has a card" in said(seat, "why; echo status $?")
+    assert "why: There is no card for anything this terminal has printed lately" in said(seat, "why; echo status $?")
 
 
 @pytest.mark.process
@@ -70,7 +70,7 @@ def test_built_and_not_sourced(machine: Any, tall: Any) -> None:
     assert machine.run("cd ros2_ws/src; ros2 pkg create --build-type ament_python --node-name go car").status == 0
     said(tall, "ros2 run car go")
     seen = said(tall, "why")
-    assert "has not been built yet" in seen
+    assert "hasn't been built yet" in seen
     assert "colcon build --packages-select car; source install/setup.bash" in seen
     assert machine.run("cd ~/ros2_ws; colcon build").status == 0
     said(tall, "ros2 run car go")
@@ -123,7 +123,7 @@ def test_a_launch_file_that_is_not_installed(machine: Any, tall: Any) -> None:
 
 def test_names_are_looked_for_in_the_live_graph(machine: Any, tall: Any) -> None:
     said(tall, "ros2 topic info /pose")
-    assert "No node runs at all that this terminal could see (ROS_DOMAIN_ID is 0)" in said(tall, "why")
+    assert "This terminal sees no running nodes (ROS_DOMAIN_ID is 0)" in said(tall, "why")
     tall.line("ros2 run turtlesim turtlesim_node &")
     tall.settle(1.0)
     said(tall, "ros2 topic info /pose")
@@ -135,7 +135,7 @@ def test_names_are_looked_for_in_the_live_graph(machine: Any, tall: Any) -> None
     assert "I could not find the cause here; check in this order: 1. ros2 node list" in said(tall, "why")
     said(tall, "export ROS_DOMAIN_ID=5; ros2 node info /turtlesim")
     seen = said(tall, "why")
-    assert "ROS_DOMAIN_ID is 5 in this terminal, and no node runs there; but in domain 0 there are /turtlesim" in seen
+    assert "ROS_DOMAIN_ID is 5 in this terminal, where no node is running; but domain 0 has /turtlesim" in seen
     assert "Type next export ROS_DOMAIN_ID=0" in seen
 
 

@@ -33,30 +33,30 @@ SLIPS = {
     "$ros2 pkg list": ("$ is the prompt", "ros2 pkg list"),
     "student@day6:~$ ls": ("is the prompt", "ls"),
     "student@day6:~/ros2_ws$ ls -l": ("is the prompt", "ls -l"),
-    "cd..": ("a blank is missing after cd: cd ..", "cd .."),
-    "cd../": ("a blank is missing after cd: cd ../", "cd ../"),
-    "cd~": ("a blank is missing after cd: cd ~", "cd ~"),
-    "cd/tmp": ("a blank is missing after cd: cd /tmp", "cd /tmp"),
-    "ls-l": ("a blank is missing after ls: ls -l", "ls -l"),
-    "ls-la ros2_ws": ("a blank is missing after ls: ls -la", "ls -la ros2_ws"),
+    "cd..": ("a space is missing after cd: cd ..", "cd .."),
+    "cd../": ("a space is missing after cd: cd ../", "cd ../"),
+    "cd~": ("a space is missing after cd: cd ~", "cd ~"),
+    "cd/tmp": ("a space is missing after cd: cd /tmp", "cd /tmp"),
+    "ls-l": ("a space is missing after ls: ls -l", "ls -l"),
+    "ls-la ros2_ws": ("a space is missing after ls: ls -la", "ls -la ros2_ws"),
     "ros2run turtlesim turtlesim_node": ("after ros2: ros2 run", "ros2 run turtlesim turtlesim_node"),
     "ros2-topic list": ("after ros2: ros2 topic", "ros2 topic list"),
     "colconbuild": ("after colcon: colcon build", "colcon build"),
     "mkdirmy_robot": ("after mkdir: mkdir my_robot", "mkdir my_robot"),
     "python3star.py": ("after python3: python3 star.py", "python3 star.py"),
-    'echo"hi there"': ("a blank is missing after echo", 'echo "hi there"'),
+    'echo"hi there"': ("a space is missing after echo", 'echo "hi there"'),
     "mkdri my_robot": ("did you mean mkdir?", "mkdir my_robot"),
     "mkdirs a": ("did you mean mkdir?", "mkdir a"),
     "sl": ("did you mean ls?", "ls"),
-    "speed = 5": ("no blanks stand around =", "speed=5"),
+    "speed = 5": ("no spaces around =", "speed=5"),
     "cta x": ("did you mean cat?", "cat x"),
     "ros topic list": ("did you mean ros2?", "ros2 topic list"),
-    "LS -l": ("small letters: ls", "ls -l"),
+    "LS -l": ("commands are lowercase: ls", "ls -l"),
     "ros2 topik list": ("did you mean topic?", "ros2 topic list"),
     "ros2 topic lsit": ("did you mean list?", "ros2 topic list"),
     "colcon biuld": ("did you mean build?", "colcon build"),
     "ros2 run demo_nodes_cpp talker。": ("ends with a Chinese '。'", "ros2 run demo_nodes_cpp talker"),
-    "ls　-l": ("a wide, Chinese blank", "ls -l"),
+    "ls　-l": ("a wide, Chinese space", "ls -l"),
     "“source": ("a Chinese '“'", '"source'),
 }
 
@@ -137,10 +137,10 @@ def test_a_course_awaits_letters_only_where_it_asks(machine: Any) -> None:
 CONTENTS = {
     # What was typed -> words of the card, what comes next.
     f'{SPAWN} "{{x:2.0, y:2.0, name:lily}}"': (
-        "A blank is missing after x:",
+        "A space is missing after x:",
         f'{SPAWN} "{{x: 2.0, y: 2.0, name: lily}}"',
     ),
-    f'{SPAWN} "{{x: 2.0, y:2.0}}"': ("A blank is missing after y:", f'{SPAWN} "{{x: 2.0, y: 2.0}}"'),
+    f'{SPAWN} "{{x: 2.0, y:2.0}}"': ("A space is missing after y:", f'{SPAWN} "{{x: 2.0, y: 2.0}}"'),
     f'{SPAWN} "{{x: 2.0, nam: lily}}"': ("did you mean name?", f'{SPAWN} "{{x: 2.0, name: lily}}"'),
     f'{SPAWN} "{{speed: 2.0}}"': (
         "turtlesim/srv/Spawn has these fields: x, y, theta, name",
@@ -149,20 +149,20 @@ CONTENTS = {
     f'{PUB} "{{linear: {{x:2.0}}}}"': ("after x:", f'{PUB} "{{linear: {{x: 2.0}}}}"'),
     f'{PUB} "linear:{{x: 2.0}}"': ("after linear:", f'{PUB} "linear: {{x: 2.0}}"'),
     f'{PUB} "{{x: 2.0, z: 1.8}}"': (
-        "x is not a field of its own: it is inside linear, angular.",
+        "x isn't a separate field: it is inside linear, angular.",
         f'{PUB} "{{linear: {{x: 2.0}}, angular: {{z: 1.8}}}}"',
     ),
     f'{PUB} "{{linear: 2.0}}"': (
         "linear: {x: …, y: …, z: …}",
         "ros2 interface show geometry_msgs/msg/Twist",
     ),
-    f"{PUB} {{linear: {{x: 2.0}}}}": ("quotation marks around them all", f'{PUB} "{{linear: {{x: 2.0}}}}"'),
+    f"{PUB} {{linear: {{x: 2.0}}}}": ("quotation marks around them", f'{PUB} "{{linear: {{x: 2.0}}}}"'),
     'ros2 topic pub /c std_msgs/msg/String "data:hi"': (
-        "A blank is missing after data:",
+        "A space is missing after data:",
         'ros2 topic pub /c std_msgs/msg/String "data: hi"',
     ),
     "ros2 topic pub /c std_msgs/msg/String data:hi": (
-        "A blank is missing after data:",
+        "A space is missing after data:",
         'ros2 topic pub /c std_msgs/msg/String "data: hi"',
     ),
     "ros2 topic pub /c std_msgs/msg/String hi": (
@@ -198,20 +198,20 @@ CONTENTS = {
         "has the type geometry_msgs/msg/Twist",
         f'{PUB.replace("pub", "pub --once")} "{{linear: {ZERO}, angular: {ZERO}}}"',
     ),
-    "ros2 topic echo": ("ros2 topic list lists those there are", "ros2 topic list"),
+    "ros2 topic echo": ("ros2 topic list lists them", "ros2 topic list"),
     "ros2 interface show Twist": (
-        "Before Twist comes the package: geometry_msgs/msg/Twist",
+        "The package comes before Twist: geometry_msgs/msg/Twist",
         "ros2 interface show geometry_msgs/msg/Twist",
     ),
     "ros2 interface show twist": ("geometry_msgs/msg/Twist", "ros2 interface show geometry_msgs/msg/Twist"),
     "ros2 interface show geometry_msgs/Twist": ("three parts", "ros2 interface show geometry_msgs/msg/Twist"),
     "ros2 interface show Pose": ("geometry_msgs/msg/Pose, turtlesim/msg/Pose", ""),
     "ros2 param set background_r 200": (
-        "What is missing is the node: it comes before background_r",
+        "The node is missing: it comes before background_r",
         "ros2 param set /turtlesim background_r 200",
     ),
-    "ros2 param get background_r": ("What is missing is the node", "ros2 param get /turtlesim background_r"),
-    "ros2 param set /turtlesim background_r=200": ("no =", "ros2 param set /turtlesim background_r 200"),
+    "ros2 param get background_r": ("The node is missing", "ros2 param get /turtlesim background_r"),
+    "ros2 param set /turtlesim background_r=200": ("not =", "ros2 param set /turtlesim background_r 200"),
     "ros2 run turtlesim_node": ("turtlesim_node is a program", "ros2 run turtlesim turtlesim_node"),
     "ros2 run turtlesim": ("turtlesim is a package", "ros2 pkg executables turtlesim"),
     f"{TELEOP} -p scale_linear:=4.0 scale_angular:=2.493": (
@@ -220,7 +220,7 @@ CONTENTS = {
     ),
     f"{TELEOP} scale_linear:=4.0": ("has no -p before it", f"{TELEOP} -p scale_linear:=4.0"),
     f"{TELEOP} /turtle1/cmd_vel:=/a": ("has no -r before it", f"{TELEOP} -r /turtle1/cmd_vel:=/a"),
-    f"{TELEOP} -p scale_linear=4.0": ("stands :=", f"{TELEOP} -p scale_linear:=4.0"),
+    f"{TELEOP} -p scale_linear=4.0": ("Put := between", f"{TELEOP} -p scale_linear:=4.0"),
 }
 
 

@@ -80,7 +80,7 @@ def test_why_in_exec_explains_each_failure_once_and_else_reads_what_is_piped_in(
     script = "ls nothing; why; cat missing 2>/dev/null; ls second; why > card; why > again; echo $?; cat card"
     result = day6("exec", "--home", "h", "-c", script, cwd=tmp_path)
     assert result.stdout.count("no file or folder nothing") == 1 == result.stdout.count("no file or folder second")
-    assert "\n1\n" in result.stdout and result.stderr.endswith("lately has a card\n")  # `why > again` has nothing left
+    assert "\n1\n" in result.stdout and result.stderr.endswith("has printed lately\n")  # `why > again` has nothing left
     piped = day6(
         "exec", "--home", "h", "-c", "why", cwd=tmp_path, stdin="ls: cannot access 'x': No such file or directory\n"
     )

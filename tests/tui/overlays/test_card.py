@@ -111,8 +111,8 @@ async def test_a_line_that_is_wrapped_is_clicked_as_one(tmp_path) -> None:
 @pytest.mark.parametrize(
     ("error", "means"),
     [
-        ("ValueError: invalid method signature", "has not even self in its brackets"),
-        ("__main__.Boom: signature", "The program ended by an error"),
+        ("ValueError: invalid method signature", "has no self in its brackets"),
+        ("__main__.Boom: signature", "The program ended with an error"),
     ],
 )
 async def test_a_clicked_error_has_the_card_for_where_it_came_from(tmp_path, error: str, means: str) -> None:

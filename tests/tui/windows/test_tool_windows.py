@@ -89,7 +89,7 @@ async def test_in_a_low_window_the_cars_picture_comes_before_what_is_only_worth_
         app.desktop.focus_pane(app.desktop.panes[window.number])
         await step(app, pilot)
         await step(app, pilot)
-        assert ("This draws angles only." in screen_text(app)) is told
+        assert ("This only draws angles." in screen_text(app)) is told
         line.level, line.id, line.parameters = "error", "car.no_transform", (("link", "left"), ("frame", "base"))
         app.desktop.panes[window.number].restyle()
         await step(app, pilot)

@@ -22,9 +22,11 @@ TEXTS = {
         "+ 和 - 放大缩小，方向键移动画面，0 看全图，b 换成只用 ASCII 字符画。"
     ),
     "help.joint_state_publisher": (
-        "每个能动的关节一个滑块。你在这里设的角度，每秒十次发到 /joint_states；robot_state_publisher 再把它变成各个 link 的位置。\n\n"
-        "↑ ↓ 选关节，← → 拖动，按住 Shift 一次十步，按住 Ctrl 最细，Home、End 到极限，z 回到零位。按数字键、Enter，或者点一下数值，就可以输入准确的值。r 是 Randomize（随机），"
-        "c 是 Center（居中），d 在弧度和角度之间切换。也可以用鼠标拖。\n\n"
+        "每个能动的关节一个滑块。你在这里设的角度，每秒十次发到 /joint_states；"
+        "robot_state_publisher 再把它变成各个 link 的位置。\n\n"
+        "↑ ↓ 选关节，← → 拖动，按住 Shift 一次十步，按住 Ctrl 最细，Home、End 到极限，z 回到零位。按数字键、Enter，"
+        "或者点一下数值，就可以输入准确的值。r 是 Randomize（随机），c 是 Center（居中），d 在弧度和角度之间切换。"
+        "也可以用鼠标拖。\n\n"
         "如果还有别的节点发布同样的关节，机器人就会抖动：两边都在下命令，谁最后说就听谁的。"
     ),
 }
