@@ -41,6 +41,7 @@ KEYS = {
     "Alt-3": "\x1b3",
     "Alt-4": "\x1b4",
     "Alt-5": "\x1b5",
+    "Alt-6": "\x1b6",
     "Ctrl-C": "\x03",
     "Ctrl-D": "\x04",
     "Delete": "\x1b[3~",

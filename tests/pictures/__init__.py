@@ -1,1 +1,1 @@
-"""The pictures of the documentation: real screens, played by the scripts in docs/pictures. `python -m tests.pictures` makes them."""
+"""The pictures of the documentation: real screens, played by docs/pictures/*.yaml. `python -m tests.pictures` makes them."""

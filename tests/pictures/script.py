@@ -10,13 +10,12 @@ A script is a file NAME.yaml:
     - wait: [a, b]              both are on the screen at one moment; /…/ is a regular expression
     - gone: [a]                 none is on the screen
     - press: Up Left            keys, by the names of tests/e2e/terminal.py
-    - type: ros2 node list      a line with Enter; `write` is without
-    - click: a                  the mouse, in the middle of a text
-    - moves: RViz               what is in the pane of this title changes
-    - shot: 0.5                 a picture of the film, seen for so many seconds
+    - type: ros2 node list      a line, with Enter
+    - shot: 0.5                 a picture for a film, seen for so many seconds
+    - film: 2                   so many seconds as they are, for a film
 
-Without a `shot` the picture is the screen at the end. A film of several scripts has `films: [turtle, car]` in place of all that. A text
-may differ by language ({en: …, zh: …}), or be one of the program's ({text: menu.filter}).
+The picture is the screen at the end. A film of what other scripts have shot has `films: [turtle, car]` in place of steps.
+A text may differ by language ({en: …, zh: …}), or be one of the program's ({text: menu.filter}).
 """
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ from day6_tui.locale import Texts
 
 FOLDER = Path(__file__).resolve().parents[2] / "docs" / "pictures"
 LANGUAGES = ("en", "zh")
-DOES = ("wait", "gone", "press", "type", "write", "click", "moves", "shot")
+DOES = ("wait", "gone", "press", "type", "shot", "film")
 
 
 @dataclass(frozen=True)
@@ -48,14 +47,14 @@ class Script:
     steps: tuple[tuple[str, Any], ...] = ()
     films: tuple[str, ...] = ()
 
-    @property
-    def picture(self) -> Path:
-        return FOLDER / f"{self.name}.{self.lang}.svg"
-
 
 def names() -> list[str]:
     """Every picture's name."""
     return sorted(path.stem for path in FOLDER.glob("*.yaml"))
+
+
+def picture_of(name: str, lang: str) -> Path:
+    return FOLDER / f"{name}.{lang}.svg"
 
 
 @cache
@@ -84,5 +83,5 @@ def _said(value: Any, lang: str) -> Any:
     if set(value) == set(LANGUAGES):
         return value[lang]
     if "text" in value:
-        return Texts(lang)(value.pop("text"), **value)
+        return Texts(lang)(value["text"], **{key: _said(each, lang) for key, each in value.items() if key != "text"})
     return {key: _said(each, lang) for key, each in value.items()}
