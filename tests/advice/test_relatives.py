@@ -74,7 +74,7 @@ TOOLS = {
     "/home/me/car.py:3: UserWarning: slow": "python-warning",
     "/opt/ros/jazzy/lib/python3.12/site-packages/ros2doctor/api/__init__.py: 162: UserWarning: x": "doctor-warns",
     "[ERROR] [1.5] [car]: Service call failed x": "service-call-failed",
-    "rviz2: this is no RViz configuration": "rviz-config",
+    "rviz2: this is not an RViz configuration": "rviz-config",
     "wget: unable to resolve host address 'x'": "download-failed",
 }
 

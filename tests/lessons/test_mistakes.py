@@ -51,7 +51,7 @@ def test_the_examples_have_no_mistake_and_no_warning(tmp_path: Path) -> None:
         ("  - window: turtlesim", "  - node:\n      name: /x\n      count: two", "two", "has to be a whole number"),
         ("  - window: turtlesim", "  - any:\n      - node: /x\n      - nod: /y", "nod:", "any: there is no check 'nod'"),
         ("  - window: turtlesim", "  - node: turtlesim", "node: turtlesim", "'name' is a full name: write /turtlesim"),
-        ("  - window: turtlesim", "  - ran: 'ros2 ('", "ros2 (", "'line' is no regular expression"),
+        ("  - window: turtlesim", "  - ran: 'ros2 ('", "ros2 (", "'line' is not a regular expression"),
         ("  - window: turtlesim", "  - python: nothere.py", "nothere", "there is no file 'nothere.py' beside the lesson"),
         (SOLVE, "  - typ: x\n", "typ:", "solve: there is no action 'typ'; did you mean 'type'?"),
         ("keys: ctrl+c", "keys: ctrl+xx", "ctrl+xx", "there is no key 'ctrl+xx'; did you mean 'ctrl+x'?"),

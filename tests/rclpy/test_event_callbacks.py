@@ -340,8 +340,8 @@ def test_a_filter_that_cannot_be_read_is_refused(world: Any, expression: str, to
         ("data LIKE '('", [], "bad pattern: "),
         ("data LIKE data", [], "LIKE needs a text"),
         ("data MATCH %0", ["5"], "the two sides of a comparison have different types"),
-        ("data = %0", ["word"], "'word' is no number, text or truth value"),
-        ("data = %0", ["+"], "'+' is no number, text or truth value"),
+        ("data = %0", ["word"], "'word' is not a number, a text or a truth value"),
+        ("data = %0", ["+"], "'+' is not a number, a text or a truth value"),
         ("data = %1", ["'a'"], "there is no parameter %1"),
     ],
 )

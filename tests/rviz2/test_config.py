@@ -189,12 +189,12 @@ def test_changes_are_saved(machine: RVizMachine) -> None:
     ("text", "why"),
     [
         ("a: [1, 2", "line 1, column 9"),
-        ("- just\n- a list", "this is no RViz configuration"),
+        ("- just\n- a list", "this is not an RViz configuration"),
         ("a: &x [1]\nb: [*x, *x]", "aliases are not allowed"),
         ("!!python/object/apply:os.system ['true']", "could not determine a constructor"),
         ("a: " + "[" * 200 + "]" * 200, "nested too deeply"),
-        ("", "this is no RViz configuration"),
-        ("\0", "this is no YAML"),
+        ("", "this is not an RViz configuration"),
+        ("\0", "this is not YAML"),
     ],
 )
 def test_files_that_are_refused(text: str, why: str) -> None:

@@ -276,7 +276,7 @@ class _Reader:
         try:
             pattern = Pattern(value[1:-1], is_line=name == "says")
         except re.error as error:
-            raise self._wrong(f"this is no regular expression: {error}") from None
+            raise self._wrong(f"this is not a regular expression: {error}") from None
         if name == "finds":
             card.finds += (pattern,)
         elif name == "line":

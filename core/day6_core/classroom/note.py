@@ -131,7 +131,7 @@ def _seconds(found: object) -> float:
 
 def _count(found: object, low: int, high: int) -> int:
     if isinstance(found, bool) or not isinstance(found, int) or not low <= found <= high:
-        raise ValueError(f"{one_line(str(found))[:40]} is no number from {low} to {high}")
+        raise ValueError(f"{one_line(str(found))[:40]} is not a number from {low} to {high}")
     return found
 
 

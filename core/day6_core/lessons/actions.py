@@ -128,5 +128,5 @@ def _no_pattern(value: dict[object, object]) -> str:
     try:
         re.compile(pattern)
     except (re.error, OverflowError, RecursionError) as error:
-        return f"terminal: 'running' is no regular expression: {error}"
+        return f"terminal: 'running' is not a regular expression: {error}"
     return ""

@@ -119,7 +119,7 @@ class Gate:
                 raise ValueError(request.content_type)
             return dict(parse_qsl((await request.read()).decode(), keep_blank_values=True, max_num_fields=MOST_FIELDS))
         except ValueError:
-            raise web.HTTPBadRequest(text="This is no form of this server.\n") from None
+            raise web.HTTPBadRequest(text="This form does not belong to this server.\n") from None
 
     # -- what every answer says --------------------------------------------------------------------------------------
 

@@ -126,7 +126,7 @@ def _parsed(text: str) -> dict[str, Any]:
 def _number(found: dict[str, Any], key: str) -> int:
     value = found.get(key, 0)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 2**53:
-        raise Nonsense(f"{key} is no number")
+        raise Nonsense(f"{key} is not a number")
     return int(value)
 
 

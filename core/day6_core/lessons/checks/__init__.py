@@ -241,7 +241,7 @@ def _valued(kind: CheckKind, name: str, value: Any) -> str:
         try:
             re.compile(value)
         except (re.error, OverflowError, RecursionError) as error:
-            return f"'{name}' is no regular expression: {error}; write '\\' before a sign that is meant as it is"
+            return f"'{name}' is not a regular expression: {error}; write '\\' before a sign that is meant as it is"
     if name in kind.names and not value.startswith("/"):
         return f"'{name}' is a full name: write /{value}"
     if name in kind.paths and path_flaw(value):

@@ -103,7 +103,7 @@ def message_class(type_name: str) -> Any:
         except UnknownInterfaceError:
             found = get_interface(f"{package}/srv/{name}")
     if not hasattr(found, "get_fields_and_field_types"):
-        raise ValueError(f"'{type_name}' is no message")
+        raise ValueError(f"'{type_name}' is not a message")
     return found
 
 

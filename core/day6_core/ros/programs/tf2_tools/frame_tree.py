@@ -46,7 +46,7 @@ def read_frames(text: str) -> tuple[Frame, ...]:
 
 def _frame_of(name: str, about: dict[str, str]) -> Frame:
     if not (isinstance(about["parent"], str) and isinstance(about["broadcaster"], str)):
-        raise TypeError(f"frame {name}: parent and broadcaster are no names")
+        raise TypeError(f"frame {name}: parent and broadcaster are not names")
     numbers = ("rate", "buffer_length", "most_recent_transform", "oldest_transform")
     return Frame(name, about["parent"], about["broadcaster"], *(float(about[number]) for number in numbers))
 

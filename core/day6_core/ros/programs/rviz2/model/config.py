@@ -38,13 +38,13 @@ def read_config(text: str) -> dict[str, Any]:
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = f"line {mark.line + 1}, column {mark.column + 1}: " if mark is not None else ""
-        raise ConfigError(f"{where}{getattr(error, 'problem', None) or 'this is no YAML'}") from None
+        raise ConfigError(f"{where}{getattr(error, 'problem', None) or 'this is not YAML'}") from None
     except (RecursionError, ValueError) as error:
         if isinstance(error, ConfigError):
             raise
         raise ConfigError(str(error) or "nested too deeply") from None
     if not isinstance(loaded, dict):
-        raise ConfigError("this is no RViz configuration")
+        raise ConfigError("this is not an RViz configuration")
     if _depth(loaded) > DEEPEST:
         raise ConfigError("nested too deeply")
     return loaded

@@ -109,7 +109,7 @@ class MeshStore:
         path = self.find(uri)
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):
-            raise MeshError(f"{path.name} is no file")  # opening a pipe would wait for its other end
+            raise MeshError(f"{path.name} is not a file")  # opening a pipe would wait for its other end
         size = status.st_size
         suffix = path.suffix.lower()
 
@@ -170,7 +170,7 @@ def read_stl(path: Path, progress: Progress) -> MeshData:
 
         return coarse(chunks, count)
     if head.lstrip()[:5].lower() != b"solid" or size > MOST_TEXT_BYTES:
-        raise MeshError(f"{path.name} is no STL file")
+        raise MeshError(f"{path.name} is not an STL file")
     numbers = [
         line.split()[1:4]
         for line in path.read_text(encoding="utf-8", errors="replace").splitlines()

@@ -184,7 +184,7 @@ def _literal(text: str) -> _Operand:
             try:
                 value = float(text)
             except ValueError:
-                raise FilterError(f"'{text}' is no number, text or truth value") from None
+                raise FilterError(f"'{text}' is not a number, a text or a truth value") from None
     return _Operand(lambda _message: value, value, False)
 
 
