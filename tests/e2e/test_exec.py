@@ -67,7 +67,7 @@ def test_status_and_output_are_those_of_a_shell(place: Place, commands: str, sta
     assert (done.returncode, done.stdout) == (status, out), done.stderr
 
 
-WORDS = {"zh": ("新建文件夹", "没有删除任何东西"), "en": ("make folders", "Nothing is removed")}
+WORDS = {"zh": ("新建文件夹", "没有删除任何东西"), "en": ("make folders", "Nothing was removed")}
 
 
 @pytest.mark.parametrize(

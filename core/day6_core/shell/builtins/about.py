@@ -19,7 +19,7 @@ Commands of this terminal (they work as on Ubuntu):
   why                 what the last error means, and what to type next
 
   cd ls cat pwd mkdir touch cp mv rm tree      folders and files
-  echo grep head tail wc sort                  texts; A | B sends the output of A into B
+  echo grep head tail wc sort                  text; A | B sends the output of A to B
   jobs fg bg kill wait, COMMAND &              programs in the background
   sleep timeout date history clear exit        and more: {others}
 

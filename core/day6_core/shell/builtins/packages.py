@@ -45,7 +45,7 @@ async def apt(session: Session) -> int:
 
 _TEXTS = {
     "removed": (
-        "Nothing is removed: day6-tui has no packages of its own.",
+        "Nothing was removed: day6-tui has no packages of its own.",
         "没有删除任何东西：day6-tui 没有自己的软件包。",
     ),
     "nothing": ("nothing to do: packages are not managed on this machine", "没有要做的事：这台机器不管理软件包"),
@@ -54,7 +54,7 @@ _TEXTS = {
         "not part of day6-tui; on a real Ubuntu this command would install it.",
         "day6-tui 里没有它；在真正的 Ubuntu 上，这条命令会安装它。",
     ),
-    "not_needed": ("not needed on this machine, nothing was installed.", "这台机器不需要它，什么都没有安装。"),
+    "not_needed": ("not needed on this machine; nothing was installed.", "这台机器不需要它，什么都没有安装。"),
     "rosdep.update": ("nothing to fetch: day6-tui works offline", "不用下载：day6-tui 不需要网络"),
     "rosdep.init": ("rosdep is initialised", "rosdep 初始化好了"),
 }

@@ -22,7 +22,7 @@ VERSION = "0.36.1"
 
 
 _NO_VERSION = {
-    "en": "note: the ros2 of a real installation has no --version, it prints its usage",
+    "en": "note: the ros2 of a real installation has no --version; it prints its usage",
     "zh": "说明：真正安装的 ros2 没有 --version，它只会打印用法",
 }
 
