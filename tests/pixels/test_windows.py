@@ -13,9 +13,9 @@ from day6_core.ros.programs.day6_world.model import Trail, WorldSnapshot
 from day6_core.ros.programs.day6_world.scenery import read_scenery, shipped_worlds
 from day6_core.ros.programs.rqt_graph.model.fit import unfitted
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge
-from day6_tui.appearance.colours import colours
+from day6_tui.appearance.colours import background_of, colours
 from day6_tui.pixels.bands import Array
-from day6_tui.pixels.raster import Surface
+from day6_tui.pixels.raster import Surface, rgb
 from day6_tui.pixels.sheet import Sheet
 from day6_tui.windows.graph.pixels import GraphPicture
 from day6_tui.windows.images.image_cells import on_ground
@@ -71,10 +71,25 @@ def test_what_stands_beside_the_car_stays_in_the_window(size: tuple[int, int]) -
     transforms = link_transforms(CAR.robot, {})
     frame = picture.frame(CAR, 1.0, (0, 0))
     labels = {f"{side}_wheel": (f"{side}_wheel", "7°") for side in ("left", "right")}
-    picture.sheet.put(picture.texts(frame, transforms, labels))
+    pixels = picture.pixels(frame, transforms, STANDING)
+    picture.sheet.put(picture.texts(frame, transforms, labels, pixels))
     words = "".join(segment.text for row in range(size[1]) for segment in picture.sheet.line(row))
     assert words.count("7°") == 2
     assert len(words) == size[0] * size[1]
+
+
+def test_words_on_the_car_stand_on_its_colour_and_those_beside_it_on_the_panes() -> None:
+    picture = CarPicture(60, 20, CELL, COLOURS)
+    transforms = link_transforms(CAR.robot, {})
+    frame = picture.frame(CAR, 1.0, (0, 0))
+    pixels = picture.pixels(frame, transforms, STANDING)
+    styles = {text: style for *_, text, style in picture.texts(frame, transforms, {}, pixels)}
+    grounds = {word: background_of(style) for word, style in styles.items()}
+    assert (
+        rgb(grounds["0.30 m"]) == tuple(pixels[frame.height // 2, frame.width // 2]) != rgb(background_of(COLOURS.text))
+    )
+    assert grounds["0.30 m"] != grounds["base_link"], "a plate on the chassis has a colour of its own"
+    assert styles["left_wheel"] == COLOURS.text and styles["|----------| 0.1 m"] == COLOURS.muted
 
 
 @pytest.mark.parametrize("name", sorted(WORLDS))

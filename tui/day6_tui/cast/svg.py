@@ -62,7 +62,7 @@ class _Text(NamedTuple):
 
 
 class _Part(NamedTuple):
-    """Something that is seen: in a layer, in a colour, as an SVG attribute says more (`marks`)."""
+    """Something in a layer: a rectangle, text with `marks` (attributes of SVG), a stroke; without a colour any element."""
 
     layer: int
     colour: str
@@ -262,16 +262,16 @@ def _drawn(parts: Sequence[_Part]) -> Iterator[str]:
     for part in parts:
         by_colour[part.colour, part.marks].append(part)
     for (colour, marks), alike in by_colour.items():
-        rects = [part.what for part in alike if type(part.what) is tuple]
-        if rects:
+        whats = [part.what for part in alike]
+        if not colour:
+            yield from (what for what in whats if isinstance(what, str))
+            continue
+        if rects := [what for what in whats if not isinstance(what, (str, _Text))]:
             path = "".join(f"M{x} {y}h{w}v{h}h-{w}z" for x, y, w, h in merged(rects))
             yield f'<path fill="{colour}" shape-rendering="crispEdges" d="{path}"/>\n'
-        if arcs := [part.what for part in alike if isinstance(part.what, str)]:
-            if not colour:
-                yield from arcs
-                continue
-            yield f'<path fill="none" stroke="{colour}" d="{"".join(arcs)}"/>\n'
-        if texts := [part.what for part in alike if isinstance(part.what, _Text)]:
+        if strokes := [what for what in whats if isinstance(what, str)]:
+            yield f'<path fill="none" stroke="{colour}" d="{"".join(strokes)}"/>\n'
+        if texts := [what for what in whats if isinstance(what, _Text)]:
             yield f'<g fill="{colour}"{marks}>{"".join(map(_written, texts))}</g>\n'
 
 

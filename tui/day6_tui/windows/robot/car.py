@@ -157,7 +157,8 @@ class CarPane(WindowPane["CarModel"]):
             self.touch()
         frame = picture.frame(snapshot.plan, self._zoom, self._shift)
         pixels = picture.pixels(frame, snapshot.transforms, snapshot.turning(FRAME_SECONDS))
-        spans = picture.sheet.put(picture.texts(frame, snapshot.transforms, snapshot.labels(self._degree)))
+        texts = picture.texts(frame, snapshot.transforms, snapshot.labels(self._degree), pixels)
+        spans = picture.sheet.put(texts)
         pictures.show(self, Region(self.inner_offset, self.inner_offset, *size), cell, pixels, picture.sheet.holes)
         self.touch_spans(spans)
 

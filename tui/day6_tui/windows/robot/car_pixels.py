@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from day6_tui.appearance.colours import Colours, background_of
+import numpy as np
+from rich.style import Style
+
+from day6_tui.appearance.colours import Colours, background_of, foreground_of, pixel_style
+from day6_tui.panes.cells import cell_len
 from day6_tui.pixels.raster import Surface
 from day6_tui.pixels.sheet import Sheet, Text
 from day6_tui.windows.robot.robot_pixels import SurfacePainter
@@ -14,7 +18,7 @@ from day6_urdf.kinematics import Transform
 from day6_urdf.topview.frame import TopFrame
 from day6_urdf.topview.paint import Turning, paint_top
 from day6_urdf.topview.plan import TopPlan
-from day6_urdf.topview.words import Labels, words_of
+from day6_urdf.topview.words import Labels, Word, words_of
 
 if TYPE_CHECKING:
     from day6_tui.pixels.bands import Array
@@ -40,10 +44,23 @@ class CarPicture:
         paint_top(painter, frame, transforms, top_colours(self._colours), turning)
         return surface.pixels()
 
-    def texts(self, frame: TopFrame, transforms: Mapping[str, Transform], labels: Labels) -> list[Text]:
-        """Readings beside the wheels, lengths of axles, a scale."""
+    def texts(self, frame: TopFrame, transforms: Mapping[str, Transform], labels: Labels, pixels: Array) -> list[Text]:
+        """Readings beside the wheels, lengths of axles, a scale: each on the colour that the picture has there."""
         styles = {"label": self._colours.text, "missing": self._colours.warning}
         return [
-            (word.column, word.row, word.text, styles.get(word.role, self._colours.muted))
+            (word.column, word.row, word.text, self._over(pixels, word, styles.get(word.role, self._colours.muted)))
             for word in words_of(frame, transforms, labels)
         ]
+
+    def _over(self, pixels: Array, word: Word, style: Style) -> Style:
+        """The style of a word on the robot: in the colour of texts, whatever it says, to be read on any part."""
+        width, height = self.cell
+        left, right = word.column * width, (word.column + cell_len(word.text)) * width
+        below = pixels[word.row * height : (word.row + 1) * height, max(0, left) : max(0, right)]
+        if not below.size:
+            return style
+        red, green, blue = (int(part) for part in np.median(below.reshape(-1, 3), axis=0))
+        ground = red << 16 | green << 8 | blue
+        if ground == max(0, background_of(self._colours.text)):
+            return style
+        return pixel_style(foreground_of(self._colours.text), ground)
