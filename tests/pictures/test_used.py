@@ -13,7 +13,9 @@ from tests.support.source_files import ROOT
 def pictures() -> Iterator[tuple[Path, Path]]:
     """Yield each document and each picture of ours that it shows."""
     for document in [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]:
-        for target in re.findall(r"!\[[^\]]+\]\(([^)\s]+\.svg)|<img [^>]*src=\"([^\"]+\.svg)", document.read_text("utf-8")):
+        for target in re.findall(
+            r"!\[[^\]]+\]\(([^)\s]+\.svg)|<img [^>]*src=\"([^\"]+\.svg)", document.read_text("utf-8")
+        ):
             path = "".join(target)
             if "/pictures/" in path:
                 yield document, FOLDER / path.rpartition("/pictures/")[2]
