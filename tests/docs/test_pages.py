@@ -159,14 +159,21 @@ def test_pages_hold_no_html_but_comments() -> None:
     assert found == []
 
 
-def test_every_picture_is_used_and_made_by_a_script_in_both_languages() -> None:
-    used = {
-        (each.path.parent / target).resolve() for each in documents() for kind, target in each.links() if kind == "src"
-    }
+def test_every_picture_is_made_by_a_script_in_both_languages_and_used_where_its_language_is_read() -> None:
+    shown = [
+        (each, (each.path.parent / link).resolve())
+        for each in documents()
+        for kind, link in each.links()
+        if kind == "src"
+    ]
     there = set(PICTURES.glob("*.svg"))
     made = {PICTURES / f"{script.stem}.{language}.svg" for script in PICTURES.glob("*.yaml") for language in LANGUAGES}
     assert sorted(there ^ made) == []
-    assert sorted(there - used) == []
+    assert sorted(there - {picture for _, picture in shown}) == []
+    foreign = [
+        (page.name, path.name) for page, path in shown if path in made and path.suffixes[0] != f".{page.language}"
+    ]
+    assert foreign == []
 
 
 # -- day6-tui in lines for a real shell --------------------------------------------------------------------------------
