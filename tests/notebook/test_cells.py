@@ -116,7 +116,9 @@ def test_services_answer_in_the_cell_that_calls(kernel: Kernel) -> None:
     kernel.run("import rclpy; from rclpy.node import Node; from example_interfaces.srv import AddTwoInts; rclpy.init()")
     kernel.run("def add(request, response):\n    response.sum = request.a + request.b\n    return response")
     said = kernel.run("server = Node('server'); server.create_service(AddTwoInts, 'add', add); user = Node('user')")
-    assert said == "/server, /user keep running in the background; destroy_node() ends one of them, rclpy.shutdown() all\n"
+    assert (
+        said == "/server, /user keep running in the background; destroy_node() ends one of them, rclpy.shutdown() all\n"
+    )
     kernel.run("client = user.create_client(AddTwoInts, 'add'); print(client.wait_for_service(10.0))")
     assert kernel.run("print(client.call(AddTwoInts.Request(a=40, b=2)).sum)") == "42\n"
     future = "future = client.call_async(AddTwoInts.Request(a=1, b=2)); rclpy.spin_until_future_complete(user, future)"

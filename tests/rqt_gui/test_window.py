@@ -60,9 +60,7 @@ def test_perspectives_are_switched_made_and_removed_in_a_menu() -> None:
     assert play("p", *"Write", "enter", "enter")[0] == [("export", Path("/nowhere/Default.perspective"))]
 
 
-@pytest.mark.parametrize(
-    ("name", "complaint"), [("talk", "This name is taken."), ("a/b", "Not a valid name.")]
-)
+@pytest.mark.parametrize(("name", "complaint"), [("talk", "This name is taken."), ("a/b", "Not a valid name.")])
 def test_a_name_that_is_taken_or_that_no_file_can_have_is_refused(name: str, complaint: str) -> None:
     requests, screen = play("p", *"New", "enter", *name, "enter")
     assert requests == [] and complaint in screen

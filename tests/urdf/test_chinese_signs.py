@@ -70,7 +70,10 @@ def test_a_wide_sign_in_a_number_is_named_and_put_right(attribute: str) -> None:
     value = value.strip('"')
     wide = value.translate({ord("."): "。", ord("-"): "－"} if "." in value else {ord(value): chr(ord(value) + 0xFEE0)})
     said = hint(ROBOT.replace(attribute, f'{name}="{wide}"', 1))
-    assert f'write "{value}" instead of "{wide}"' in said and f'a Chinese "{sign_in(wide)}" cannot be part of a number' in said
+    assert (
+        f'write "{value}" instead of "{wide}"' in said
+        and f'a Chinese "{sign_in(wide)}" cannot be part of a number' in said
+    )
 
 
 @pytest.mark.parametrize(

@@ -554,7 +554,9 @@ async def test_the_action_of_the_class_brings_the_window_to_the_front_and_never_
             assert window.app.desktop.focused_pane is window.pane
 
 
-@pytest.mark.parametrize(("names", "told"), [(["anna"], "1 pupil is connected"), (["anna", "ben"], "2 pupils are connected")])
+@pytest.mark.parametrize(
+    ("names", "told"), [(["anna"], "1 pupil is connected"), (["anna", "ben"], "2 pupils are connected")]
+)
 async def test_leaving_asks_while_pupils_are_joined(class_of: Class, names: list[str], told: str) -> None:
     async with class_of() as window:
         left: list[object] = []
