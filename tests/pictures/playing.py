@@ -9,8 +9,10 @@ import time
 from base64 import b64encode
 from codecs import getincrementaldecoder
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from pathlib import Path
+from threading import Event
 from typing import Any, NamedTuple
 
 from PIL import Image, ImageChops, ImageFilter
@@ -167,10 +169,23 @@ def frames_of(name: str, lang: str) -> list[Frame]:
     told = script(name, lang)
     if told.films:
         return [frame for film in told.films for frame in frames_of(film, lang) if frame.seconds]
+    over = Event()
+    with ThreadPoolExecutor(max(1, len(told.others))) as pool:
+        others = [pool.submit(_play, other, over) for other in told.others]
+        try:
+            return _play(told)
+        finally:
+            over.set()
+            for other in others:
+                other.result()
+
+
+def _play(told: Script, over: Event | None = None) -> list[Frame]:
+    """Play one script in a place of its own; with `over`, its desktop stays until then."""
     with tempfile.TemporaryDirectory(prefix="d6-", ignore_cleanup_errors=True) as folder:
         place = Place(Path(folder))
         try:
-            return list(_played(told, place))
+            return list(_played(told, place, over))
         finally:
             place.close()
 
@@ -183,12 +198,12 @@ def drawn(name: str, lang: str) -> str:
     return svg.picture([frame.rows for frame in shown], told.size, [frame.seconds for frame in shown], told.title, over)
 
 
-def _played(told: Script, place: Place) -> Iterator[Frame]:
+def _played(told: Script, place: Place, over: Event | None) -> Iterator[Frame]:
     for name, text in told.files:
         path = place.home / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
-    command = [*DAY6, "--home", str(place.home), "--lang", told.lang, *told.options]
+    command = [*DAY6, *told.options, "--home", str(place.home), "--lang", told.lang]
     variables = place.environment(DAY6_LINK="on")
     with Camera(command, *told.size, cwd=place.work, env=variables, pixels="pixels" in told.options) as screen:
         for does, what in told.steps:
@@ -199,6 +214,8 @@ def _played(told: Script, place: Place) -> Iterator[Frame]:
             else:
                 _do(screen, does, what)
         yield screen.frame()
+        while over is not None and not over.is_set():
+            screen.look(0.05)
         screen.quit()
         screen.wait_end()
 

@@ -13,6 +13,7 @@ A script is a file NAME.yaml:
     - type: ros2 node list      a line, with Enter
     - shot: 0.5                 a picture for a film, seen for so many seconds
     - film: 2                   so many seconds as they are, for a film
+    others: [{options: …, …}]   scripts that are played meanwhile, each in a home of its own; no picture shows them
 
 The picture is the screen at the end. A film of what other scripts have shot has `films: [turtle, car]` in place of steps.
 A text may differ by language ({en: …, zh: …}), or be one of the program's ({text: menu.filter}).
@@ -46,6 +47,7 @@ class Script:
     files: tuple[tuple[str, str], ...] = ()
     steps: tuple[tuple[str, Any], ...] = ()
     films: tuple[str, ...] = ()
+    others: tuple[Script, ...] = ()
 
 
 def names() -> list[str]:
@@ -60,14 +62,18 @@ def picture_of(name: str, lang: str) -> Path:
 @cache
 def script(name: str, lang: str) -> Script:
     """Read a script. Raises OSError where there is none, ValueError for what it may not say."""
-    told = {
-        key: _said(value, lang) for key, value in yaml.safe_load((FOLDER / f"{name}.yaml").read_text("utf-8")).items()
-    }
+    return _script(name, lang, _said(yaml.safe_load((FOLDER / f"{name}.yaml").read_text("utf-8")), lang))
+
+
+def _script(name: str, lang: str, told: dict[str, Any]) -> Script:
+    others = tuple(_script(name, lang, {"title": "", **other}) for other in told.pop("others", ()))
     steps = tuple(pair for step in told.pop("steps", ()) for pair in step.items())
     if wrong := [does for does, _ in steps if does not in DOES]:
         raise ValueError(f"{name}.yaml: a step can't be {wrong[0]!r}")
     files = tuple(told.pop("files", {}).items())
-    return Script(name, lang, steps=steps, files=files, **{key: _fixed(value) for key, value in told.items()})
+    return Script(
+        name, lang, steps=steps, files=files, others=others, **{key: _fixed(value) for key, value in told.items()}
+    )
 
 
 def _fixed(value: Any) -> Any:
