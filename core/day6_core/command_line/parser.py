@@ -69,7 +69,7 @@ class CommandParser(argparse.ArgumentParser):
                 help=texts("cli.verb", command=command),
             )
         text = texts(f"cli.{command}.{name}")
-        return self._verbs.add_parser(name, texts=texts, help=text, description=text)
+        return self._verbs.add_parser(name, texts=texts, help=text, description=text[:1].upper() + text[1:])
 
     def refuse(self, option: str, problem: str) -> NoReturn:
         """End with a message about a value, as argparse does for those it finds wrong itself."""

@@ -6,7 +6,7 @@
 - The language is in `language/`: reading, expanding, running, jobs.
 - Commands: `commands` maps a name to its program; ours are in `builtins/`, the editors' model in `editing/`.
 - Students' programs: `process` here, `launch_process` and `memory` on the other side.
-- The real terminal and other editors: `subshell`, `real_completion`, `ide`.
+- The real terminal and other editors: `subshell`, `variables`, `real_completion`, `ide`.
 
 May import the rest of `core`; nothing here imports Textual or rich.
 """

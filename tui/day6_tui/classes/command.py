@@ -22,7 +22,8 @@ def build_parser(language: str = "en") -> CommandParser:
     parser = command_parser("class", language)
     texts = parser.texts
     parser.used_as("--teacher [OPTION ...]", "--join HOST --name NAME [OPTION ...]")
-    options = parser.add_argument_group(texts("cli.class.group"))
+    options = parser.arguments
+    options.title = texts("cli.class.group")
     part = options.add_mutually_exclusive_group()
     told = texts("cli.class.teacher", port=ROUTER_PORT)
     part.add_argument("--teacher", action="store_true", help=told)

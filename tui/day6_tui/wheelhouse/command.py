@@ -32,7 +32,7 @@ def build_parser(language: str = "en") -> CommandParser:
         metavar="NAME",
         help=texts("cli.wheelhouse.platform"),
     )
-    add("--python", action="append", choices=PYTHONS, metavar="3.12", help=texts("cli.wheelhouse.python"))
+    add("--python", action="append", choices=PYTHONS, metavar="VERSION", help=texts("cli.wheelhouse.python"))
     return parser
 
 

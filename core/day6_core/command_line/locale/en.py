@@ -266,7 +266,7 @@ TEXTS = {
     "cli.completion.more": """\
 bash:        day6-tui completion bash >> ~/.bashrc
 zsh:         day6-tui completion zsh >> ~/.zshrc
-fish:        day6-tui completion fish > ~/.config/fish/completions/day6-tui.fish
+fish:        day6-tui completion fish >> ~/.config/fish/config.fish
 PowerShell:  day6-tui completion powershell >> $PROFILE
 
 In day6-tui shell, Tab completes day6-tui, ros2 and colcon without this.""",

@@ -119,7 +119,7 @@ TEXTS = {
     "cli.serve.key": "证书的私钥（PEM）",
     "cli.serve.base_url": "在代理后面时，浏览器访问服务器用的地址或路径",
     "cli.serve.unix": "监听一个 Unix 套接字，给代理用",
-    "cli.serve.proxied": "能连到服务器的就是用户本人：一个桌面，不要链接（给 jupyter-server-proxy 用）",
+    "cli.serve.proxied": "能连到服务器的就是用户本人：一个桌面，不需要链接（给 jupyter-server-proxy 用）",
     "cli.serve.home": "和 --proxied 一起用：桌面里的 ~ 是哪个文件夹",
     "cli.serve.not_with": "不能和 --class 或 --word 一起用",
     # 不联网安装
@@ -234,7 +234,7 @@ TEXTS = {
     "cli.completion.more": """\
 bash：       day6-tui completion bash >> ~/.bashrc
 zsh：        day6-tui completion zsh >> ~/.zshrc
-fish：       day6-tui completion fish > ~/.config/fish/completions/day6-tui.fish
+fish：       day6-tui completion fish >> ~/.config/fish/config.fish
 PowerShell： day6-tui completion powershell >> $PROFILE
 
 在 day6-tui shell 里，Tab 键本来就能补全 day6-tui、ros2 和 colcon。""",
