@@ -236,7 +236,7 @@ def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_lea
                 elif record:
                     (folder / "class" / "server" / "sessions.json").write_bytes(record)
                 serving.start()
-                assert any("1 desktops of the last server go on" in line for line in serving.said)
+                assert any("1 desktops of the last server are still running" in line for line in serving.said)
                 async with aiohttp.ClientSession(cookie_jar=cookies) as session:
                     again = await Browser(session, serving.base).tab()
                     await again.see("made-by-42")
@@ -292,4 +292,4 @@ def test_a_home_that_grows_too_large_is_told_and_then_the_desktop_ends_with_its_
         run(deed())
         assert [(homes / "anna" / name).stat().st_size for name in ("one", "two", "three")] == [9_000_000] * 3
         assert serving.end() == 0
-    assert any("ended, 25 MB in the home folder where 16 MB are allowed" in line for line in serving.said)
+    assert any("ended, 25 MB in the home folder with 16 MB allowed" in line for line in serving.said)

@@ -296,7 +296,7 @@ def test_the_copy_button_copies_what_the_desktop_has_marked(desk: Desk) -> None:
     desk.open()
     desk.page.evaluate("window.copied = []; navigator.clipboard.writeText = async text => { copied.push(text) }")
     desk.page.click_on("#copy")
-    hint = "Nothing to copy yet. Drag over the text with the mouse: letting go copies it."
+    hint = "Nothing to copy yet. Drag over the text with the mouse and let go to copy it."
     desk.page.wait_for(f"document.getElementById('notice').textContent === {hint!r}")
     desk.shows(f"\x1b]52;c;{base64.b64encode(b'/turtle1/pose').decode()}\x07")
     desk.page.wait_for("document.getElementById('notice').textContent === 'Copied'")
@@ -313,7 +313,7 @@ def test_a_browser_that_copies_only_after_a_click_gets_one(desk: Desk) -> None:
         "document.execCommand = () => false"
     )
     desk.shows(f"\x1b]52;c;{base64.b64encode(b'/rosout').decode()}\x07")
-    hint = "This browser copies only after a click: press the copy button."
+    hint = "This browser only copies after a click: press the copy button."
     desk.page.wait_for(f"document.getElementById('notice').textContent === {hint!r}")
     desk.page.evaluate("navigator.clipboard.writeText = async text => { window.copied = text }")
     desk.page.click_on("#copy")

@@ -335,7 +335,7 @@ def test_what_cannot_be_sent_stays_in_its_field(classroom: ClassPage) -> None:
     classroom.page.ask("Input.insertText", text="hello")
     classroom.page.evaluate("classPage._connection._greeted = false")
     classroom.page.press("Enter")
-    classroom.becomes("#notice", "Not sent: there is no connection to the server.")
+    classroom.becomes("#notice", "Not sent: no connection to the server.")
     assert classroom.page.evaluate("document.getElementById('say-text').value") == "hello"
 
 
@@ -347,7 +347,7 @@ def test_the_large_view_says_asked_only_while_the_desktop_says_so(classroom: Cla
     classroom.show(row("anna", screen=SCREEN))
     classroom.becomes(".pane .hint", "")
     classroom.show(row("anna", screen=SCREEN, asked=True))
-    classroom.becomes(".pane .hint", "Asked; anna has not answered yet")
+    classroom.becomes(".pane .hint", "Asked; anna hasn't answered yet")
     classroom.show(row("anna", screen=SCREEN, refused="the pupil said no"))
     classroom.becomes(".pane .hint", "the pupil said no")
     classroom.show(row("anna", screen=SCREEN))
@@ -358,7 +358,7 @@ def test_the_large_view_says_asked_only_while_the_desktop_says_so(classroom: Cla
     ("state", "words"),
     [
         ("gone", "The desktop of anna has ended, so there is no screen. The files are kept."),
-        ("absent", "anna is not here yet, so there is no screen."),
+        ("absent", "anna isn't here yet, so there is no screen."),
     ],
 )
 def test_of_who_is_not_there_the_large_view_has_no_picture_and_nothing_to_press(
