@@ -135,7 +135,7 @@ def test_a_step_is_solved_by_what_the_pupil_does_and_the_next_one_comes_when_ask
     room.open()
     room.go()
     assert (room.at(), room.solved()) == ("touch", False)
-    assert room.course.state.verdicts[0].text("en") == "the file ~/one.txt is there (not yet)"
+    assert room.course.state.verdicts[0].text("en") == "the file ~/one.txt exists (not yet)"
     (room.home / "one.txt").touch()
     room.wait(room.solved)
     assert room.at() == "touch"

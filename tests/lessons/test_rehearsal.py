@@ -38,7 +38,7 @@ def test_a_wrong_answer_is_told_with_its_line_and_with_what_holds(tmp_path: Path
     (played,) = play(tmp_path, one=text)
     lines = (tmp_path / "lesson.md").read_text(encoding="utf-8").split("\n")
     line = lines.index("  - do:") + 1
-    assert played.faults == [f"takes the wrong answer 1 (line {line}) for right: 'the file ~/one is there' holds"]
+    assert played.faults == [f"takes the wrong answer 1 (line {line}) for right: 'the file ~/one exists' holds"]
 
 
 @pytest.mark.process

@@ -87,7 +87,7 @@ def test_a_package_that_is_not_built_or_not_sourced_is_told_so(machine: Any, sea
     seat.line("rm -r build install log; clear; cd ..; colcon build; ros2 launch car no.launch.py")
     lines = seat.wait_prompt().replace("\n", "")
     assert (
-        "hint: car is built, but this terminal does not know it yet. Run: source" in lines and "folder src" not in lines
+        "hint: car is built, but this terminal doesn't know it yet. Run: source" in lines and "folder src" not in lines
     )
     seat.line("clear; source install/setup.bash; ros2 run car no; ros2 run turtlesim no")
     assert "hint:" not in seat.wait_prompt()

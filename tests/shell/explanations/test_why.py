@@ -80,7 +80,7 @@ def test_built_and_not_sourced(machine: Any, tall: Any) -> None:
     said(tall, "source ~/ros2_ws/install/setup.bash; ros2 run car gone")
     assert "Type next ros2 run car go " in said(tall, "why")
     said(tall, "ros2 run car zzz_other")
-    assert "setup.py of car names these programs only: go" in said(tall, "why")
+    assert "setup.py of car names only these programs: go" in said(tall, "why")
 
 
 @pytest.mark.process
@@ -98,7 +98,7 @@ def test_a_program_that_setup_py_does_not_name_and_one_that_was_not_built(machin
     )
     said(tall, "ros2 run car listener")
     seen = said(tall, "why")
-    assert "names listener, but it was not installed" in seen and "colcon build --packages-select car" in seen
+    assert "names listener, but it isn't installed" in seen and "colcon build --packages-select car" in seen
 
 
 @pytest.mark.process
