@@ -111,7 +111,7 @@ def test_keys_switch_a_boolean_move_a_slider_and_begin_a_number() -> None:
 def test_a_value_of_the_wrong_type_is_refused_where_it_is_typed() -> None:
     async def act(window: _Window) -> None:
         await window.press("tab", *["down"] * 4, "enter", "end", "x", "enter")
-        assert "not a value of type double array" in window.text and window.model.requests == []
+        assert "Not a value of type double array" in window.text and window.model.requests == []
         await window.press("backspace", "enter")
         assert window.model.requests == [("set", "/sim", "weights", [1.0, 2.0])]
 

@@ -75,7 +75,7 @@ def test_topic_and_type_are_set_by_keys() -> None:
 def test_tab_chooses_an_end_which_is_typed_or_moved() -> None:
     async def act(window: SteeringWindow) -> None:
         await window.press("tab", "+")
-        assert "linear greatest: 1.00" in window.text
+        assert "linear maximum: 1.00" in window.text
         await window.press("tab", "-", "tab", "enter", "ctrl+u", *"12", "enter")
         assert "A number from 0 to 10." in window.text
         await window.press("ctrl+u", *"1.5", "enter", "escape", "+")
@@ -128,7 +128,7 @@ def test_sliders_are_dragged_and_what_lies_at_the_left_is_a_turn_to_the_left() -
         ({"heard": 0}, "Nobody subscribes to /turtle1/cmd_vel."),
         ({"topic": ""}, "Nothing is published without a topic."),
         ({"problem": "Invalid topic name: it is\x1b[2J wrong:\n  '/a b'"}, "it is^[[2J wrong"),
-        ({"other_types": ("std_msgs/msg/String",)}, "/turtle1/cmd_vel has the type std_msgs/msg/String"),
+        ({"other_types": ("std_msgs/msg/String",)}, "/turtle1/cmd_vel has type std_msgs/msg/String"),
         ({"other_types": ("geometry_msgs/msg/TwistStamped",)}, "m changes that"),
     ],
 )

@@ -128,7 +128,7 @@ def test_the_keys_that_are_named_are_those_that_work() -> None:
     async def act(window: _Window) -> None:
         assert "c Call" in screen_lines(window.app)[-1]
         await window.press("enter")
-        assert "c Call" not in screen_lines(window.app)[-1] and "Enter take it" in screen_lines(window.app)[-1]
+        assert "c Call" not in screen_lines(window.app)[-1] and "Enter accept" in screen_lines(window.app)[-1]
         await window.press("escape")
         assert "c Call" in screen_lines(window.app)[-1]
 
@@ -183,7 +183,7 @@ def test_the_buttons_do_what_their_keys_do() -> None:
         await window.click("Refresh")
         window.model.be("waiting", waited=4)
         await window.draw()
-        assert "Nobody has answered yet, for 4 s." in window.text
+        assert "No response for 4 s." in window.text
         await window.click("Cancel")
         await window.press("x")
 

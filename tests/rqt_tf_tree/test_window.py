@@ -227,7 +227,7 @@ def test_keys_that_would_do_nothing_are_not_offered() -> None:
 
 def test_a_circle_is_named() -> None:
     async def act(window: _Window) -> None:
-        assert "a (again: a circle)" in window.text
+        assert "a (again: a loop)" in window.text
 
     use(tree(frame("a", "b"), frame("b", "a")), act)
 

@@ -155,7 +155,7 @@ def test_a_pose_estimate_is_shown_with_its_covariance(world: RVizMachine) -> Non
     assert display.status("Topic") == ("Error", INVALID_FLOATS)
 
 
-@pytest.mark.parametrize("lang, words", [("en", "DepthCloud is the one display left out"), ("zh", "唯一没有的显示项")])
+@pytest.mark.parametrize("lang, words", [("en", "DepthCloud is the only display not available"), ("zh", "唯一没有的显示项")])
 def test_the_display_that_is_left_out_is_told_in_plain_words(world: RVizMachine, lang: str, words: str) -> None:
     text = (
         "Visualization Manager:\n  Displays:\n    - Class: rviz_default_plugins/DepthCloud\n      Name: Depth\n"
@@ -172,4 +172,4 @@ def test_messages_that_wait_for_a_transform_are_told_with_their_frame(world: RVi
     for _ in range(3):
         world.publish("/polygon", message)
     words = described(world.rviz, Texts("en"))
-    assert "Polygon: 3 messages wait for a transform from nowhere to " in words
+    assert "Polygon: 3 messages are waiting for a transform from nowhere to " in words

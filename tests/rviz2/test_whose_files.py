@@ -71,7 +71,7 @@ def test_links_of_a_build_with_symlink_install_are_followed_into_the_sources(sha
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes with names are of POSIX")
 def test_a_pipe_is_no_mesh_and_is_not_waited_for(share: Path) -> None:
     os.mkfifo(share / "meshes" / "pipe.stl")
-    with pytest.raises(MeshError, match="no file"):
+    with pytest.raises(MeshError, match="not a file"):
         MeshStore(lambda package: str(share)).read("package://car/meshes/pipe.stl")
 
 
