@@ -162,18 +162,18 @@ rclpy.spin(Talker())
 
 CALLBACKS = {
     # How the callback is handed over, what it takes -> the hint.
-    ("create_timer(0.01, self.work)", ""): "line 11 lacks self: write def work(self):",
-    ("create_timer(0.01, self.work())", "self"): "line 9 calls the function at once: hand over the function itself, "
+    ("create_timer(0.01, self.work)", ""): "self is missing in line 11: write def work(self):",
+    ("create_timer(0.01, self.work())", "self"): "line 9 calls the function at once: pass the function itself, "
     "without (): self.work",
     ("create_timer(0.01, self.work)", "self, msg"): "a timer calls work without arguments: in line 11 write def work(self):",
-    ("create_subscription(String, 'x', self.work, 10)", "msg"): "line 11 lacks self: write def work(self, msg):",
-    ("create_subscription(String, 'x', self.work, 10)", ""): "line 11 lacks self: write def work(self):",
-    ("create_subscription(String, 'x', self.work, 10)", "self"): "a subscription calls work with the message, and line 11 "
+    ("create_subscription(String, 'x', self.work, 10)", "msg"): "self is missing in line 11: write def work(self, msg):",
+    ("create_subscription(String, 'x', self.work, 10)", ""): "self is missing in line 11: write def work(self):",
+    ("create_subscription(String, 'x', self.work, 10)", "self"): "a subscription calls work with the message, but line 11 "
     "takes none: write def work(self, msg):",
     ("create_subscription(String, 'x', self.work(), 10)", "self"): "line 9 calls the function at once: hand over the "
     "function itself, without (): self.work",
-    ("work()", ""): "line 11 lacks self: write def work(self):",
-    ("work(1)", "speed"): "line 11 lacks self: write def work(self, speed):",
+    ("work()", ""): "self is missing in line 11: write def work(self):",
+    ("work(1)", "speed"): "self is missing in line 11: write def work(self, speed):",
     ("work(1)", "self"): "",
     ("create_timer(0.01, None)", "self"): "",
 }  # fmt: skip
@@ -213,10 +213,10 @@ def test_a_program_that_has_gone_or_is_no_python_shows_no_cause(tmp_path: Path) 
         ("open('~/a.urdf')", "os.path.expanduser('~/a.urdf')", "$HOME"),
         ("open('$HOME/a.urdf')", "os.path.expanduser('~/a.urdf')", "bag"),
         ("open('progam.py')", "there is program.py", "bag"),
-        ("import subprocess\nsubprocess.run(['ros3'])", "wants to start ros3", "opens"),
+        ("import subprocess\nsubprocess.run(['ros3'])", "tries to start ros3", "opens"),
         (
             "import rosbag2_py, shutil\nshutil.copy('a.urdf', 'b')",
-            "The program opens a.urdf, and there is no such file",
+            "The program opens a.urdf, but there is no such file",
             "bag",
         ),
     ],

@@ -155,7 +155,9 @@ def test_a_pose_estimate_is_shown_with_its_covariance(world: RVizMachine) -> Non
     assert display.status("Topic") == ("Error", INVALID_FLOATS)
 
 
-@pytest.mark.parametrize("lang, words", [("en", "DepthCloud is the only display not available"), ("zh", "唯一没有的显示项")])
+@pytest.mark.parametrize(
+    "lang, words", [("en", "DepthCloud is the only display not available"), ("zh", "唯一没有的显示项")]
+)
 def test_the_display_that_is_left_out_is_told_in_plain_words(world: RVizMachine, lang: str, words: str) -> None:
     text = (
         "Visualization Manager:\n  Displays:\n    - Class: rviz_default_plugins/DepthCloud\n      Name: Depth\n"

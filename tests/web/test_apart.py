@@ -30,7 +30,7 @@ def test_pupils_in_sandboxes_see_nothing_of_each_other_and_outlive_the_server() 
             serving.end(signal.SIGKILL)
             assert serving.cells()
             serving.start("--isolation", "none")  # another way, in which these desktops cannot go on
-            ended = [line for line in serving.said if "was ended: it was kept apart by --isolation bubblewrap" in line]
+            ended = [line for line in serving.said if "was ended: it was isolated by --isolation bubblewrap" in line]
             assert len(ended) == 2 and serving.cells() == [], serving.said
             assert serving.end() == 0
             serving.start("--isolation", "auto")
@@ -54,6 +54,6 @@ async def deed(serving: Serving, folder: Path) -> None:
         cookies = hers.session.cookie_jar
         serving.end(signal.SIGKILL)
         serving.start()
-        assert any("2 desktops of the last server go on" in line for line in serving.said), serving.said
+        assert any("2 desktops of the last server are still running" in line for line in serving.said), serving.said
         async with aiohttp.ClientSession(cookie_jar=cookies) as session:
             await (await Browser(session, serving.base).tab()).see("secret-42")
