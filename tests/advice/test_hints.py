@@ -44,7 +44,9 @@ FAULTS = {
     "'a' + 1": "str(…)",
     "import std_msg": "did you mean std_msgs?",
     "import rlcpy": "did you mean rclpy?",
-    "import turtlesim_msgs.msg": "in jazzy the interfaces of turtlesim are in turtlesim: write turtlesim instead of turtlesim_msgs",
+    "import turtlesim_msgs.msg": (
+        "in jazzy the interfaces of turtlesim are in turtlesim: write turtlesim instead of turtlesim_msgs"
+    ),
     "import geometry_msgs.mgs": "did you mean geometry_msgs.msg?",
     "import rclpy.nod": "did you mean rclpy.node?",
     "from std_msgs.msg import Strng": "std_msgs.msg has no Strng; did you mean String?",

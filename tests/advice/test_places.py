@@ -170,7 +170,7 @@ CALLBACKS = {
     ("create_subscription(String, 'x', self.work, 10)", ""): "self is missing in line 11: write def work(self):",
     ("create_subscription(String, 'x', self.work, 10)", "self"): "a subscription calls work with the message, but line 11 "
     "takes none: write def work(self, msg):",
-    ("create_subscription(String, 'x', self.work(), 10)", "self"): "line 9 calls the function at once: hand over the "
+    ("create_subscription(String, 'x', self.work(), 10)", "self"): "line 9 calls the function at once: pass the "
     "function itself, without (): self.work",
     ("work()", ""): "self is missing in line 11: write def work(self):",
     ("work(1)", "speed"): "self is missing in line 11: write def work(self, speed):",
