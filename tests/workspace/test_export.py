@@ -202,7 +202,7 @@ def test_a_file_that_is_no_zip_is_not_overwritten(
 
 
 @pytest.mark.parametrize(
-    ("language", "told"), [("en", "' exists: --force replaces it"), ("zh", "' 已经存在：加 --force")]
+    ("language", "told"), [("en", "' exists: --force replaces it"), ("zh", "”已经存在：加 --force")]
 )
 def test_a_zip_that_exists_is_replaced_only_by_force(
     workshop: Workshop,
@@ -234,7 +234,7 @@ def test_no_zip_is_written_into_what_it_packs(
     monkeypatch.chdir(package)
     assert main([]) == 0  # and the one without a name lies beside it
     target = workshop.workspace / "ros2_ws.zip"
-    assert capsys.readouterr().out == f"{target}: one (of {workshop.workspace})\n"
+    assert capsys.readouterr().out == f"{target}: one (from {workshop.workspace})\n"
     assert list(workshop.workspace.rglob("*.zip")) == [target]
 
 
@@ -277,10 +277,10 @@ def test_the_folder_that_holds_ros2_ws_packs_it(
     workshop.create("one")
     monkeypatch.chdir(workshop.home)
     assert main([]) == 0
-    assert capsys.readouterr().out == f"ros2_ws.zip: one (of {workshop.workspace})\n"
+    assert capsys.readouterr().out == f"ros2_ws.zip: one (from {workshop.workspace})\n"
     monkeypatch.chdir(workshop.home.parent)
     assert main(["--home", str(workshop.home), "-o", "other.zip"]) == 0
-    assert capsys.readouterr().out == f"other.zip: one (of {workshop.workspace})\n"
+    assert capsys.readouterr().out == f"other.zip: one (from {workshop.workspace})\n"
 
 
 @pytest.mark.process
