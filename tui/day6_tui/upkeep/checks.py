@@ -252,6 +252,10 @@ def folders() -> Iterator[Line]:
         yield problem("folders.settings", "folders.settings.todo", path=settings.path, reason=settings.fault)
 
 
+OURS = ("data", "home")
+"""Folders of which nearly all is ours, so that their size says something."""
+
+
 def _folder(name: str, folder: Path) -> Line:
     """Whether files can be written there, or where the folder would be created."""
     there = next(each for each in (folder, *folder.parents) if each.exists())
@@ -259,7 +263,9 @@ def _folder(name: str, folder: Path) -> Line:
     if reason:
         return problem("folders.no_write", "folders.no_write.todo", path=there, reason=reason)
     free = shutil.disk_usage(there).free
-    values = {"path": folder, "free": f"{free / 1e9:.1f} GB", "size": size_of(folder, 2.0) if folder.exists() else "-"}
+    values: dict[str, object] = {"path": folder, "free": f"{free / 1e9:.1f} GB"}
+    if name in OURS and folder.exists():
+        values["size"] = size_of(folder, 2.0)
     if free < VERY_LITTLE_SPACE:
         return problem("folders.full", "folders.full.todo", **values)
     if free < LITTLE_SPACE:
