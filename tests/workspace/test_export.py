@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import shutil
 import socket
 import subprocess
@@ -252,7 +253,7 @@ def test_a_workspace_that_is_merely_above_is_named_and_not_packed(
     assert told.err == (
         f"day6-tui export: {folder} isn't in a workspace: there is no package.xml, and no folder src with packages\n"
         "day6-tui export: go to your workspace with cd, or name it: day6-tui export --workspace DIR\n"
-        f"day6-tui export: for example: day6-tui export --workspace {workshop.workspace}\n"
+        f"day6-tui export: for example: day6-tui export --workspace {shlex.quote(str(workshop.workspace))}\n"
     )
 
 
@@ -267,7 +268,9 @@ def test_in_an_empty_folder_the_workspace_of_the_desktop_is_named_and_not_packed
         monkeypatch.setenv("DAY6_LANG", language)
         workshop.create(f"of_{language}")
         assert main([]) == 1
-        assert f"{example}day6-tui export --workspace {workshop.workspace}\n" in capsys.readouterr().err
+        assert (
+            f"{example}day6-tui export --workspace {shlex.quote(str(workshop.workspace))}\n" in capsys.readouterr().err
+        )
     assert list((tmp_path / "empty").iterdir()) == []
 
 
