@@ -42,7 +42,9 @@ if importlib.util.find_spec("day6_core") is None:
 
 # How long an example takes says something about the machine.
 settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
-settings.load_profile("patient")
+# Odd surroundings are the same for every example; all of them are played in plain ones.
+settings.register_profile("odd", settings.get_profile("patient"), max_examples=20)
+settings.load_profile("odd" if "DAY6_TESTS_ODD" in os.environ else "patient")
 
 KEPT = frozenset(
     [
