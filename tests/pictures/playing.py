@@ -86,7 +86,7 @@ class Camera(Terminal):
         """The first whole picture from now on, or the last one if nothing more is written."""
         start = last = len(self.output)
         calm = time.monotonic() + CALM
-        while self.output.rfind(_WHOLE) < start and time.monotonic() < calm:
+        while self.output.rfind(_WHOLE) < (start if time.monotonic() < calm else 0):  # a first one there has to be
             self.look(0.01)
             if len(self.output) != last:
                 last, calm = len(self.output), time.monotonic() + CALM
@@ -213,11 +213,22 @@ def _played(told: Script, place: Place, over: Event | None) -> Iterator[Frame]:
                 yield from screen.film(what)
             else:
                 _do(screen, does, what)
-        yield screen.frame()
+        yield _settled(screen)
         while over is not None and not over.is_set():
             screen.look(0.05)
         screen.quit()
         screen.wait_end()
+
+
+def _settled(screen: Camera) -> Frame:
+    """What is seen once nothing more is drawn: what was waited for may be there before the rest. What moves isn't waited for."""
+    seen = screen.frame()
+    for _ in range(6):
+        screen.look(0.5)
+        before, seen = seen, screen.frame()
+        if seen.rows == before.rows:
+            break
+    return seen
 
 
 def _do(screen: Terminal, does: str, what: Any) -> None:
