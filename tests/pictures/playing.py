@@ -213,22 +213,11 @@ def _played(told: Script, place: Place, over: Event | None) -> Iterator[Frame]:
                 yield from screen.film(what)
             else:
                 _do(screen, does, what)
-        yield _settled(screen)
+        yield screen.frame()
         while over is not None and not over.is_set():
             screen.look(0.05)
         screen.quit()
         screen.wait_end()
-
-
-def _settled(screen: Camera) -> Frame:
-    """What is seen once nothing more is drawn: what was waited for may be there before the rest. What moves isn't waited for."""
-    seen = screen.frame()
-    for _ in range(6):
-        screen.look(0.5)
-        before, seen = seen, screen.frame()
-        if seen.rows == before.rows:
-            break
-    return seen
 
 
 def _do(screen: Terminal, does: str, what: Any) -> None:
