@@ -14,11 +14,11 @@ import pytest
 from day6_core.lessons.catalogue import shipped_names
 from day6_core.shell.outward.real_completion import SHELLS
 from day6_tui.commands.complete import own_words
-from day6_tui.commands.table import commands
+from day6_tui.commands.table import commands, names
 from day6_tui.main import main
 from tests.e2e.place import DAY6, Place
 
-NAMES = [command.name for command in commands() if command.name]
+NAMES = names()
 
 
 @pytest.mark.parametrize(

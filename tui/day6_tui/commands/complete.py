@@ -10,7 +10,7 @@ from day6_core.command_line.parser import CommandParser
 from day6_core.command_line.texts import CommandTexts
 from day6_core.language import language_of
 from day6_core.shell.outward.real_completion import SHELLS, complete
-from day6_tui.commands.table import command_named, commands
+from day6_tui.commands.table import command_named, names
 
 _REPEATED = ("*", "+", argparse.REMAINDER)
 
@@ -31,12 +31,12 @@ def own_words(words: list[str]) -> list[str]:
     if rest and (command := command_named(rest[0])) is not None:
         parser = command.parser("en")
         return [] if parser is None else words_of(parser, rest[1:], typed)
-    desktop = next(commands()).parser("en")
-    assert desktop is not None
-    offered = words_of(desktop, before, typed)
+    from day6_tui.commands.desktop import build_parser
+
+    offered = words_of(build_parser(), before, typed)
     if rest or offered or typed.startswith("-") or before[-1:] in ([LANGUAGE], [DISTRIBUTION]):
         return offered
-    return [each.name for each in commands() if each.name]
+    return names()
 
 
 def words_of(parser: CommandParser, before: list[str], typed: str) -> list[str]:

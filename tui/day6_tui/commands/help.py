@@ -6,18 +6,14 @@ import os
 
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.language import language_of
-from day6_tui.commands.table import commands
+from day6_tui.commands.table import names
 
 
 def build_parser(language: str = "en") -> CommandParser:
     """Its options, and what it takes."""
     parser = command_parser("help", language)
-    parser.add_argument("command", nargs="*", metavar="COMMAND", known=_names, help=parser.texts("cli.help.command"))
+    parser.add_argument("command", nargs="*", metavar="COMMAND", known=names, help=parser.texts("cli.help.command"))
     return parser
-
-
-def _names() -> list[str]:
-    return [command.name for command in commands() if command.name]
 
 
 def main(words: list[str]) -> int:

@@ -98,6 +98,11 @@ def commands() -> Iterator[Command]:
             yield from map(_program, COMMANDS)
 
 
+def names() -> list[str]:
+    """Return what may stand behind `day6-tui`: the names of all that are shown, without the desktop, which has none."""
+    return [command.name for command in commands() if command.name]
+
+
 def command_named(name: str) -> Command | None:
     """Return the one with a name, None if there is none."""
     if (found := _BY_NAME.get(name)) is not None:
