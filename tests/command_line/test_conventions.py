@@ -181,3 +181,13 @@ def test_a_reader_that_has_seen_enough_ends_the_command_in_silence(words: str, t
     done = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, text=True, cwd=tmp_path)
     os.close(writing)
     assert (done.returncode, done.stderr) == (128 + 13, "")
+
+
+@pytest.mark.process
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no disk that is always full")
+@pytest.mark.parametrize("words", ["doctor", "uninstall", "lessons help", "lessons list", "--version", "help serve"])
+def test_a_full_disk_is_reported_in_one_line(words: str, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "day6_tui", *words.split()]
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (1, "day6-tui: write error: No space left on device\n")

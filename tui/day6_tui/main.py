@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import sys
@@ -31,10 +32,20 @@ def main(arguments: list[str] | None = None) -> int:
         finally:
             if sys.stdout is not None:
                 sys.stdout.flush()
-    except BrokenPipeError:  # `day6-tui doctor | head -1`
-        if arguments is None:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python writes what is left when it ends
-        return READER_GONE
+    except OSError as error:
+        if arguments is not None or not _is_of_output(error):
+            raise
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python writes what is left when it ends
+        if isinstance(error, BrokenPipeError):  # `day6-tui doctor | head -1`
+            return READER_GONE
+        print(f"day6-tui: write error: {error.strerror}", file=sys.stderr)  # as GNU programs say it
+        return 1
+
+
+def _is_of_output(error: OSError) -> bool:
+    """Return whether standard output took no more: nobody reads it, or its disk is full. Errors of other files name them."""
+    full = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
+    return error.filename is None and (isinstance(error, BrokenPipeError) or error.errno in full)
 
 
 def _obey(words: list[str], *, alone: bool) -> int:
@@ -98,10 +109,10 @@ def _no_command(name: str, words: list[str]) -> int:
     from day6_core.command_line.texts import CommandTexts
     from day6_core.language import language_of
     from day6_core.session.harmless import one_line
-    from day6_tui.commands.table import commands
+    from day6_tui.commands.table import names
 
     texts = CommandTexts(language_of(os.environ, words))
-    close = nearest(name, [each.name for each in commands()])
+    close = nearest(name, names())
     key = "cli.error.command" if close is None else "cli.error.command.close"
     print(one_line(f"day6-tui: {texts(key, name=name, close=close)}"), file=sys.stderr)
     return 2

@@ -38,9 +38,9 @@ def main(words: list[str]) -> int:
         if options.verb == "new":
             return _new(options.file, "drill" if options.drill else "lesson")
         results = [_with(options, file) for file in options.file]
-    except BrokenPipeError:
-        raise
     except OSError as error:
+        if error.filename is None:  # not of a file: of what is printed
+            raise
         print(one_line(f"day6-tui lessons: {error.filename}: {error.strerror}"), file=sys.stderr)
         return 2
     return max(results)
