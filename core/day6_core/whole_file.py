@@ -25,6 +25,11 @@ _CONTROLLING = 5 << 8
 """The number of /dev/tty on Linux (Documentation/admin-guide/devices.txt)."""
 
 
+def open_at_once(path: str, flags: int) -> int:
+    """An opener for `open` that does not wait for the other end where a path leads to a pipe."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
 @contextlib.contextmanager
 def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follow: bool = True) -> Iterator[BinaryIO]:
     """Open a file for writing that gets the name `target` at the end of the block; after an error `target` is unchanged.

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from day6_core.command_line.texts import Wording
+from day6_core.whole_file import open_at_once
 
 
 class Values:
@@ -42,7 +43,7 @@ class Values:
         try:
             if os.path.isdir(text):
                 raise self.wrong("file.folder", text=text)
-            with open(text, "rb", opener=_open_at_once):
+            with open(text, "rb", opener=open_at_once):
                 return text
         except FileNotFoundError:
             raise self.wrong("file.missing", text=text) from None
@@ -113,8 +114,3 @@ class Values:
         if not least <= value <= most:
             raise self.wrong(kind, text=text, least=least, most=most)
         return value
-
-
-def _open_at_once(path: str, flags: int) -> int:
-    """Open without waiting for the other end of a pipe."""
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))

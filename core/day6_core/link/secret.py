@@ -7,6 +7,7 @@ import stat
 import sys
 
 from day6_core.link.unusable import Unusable
+from day6_core.whole_file import open_at_once
 
 USER = "day6"
 """The user name that goes with it: a real ROS 2 gives Zenoh's `transport/auth/usrpwd` this name and the secret."""
@@ -32,8 +33,7 @@ def secret_of(text: str) -> str:
 
 
 def _read(path: str) -> str:
-    # Non-blocking, because opening a FIFO waits for its writer.
-    with os.fdopen(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)), "rb") as file:
+    with open(path, "rb", opener=open_at_once) as file:
         status = os.fstat(file.fileno())
         if not stat.S_ISREG(status.st_mode):
             raise Unusable("secret_no_file", path=path)

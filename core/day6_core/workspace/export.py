@@ -23,7 +23,7 @@ from day6_core.command_line.values import Values
 from day6_core.language import language_of
 from day6_core.places import default_home
 from day6_core.session.folder import working_folder
-from day6_core.whole_file import replacing
+from day6_core.whole_file import open_at_once, replacing
 from day6_core.workspace.packages import Package, find_packages, holds_packages
 
 _LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache", "build", "install", "log"})
@@ -216,7 +216,7 @@ def _write(packages: list[Package], source: Path, top: str, target: Path) -> lis
 
 def _add(archive: zipfile.ZipFile, path: Path, name: str) -> None:
     """Put a file into the zip as it is now: one that grows meanwhile is cut at the size it had when opened."""
-    with open(path, "rb", opener=_open_at_once) as file:
+    with open(path, "rb", opener=open_at_once) as file:
         status = os.fstat(file.fileno())
         if not stat.S_ISREG(status.st_mode):
             raise ExportError("gone", file=repr(str(path)))
@@ -236,11 +236,6 @@ def _add(archive: zipfile.ZipFile, path: Path, name: str) -> None:
             while left and (piece := file.read(min(_PIECE, left))):
                 packed.write(piece)
                 left -= len(piece)
-
-
-def _open_at_once(path: str, flags: int) -> int:
-    """Open without waiting for the other end, in case the file was replaced by a pipe."""
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _files(folder: Path, own: set[Path], left_out: list[Reason]) -> Iterator[Path]:
