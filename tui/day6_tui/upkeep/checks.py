@@ -31,9 +31,8 @@ from day6_tui.upkeep.installation import installation
 from day6_tui.upkeep.line import Line, note, ok, problem
 from day6_tui.upkeep.removal import size_of
 from day6_tui.upkeep.running import running
+from day6_tui.wheelhouse.targets import PYTHONS, this_python
 
-OLDEST, NEWEST = (3, 10), (3, 14)
-"""The versions of Python that the tests are run with."""
 SMALLEST_SCREEN = (80, 24)
 LITTLE_SPACE, VERY_LITTLE_SPACE = 1_000_000_000, 100_000_000
 LITTLE_MEMORY = 500_000_000
@@ -52,10 +51,9 @@ def version() -> Iterator[Line]:
 
 
 def python() -> Iterator[Line]:
-    here = sys.version_info[:2]
     values = {"version": platform.python_version(), "kind": platform.python_implementation(), "path": sys.executable}
     in_venv = sys.prefix != sys.base_prefix
-    if OLDEST <= here <= NEWEST:
+    if this_python() in PYTHONS:
         yield ok("python.venv" if in_venv else "python.bare", **values)
     else:
         yield note("python.untested", "python.untested.todo", **values)
@@ -235,14 +233,10 @@ def extras() -> Iterator[Line]:
 def folders() -> Iterator[Line]:
     from day6_tui.settings import Settings
 
-    seen = {
-        "data": data_folder(),
-        "home": default_home(),
-        "temporary": Path(tempfile.gettempdir()),
-        **{f"runtime.{number}": folder for number, folder in enumerate(runtime_folders()[:1])},
-    }
-    for name, folder in seen.items():
-        yield _folder(name.partition(".")[0], folder)
+    yield _folder("data", data_folder())
+    yield _folder("home", default_home())
+    yield _folder("temporary", Path(tempfile.gettempdir()))
+    yield _folder("runtime", runtime_folders()[0])
     for place in PLACES:
         if place.base == "data" and place.name != "home":
             for path in place.found():

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from day6_core.ros.environment import program_environment
+from day6_core.shell.process.memory import machine_memory
 from day6_tui.upkeep.installation import NAME
 
 MODULES = (
@@ -213,11 +214,9 @@ def memory() -> tuple[int, int]:
     with contextlib.suppress(OSError, ValueError):
         with open("/proc/meminfo", encoding="ascii") as file:
             lines = dict(line.split(":", 1) for line in file)
-        return tuple(int(lines[name].split()[0]) * 1024 for name in ("MemTotal", "MemAvailable"))  # type: ignore[return-value]
-    if sys.platform != "win32":
-        with contextlib.suppress(OSError, ValueError):
-            return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"), 0
-    return 0, 0
+        total, free = (int(lines[name].split()[0]) * 1024 for name in ("MemTotal", "MemAvailable"))
+        return total, free
+    return machine_memory(), 0
 
 
 def _run(argv: list[str], environment: dict[str, str], seconds: float) -> subprocess.CompletedProcess[str]:

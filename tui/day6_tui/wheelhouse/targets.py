@@ -7,6 +7,7 @@ import sys
 from dataclasses import dataclass
 
 PYTHONS = ("3.10", "3.11", "3.12", "3.13", "3.14")
+"""The versions of Python that day6-tui is for."""
 
 
 @dataclass(frozen=True)

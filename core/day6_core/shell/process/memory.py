@@ -19,13 +19,13 @@ def memory_limit() -> int:
     setting = os.environ.get(VARIABLE, "").strip()
     if setting.isdigit():
         return int(setting) * 2**20
-    machine = _machine_memory()
+    machine = machine_memory()
     return max(LEAST, int(machine * SHARE)) if machine else 0
 
 
 @cache
-def _machine_memory() -> int:
-    """The bytes of memory of the machine, or of our container; 0 if unknown."""
+def machine_memory() -> int:
+    """Return the bytes of memory of the machine, or of our container; 0 if unknown."""
     if sys.platform == "win32":
         return 0
     try:
