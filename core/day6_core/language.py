@@ -7,7 +7,15 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 LANGUAGES = ("zh", "en")
+
+Pair = tuple[str, str]
+"""A text in English and in Chinese."""
 VARIABLE = "DAY6_LANG"
+
+
+def said(text: Pair, language: str) -> str:
+    """Return a text in 'zh' or 'en'."""
+    return text[language == "zh"]
 
 
 def language_of(

@@ -15,8 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 from zlib import crc32
 
-Pair = tuple[str, str]
-"""A text in English and in Chinese."""
+from day6_core.language import Pair
 
 LEFT_BEHIND = 24 * 3600
 """Seconds after which a temporary folder that nothing has changed belongs to no program any more."""

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-Pair = tuple[str, str]
-"""A text in English and in Chinese."""
+from day6_core.language import Pair
 
 NONE: Pair = ("", "")
 
@@ -40,11 +39,6 @@ class Variable(NamedTuple):
     def internal(self) -> bool:
         """Whether it is not for users."""
         return self.group == "internal"
-
-
-def said(text: Pair, language: str) -> str:
-    """Return the text in a language."""
-    return text[language == "zh"]
 
 
 def shown_value(name: str, value: str) -> str:

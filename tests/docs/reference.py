@@ -12,9 +12,10 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import groupby
 
 from day6_core.command_line.parser import CommandParser
+from day6_core.language import said
 from day6_core.lessons.command import WRITING
 from day6_core.places import PLACES
-from day6_core.variables import GROUPS, VARIABLES, said
+from day6_core.variables import GROUPS, VARIABLES
 from day6_tui.actions import ACTIONS
 from day6_tui.commands.desktop import build_parser
 from day6_tui.commands.table import commands

@@ -10,7 +10,8 @@ from functools import cache
 
 import pytest
 
-from day6_core.variables import GROUPS, VARIABLES, said, shown_value
+from day6_core.language import said
+from day6_core.variables import GROUPS, VARIABLES, shown_value
 from tests.support.source_files import PACKAGES, nodes, trees
 
 NAME = re.compile(r"[A-Z][A-Z0-9_]+")

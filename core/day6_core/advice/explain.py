@@ -20,6 +20,7 @@ from day6_core.advice.rules import Surroundings
 from day6_core.advice.texts import TEXTS
 from day6_core.advice.wording import at_home, command_of, filled_in, sentence, with_gaps
 from day6_core.facts.graph import GraphFacts
+from day6_core.language import said
 from day6_core.session.harmless import one_line
 from day6_core.width import char_width, text_width
 
@@ -84,27 +85,27 @@ def explain(match: Match, scene: Situation, language: str) -> Explanation:
     here, next_ = "", ""
     cause = _cause(card, scene)
     if cause is not None:
-        template = TEXTS[cause.key][language == "zh"]
+        template = said(TEXTS[cause.key], language)
         values = {key: one_line(str(value)) for key, value in cause.values.items()}
         here, next_ = at_home(sentence(template, language).format(**values), scene.around.home), cause.next
     if not here and card.next:
         next_ = command_of(card.next, match.values)
 
-    def said(text: str) -> str:
+    def filled(text: str) -> str:
         return at_home(filled_in(text, match.values, match.fault), scene.around.home)
 
-    first = said(words.first)
+    first = filled(words.first)
     means = "\n".join(
-        filter(None, (sentence(first, language) if not words.first.startswith("{") else first, said(words.more)))
+        filter(None, (sentence(first, language) if not words.first.startswith("{") else first, filled(words.more)))
     )
     return Explanation(
         line=one_line(match.line.strip())[:LONGEST_SHOWN],
         means=means,
         here=here,
         looked=bool(card.look),
-        checks=() if here else tuple(map(said, words.checks)),
+        checks=() if here else tuple(map(filled, words.checks)),
         next=next_ if next_.isprintable() else "",
-        robot=said(words.robot),
+        robot=filled(words.robot),
     )
 
 
@@ -124,7 +125,7 @@ def _cause(card: Card, scene: Situation) -> Found | None:
 
 def parts(shown: Explanation, language: str) -> list[tuple[str, str]]:
     """Return what is shown of an explanation as pairs of heading and text, without the line itself and without `next`."""
-    say = {key: TEXTS[f"card.{key}"][language == "zh"] for key in ("means", "here", "unknown", "checks", "robot")}
+    say = {key: said(TEXTS[f"card.{key}"], language) for key in ("means", "here", "unknown", "checks", "robot")}
     found = [(say["means"], shown.means)]
     listed = "\n".join(f"{number}. {check}" for number, check in enumerate(shown.checks, 1))
     if shown.here:
@@ -141,7 +142,7 @@ def as_text(shown: Explanation, language: str, columns: int) -> str:
     width = max(NARROWEST, columns - 3)
     found = [*parts(shown, language)]
     if shown.next:
-        found.insert(len(found) - bool(shown.robot), (TEXTS["card.next"][language == "zh"], shown.next))
+        found.insert(len(found) - bool(shown.robot), (said(TEXTS["card.next"], language), shown.next))
     lines = wrapped(shown.line, max(NARROWEST, columns - 1))
     for heading, text in found:
         lines += ["", heading, *(f"  {line}" for line in wrapped(text, width))]

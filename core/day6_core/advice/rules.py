@@ -23,7 +23,7 @@ from day6_core.advice.wording import at_home, filled_in, without_line
 from day6_core.facts.folders import text_of
 from day6_core.facts.names import CLOSE, nearest
 from day6_core.facts.workspaces import packages_lacking_comma, refused_manifests, why_unknown, workspaces_around
-from day6_core.language import language_of
+from day6_core.language import language_of, said
 from day6_core.ros import differences
 from day6_core.ros.distribution import current
 from day6_urdf.chinese import PUNCTUATION
@@ -139,7 +139,7 @@ def _hint(text: str, around: Surroundings) -> str:
 
 
 def _say(key: str, language: str, **values: object) -> str:
-    text = TEXTS[key][language == "zh"]
+    text = said(TEXTS[key], language)
     return (text if values.get("line", True) else without_line(text)).format(**values)
 
 

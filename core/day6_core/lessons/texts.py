@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from day6_core.language import said
 from day6_core.lessons.grading.texts import GRADING
 from day6_core.lessons.office_texts import OFFICE
 
@@ -22,7 +23,7 @@ class Say:
         key = self.key
         if f"{key}.none" in TEXTS and any(value in ((), []) for value in self.values.values()):
             key = f"{key}.none"
-        return TEXTS[key][language == "zh"].format(
+        return said(TEXTS[key], language).format(
             **{name: _written(value, language) for name, value in self.values.items()}
         )
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from day6_core.language import Pair, said
+
 
 class Unusable(ValueError):
     """It cannot be used. The message is the reason in English; `said` has it in both languages."""
@@ -12,11 +14,11 @@ class Unusable(ValueError):
 
     def said(self, language: str) -> str:
         """Return the reason in 'zh' or 'en'."""
-        at = language == "zh"
-        return TEXTS[self._key][at].format(**{"where": TEXTS["secret"][at], **self._values})
+        values = {"where": said(TEXTS["secret"], language), **self._values}
+        return said(TEXTS[self._key], language).format(**values)
 
 
-TEXTS: dict[str, tuple[str, str]] = {
+TEXTS: dict[str, Pair] = {
     "endpoint": (
         "{endpoint!r} is not an endpoint like tcp/192.168.1.5:7447",
         "{endpoint!r} 不是 tcp/192.168.1.5:7447 这样的地址",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from day6_core.language import said
 from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.panes.pane import Pane
 from day6_tui.parts import Feature, Parts
@@ -82,7 +83,7 @@ class Explaining(Feature):
         if desk is None:
             return False
         if desk.searching() == "exam":
-            self._notices.show(TEXTS["card.exam"][self._look.texts.language == "zh"], NOTICE_SECONDS)
+            self._notices.show(said(TEXTS["card.exam"], self._look.texts.language), NOTICE_SECONDS)
             return False
         terminal = self._terminal_of(pane)
         variables = terminal.shell.environment if terminal is not None else desk.environment()

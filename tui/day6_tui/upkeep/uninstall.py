@@ -10,10 +10,9 @@ from typing import NamedTuple
 
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.guardian import MARK
-from day6_core.language import language_of
+from day6_core.language import language_of, said
 from day6_core.places import PLACES, Place, data_folder, shortened
 from day6_core.session.harmless import one_line
-from day6_core.variables import said
 from day6_core.width import text_width
 from day6_tui.locale import Texts
 from day6_tui.upkeep.installation import installation, quoted

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from day6_core.language import language_of
+from day6_core.language import language_of, said
 from day6_core.session.session import Session
 from day6_core.shell.language.interpreter import Shell, shell_of
 
@@ -62,7 +62,7 @@ _TEXTS = {
 
 
 def _say(language: str, key: str, **values: str) -> str:
-    return _TEXTS[key][language == "zh"].format(**values)
+    return said(_TEXTS[key], language).format(**values)
 
 
 _COMMANDS_OF = {
