@@ -194,8 +194,8 @@ VARIABLES = (
         "ROS_DISTRO",
         "ros",
         (
-            "The distribution that day6-tui stands in for: `humble`, `jazzy`, `kilted` or `rolling`. `--distro` goes before it.",
-            "day6-tui 代表哪个 ROS 发行版：`humble`、`jazzy`、`kilted` 或 `rolling`。`--distro` 优先。",
+            "The distribution in use: `humble`, `jazzy`, `kilted`, `lyrical` or `rolling`. `--distro` goes before it.",
+            "day6-tui 代表哪个 ROS 发行版：`humble`、`jazzy`、`kilted`、`lyrical` 或 `rolling`。`--distro` 优先。",
         ),
         ("as chosen last, else `jazzy`", "上次选择的，否则 `jazzy`"),
     ),

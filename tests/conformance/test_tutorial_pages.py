@@ -220,7 +220,7 @@ def test_a_file_of_the_mirror_imports_the_interfaces_of_today(in_distribution: C
     text = "from turtlesim.msg import Pose\nimport turtlesim.srv\n# turtlesim\n"
     in_distribution("jazzy")
     assert as_of_today(text) == text
-    in_distribution("rolling")
+    in_distribution("lyrical")
     assert as_of_today(text) == "from turtlesim_msgs.msg import Pose\nimport turtlesim_msgs.srv\n# turtlesim\n"
 
 

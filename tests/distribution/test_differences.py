@@ -37,9 +37,13 @@ RELEASES = {
     "humble": Stores.ROS2_HUMBLE,
     "jazzy": Stores.ROS2_JAZZY,
     "kilted": Stores.ROS2_KILTED,
+    "lyrical": Stores.ROS2_LYRICAL,
     "rolling": Stores.ROS2_LYRICAL,
 }
-"""What the authors of rosbags collected from each release; Rolling is what Lyrical was branched from."""
+"""What the authors of rosbags collected from each release."""
+
+PLAYED = NAMES[:-1]
+"""Rolling has what Lyrical has: `test_rolling_goes_on_from_lyrical`."""
 
 PROGRAM = """
 import json, sys
@@ -145,7 +149,7 @@ PARTS = {
     "action": "ros2 action",
     "bag": "ros2 bag",
     "service": "ros2 service",
-    "record": "test $ROS_DISTRO = rolling && NAMED=--topics; ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
+    "record": "test $ROS_DISTRO = lyrical && NAMED=--topics; ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
     "until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
     "ros2 bag record -o mine $NAMED /chatter > said.txt 2>&1 & until grep -q Recording said.txt; do sleep 0.05; done; "
     "until ros2 service list | grep rosbag2_recorder/describe; do sleep 0.05; done; ros2 service list; "
@@ -167,7 +171,7 @@ PARTS = {
 def played(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]]:
     """What each distribution printed, part by part."""
     found = {}
-    for name in NAMES:
+    for name in PLAYED:
         home = tmp_path_factory.mktemp(name)
         (home / "program.py").write_text(PROGRAM, encoding="utf-8")
         (home / "writer.py").write_text(WRITER, encoding="utf-8")
@@ -188,6 +192,12 @@ def test_every_row_names_its_source() -> None:
     for table in (VALUES, PACKAGES, INTERFACES, TEXTS, RCLPY, LAUNCH_FILES, EXECUTABLES, VERBS, OPTIONS):
         for key, row in table.items():
             assert len(row[-1]) > 10 and (any(mark in row[-1] for mark in ("/", "REP", "rosbags"))), key
+
+
+def test_rolling_goes_on_from_lyrical() -> None:
+    assert not [key for key, (row, _) in VALUES.items() if "rolling" in row]
+    for table in (PACKAGES, INTERFACES, TEXTS, RCLPY, EXECUTABLES, VERBS, OPTIONS):
+        assert not [key for key, row in table.items() if ("lyrical" in row[-2]) != ("rolling" in row[-2])]
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -220,7 +230,7 @@ def test_the_messages_are_those_of_the_release(
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_the_lists_have_what_there_is(played: dict[str, dict[str, str]], name: str) -> None:
     packages, interfaces = played[name]["packages"].split(), played[name]["interfaces"].split()
     for package, (there, _) in PACKAGES.items():
@@ -229,9 +239,9 @@ def test_the_lists_have_what_there_is(played: dict[str, dict[str, str]], name: s
         assert any(each.startswith(f"{interface}/") or each == interface for each in interfaces) == (name in there), (
             interface
         )
-    for interface, (only, _) in TEXTS.items():
+    for interface, (there, _) in TEXTS.items():
         if interface.startswith(("rosgraph_msgs", "nav_msgs")):
-            assert (interface in interfaces) == (name == only), interface
+            assert (interface in interfaces) == (name in there), interface
     assert "turtlesim" in packages
     executables = played[name]["executables"].splitlines()
     for executable, (there, _) in EXECUTABLES.items():
@@ -239,7 +249,7 @@ def test_the_lists_have_what_there_is(played: dict[str, dict[str, str]], name: s
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_turtlesim_has_the_types_of_its_distribution(played: dict[str, dict[str, str]], name: str) -> None:
     package = "turtlesim" if name in ("humble", "jazzy") else "turtlesim_msgs"
     said = played[name]["turtlesim"].splitlines()
@@ -251,7 +261,7 @@ def test_turtlesim_has_the_types_of_its_distribution(played: dict[str, dict[str,
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_hashes_and_descriptions_of_types_came_after_humble(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["turtlesim"]
     assert ("Topic type hash: RIHS01_" in said) == ("/turtlesim/get_type_description" in said) == (name != "humble")
@@ -262,7 +272,7 @@ def test_hashes_and_descriptions_of_types_came_after_humble(played: dict[str, di
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_rclpy_has_the_names_of_its_distribution(asked: dict[str, object], name: str) -> None:
     assert asked["rclpy"] == {key: name in there for key, (there, _) in RCLPY.items()}
     assert asked["manager"] == asked["event"] == (name != "humble")
@@ -270,7 +280,7 @@ def test_rclpy_has_the_names_of_its_distribution(asked: dict[str, object], name:
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> None:
     assert asked["wrong"] == "AssertionError: The 'data' field must be of type 'str'"
     refused = "AssertionError: Invalid arguments passed to constructor: check_fields"
@@ -279,7 +289,7 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["play"], name == "humble"
     assert "[rosbag2_player]: Set rate to 100" in said
@@ -288,7 +298,7 @@ def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> No
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_humble_tells_neither_distribution_nor_services_of_a_bag(played: dict[str, dict[str, str]], name: str) -> None:
     titles = [line.partition(":")[0] for line in played[name]["info"].splitlines() if line[:1].strip()]
     later = {"ROS Distro", "Service", "Service information"}
@@ -317,7 +327,7 @@ def test_pausing_and_stepping_are_logged_as_there(name: str, in_distribution: Ca
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
     played: dict[str, dict[str, str]], name: str
 ) -> None:
@@ -327,10 +337,10 @@ def test_a_program_that_writes_a_bag_gives_topics_an_id_since_jazzy(
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str) -> None:
     said, humble = played[name]["record"], name == "humble"
-    file = {"humble": r"mine_0\.db3", "rolling": r"0_mine_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.mcap"}.get(
+    file = {"humble": r"mine_0\.db3", "lyrical": r"0_mine_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d\.mcap"}.get(
         name, r"mine_0\.mcap"
     )
     assert re.search(rf"^{file}$", said, re.MULTILINE) and re.search(rf'path: "?{file}"?$', said, re.MULTILINE)
@@ -343,21 +353,21 @@ def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_lyrical_has_no_positional_topics_and_no_storage_of_a_bag_to_play(
     played: dict[str, dict[str, str]], name: str
 ) -> None:
-    said, rolling = played[name]["reindex"], name == "rolling"
+    said, lyrical = played[name]["reindex"], name == "lyrical"
     assert "Reindexing complete." in said
-    assert ("unrecognized arguments: /chatter" in said) == ("unrecognized arguments: -s mcap" in said) == rolling
-    assert ("Listening for topics..." in said) != rolling
+    assert ("unrecognized arguments: /chatter" in said) == ("unrecognized arguments: -s mcap" in said) == lyrical
+    assert ("Listening for topics..." in said) != lyrical
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_the_bandwidth_of_several_topics_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["bandwidth"]
-    if name != "rolling":
+    if name != "lyrical":
         assert (
             "unrecognized arguments: /rosout" in said and said.count("the following arguments are required: topic") == 2
         )
@@ -369,7 +379,7 @@ def test_the_bandwidth_of_several_topics_came_with_lyrical(played: dict[str, dic
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_the_action_tutorial_and_a_warning_are_those_of_the_distribution(
     played: dict[str, dict[str, str]], name: str
 ) -> None:
@@ -379,7 +389,7 @@ def test_the_action_tutorial_and_a_warning_are_those_of_the_distribution(
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_launch_files_have_the_names_of_their_distribution(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["launch files"]
     for key in LAUNCHED:
@@ -395,7 +405,7 @@ def test_launch_files_have_the_names_of_their_distribution(played: dict[str, dic
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_ros2_lists_the_verbs_of_its_distribution(played: dict[str, dict[str, str]], name: str) -> None:
     for words, (there, _) in VERBS.items():
         command, verb = words.split()
@@ -447,12 +457,12 @@ def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["parameters"].removeprefix("Set parameter successful\n" * 2)
     first = "Integer values are: " + ("array('q', [1, 2])" if name == "humble" else "[1, 2]") + "\n"
     assert said.startswith(first)
-    if name != "rolling":
+    if name != "lyrical":
         assert "unrecognized arguments: flag" in said and "the following arguments are required: parameter_name" in said
         assert "Parameter not set\n" in said
         return
@@ -468,10 +478,10 @@ def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]],
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_details_of_a_service_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["service details"]
-    if name != "rolling":
+    if name != "lyrical":
         assert ("unrecognized arguments: -v" in said) == (name != "humble")
         return
     gid = r"(?:[0-9a-f]{2}\.){15}0"
@@ -488,7 +498,7 @@ def test_details_of_a_service_came_with_lyrical(played: dict[str, dict[str, str]
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_humble_can_dump_parameters_into_a_folder(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["parameters"]
     if name != "humble":
@@ -504,7 +514,7 @@ def test_humble_can_dump_parameters_into_a_folder(played: dict[str, dict[str, st
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLAYED)
 def test_texts_that_humble_has(played: dict[str, dict[str, str]], name: str) -> None:
     humble = name == "humble"
     assert (f"one of the ament license {'identitifers' if humble else 'identifiers'}:") in played[name]["licence"]

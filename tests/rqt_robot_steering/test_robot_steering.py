@@ -196,8 +196,8 @@ GIVEN = ("--ros-args", "-p", "default_topic:=/mine", "-p", "default_stamped:=fal
     [
         ("humble", (), "/cmd_vel", False, 1000),
         ("jazzy", GIVEN, "/cmd_vel", False, 1000),
-        ("rolling", (), "/cmd_vel", True, 1000),
-        ("rolling", GIVEN, "/mine", False, 2200),
+        ("lyrical", (), "/cmd_vel", True, 1000),
+        ("lyrical", GIVEN, "/mine", False, 2200),
     ],
 )
 def test_it_begins_as_that_of_its_distribution(
@@ -212,7 +212,7 @@ def test_it_begins_as_that_of_its_distribution(
 def test_a_parameter_of_the_wrong_type_is_told_in_rclpys_words(
     machine: RqtMachine, in_distribution: Callable[[str], None]
 ) -> None:
-    in_distribution("rolling")
+    in_distribution("lyrical")
     running = machine.start(
         "rqt_robot_steering",
         "rqt_robot_steering",

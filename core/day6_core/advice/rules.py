@@ -232,7 +232,7 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
     if text := _of_the_workspace(whole, around, language):
         return text
     turtlesim = differences.value("turtlesim.interfaces")
-    if whole in differences.VALUES["turtlesim.interfaces"][0] and whole != turtlesim:
+    if whole in differences.VALUES["turtlesim.interfaces"][0].values() and whole != turtlesim:
         return _say("module.moved", language, name=whole, distro=current(), now=turtlesim)
     if whole in OF_ROS_1:
         return _say("module.ros1", language, name=whole, now=OF_ROS_1[whole])

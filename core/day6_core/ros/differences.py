@@ -19,17 +19,17 @@ _SHARE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "share")
 _SHARES = f"{_SHARE}_of"
 
 
-def _in_humble(old: Any, usual: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
-    return (old, usual, usual, usual), source
+def _in_humble(old: Any, usual: Any, source: str) -> tuple[dict[str, Any], str]:
+    return {"humble": old, "jazzy": usual}, source
 
 
-def _in_rolling(usual: Any, new: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
-    return (usual, usual, usual, new), source
+def _since_lyrical(usual: Any, new: Any, source: str) -> tuple[dict[str, Any], str]:
+    return {"humble": usual, "lyrical": new}, source
 
 
-VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
+VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "turtlesim.interfaces": (
-        ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
+        {"humble": "turtlesim", "kilted": "turtlesim_msgs"},
         "ros/ros_tutorials#169 (turtlesim_msgs 1.9.2); ros2/ros2_documentation#5131: Jazzy and older use turtlesim",
     ),
     "turtlesim.holonomic": _in_humble(
@@ -59,11 +59,11 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     ),
     "rclpy.init_returns_manager": _in_humble(False, True, "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
     "rclcpp.signal": (
-        ("SIGINT/SIGTERM", "SIGINT/SIGTERM", "SIGINT/SIGTERM", "signum={number}"),
+        {"humble": "SIGINT/SIGTERM", "lyrical": "signum={number}"},
         "ros2/rclcpp#2986 (30.1.4), and #3000 for the others (16.0.17, 28.1.15, 29.5.6), which before said what Rolling says",
     ),
     "rclcpp.lifecycle_warns": (
-        (False, False, True, True),
+        {"humble": False, "kilted": True},
         "ros2/rclcpp: rclcpp_lifecycle/src/lifecycle_node.cpp, branches humble, jazzy and rolling (29.3)",
     ),
     "ros2.same_names": _in_humble(
@@ -80,7 +80,7 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "param.dump_to_folder": _in_humble(
         True, False, "ros2/ros2cli: --output-dir and --print in ros2param/verb/dump.py, branches humble and not jazzy"
     ),
-    "param.several": _in_rolling(
+    "param.several": _since_lyrical(
         False, True, "ros2/ros2cli#1170, #1174, #1185, #1203, #1204: ros2param/verb; Release-Lyrical-Luth.rst"
     ),
     "robot_state_publisher.names_segments": _in_humble(
@@ -121,35 +121,35 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     ),
     "bag.progress_rate": _in_humble(0, 3, "ros2/rosbag2#1836 (after Jazzy, see KEPT)"),
     "bag.positional_topics": (
-        ("taken", "taken", "deprecated", "removed"),
+        {"humble": "taken", "kilted": "deprecated", "lyrical": "removed"},
         "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling; #2328 (Lyrical)",
     ),
-    "bag.play_takes_storage": _in_rolling(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
-    "bag.file_names": _in_rolling(
+    "bag.play_takes_storage": _since_lyrical(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
+    "bag.file_names": _since_lyrical(
         "name_index", "index_name_time", "ros2/rosbag2#2265; Release-Lyrical-Luth.rst of ros2_documentation"
     ),
-    "service.info_verbose": _in_rolling(
+    "service.info_verbose": _since_lyrical(
         False,
         True,
         "ros2/ros2cli#916, ros2/rclpy#1307; Release-Lyrical-Luth.rst and Understanding-ROS2-Services.rst of "
         "ros2_documentation, whose rmw_fastrtps has two endpoints for a service",
     ),
-    "topic.bw_of_several": _in_rolling(False, True, "ros2/ros2cli#1124, #1130: ros2topic/verb/bw.py (Lyrical)"),
-    "topic.hz_of_all": _in_rolling(False, True, "ros2/ros2cli#1122: ros2topic/verb/hz.py (Lyrical)"),
+    "topic.bw_of_several": _since_lyrical(False, True, "ros2/ros2cli#1124, #1130: ros2topic/verb/bw.py (Lyrical)"),
+    "topic.hz_of_all": _since_lyrical(False, True, "ros2/ros2cli#1122: ros2topic/verb/hz.py (Lyrical)"),
     "rqt_robot_steering.stamped": (
-        (False, False, False, True),
+        {"humble": False, "lyrical": True},
         "ros-visualization/rqt_robot_steering#18 (1.0.1: what is not kept is not the text 'true') and #28 (4.0.2, Rolling)",
     ),
     "rqt_robot_steering.parameters": (
-        (False, False, False, True),
+        {"humble": False, "lyrical": True},
         "ros-visualization/rqt_robot_steering#28 (4.0.2, Rolling); before it asks for undeclared ones, '~default_topic'",
     ),
     "action.root_node": (
-        ("/", "/", "//", "/"),
+        {"humble": "/", "kilted": "//", "lyrical": "/"},
         "ros2/ros2cli#926, #1049 (#1052 in Humble 0.18.13, #1051 in Jazzy 0.32.5); Kilted as it was recorded",
     ),
 }
-"""Key -> (the values in the order of `NAMES`, the source)."""
+"""Key -> (the value from each of these distributions on, the source)."""
 
 
 def _since(name: str, source: str) -> tuple[tuple[str, ...], str]:
@@ -192,28 +192,28 @@ INTERFACES: dict[str, tuple[tuple[str, ...], str]] = {
 
 _STORES = "the type stores of rosbags 0.11 (from the message definitions of each release)"
 
-TEXTS: dict[str, tuple[str, str]] = {
-    "rcl_interfaces/msg/Log": ("humble", "ros2/rcl_interfaces: Log.msg, branches humble (byte) and jazzy (uint8)"),
-    "sensor_msgs/msg/BatteryState": ("humble", _COMMON),
-    "sensor_msgs/msg/NavSatStatus": ("humble", _COMMON),
-    "sensor_msgs/msg/Range": ("humble", _COMMON),
-    "visualization_msgs/msg/Marker": ("humble", _COMMON),
-    "rosbag2_interfaces/msg/ReadSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
-    "rosbag2_interfaces/msg/WriteSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
-    "lifecycle_msgs/msg/TransitionEvent": ("rolling", _STORES),
-    "sensor_msgs/msg/PointField": ("rolling", _STORES),
-    "nav_msgs/msg/Trajectory": ("rolling", _STORES),
-    "nav_msgs/msg/TrajectoryPoint": ("rolling", _STORES),
-    "rosbag2_interfaces/msg/MessagesLostEvent": ("rolling", "ros2/rosbag2#2150"),
-    "rosbag2_interfaces/msg/MessagesLostEventTopicStat": ("rolling", "ros2/rosbag2#2150"),
+TEXTS: dict[str, tuple[tuple[str, ...], str]] = {
+    "rcl_interfaces/msg/Log": _until("humble", "ros2/rcl_interfaces: Log.msg, branches humble (byte) and jazzy (uint8)"),
+    "sensor_msgs/msg/BatteryState": _until("humble", _COMMON),
+    "sensor_msgs/msg/NavSatStatus": _until("humble", _COMMON),
+    "sensor_msgs/msg/Range": _until("humble", _COMMON),
+    "visualization_msgs/msg/Marker": _until("humble", _COMMON),
+    "rosbag2_interfaces/msg/ReadSplitEvent": _until("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "rosbag2_interfaces/msg/WriteSplitEvent": _until("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "lifecycle_msgs/msg/TransitionEvent": _since("lyrical", _STORES),
+    "sensor_msgs/msg/PointField": _since("lyrical", _STORES),
+    "nav_msgs/msg/Trajectory": _since("lyrical", _STORES),
+    "nav_msgs/msg/TrajectoryPoint": _since("lyrical", _STORES),
+    "rosbag2_interfaces/msg/MessagesLostEvent": _since("lyrical", "ros2/rosbag2#2150"),
+    "rosbag2_interfaces/msg/MessagesLostEventTopicStat": _since("lyrical", "ros2/rosbag2#2150"),
     **dict.fromkeys(
         (f"rosgraph_msgs/msg/{name}"
          for name in ("Action", "Graph", "InterfaceType", "Node", "QoSProfile", "Service", "Topic", "TypeHash")),
-        ("rolling", _STORES),
+        _since("lyrical", _STORES),
     ),
 }  # fmt: skip
-"""Interface -> (the only distribution that has the text in `share_of/<name>`, the source); the others have that of `share`,
-where there is one."""
+"""Interface -> (the distributions that have the text in `share_of/<the first of them>`, the source); the others have that of
+`share`, where there is one."""
 
 _RCLPY = "ros2/rclpy: branches humble and jazzy"
 
@@ -325,15 +325,15 @@ KEPT: dict[str, str] = {
 """What deliberately is another one than there, and how."""
 
 UNSETTLED: dict[str, str] = {
-    "Rolling": "has Lyrical's packages and interfaces; of its rclpy and ros2 what stands above, else Kilted's",
-    "rclpy of Rolling": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
+    "Rolling": "is Lyrical, from which it goes on: what came after May 2026 isn't told apart",
+    "rclpy of Lyrical": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
     "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510); what #1456 removed as deprecated is there",
-    "ros2 of Rolling": "lacks what doctor --report adds (#1045, #1059, #1076, #1079), "
+    "ros2 of Lyrical": "lacks what doctor --report adds (#1045, #1059, #1076, #1079), "
     "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
     "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",
-    "bags of Rolling": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
+    "bags of Lyrical": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
     "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150), the newer methods of its classes",
-    "launch of Rolling": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
+    "launch of Lyrical": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
     "(rcl#1275), robot_state_publisher use_robot_description_topic (#234)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
     "rclpy#1584): the words are in no source at hand",
@@ -345,7 +345,7 @@ UNSETTLED: dict[str, str] = {
     "words of help": "of options that all have are Kilted's",
     "ros2 doctor --exclude-packages": "is there in Humble too",
     "pictures of turtles": "one more in each distribution; windows here draw all turtles alike",
-    "rqt_robot_steering before Rolling": "its restore_settings is known from #18 only, not after #23 (1.0.2 to 3.0.0): as in #18",
+    "rqt_robot_steering before Lyrical": "its restore_settings is known from #18 only, not after #23 (1.0.2 to 3.0.0): as in #18",
     "depth of a Humble turtlesim's topics": "7 as later (ros_tutorials#161) in place of 1: no tool shows it",
 }
 """What no source could settle, or is known and not told apart -> what is done."""
@@ -353,7 +353,8 @@ UNSETTLED: dict[str, str] = {
 
 def value(key: str) -> Any:
     """Return the value of a row of `VALUES` in this process's distribution."""
-    return VALUES[key][0][NAMES.index(current())]
+    row = VALUES[key][0]
+    return next(row[name] for name in reversed(NAMES[: NAMES.index(current()) + 1]) if name in row)
 
 
 def has_package(name: str) -> bool:
@@ -371,7 +372,7 @@ def has_interface(name: str) -> bool:
 def path_of(interface: str, share: str) -> str:
     """Return the file with the text of an interface of our packages, which are in `share`."""
     package, kind, name = interface.split("/")
-    folder = os.path.join(_SHARES, current()) if _has_own_text(interface) else share
+    folder = os.path.join(_SHARES, TEXTS[interface][0][0]) if _has_own_text(interface) else share
     return os.path.join(folder, package, kind, f"{name}.{kind}")
 
 
@@ -439,4 +440,4 @@ def own_texts(package: str) -> list[str]:
 
 
 def _has_own_text(interface: str) -> bool:
-    return interface in TEXTS and TEXTS[interface][0] == current()
+    return interface in TEXTS and current() in TEXTS[interface][0]

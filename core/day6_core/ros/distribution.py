@@ -15,7 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-NAMES = ("humble", "jazzy", "kilted", "rolling")
+NAMES = ("humble", "jazzy", "kilted", "lyrical", "rolling")
 """From the oldest to the newest."""
 DEFAULT = "jazzy"
 HANDED_ON = "DAY6_DISTRO"

@@ -18,7 +18,7 @@ TEXTS = {
     "action.clear": "Clear the terminal's scrollback",
     "action.language": "中文 / English",
     "action.theme": "Theme: dark, light, high contrast, colour-blind",
-    "action.distro": "ROS 2 distribution: Humble, Jazzy, Kilted, Rolling",
+    "action.distro": "ROS 2 distribution: Humble, Jazzy, Kilted, Lyrical, Rolling",
     "action.glyphs": "Next drawing style (pixels, half, braille, cell, ascii)",
     "action.letters": "Font and text size",
     "action.split.right": "Split: terminal on the right",

@@ -18,7 +18,7 @@ TEXTS = {
     "action.clear": "清除终端的历史画面",
     "action.language": "English / 中文",
     "action.theme": "配色：深色、浅色、高对比度、色盲友好",
-    "action.distro": "ROS 2 发行版：Humble、Jazzy、Kilted、Rolling",
+    "action.distro": "ROS 2 发行版：Humble、Jazzy、Kilted、Lyrical、Rolling",
     "action.glyphs": "换一种画法（pixels、half、braille、cell、ascii）",
     "action.letters": "字体和字的大小",
     "action.split.right": "分屏：右边开一个终端",
