@@ -50,6 +50,7 @@ import json, sys
 from importlib import import_module
 import rclpy
 from rclpy.node import Node
+from rclpy.qos import HistoryPolicy
 from std_msgs.msg import String
 import example_interfaces.srv as srv
 from example_interfaces.srv import AddTwoInts
@@ -78,6 +79,9 @@ print(json.dumps({
     "wrong": said(lambda: String(data=5)),
     "unchecked": said(lambda: String(data=5, check_fields=False)),
     "slots": list(String.__slots__),
+    "alone": said(lambda: node.declare_parameters("", [("alone",)])),
+    "old_policy": said(lambda: HistoryPolicy.RMW_QOS_POLICY_HISTORY_KEEP_LAST),
+    "qos_event": said(lambda: import_module("rclpy.qos_event")),
     "event": hasattr(AddTwoInts, "Event") and "AddTwoInts_Event" in srv.__all__,
 }))
 """
@@ -125,6 +129,8 @@ PARTS = {
     "ros2 param dump /parameter_blackboard --output-dir kept; kill %1; kill %2; wait",
     "service details": "ros2 run demo_nodes_cpp add_two_ints_server > /dev/null 2>&1 & "
     "until ros2 service list | grep -q two_ints; do sleep 0.05; done; ros2 service info -v /add_two_ints; kill %1; wait",
+    "build": "mkdir -p ws/src; cd ws/src; ros2 pkg create --build-type ament_python made > /dev/null 2>&1; cd ..; "
+    "colcon build 2>&1; cd ..",
     "licence": "ros2 pkg create --build-type ament_cmake unlicensed",
     "segments": "echo \"<robot name='r'><link name='b'/><link name='a'/><joint name='j' type='fixed'><parent link='b'/>"
     "<child link='a'/></joint></robot>\" > r.urdf; ros2 run robot_state_publisher robot_state_publisher r.urdf > said.txt 2>&1 & "
@@ -184,7 +190,8 @@ def played(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]
 @pytest.fixture
 def asked(played: dict[str, dict[str, str]], name: str) -> dict[str, object]:
     """What the program of a user found in a distribution."""
-    answer: dict[str, object] = json.loads(played[name]["rclpy"])
+    line = next(line for line in played[name]["rclpy"].splitlines() if line.startswith("{"))  # between warnings
+    answer: dict[str, object] = json.loads(line)
     return answer
 
 
@@ -286,6 +293,20 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
     refused = "AssertionError: Invalid arguments passed to constructor: check_fields"
     assert asked["unchecked"] == (refused if name == "humble" else None)
     assert asked["slots"] == (["_data"] if name == "humble" else ["_data", "_check_fields"])
+
+
+@pytest.mark.process
+@pytest.mark.parametrize("name", PLAYED)
+def test_what_was_deprecated_is_gone_in_lyrical(
+    played: dict[str, dict[str, str]], asked: dict[str, object], name: str
+) -> None:
+    gone = name == "lyrical"
+    assert str(asked["alone"]).startswith("TypeError: when declaring parameter named 'alone', ") == gone
+    assert str(asked["old_policy"]).startswith("AttributeError: ") == gone
+    assert asked["qos_event"] == ("ModuleNotFoundError: No module named 'rclpy.qos_event'" if gone else None)
+    assert ("Unknown distribution option: 'tests_require'" in played[name]["build"]) == gone
+    package = "example_interfaces" if gone else "std_msgs"
+    assert f"Topic: /chatter | Type: {package}/msg/String | " in played[name]["info"]
 
 
 @pytest.mark.process

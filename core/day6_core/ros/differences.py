@@ -43,6 +43,20 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "action_tutorials.interfaces": _in_humble(
         "action_tutorials_interfaces", "example_interfaces", "ros2/demos#701 (after Jazzy, see KEPT)"
     ),
+    "demos.messages": _since_lyrical("std_msgs", "example_interfaces", "ros2/demos#674: talkers, listeners, showimage"),
+    "setuptools.takes_tests_require": _since_lyrical(
+        True,
+        False,
+        "pypa/setuptools: v72.0.0 removed it; Ubuntu 24.04 has 68.1.2, 26.04 (Lyrical, REP 2000) a later one",
+    ),
+    "parameters.need_more_than_a_name": _since_lyrical(
+        False,
+        True,
+        "ros2/rclpy#1456: Node.declare_parameters raises TypeError; its words are taken to be those of the warning",
+    ),
+    "rclpy.deprecated_names": _since_lyrical(
+        True, False, "ros2/rclpy#1456: RMW_QOS_POLICY_… of the policies and the module qos_event; see also RCLPY"
+    ),
     "messages.check_fields": _in_humble(
         "always",
         "option",
@@ -216,13 +230,16 @@ TEXTS: dict[str, tuple[tuple[str, ...], str]] = {
 `share`, where there is one."""
 
 _RCLPY = "ros2/rclpy: branches humble and jazzy"
+_REMOVED = "ros2/rclpy#1456 (Lyrical: what was deprecated is removed)"
 
 RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
     "rclpy:try_shutdown": _since("jazzy", "ros2/rclpy#1302 (after Jazzy, see KEPT)"),
     "rclpy.client:Client.configure_introspection": _since("jazzy", _RCLPY),
     "rclpy.client:Client.service_name": _since("jazzy", _RCLPY),
     "rclpy.context:Context.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.event_handler:QoSEventHandler": _until("kilted", _REMOVED),
     "rclpy.executors:Executor.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.impl.rcutils_logger:RcutilsLogger.warn": _until("kilted", _REMOVED),
     "rclpy.logging:get_logger_level": _since("jazzy", _RCLPY),
     "rclpy.node:Node.add_post_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
     "rclpy.node:Node.add_pre_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
@@ -327,7 +344,7 @@ KEPT: dict[str, str] = {
 UNSETTLED: dict[str, str] = {
     "Rolling": "is Lyrical, from which it goes on: what came after May 2026 isn't told apart",
     "rclpy of Lyrical": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
-    "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510); what #1456 removed as deprecated is there",
+    "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510)",
     "ros2 of Lyrical": "lacks what doctor --report adds (#1045, #1059, #1076, #1079), "
     "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
     "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",

@@ -16,12 +16,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from day6_core.ros import differences
 from day6_core.workspace.files import NotOurOutput, links_in
 from day6_core.workspace.jobs import JobFailure, Work
 from day6_core.workspace.local_setup_util import Environment, source_package
 from day6_core.workspace.packages import Package
 from day6_core.workspace.settings import BuildSettings
-from day6_core.workspace.setup_child import MARK
+from day6_core.workspace.setup_child import MARK, TAKES_TESTS_REQUIRE
 from day6_core.workspace.setup_scripts import write_hook, write_package_scripts
 
 _CHILD = Path(__file__).with_name("setup_child.py")
@@ -162,7 +163,8 @@ class _PythonBuild:
             raise _failed(self.work, AssertionError(f"Expected {command} to pass: {sys.executable}: {reason}\n"))
         # The interpreter that runs setup.py does not need the prefix: setuptools gets every folder as an option.
         env = {**self.environment, "PYTHONPATH": self.environment["PYTHONPATH"].partition(os.pathsep)[2]}
-        process = self.work.start([sys.executable, str(_CHILD)], self.package.path, env)
+        told = [TAKES_TESTS_REQUIRE] if differences.value("setuptools.takes_tests_require") else []
+        process = self.work.start([sys.executable, str(_CHILD), *told], self.package.path, env)
         self._first_errors: list[str] = []
         self._first_output: list[str] = []
         self._marked = False

@@ -18,6 +18,8 @@ import warnings
 from typing import Any
 
 MARK = "\x1e"
+TAKES_TESTS_REQUIRE = "--takes-tests-require"
+"""Given where the distribution's setuptools still has that argument of setup()."""
 
 _FIELDS = ("data_files", "packages", "package_dir", "package_data", "py_modules", "scripts")
 
@@ -49,9 +51,10 @@ def main() -> None:
 
 
 def _ignore_newer_warnings() -> None:
-    """Suppress warnings of things that Ubuntu 24.04's setuptools still accepts: the setup.py of `ros2 pkg create` has many."""
+    """Suppress warnings of things that the setuptools of this distribution's Ubuntu still accepts."""
     warnings.filterwarnings("ignore", message=r"(?s).*setup\.py install is deprecated")
-    warnings.filterwarnings("ignore", message=r"Unknown distribution option: 'tests_require'")
+    if TAKES_TESTS_REQUIRE in sys.argv:
+        warnings.filterwarnings("ignore", message=r"Unknown distribution option: 'tests_require'")
     warnings.filterwarnings("ignore", message=r"(?s).*License classifiers are deprecated")
     # The build sets all folders; the system's own distutils would change them.
     os.environ.setdefault("SETUPTOOLS_USE_DISTUTILS", "local")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from example_interfaces.srv import AddTwoInts
-from std_msgs.msg import String
 
+from day6_core.ros.programs.demo_messages import String
 from day6_core.ros.programs.demo_nodes_cpp.listener import Listener
 
 if TYPE_CHECKING:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from std_msgs.msg import Float32
-
 from day6_core.ros.programs._component import run
+from day6_core.ros.programs.demo_messages import Float32
 from rclpy.qos import QoSProfile
 
 COLDEST, HOTTEST, STEP = -100.0, 150.0, 10.0

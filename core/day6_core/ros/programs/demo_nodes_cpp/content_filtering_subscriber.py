@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from std_msgs.msg import Float32
-
 from day6_core.ros.programs._component import run
+from day6_core.ros.programs.demo_messages import Float32
 from rclpy.subscription_content_filter_options import ContentFilterOptions
 
 LOW, HIGH = -30.0, 100.0

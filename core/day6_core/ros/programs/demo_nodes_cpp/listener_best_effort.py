@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from std_msgs.msg import String
-
 from day6_core.ros.programs._component import run
+from day6_core.ros.programs.demo_messages import String
 from rclpy.qos import qos_profile_sensor_data
 
 if TYPE_CHECKING:

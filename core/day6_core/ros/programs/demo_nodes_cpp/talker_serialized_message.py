@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from std_msgs.msg import String
-
+from day6_core.ros.programs.demo_messages import String
 from day6_core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from rclpy.qos import QoSProfile
 from rclpy.serialization import serialize_message

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from std_msgs.msg import String
-
 from day6_core.ros.programs._waiting import spin
+from day6_core.ros.programs.demo_messages import String
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import LoggerLevel
 from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
-from std_msgs.msg import String
 
+from day6_core.ros.programs.demo_messages import String
 from rclpy.task import Future
 
 if TYPE_CHECKING:

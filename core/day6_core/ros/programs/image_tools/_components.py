@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ParameterDescriptor
 from sensor_msgs.msg import Image
-from std_msgs.msg import Bool
 
+from day6_core.ros.programs.demo_messages import Bool
 from day6_core.ros.programs.image_tools._burgers import Burgers
 from day6_core.ros.programs.rclcpp import CppException
 from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy, qos_profile_sensor_data

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from std_msgs.msg import String
-
 from day6_core.ros.programs._waiting import spin
+from day6_core.ros.programs.demo_messages import String
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 
 if TYPE_CHECKING:

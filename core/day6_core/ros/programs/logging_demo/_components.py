@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from logging_demo.srv import ConfigLogger
-from std_msgs.msg import String
 
+from day6_core.ros.programs.demo_messages import String
 from rclpy.logging import LoggingSeverity
 
 if TYPE_CHECKING:

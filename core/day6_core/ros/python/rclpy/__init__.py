@@ -41,6 +41,9 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 
+if value("rclpy.deprecated_names"):
+    __path__.append(f"{__path__[0]}/_day6/until_kilted")
+
 # In real rclpy these come with rclpy.node, so programs use them as attributes once that is imported.
 _WITH_NODE = frozenset(
     (

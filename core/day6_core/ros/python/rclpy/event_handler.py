@@ -11,6 +11,7 @@ from rclpy._day6.callables import is_coroutine_function
 from rclpy._day6.entity import NOTHING
 from rclpy._day6.incidental import also
 from rclpy._day6.logging_settings import PROCESS
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import (
     Destroyable,
     rcl_publisher_event_type_t,
@@ -348,7 +349,7 @@ def _warn(parent: EndpointHandle, text: str) -> None:
     if logger._settings is PROCESS:
         # By name, as real rclpy does it: programs replace the root logger to catch these.
         logger = get_logger(logger.name)
-    logger.warn(text)
+    logger.warning(text)
 
 
 def _qos_warning(parent: Any, text: str) -> Callable[[QoSRequestedIncompatibleQoSInfo], None]:
@@ -373,3 +374,6 @@ def _make_handlers(
         for callback, event_type in wanted
         if callback
     ]
+
+
+withdraw(__name__)

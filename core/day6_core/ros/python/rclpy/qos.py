@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 from day6_core.graph import QoS
 from day6_core.graph import qos as graph_qos
+from day6_core.ros.differences import value
 from rclpy._day6.incidental import also
 from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import RMW_QOS_DEADLINE_BEST_AVAILABLE, RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE
@@ -132,7 +133,7 @@ _OLD_NAMES: tuple[tuple[type[QoSPolicyEnum], str, tuple[str, ...]], ...] = (
     # A slip of real rclpy that programs could rely on: the unknown liveliness has a name of durability.
     (LivelinessPolicy, "DURABILITY", ("UNKNOWN",)),
 )
-for _class, _prefix, _names in _OLD_NAMES:
+for _class, _prefix, _names in _OLD_NAMES if value("rclpy.deprecated_names") else ():
     for _name in _names:
         setattr(_class, f"RMW_QOS_POLICY_{_prefix}_{_name}", _OldName(f"RMW_QOS_POLICY_{_prefix}_{_name}", _name))
 

@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from day6_core.ros import differences
 from rclpy.parameter import Parameter
 from rclpy.validate_parameter_name import validate_parameter_name
 
@@ -56,6 +57,8 @@ def declared_parameter(
     if not isinstance(descriptor, ParameterDescriptor):
         raise TypeError(f"Third element {descriptor} at index {index} in parameters list is not a ParameterDescriptor.")
     if len(entry) == 1:
+        if differences.value("parameters.need_more_than_a_name"):
+            raise TypeError(_ONLY_A_NAME.format(name))
         # Real rclpy's warning names its own line too.
         warnings.warn(_ONLY_A_NAME.format(name), stacklevel=1)
         descriptor.dynamic_typing = True

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from rclpy._day6.incidental import also
 from rclpy._day6.logging_settings import PROCESS, LoggingSettings
+from rclpy._day6.withdrawn import withdraw
 from rclpy.clock import Clock
 from rclpy.impl.logging_severity import LoggingSeverity
 
@@ -318,3 +319,6 @@ def _wrong_message(severity: Any, name: str, message: object, caller: CallerId) 
         f"\n\nInvoked with: {severity!r}, {name!r}, {message!r}, {caller.function_name!r}, {caller.file_path!r}, "
         f"{caller.line_number!r}"
     )
+
+
+withdraw(__name__)
