@@ -357,12 +357,47 @@ def test_a_fault_in_a_message_package_is_told(
     assert "Traceback" not in done.err
 
 
-def test_a_c_plus_plus_package_is_refused_honestly(workshop: Workshop) -> None:
-    workshop.run("ros2 pkg create day6_cpp --node-name talker", workshop.terminal(workshop.workspace / "src"))
+@pytest.mark.process
+def test_a_c_plus_plus_package_is_left_out_and_stops_no_other(workshop: Workshop) -> None:
+    """A Python course with one C++ package: what depends on it is built, and a launch runs its Python nodes."""
+    source = workshop.workspace / "src"
+    for words in (
+        "day6_py --build-type ament_python --node-name hello",
+        "day6_cpp --node-name counter",
+        "day6_bringup",
+    ):
+        workshop.run(f"ros2 pkg create {words}", workshop.terminal(source))
+    both = "<exec_depend>day6_py</exec_depend><exec_depend>day6_cpp</exec_depend>"
+    edit(source / "day6_bringup/package.xml", "</buildtool_depend>", f"</buildtool_depend>{both}")
+    edit(
+        source / "day6_bringup/CMakeLists.txt",
+        "ament_package()",
+        "install(DIRECTORY launch DESTINATION share/day6_bringup)",
+    )
+    (source / "day6_bringup/launch").mkdir()
+    launch = '<launch><node pkg="day6_cpp" exec="counter"/><node pkg="day6_py" exec="hello" output="screen"/></launch>'
+    (source / "day6_bringup/launch/up.launch.xml").write_text(launch, encoding="utf-8")
     done = workshop.run("colcon build")
-    assert done.status == 1
-    assert "day6-tui has no C++ compiler and no CMake: 'day6_cpp' cannot be built here" in done.err
-    assert timeless(done.out).endswith("  1 package failed: day6_cpp\n  1 package had stderr output: day6_cpp\n")
+    assert done.status == 0 and "left out of 'day6_cpp': executable counter.\n" in done.err
+    assert timeless(done.out).endswith("Summary: 3 packages finished [0.0s]\n  1 package had stderr output: day6_cpp\n")
+    said = workshop.run("source install/setup.bash; ros2 run day6_cpp counter").err
+    assert (
+        said.startswith("No executable found\n('counter' is a C++ program")
+        and "a real ROS 2 builds and runs it" in said
+    )
+    done = workshop.run("source install/setup.bash; ros2 launch day6_bringup up.launch.xml")
+    assert "executable 'counter' of package 'day6_cpp' isn't there ('counter' is a C++ program" in done.out
+    assert "[hello-1] Hi from day6_py." in done.out and done.status == 0
+
+
+def test_a_package_of_ros_that_nobody_has_here_stops_no_build_and_a_misspelt_one_does(workshop: Workshop) -> None:
+    source = workshop.workspace / "src"
+    workshop.run("ros2 pkg create day6_sim --dependencies ros_gz_sim", workshop.terminal(source))
+    done = workshop.run("colcon build")
+    assert done.status == 0 and "which 'day6_sim' looks for: ros_gz_sim.\nIt was built without them.\n" in done.err
+    edit(source / "day6_sim/CMakeLists.txt", "find_package(ros_gz_sim", "find_package(std_mgs")
+    done = workshop.run("colcon build")
+    assert done.status == 1 and 'By not providing "Findstd_mgs.cmake" in CMAKE_MODULE_PATH' in done.err
 
 
 # -- terminals ---------------------------------------------------------------------------------------------------------

@@ -26,7 +26,8 @@ def why_not(prefix: str, package: str, executable: str) -> str:
     if executable not in noted_programs(prefix, package):
         return ""
     return (
-        f"\n('{executable}' is a C++ program: day6-tui has no compiler, so 'colcon build' left it out of '{package}')"
+        f"\n('{executable}' is a C++ program: day6-tui has no compiler, so 'colcon build' left it out of '{package}'; "
+        "a real ROS 2 builds and runs it)"
     )
 
 

@@ -2,11 +2,11 @@
 
 Only the CMake commands that such packages use are known. A command used wrongly gives CMake's error.
 
-A package that contains C++ and other things is built without the C++, with status 0 and a note on standard error; its messages
-can be used by other packages, and its Python programs run. It fails (status 1, as when a target fails) if nothing else
-remains to be installed: it has C++ headers, libraries and programs only. The names of left-out programs are kept in the ament
-index (`ros/left_out`), so that `ros2 run` can explain why they are missing. A library that cannot be found is an error as in
-CMake, except in a package whose C++ is left out: only the compiler would have needed it, so it is only named.
+A package that contains C++ is built without it, with status 0 and a note on standard error, so that no C++ package stops the
+Python packages beside it; its messages can be used by others, and its Python programs run. The names of left-out programs
+are kept in the ament index (`ros/left_out`), so that `ros2 run` and launch can explain why they are missing. A package that
+cannot be found is an error as in CMake, unless its C++ is left out (only the compiler would have needed it) or ROS has such a
+package and day6-tui has not: then it is only named.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from day6_core.interfaces.definition import (
 from day6_core.interfaces.package import package_files
 from day6_core.interfaces.values import InvalidValue
 from day6_core.ros.left_out import replacements
+from day6_core.ros.released import is_released
 from day6_core.workspace.build_python import python_library
 from day6_core.workspace.cmake import CMakeError, Command, read_commands
 from day6_core.workspace.interface_packages import EXPORTS, InterfacePackages, exports_text
@@ -90,17 +91,6 @@ class _GeneratorError(ValueError):
         super().__init__(f"{last_line}\n({about})\n")
 
 
-def _needs_no_compiler(command: Command) -> bool:
-    """Return whether a command produces something that needs no compiler."""
-    if command.name in (_INTERFACES, "ament_python_install_package", "ament_python_install_module"):
-        return True
-    if command.name == "ament_auto_package":
-        return bool(command.after("INSTALL_TO_SHARE", "INSTALL_TO_PATH"))
-    if command.name != "install" or command.words[:1] not in (["DIRECTORY"], ["FILES"], ["PROGRAMS"]):
-        return False
-    return not any(folder.split("/")[0] == "include" for folder in command.after("DESTINATION")[:1])
-
-
 def cmake_variables(package: Package, settings: BuildSettings) -> dict[str, str]:
     """Return the variables that are set when a package's CMakeLists.txt starts."""
     here, build_folder = str(package.path), str(settings.build_base / package.name)
@@ -120,6 +110,21 @@ def cmake_variables(package: Package, settings: BuildSettings) -> dict[str, str]
         **({"UNIX": "1"} if sys.platform != "win32" else {}),
         **({system: "1"} if system else {}),
     }
+
+
+def _not_found(name: str, command: Command) -> CMakeError:
+    return CMakeError(
+        f'By not providing "Find{name}.cmake" in CMAKE_MODULE_PATH this project has asked CMake to find a package '
+        f'configuration file provided by "{name}", but CMake did not find one.\n\n'
+        f'Could not find a package configuration file provided by "{name}" with any of the following names:\n\n'
+        f"  {name}Config.cmake\n  {name.lower()}-config.cmake\n\n"
+        f'Add the installation prefix of "{name}" to CMAKE_PREFIX_PATH or set "{name}_DIR" to a directory '
+        f'containing one of the above files.  If "{name}" provides a separate development package or SDK, be '
+        "sure it has been installed.",
+        command.line,
+        "find_package",
+        command.file,
+    )
 
 
 class _CMakeBuild:
@@ -156,16 +161,19 @@ class _CMakeBuild:
             self._find,
         )
         left_out = find_left_out(commands)
-        only_cpp = bool(left_out) and not any(map(_needs_no_compiler, commands))
-        if only_cpp or self.package.type in ("cmake", "ros.cmake", "ros.catkin"):
-            return self._cannot_compile(left_out)
-        if not left_out:
-            self._refuse_missing()
+        unknown = [each for each in self.missing if not is_released(each[0])]
+        if unknown and not left_out:
+            raise _not_found(*unknown[0])
         for command in commands:
             self._run(command)
         self._finish(left_out)
         if left_out:
             self._report_left_out(left_out)
+        elif self.missing:
+            self.work.stderr(
+                f"day6-tui doesn't have these packages of ROS, which '{self.package.name}' looks for: {self._missing_names()}.\n"
+                "It was built without them.\n"
+            )
         return 0
 
     def _run(self, command: Command) -> None:
@@ -185,17 +193,11 @@ class _CMakeBuild:
 
     # -- left-out C++ --------------------------------------------------------------------------------------------------
 
-    def _cannot_compile(self, left_out: LeftOut) -> int:
-        kind = f" ({left_out})" if left_out else ""
-        self.work.stderr(
-            f"day6-tui has no C++ compiler and no CMake: '{self.package.name}' cannot be built here{kind}.\n"
-            "A real ROS 2 can build it: `day6-tui export` makes a zip of the workspace for it. Here you can build Python\n"
-            "packages, and packages with messages or with files to install.\n"
-        )
-        return 1
+    def _missing_names(self) -> str:
+        return ", ".join(dict.fromkeys(name for name, _ in self.missing))
 
     def _report_left_out(self, left_out: LeftOut) -> None:
-        names = ", ".join(dict.fromkeys(name for name, _ in self.missing))
+        names = self._missing_names()
         missing = f"Not found, and needed to compile it: {names}.\n" if names else ""
         ours = ", ".join(replacements(self.package.name, left_out.executables))
         instead = f"day6-tui has its own versions of these programs and starts them instead: {ours}.\n" if ours else ""
@@ -223,21 +225,6 @@ class _CMakeBuild:
     def _is_there(self, name: str) -> bool:
         known = self.packages.share(name) is not None or name in self.settings.needs.get(self.package.name, ())
         return known or name in _CPP.split() or name.lower().startswith(_TOOLS)
-
-    def _refuse_missing(self) -> None:
-        for name, command in self.missing[:1]:
-            raise CMakeError(
-                f'By not providing "Find{name}.cmake" in CMAKE_MODULE_PATH this project has asked CMake to find a package '
-                f'configuration file provided by "{name}", but CMake did not find one.\n\n'
-                f'Could not find a package configuration file provided by "{name}" with any of the following names:\n\n'
-                f"  {name}Config.cmake\n  {name.lower()}-config.cmake\n\n"
-                f'Add the installation prefix of "{name}" to CMAKE_PREFIX_PATH or set "{name}_DIR" to a directory '
-                f'containing one of the above files.  If "{name}" provides a separate development package or SDK, be '
-                "sure it has been installed.",
-                command.line,
-                "find_package",
-                command.file,
-            )
 
     # -- interfaces ----------------------------------------------------------------------------------------------------
 
@@ -396,6 +383,10 @@ class _CMakeBuild:
 
     def _finish(self, left_out: LeftOut) -> None:
         name = self.package.name
+        if self.package.manifest is None:  # a project of CMake alone
+            self.output.make_folder(self.prefix)
+            write_package_scripts(self.output, self.prefix, name, [], self.package.dependencies("run"))
+            return
         self.output.write_text(self.prefix / "share/ament_index/resource_index/packages" / name, "")
         write_note(self.output, self.prefix, name, left_out)
         self.output.write_text(self.share / EXPORTS, exports_text(self.exported))

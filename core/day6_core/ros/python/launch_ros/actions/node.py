@@ -21,7 +21,7 @@ from launch.utilities import ensure_argument_type, normalize_to_list_of_substitu
 
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from launch_ros.remap_rule_type import SomeRemapRules
-from launch_ros.substitutions.executable_in_package import ExecutableInPackage
+from launch_ros.substitutions.executable_in_package import ExecutableInPackage, LeftOut
 from launch_ros.utilities import (
     add_node_name,
     evaluate_parameters,
@@ -185,7 +185,11 @@ class Node(ExecuteProcess):
         if self.__expanded_namespace != "":
             own["ns"] = f"__ns:={self.__expanded_namespace}"
         context.extend_locals({"ros_specific_arguments": own})
-        result = super().execute(context)
+        try:
+            result = super().execute(context)
+        except LeftOut as error:  # a real ROS 2 would run it, so what is beside it runs
+            launch.logging.get_logger(self.name).error(str(error))
+            return None
         if self.is_node_name_fully_specified():
             add_node_name(context, self.node_name)
             count = get_node_name_count(context, self.node_name)

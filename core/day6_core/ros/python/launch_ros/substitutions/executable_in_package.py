@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 
+class LeftOut(SubstitutionFailure):
+    """The executable is a C++ program that the build left out: the launch goes on without it."""
+
+
 @expose_substitution("exec-in-pkg")
 class ExecutableInPackage(FindPackagePrefix):
     """`<prefix>/lib/<package>/<executable>`. Our own executables have such a path too, but no file."""
@@ -57,15 +61,13 @@ class ExecutableInPackage(FindPackagePrefix):
 
         if executable in replacements(package, noted_programs(prefix, package)):
             return os.path.join(BUILT_IN_PREFIX, "lib", package, executable)
+        if reason := why_not(prefix, package, executable):
+            raise LeftOut(f"executable '{executable}' of package '{package}' isn't there {reason.strip()}")
         if not os.path.exists(folder) and prefix != BUILT_IN_PREFIX:
             raise SubstitutionFailure(
                 f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist"
-                + why_not(prefix, package, executable)
             )
         found = shutil.which(executable, path=folder)
         if found is None:
-            raise SubstitutionFailure(
-                f"executable '{executable}' not found on the libexec directory '{folder}' "
-                + why_not(prefix, package, executable)
-            )
+            raise SubstitutionFailure(f"executable '{executable}' not found on the libexec directory '{folder}' ")
         return found
