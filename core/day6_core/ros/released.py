@@ -1,6 +1,6 @@
 """The names of the packages that are released for ROS 2, of which day6-tui has a few: those that a pupil didn't make up.
 
-`released_packages.txt` has the packages of humble, jazzy, kilted, lyrical and rolling in ros/rosdistro (`distribution.yaml`, August
+`released_packages.txt` has those of humble, jazzy, kilted, lyrical and rolling in ros/rosdistro (`distribution.yaml`, August
 2026), one a line. Beside them are the libraries of the system for which packages of ROS look.
 """
 
@@ -10,8 +10,8 @@ from functools import cache
 from pathlib import Path
 
 _SYSTEM = frozenset({
-    "assimp", "boost", "bullet", "ceres", "cuda", "curl", "eigen3", "ffmpeg", "fmt", "gazebo", "gazebo_ros", "gflags", "glew", "glib",
-    "glog", "gtest", "gtsam", "libusb", "nlohmann_json", "opencv", "opengl", "openmp", "openssl", "pcl", "pcl_ros", "protobuf",
+    "assimp", "boost", "bullet", "ceres", "cuda", "curl", "eigen3", "ffmpeg", "fmt", "gazebo", "gflags", "glew", "glib",
+    "glog", "gtest", "gtsam", "libusb", "nlohmann_json", "opencv", "opengl", "openmp", "openssl", "pcl", "protobuf",
     "qt5", "qt6", "sdl2", "spdlog", "sqlite3", "tbb", "tinyxml2", "vtk", "yaml-cpp", "zlib",
 })  # fmt: skip
 
