@@ -215,10 +215,10 @@ VARIABLES = (
         "ROS_PYTHON_CHECK_FIELDS",
         "ros",
         (
-            "`0` leaves out the checks of values that are assigned to the fields of messages.",
-            "设为 `0` 时，给消息的字段赋值不再检查。",
+            "`0`: values for the fields of messages aren't checked. `1`: also numeric arrays take only what fits exactly.",
+            "`0`：给消息的字段赋值不检查；`1`：数字的数组也只收类型完全一样的值。",
         ),
-        ("`1`: values are checked", "`1`：检查"),
+        ("single values are checked", "检查单个的值"),
     ),
     Variable(
         "RCUTILS_CONSOLE_OUTPUT_FORMAT",

@@ -161,7 +161,7 @@ MEANS = {
     RCLPY + "n.declare_parameter('x', 1)\nn.get_parameter('x') + 1": "returns the parameter, not its value: add .value",
     RCLPY + "n.create_timer(print, 0.5)": "One of the values for rclpy has the wrong type",
     "from geometry_msgs.msg import Twist\nt = Twist()\nt.linear = 1.0": "linear is a whole Vector3, not a number",
-    "from std_msgs.msg import Float64MultiArray\nFloat64MultiArray().data = [1, 2]": "data takes a list of decimal numbers",
+    "from std_msgs.msg import Float64MultiArray\nFloat64MultiArray().data = ['1', '2']": "data takes a list of decimal numbers",
     "from turtlesim.srv import SetPen\nSetPen.Request().r = 300": "r must be between the two numbers",
     "class A:\n    def _init_(self, x): pass\nA(1)": "A got values in its brackets, but it takes none",
     "class A:\n    def go(self): pass\nA.go()": "go has to be called on an object of A",

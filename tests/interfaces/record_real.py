@@ -137,8 +137,8 @@ def answers(cls: Any, field: str) -> list[str]:
     """Return what happens for every question: set on a message, given to the constructor, set with checks off."""
     found = []
     for ask in (
-        lambda value: set_field(cls(), field, value),
-        lambda value: getattr(cls(**{field: value}), field),
+        lambda value: set_field(cls(check_fields=True), field, value),
+        lambda value: getattr(cls(check_fields=True, **{field: value}), field),
         lambda value: set_field(cls(check_fields=False), field, value),
     ):
         for value in questions(cls, field):

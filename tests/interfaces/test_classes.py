@@ -212,6 +212,38 @@ def test_a_message_can_not_be_a_key() -> None:
         hash(String())
 
 
+def test_numeric_arrays_take_what_array_and_numpy_take() -> None:
+    """As in real ROS, where nothing is checked by itself; what they refuse is refused in the words of the checks."""
+    import numpy
+    from geometry_msgs.msg import PoseWithCovariance
+    from sensor_msgs.msg import JointState
+    from std_msgs.msg import Int32MultiArray
+
+    state = JointState(position=[0, 1.5])
+    assert state.position == array("d", [0.0, 1.5])
+    for value in (
+        (0, 1),
+        range(2),
+        numpy.array([0, 1]),
+        numpy.linspace(0.0, 1.0, 2),
+        (x for x in (0, 1)),
+        array("f", [0, 1]),
+    ):
+        state.position = value
+        assert state.position == array("d", [0.0, 1.0])
+    pose = PoseWithCovariance()
+    pose.covariance = [1] * 36
+    assert pose.covariance.dtype == numpy.float64 and pose.covariance.sum() == 36
+    for message, field, wrong in (
+        (state, "position", "12"), (state, "position", [1.0, "2"]), (state, "position", 1.0), (state, "position", None),
+        (Int32MultiArray(), "data", [1.5]), (Int32MultiArray(), "data", [2**40]), (pose, "covariance", [0.0] * 35),
+    ):  # fmt: skip
+        with pytest.raises(AssertionError, match=f"The '{field}' field must be a set or sequence"):
+            setattr(message, field, wrong)
+    with pytest.raises(AssertionError):
+        JointState(check_fields=True).position = [0, 1.5]
+
+
 @pytest.mark.process
 def test_checks_are_on_unless_the_environment_says_otherwise() -> None:
     code = "from std_msgs.msg import Int32; m = Int32(); m.data = 1.5; print(m.data)"

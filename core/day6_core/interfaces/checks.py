@@ -2,7 +2,8 @@
 
 Setters of the generated classes accept the usual valid values themselves; everything else is checked here: valid values of
 unusual types (a tuple, a UserList, numpy.float64) and invalid ones. Real ROS checks always in Humble, and from Iron on only if
-ROS_PYTHON_CHECK_FIELDS=1; day6-tui is for learners and checks unless ROS_PYTHON_CHECK_FIELDS=0.
+ROS_PYTHON_CHECK_FIELDS=1 or `check_fields=True`. day6-tui is for learners and checks unless ROS_PYTHON_CHECK_FIELDS=0; but where
+real ROS would not check, numeric arrays take all that `array.array` and `numpy.array` take there.
 """
 
 from __future__ import annotations
@@ -16,11 +17,16 @@ from day6_core.ros import differences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 IS_OPTION: bool = differences.value("messages.check_fields") == "option"
 """Whether a message can be told not to check; in Humble it has no such slot and only `python -O` turns the checks off."""
-CHECK_FIELDS: bool = os.environ.get("ROS_PYTHON_CHECK_FIELDS", "1") != "0" if IS_OPTION else __debug__
+TEACHING = 1
+"""The `_check_fields` of messages that nobody asked to be checked: true, and not True."""
+CHECK_FIELDS: bool | int = (
+    {"0": False, "1": True}.get(os.environ.get("ROS_PYTHON_CHECK_FIELDS", ""), TEACHING) if IS_OPTION else __debug__
+)
 """The `_check_fields` of new messages; read once at import, as in real ROS."""
 
 
@@ -137,8 +143,8 @@ def _collection_text(type_: FieldType, name: str, python: type) -> str:
     return text
 
 
-def checked_array(type_: FieldType, name: str, value: Any) -> Any:
-    """Return the array.array that a numeric sequence field stores.
+def checked_array(type_: FieldType, name: str, value: Any, check: bool | int) -> Any:
+    """Return the array.array that a numeric sequence field stores; `check` is the message's `_check_fields`.
 
     Raises:
         AssertionError: the value does not fit.
@@ -147,7 +153,7 @@ def checked_array(type_: FieldType, name: str, value: Any) -> Any:
     primitive = type_.primitive
     assert primitive is not None
     code = primitive.code
-    if isinstance(value, array):
+    if isinstance(value, array) and (check is True or value.typecode == code):
         if value.typecode != code:
             raise AssertionError(f"The '{name}' array.array() must have the type code of '{code}'")
         if not _length_fits(type_, len(value)):
@@ -158,8 +164,18 @@ def checked_array(type_: FieldType, name: str, value: Any) -> Any:
     if not plain and (kind is list or kind is tuple):
         plain = _all_plain(type_, value)
     if not plain or not _length_fits(type_, len(value)):
+        if check is not True and (made := _made(array, code, value)) is not None and _length_fits(type_, len(made)):
+            return made
         _check_collection(type_, name, value, None)
     return array(code, value)
+
+
+def _made(maker: Callable[[Any, Any], Any], *arguments: Any) -> Any:
+    """Return the array that a value makes, None if it makes none."""
+    try:
+        return maker(*arguments)
+    except (TypeError, ValueError, OverflowError):
+        return None
 
 
 def _all_plain(type_: FieldType, values: list[Any] | tuple[Any, ...]) -> bool:
@@ -177,8 +193,8 @@ def _all_plain(type_: FieldType, values: list[Any] | tuple[Any, ...]) -> bool:
     return bool(min(values) >= low and max(values) <= primitive.high)
 
 
-def checked_ndarray(type_: FieldType, name: str, value: Any) -> Any:
-    """Return the numpy.ndarray, of shape (size,), that a fixed numeric array field stores.
+def checked_ndarray(type_: FieldType, name: str, value: Any, check: bool | int) -> Any:
+    """Return the numpy.ndarray, of shape (size,), that a fixed numeric array field stores; `check` as for `checked_array`.
 
     Raises:
         AssertionError: the value does not fit.
@@ -188,11 +204,13 @@ def checked_ndarray(type_: FieldType, name: str, value: Any) -> Any:
     primitive = type_.primitive
     assert primitive is not None
     dtype = getattr(numpy, primitive.numpy)
-    if isinstance(value, numpy.ndarray):
+    if isinstance(value, numpy.ndarray) and (check is True or value.dtype == dtype):
         if value.dtype != dtype:
             raise AssertionError(f"The '{name}' numpy.ndarray() must have the dtype of 'numpy.{primitive.numpy}'")
         if value.size != type_.size:
             raise AssertionError(f"The '{name}' numpy.ndarray() must have a size of {type_.size}")
         return value
+    if check is not True and (made := _made(numpy.array, value, dtype)) is not None and made.size == type_.size:
+        return made
     _check_collection(type_, name, value, None)
     return numpy.array(value, dtype=dtype)

@@ -171,7 +171,9 @@ def _setter_lines(field: Field) -> list[str]:
             plain, checked = f"numpy.array(value, dtype=numpy.{primitive.numpy})", "checked_ndarray"
         else:
             plain, checked = f"array({primitive.code!r}, value)", "checked_array"
-        value = f"    value = {checked}(T_{name}, {name!r}, value) if self._check_fields else {plain}"
+        value = (
+            f"    value = {checked}(T_{name}, {name!r}, value, self._check_fields) if self._check_fields else {plain}"
+        )
         return [header, value, store]
     test = f"    if self._check_fields and {_bad_value_test(field)}:"
     return [header, test, f"        check_value(T_{name}, {name!r}, value, E_{name})", store]

@@ -337,7 +337,8 @@ KEPT: dict[str, str] = {
         "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
         "`with node`, `ros2 action echo`; the action tutorials use example_interfaces; there is nav_msgs/msg/Goals"
     ),
-    "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0: a learner's mistake is told at its line",
+    "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0, so a learner's mistake is told at its "
+    "line; numeric arrays take what they take there (`[0, 1.5]`)",
 }
 """What deliberately is another one than there, and how."""
 

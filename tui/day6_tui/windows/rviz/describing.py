@@ -6,7 +6,7 @@ import colorsys
 import math
 
 from day6_core.ros.programs.rviz2.model.display import FailedDisplay
-from day6_core.ros.programs.rviz2.model.displays import LEFT_OUT
+from day6_core.ros.programs.rviz2.model.displays.group import GroupDisplay
 from day6_core.ros.programs.rviz2.model.displays.robot_model import RobotModelDisplay
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.properties import number_text
@@ -35,7 +35,7 @@ def described(rviz: RViz, texts: Texts) -> str:
     """One sentence for each enabled display, joined."""
     phrases: list[str] = []
     for display in rviz.displays:
-        if not display.enabled:
+        if not display.enabled or isinstance(display, GroupDisplay):
             continue
         if isinstance(display, RobotModelDisplay):
             phrases += _robot(display, texts)
@@ -48,8 +48,6 @@ def described(rviz: RViz, texts: Texts) -> str:
             phrases.append(texts("rviz.seen.frames", count=count) if count else texts("rviz.seen.no_frames"))
         elif display.type == "Axes":
             phrases.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
-        elif isinstance(display, FailedDisplay) and display.class_id in LEFT_OUT:
-            phrases.append(texts("rviz.seen.left_out", name=display.name, type=display.class_id.rpartition("/")[2]))
         elif isinstance(display, FailedDisplay):
             phrases.append(texts("rviz.seen.unknown", name=display.name))
         elif display.type == "InteractiveMarkers":

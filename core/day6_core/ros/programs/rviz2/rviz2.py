@@ -263,9 +263,11 @@ def panel_text(rviz: RViz) -> list[str]:
     """The panel as text: the Fixed Frame, every display with its statuses."""
     lines = [f"Fixed Frame: {rviz.fixed_frame}", *_statuses(rviz.statuses, "")]
     for display in rviz.displays:
-        lines.append(f"{display.name} ({display.class_id.rpartition('/')[2]}){'' if display.enabled else ': disabled'}")
+        indent = "  " * (display.path.count("/") - 2)
+        kind = display.class_id.rpartition("/")[2]
+        lines.append(f"{indent}{display.name} ({kind}){'' if display.enabled else ': disabled'}")
         if display.enabled and display.statuses.children:
-            lines += _statuses(display.statuses, "  ")
+            lines += _statuses(display.statuses, f"{indent}  ")
     return lines
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 from rclpy._day6.endpoint_events import EndpointEvents
@@ -55,9 +56,11 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         if isinstance(msg, self.msg_type):
             self._send(msg)
         elif isinstance(msg, bytes):
+            from rclpy._rclpy_pybind11 import RMWError
             from rclpy.serialization import deserialize_message
 
-            self._send(deserialize_message(msg, self.msg_type))
+            with suppress(RMWError):  # there it is sent, and no subscription can read it
+                self._send(deserialize_message(msg, self.msg_type))
         else:
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
 

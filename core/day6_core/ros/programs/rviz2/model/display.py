@@ -41,7 +41,9 @@ class Display(Property):
 
     @property
     def enabled(self) -> bool:
-        return bool(self.value)
+        """Whether its check box is set, and that of the groups it is in."""
+        group = self.parent
+        return bool(self.value) and (not isinstance(group, Display) or group.enabled)
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
 
@@ -139,7 +141,7 @@ class Display(Property):
         saved.update(self.save_extras())
         saved["Class"] = self.class_id
         saved["Name"] = self.name
-        saved["Enabled"] = saved["Value"] = self.enabled
+        saved["Enabled"] = saved["Value"] = bool(self.value)
         return {**self.unknown, **saved}
 
     def load(self, config: Any) -> None:
@@ -189,7 +191,7 @@ class FailedDisplay(Display):
         self.value = bool(config.get("Enabled", True))
 
     def save(self) -> dict[str, Any]:
-        return {**self.config, "Name": self.name, "Enabled": self.enabled, "Value": self.enabled}
+        return {**self.config, "Name": self.name, "Enabled": bool(self.value), "Value": bool(self.value)}
 
     def refresh(self) -> None:
         name, reason = self._class_id, self._reason

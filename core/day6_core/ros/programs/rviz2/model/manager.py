@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.programs.rviz2.model.config import read_config
 from day6_core.ros.programs.rviz2.model.display import Display, FailedDisplay
 from day6_core.ros.programs.rviz2.model.displays import (
+    GROUP_CLASS,
     PACKAGE,
     TYPES,
     display_class,
@@ -53,6 +54,20 @@ TIMES = ("ROS Time", "ROS Elapsed", "Wall Time", "Wall Elapsed")
 RobotReader = Callable[[str, str, bool, Callable[[Any], None], Callable[[], bool]], None]
 MeshReader = Callable[[str, bool, Callable[[Any], None]], None]
 """Take, beside a text or URI, whether it came from this machine (see `MeshStore`)."""
+
+
+def _all_displays(place: Property) -> Iterator[Display]:
+    for child in place.children:
+        if isinstance(child, Display):
+            yield child
+            if child.type == "Group":
+                yield from _all_displays(child)
+
+
+def _place_of(display: Display) -> Property:
+    """The group that a display is in, or the root."""
+    assert display.parent is not None
+    return display.parent
 
 
 class RViz:
@@ -148,8 +163,8 @@ class RViz:
 
     @property
     def displays(self) -> list[Display]:
-        """In the order of the panel."""
-        return [child for child in self.root.children if isinstance(child, Display)]
+        """In the order of the panel, groups with what is in them."""
+        return list(_all_displays(self.root))
 
     @property
     def panels(self) -> list[Property]:
@@ -290,14 +305,15 @@ class RViz:
 
     def remove_display(self, display: Display) -> None:
         display.close()
-        self.root.remove(display)
+        _place_of(display).remove(display)
         self._changed_by_user()
 
     def duplicate_display(self, display: Display) -> Display:
-        """A copy with the same settings, at the end."""
+        """A copy with the same settings, at the end of where it is."""
         copy = self._make(display.class_id, display.name)
         copy.load(display.save())
-        self.root.add(copy, len(self.root.children) - 1)
+        place = _place_of(display)
+        place.add(copy, len(place.children) - (place is self.root))
         self._changed_by_user()
         return copy
 
@@ -307,12 +323,13 @@ class RViz:
 
     def move_display(self, display: Display, step: int) -> None:
         """Move a display up (-1) or down (1) in the list."""
-        displays = self.displays
+        place = _place_of(display)
+        displays = [child for child in place.children if isinstance(child, Display)]
         index = displays.index(display) + step
         if 0 <= index < len(displays):
-            target = self.root.children.index(displays[index])
-            self.root.remove(display)
-            self.root.add(display, target)
+            target = place.children.index(displays[index])
+            place.remove(display)
+            place.add(display, target)
             self._changed_by_user()
 
     def _changed_by_user(self) -> None:
@@ -322,11 +339,24 @@ class RViz:
 
     def _make(self, class_id: str, name: str) -> Display:
         package, _, type_name = class_id.partition("/")
+        if class_id == GROUP_CLASS:
+            from day6_core.ros.programs.rviz2.model.displays.group import GroupDisplay
+
+            return GroupDisplay(self, name)
         if package == PACKAGE and type_name in TYPES:
             return display_class(type_name)(self, name)
         reason = unknown_class(class_id)
         self.log_error(f"PluginlibFactory: The plugin for class '{class_id}' failed to load. Error: {reason}")
         return FailedDisplay(self, name, class_id, reason)
+
+    def make_displays(self, entries: Any) -> list[Display]:
+        """Make the displays of a list in a .rviz file; what isn't a map in it is passed over."""
+        made = []
+        for entry in entries if isinstance(entries, list) else ():
+            if isinstance(entry, dict):
+                made.append(self._make(str(entry.get("Class", "")), str(entry.get("Name", ""))))
+                made[-1].load(entry)
+        return made
 
     def reset(self) -> None:
         """The Reset button: forget everything that was received, transforms too."""
@@ -445,12 +475,8 @@ class RViz:
             self.root.remove(display)
         self.options.load(manager.get("Global Options"))
         self.performance.load(manager.get("Performance"))
-        displays = manager.get("Displays")
-        for entry in displays if isinstance(displays, list) else ():
-            if isinstance(entry, dict):
-                display = self._make(str(entry.get("Class", "")), str(entry.get("Name", "")))
-                display.load(entry)
-                self.root.add(display, len(self.root.children) - 1)
+        for display in self.make_displays(manager.get("Displays")):
+            self.root.add(display, len(self.root.children) - 1)
         self.selection.replace(())
         self.tools.load(manager.get("Tools"))
         views = manager.get("Views")
@@ -476,7 +502,7 @@ class RViz:
         config = dict(self._config)
         old = config.get("Visualization Manager")
         manager = dict(old) if isinstance(old, dict) else {}
-        manager["Displays"] = [display.save() for display in self.displays]
+        manager["Displays"] = [child.save() for child in self.root.children if isinstance(child, Display)]
         unknown = manager.get("Global Options")
         options = {child.name: child.save() for child in self.options.children}
         manager["Global Options"] = {**(unknown if isinstance(unknown, dict) else {}), **options}

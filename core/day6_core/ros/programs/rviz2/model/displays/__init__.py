@@ -9,12 +9,14 @@ if TYPE_CHECKING:
     from day6_core.ros.programs.rviz2.model.display import Display
 
 PACKAGE = "rviz_default_plugins"
+GROUP_CLASS = "rviz_common/Group"
 
 TYPES: dict[str, tuple[str, str]] = {
     "AccelStamped": ("screw", "geometry_msgs/msg/AccelStamped"),
     "Axes": ("axes", ""),
     "Camera": ("camera", "sensor_msgs/msg/Image"),
     "CameraInfo": ("camera_info", "sensor_msgs/msg/CameraInfo"),
+    "DepthCloud": ("depth_cloud", "sensor_msgs/msg/Image"),
     "Effort": ("effort", "sensor_msgs/msg/JointState"),
     "FluidPressure": ("scalar", "sensor_msgs/msg/FluidPressure"),
     "Grid": ("grid", ""),
@@ -45,9 +47,6 @@ TYPES: dict[str, tuple[str, str]] = {
 }
 """Type -> the module of its class `<type>Display`, and the message type by which Add by topic finds it (not RobotModel, TF)."""
 
-LEFT_OUT = (f"{PACKAGE}/DepthCloud",)
-"""Classes of the original that have none here."""
-
 
 def display_class(type_name: str) -> type[Display]:
     """The class of a type of `TYPES`. Raises KeyError."""
@@ -62,7 +61,13 @@ def types_for(message_type: str) -> list[str]:
 
 
 def unknown_class(class_id: str) -> str:
-    """What pluginlib says of a display class that nobody declared."""
-    declared = "".join(f" {PACKAGE}/{name}" for name in sorted(TYPES))
+    """What pluginlib says of a display class that nobody declared, without its list of those that somebody did.
+
+    Of a class that a package of ROS has, it says that the package isn't here.
+    """
+    from day6_core.ros.released import is_released
+
+    package = class_id.partition("/")[0]
     text = f"According to the loaded plugin descriptions the class {class_id} with base class type rviz_common::Display"
-    return f"{text} does not exist. Declared types are {declared}"
+    known = package != PACKAGE and is_released(package)
+    return f"{text} does not exist." + (f" It is of {package}, which day6-tui doesn't have." if known else "")
