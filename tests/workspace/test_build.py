@@ -390,6 +390,26 @@ def test_a_c_plus_plus_package_is_left_out_and_stops_no_other(workshop: Workshop
     assert "[hello-1] Hi from day6_py." in done.out and done.status == 0
 
 
+def test_a_package_that_an_underlay_has_and_needs_is_warned_of(workshop: Workshop) -> None:
+    """colcon-override-check: a leaf of the underlay may be overridden without a word."""
+    source = workshop.workspace / "src"
+    for name in ("demo_nodes_cpp", "std_msgs", "rqt_tf_tree"):
+        workshop.run(f"ros2 pkg create {name}", workshop.terminal(source))
+    done = workshop.run("colcon build")
+    assert done.status == 0 and "rqt_tf_tree' is in" not in done.err
+    assert (
+        "WARNING:colcon.colcon_core.package_selection:Some selected packages are already built in one or more underlay "
+        "workspaces:\n\t'demo_nodes_cpp' is in: /opt/ros/jazzy\n\t'std_msgs' is in: /opt/ros/jazzy\n"
+    ) in done.err
+    assert "\n\t--allow-overriding demo_nodes_cpp std_msgs\n" in done.err
+    done = workshop.run("source install/setup.bash; colcon build --allow-overriding demo_nodes_cpp std_msgs other")
+    assert (
+        "WARNING:colcon.colcon_core.package_selection:ignoring unknown package 'other' in --allow-overriding"
+        in done.err
+    )
+    assert done.err.count("WARNING") == 1
+
+
 def test_a_package_of_ros_that_nobody_has_here_stops_no_build_and_a_misspelt_one_does(workshop: Workshop) -> None:
     source = workshop.workspace / "src"
     workshop.run("ros2 pkg create day6_sim --dependencies ros_gz_sim", workshop.terminal(source))

@@ -99,14 +99,14 @@ def test_folders_of_ament_cmake_auto_are_installed(workshop: Workshop) -> None:
     assert (workshop.workspace / "install/day6_mixed/share/day6_mixed/launch/up.py").is_file()
 
 
-def test_a_simulator_that_is_not_there_is_missed_in_cmake_s_words_and_lines(workshop: Workshop) -> None:
-    cmake_package(workshop, "find_package(gazebo_ros2_control REQUIRED)")
+def test_a_package_that_nobody_knows_is_missed_in_cmake_s_words_and_lines(workshop: Workshop) -> None:
+    cmake_package(workshop, "find_package(gazebo_ros2_controls REQUIRED)")
     done = workshop.run("colcon build")
     assert done.status == 1
     assert (
-        '  By not providing "Findgazebo_ros2_control.cmake" in CMAKE_MODULE_PATH this\n'
+        '  By not providing "Findgazebo_ros2_controls.cmake" in CMAKE_MODULE_PATH this\n'
         "  project has asked CMake to find a package configuration file provided by\n"
-        '  "gazebo_ros2_control", but CMake did not find one.\n'
+        '  "gazebo_ros2_controls", but CMake did not find one.\n'
     ) in done.err
-    assert "    gazebo_ros2_controlConfig.cmake\n    gazebo_ros2_control-config.cmake\n" in done.err
+    assert "    gazebo_ros2_controlsConfig.cmake\n    gazebo_ros2_controls-config.cmake\n" in done.err
     assert max(map(len, done.err.splitlines())) <= 78

@@ -130,6 +130,14 @@ def _add_build(parser: argparse.ArgumentParser) -> None:
     add_event_handlers(parser)
     add_discovery(parser)
     add_selection(parser)
+    parser.add_argument(
+        "--allow-overriding",
+        action="extend",
+        default=[],
+        metavar="PKG_NAME",
+        nargs="+",
+        help="Allow building packages that exist in underlay workspaces",
+    )
     add_cmake(parser)
 
 
@@ -160,6 +168,15 @@ def _add_test(parser: argparse.ArgumentParser) -> None:
     add_event_handlers(parser)
     add_discovery(parser)
     add_selection(parser)
+    group = parser.add_argument_group("Arguments for 'cmake' packages")
+    group.add_argument(
+        "--ctest-args",
+        nargs="*",
+        metavar="*",
+        type=str.lstrip,
+        help="Pass arguments to CTest projects. Arguments matching other options must be prefixed by a space,\n"
+        'e.g. --ctest-args " --help" (stdout might not be shown by default, e.g. add `--event-handlers console_cohesion+`)',
+    )
     group = parser.add_argument_group("Arguments for 'python' packages")
     group.add_argument(
         "--python-testing", choices=("pytest", "setuppy_test"), help="The Python testing framework to use"

@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from day6_core.workspace import reports
+from day6_core.workspace import overriding, reports
 from day6_core.workspace.advisor import Advisor
 from day6_core.workspace.build import BUILD_TOOL, find_task, refuse_foreign_folder
 from day6_core.workspace.events import INTERRUPTED, BuildEvent, Console, Events
@@ -125,10 +125,19 @@ class Colcon:
         settings.needs = {each.package.name: each.needs for each in planned}
         jobs = self._jobs(planned, "build", settings, find_task)
         self.selected = [each.package.name for each in planned if each.selected]
+        self._warn_of_overriding(planned, settings.install_base)
         outcome = self._execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
         chained = self._chained(settings.install_base)
         write_workspace_scripts(settings.output, settings.install_base, chained)
         return outcome
+
+    def _warn_of_overriding(self, planned: list[Planned], install_base: Path) -> None:
+        allowed = self.args.allow_overriding
+        for name in allowed:
+            if name not in {each.package.name for each in planned}:
+                self.warn(overriding.LOGGER, f"ignoring unknown package '{name}' in --allow-overriding")
+        if text := overriding.warning(self.selected, allowed, install_base, self.environment):
+            self.warn(overriding.LOGGER, text)
 
     def test(self) -> int:
         """Run `colcon test`; returns the exit status."""
