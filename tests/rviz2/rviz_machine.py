@@ -45,6 +45,7 @@ class RVizMachine(SteppedMachine):
         results: list[Any] = []
         self.rviz.request(lambda: results.append(action()))
         self.settle()
+        assert results, self.running and self.running.errors
         return results[0]
 
     def add(self, type_name: str, topic: str = "") -> Any:

@@ -237,9 +237,10 @@ def _build(name: str) -> type:
 def forget(package: str) -> None:
     """Drop the classes of a rebuilt package, and of all other packages except our own, which may use its messages.
 
-    Classes returned before stay valid and unchanged.
+    Ours come first (`share_folders`), so nothing changes them: not even a workspace with a package of the same name. Classes
+    returned before stay valid and unchanged.
     """
-    own = set(os.listdir(OWN_SHARE)) - {package}
+    own = {name for name in os.listdir(OWN_SHARE) if name != package or differences.has_interface(name)}
     with _lock:
         for store in (_structures, _classes, hashes):
             for name in [name for name in store if name.partition("/")[0] not in own]:
