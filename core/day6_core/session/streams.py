@@ -279,6 +279,8 @@ class PipeWriter(OutputStream):
         pipe = self._pipe
         if pipe._reader_closed or pipe._writer_closed:
             raise BrokenPipeError(32, "Broken pipe")
+        if not text:  # to the reader it would be the end
+            return 0
         with pipe._lock:
             if pipe._size >= PIPE_HIGH and pipe._size + len(text) > PIPE_LIMIT:
                 pipe.dropped += len(text)
