@@ -13,9 +13,9 @@ from day6_core.session.program import Program
 from day6_core.session.session import Session
 from day6_core.session.streams import Captured, TextInput
 from day6_core.shell.desk import Desk
-from day6_core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_core.shell.language.interpreter import Shell
 from day6_core.shell.language.redirection import Streams
+from day6_core.shell.language.subshells import whole_run
 from day6_core.shell.terminal import Terminal
 from tests.support.waiting import until
 
@@ -52,14 +52,7 @@ class Machine:
 
         async def script(session: Session) -> int:
             session.on_interrupt = shell.interrupt
-            try:
-                return await shell.run(commands, streams)
-            except ExitShell as end:
-                return end.status
-            except Interrupted:
-                raise KeyboardInterrupt from None
-            except (LoopControl, ReturnFromSource):
-                return shell.status
+            return await whole_run(shell, lambda: shell.run(commands, streams), streams)
 
         program = self.desk.start_program(["bash"], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell)
         self.desk.scheduler.advance()

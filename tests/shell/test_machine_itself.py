@@ -53,7 +53,7 @@ def test_a_shell_begins_at_home_or_where_it_is_told(machine: Any, tmp_path: Path
     desk = machine.desk
     assert desk.shell().cwd == desk.home and desk.shell().variables["PWD"] == str(desk.home)
     shell = desk.shell(cwd=tmp_path, env={"A": "1"}, interactive=True)
-    assert (shell.cwd, shell.variables, shell.interactive) == (tmp_path, {"A": "1", "PWD": str(tmp_path)}, True)
+    assert (shell.cwd, shell.environment, shell.interactive) == (tmp_path, {"A": "1", "PWD": str(tmp_path)}, True)
 
 
 def test_process_numbers_begin_at_1001_and_only_grow(tmp_path: Path) -> None:

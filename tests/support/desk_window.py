@@ -8,8 +8,8 @@ from typing import Any
 
 from day6_core.session.streams import InputStream, OutputStream
 from day6_core.shell.desk import Desk
-from day6_core.shell.language.interpreter import subshell_main
 from day6_core.shell.language.redirection import Streams
+from day6_core.shell.language.subshells import subshell_main
 from tests.support.waiting import until
 
 

@@ -79,7 +79,7 @@ class Workshop:
     def terminal(self, cwd: Path | None = None) -> Shell:
         shell = self.desk.shell(cwd=cwd or self.workspace)
         shell.variables["COLUMNS"] = "80"
-        shell.exported.add("COLUMNS")
+        shell.variables.export("COLUMNS")
         return shell
 
     def start(self, commands: str, shell: Shell | None = None) -> Running:

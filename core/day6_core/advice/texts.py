@@ -300,14 +300,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "put no spaces around = when you set a variable: {right}",
         "给变量赋值的时候，= 两边没有空格：{right}",
     ),
-    "shell.arrays": (
-        "this terminal has no arrays; a real bash does. Put the values into a single text: NAME='1 2 3'; for x in $NAME; do …",
-        "这个终端没有数组，真的 bash 才有。把值写在一段文字里：名字='1 2 3'; for x in $名字; do …",
-    ),
-    "shell.no_process": (
-        "this terminal doesn't know {word} …); a real bash does. Write to a file first: COMMAND > FILE",
-        "这个终端不认识 {word} …)，真的 bash 才认识。先写进文件：命令 > 文件",
-    ),
     "shell.lacks": (
         "{word} is a bash command that this terminal doesn't have",
         "{word} 是 bash 的命令，这个终端没有",

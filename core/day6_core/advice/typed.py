@@ -15,10 +15,6 @@ SHORTEST = 4
 """Letters of a command that can be taken for another's slip."""
 
 _PROMPT = re.compile(r"[\w.-]+@[\w.-]+:\S*[$%#]|[\w./~-]*[$%]")
-_ARRAY = re.compile(
-    r"(?:^|[\s;&|])\w+(?:\[[^]\s]*\])?\+?=\(|(?:^|[\s;&|])\w+\[[^]\s]*\]\+?=|\$\{[#!]?\w+\["
-    r"|\b(?:declare|typeset|local|read) -[aA]\b|\b(?:mapfile|readarray)(?![\w.-])"
-)
 _OPTION = re.compile(r"-[A-Za-z]{1,2}|--[a-z][\w-]*")
 _TAKE_A_NAME = frozenset({"mkdir", "touch", "python3", "source", "nano", "export", "rmdir"})
 """Commands that are nothing without what follows, long enough to be seen in front of it."""
@@ -80,11 +76,7 @@ def chinese_sign(words: Sequence[str], line: str) -> Slip | None:
 def lacking_in_shell(line: str) -> Slip | None:
     """Return what a line uses of bash that this terminal does not have, None if it uses nothing of it."""
     plain = re.sub(r"'[^']*'|\"[^\"$]*\"", "''", line)
-    if _ARRAY.search(plain):
-        return Slip("shell.arrays", {})
-    if (process := re.search(r"(?:^|\s)[<>]\(", plain)) is not None:
-        return Slip("shell.no_process", {"word": process[0].strip()})
-    if (word := re.match(r"(?:select|coproc|exec)(?![\w.-])", plain.strip())) is not None:
+    if (word := re.match(r"(?:coproc)(?![\w.-])", plain.strip())) is not None:
         return Slip("shell.lacks", {"word": word[0]})
     return None
 

@@ -24,13 +24,17 @@ MODULES: dict[str, dict[str, str]] = {
     for module, names in {
         "state": "cd pwd shift exit=exit_ logout=exit_ break=break_ continue=break_ return=return_ source .=source "
         "eval=eval_ history",
-        "variables": "export unset local declare typeset=declare readonly=declare let read alias unalias set=set_ "
-        "shopt bind=accepted complete=accepted stty=accepted trap=accepted ulimit=accepted umask=accepted",
+        "declaring": "export unset local declare typeset=declare readonly",
+        "reading": "read mapfile readarray=mapfile",
+        "switches": "alias unalias set=set_ shopt",
+        "shell_itself": "trap exec=exec_ builtin hash=hash_ let getopts caller compgen umask ulimit bind "
+        "complete compopt=accepted stty=accepted enable=refused fc=refused suspend=refused times=refused",
+        "output": "echo printf",
         "jobs": "jobs fg bg wait kill disown ps pkill killall=pkill",
         "files": "cat mkdir rmdir touch rm tee chmod",
         "transfer": "cp mv",
         "listing": "ls tree",
-        "text": "echo printf head tail wc sort uniq",
+        "text": "head tail wc sort uniq",
         "search": "grep egrep fgrep=egrep",
         "paths": "ln readlink realpath pushd popd dirs",
         "repeated": "xargs watch",
@@ -55,8 +59,11 @@ MODULES: dict[str, dict[str, str]] = {
 
 _PLACES = {name: (module, function) for module, names in MODULES.items() for name, function in names.items()}
 
-_ALSO_BUILTIN = "pushd popd dirs jobs fg bg wait kill disown echo printf help type command true false : test ["
-SHELL_BUILTINS = frozenset((*MODULES["state"], *MODULES["variables"], *_ALSO_BUILTIN.split())) - {"stty"}
+_OF_THE_SHELL = ("state", "declaring", "reading", "switches", "shell_itself", "output")
+_ALSO_BUILTIN = "pushd popd dirs jobs fg bg wait kill disown help type command true false : test ["
+SHELL_BUILTINS = frozenset((*(name for each in _OF_THE_SHELL for name in MODULES[each]), *_ALSO_BUILTIN.split())) - {
+    "stty"
+}
 """Built-ins of bash itself; all other commands have a place in /usr/bin or /opt/ros."""
 
 
@@ -114,12 +121,12 @@ def list_too_long(name: str, shell: Shell) -> Main:
     return _saying(f"{shell.name}: {where(name, shell) or name}: Argument list too long", 126)
 
 
-def find_command(name: str, shell: Shell) -> Main:
+def find_command(name: str, shell: Shell, *, functions: bool = True) -> Main:
     """Return the program for `name`: a function, one of ours, a file (with a / in it), one of the real machine.
 
     If there is none, it is one that prints `command not found`.
     """
-    if name in shell.functions:
+    if functions and name in shell.functions:
         from day6_core.shell.language.functions import calling
 
         return calling(shell.functions[name])

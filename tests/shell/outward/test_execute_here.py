@@ -43,7 +43,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         (["--home", "odd", "-c", "true"], "", 1, "", "day6-tui exec: the home folder cannot be used: HERE/odd/ros2_ws/src: "),
         (["--home", "h", "-c", "cd; pwd; ls"], "", 0, "HERE/h\nros2_ws\n", ""),
         (["--timeout", "0.5", "-c", "echo a; sleep 60"], "", 124, "a\n", ""),
-        (["-c", "break; echo on"], "", 0, "", ""),
+        (["-c", "break; echo on"], "", 0, "on\n", "bash: break: only meaningful in a `for', `while', or `until' loop\n"),
         (["-c", "sleep 60 & echo behind"], "", 0, "behind\n", ""),
         (["-c", "if"], "", 2, "", "bash: syntax error: unexpected end of file\n"),
     ],

@@ -17,8 +17,8 @@ from day6_core.ros.programs.rqt_gui.plugin import plugin_of
 from day6_core.session.display import Window
 from day6_core.session.streams import InputStream, OutputStream
 from day6_core.shell.desk import Desk
-from day6_core.shell.language.interpreter import subshell_main
 from day6_core.shell.language.redirection import Streams
+from day6_core.shell.language.subshells import subshell_main
 from day6_tui.classes.link import TeacherLink
 from day6_tui.windows import WindowPane, pane_class
 from tests.support.source_files import sources

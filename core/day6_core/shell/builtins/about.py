@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import os
+
 from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain, complain_as_shell
 from day6_core.shell.language import file_tests
-from day6_core.shell.language.interpreter import shell_of
+from day6_core.shell.language.conditional import shell_test
+from day6_core.shell.language.interpreter import Shell, shell_of
+from day6_core.shell.language.quoting import single_quoted
+from day6_core.shell.language.words import SyntaxProblem
 
 _HELP = {
     "en": """\
@@ -43,8 +48,8 @@ Commands of this terminal (they work as on Ubuntu):
 }
 
 
-_KEYWORDS = frozenset({"if", "then", "else", "elif", "fi", "for", "in", "while", "until", "do", "done", "case", "esac",
-                       "function", "{", "}", "[[", "]]", "!", "time"})  # fmt: skip
+KEYWORDS = frozenset({"if", "then", "else", "elif", "fi", "for", "in", "while", "until", "do", "done", "case", "esac",
+                       "function", "{", "}", "[[", "]]", "!", "time", "select", "coproc"})  # fmt: skip
 
 
 async def help_(session: Session) -> int:
@@ -79,42 +84,84 @@ async def which(session: Session) -> int:
     return status
 
 
-async def type_(session: Session) -> int:
+def _kinds(name: str, shell: Shell) -> list[tuple[str, str]]:
+    """What a name may mean, the first one first: the word of `type -t`, and the sentence or path."""
     from day6_core.shell.commands import SHELL_BUILTINS, where
 
+    found: list[tuple[str, str]] = []
+    if name in shell.aliases and "expand_aliases" in shell.settings:
+        found.append(("alias", f"is aliased to `{shell.aliases[name]}'"))
+    if name in KEYWORDS:
+        found.append(("keyword", "is a shell keyword"))
+    if name in shell.functions:
+        found.append(("function", f"is a function\n{shell.functions[name].source}"))
+    if name in SHELL_BUILTINS:
+        found.append(("builtin", "is a shell builtin"))
+    if "/" in name:
+        path = shell.cwd / name
+        if path.is_file() and os.access(path, os.X_OK):
+            found.append(("file", name))
+    elif place := where(name, shell):
+        found.append(("file", place))
+    return found
+
+
+async def type_(session: Session) -> int:
+    """`type [-atpPf] NAME …`."""
+    shell = shell_of(session)
+    words = session.argv[1:]
+    flags = ""
+    while words and words[0].startswith("-") and len(words[0]) > 1:
+        flags += words.pop(0)[1:]
     status = 0
-    for name in session.argv[1:]:
-        if name in shell_of(session).aliases:
-            session.print(f"{name} is aliased to `{shell_of(session).aliases[name]}'")
-        elif name in _KEYWORDS:
-            session.print(f"{name} is a shell keyword")
-        elif name in shell_of(session).functions:
-            session.print(f"{name} is a function\n{shell_of(session).functions[name].source}")
-        elif name in SHELL_BUILTINS:
-            session.print(f"{name} is a shell builtin")
-        elif place := where(name, shell_of(session)):
-            session.print(f"{name} is {place}")
-        else:
-            session.print_error(f"{shell_of(session).name}: type: {name}: not found")
+    for name in words:
+        kinds = [each for each in _kinds(name, shell) if not ("f" in flags and each[0] == "function")]
+        if "P" in flags:
+            kinds = [each for each in kinds if each[0] == "file"]
+        if not kinds:
             status = 1
+            if not set(flags) & set("tpP"):
+                session.print_error(f"{shell.name}: type: {name}: not found")
+        for kind, text in kinds if "a" in flags else kinds[:1]:
+            if "t" in flags:
+                session.print(kind)
+            elif set(flags) & set("pP"):
+                if kind == "file":
+                    session.print(text)
+            else:
+                session.print(f"{name} is {text}" if kind == "file" else f"{name} {text}")
     return status
 
 
 async def command(session: Session) -> int:
-    """`command -v NAME` and `command NAME …`."""
-    from day6_core.shell.commands import SHELL_BUILTINS, find_command, where
+    """`command -v NAME`, `command -V NAME` and `command NAME …`."""
+    from day6_core.shell.commands import find_command
 
+    shell = shell_of(session)
     words = session.argv[1:]
+    flags = ""
+    while words and words[0].startswith("-") and len(words[0]) > 1:
+        flags += words.pop(0)[1:]
     if not words:
         return 0
-    if words[0] in ("-v", "-V"):
-        own = SHELL_BUILTINS | shell_of(session).functions.keys()
-        found = [where(name, shell_of(session)) or (name if name in own else "") for name in words[1:]]
-        for place in found:
-            if place:
-                session.print(place)
-        return 0 if any(found) else 1
-    return await session.execute(find_command(words[0], shell_of(session)), words)
+    if not set(flags) & set("vV"):
+        return await session.execute(find_command(words[0], shell, functions=False), words)
+    status = 1
+    for name in words:
+        kinds = _kinds(name, shell)
+        if not kinds:
+            if "V" in flags:
+                session.print_error(f"{shell.name}: command: {name}: not found")
+            continue
+        status = 0
+        kind, text = kinds[0]
+        if "V" in flags:
+            session.print(f"{name} is {text}" if kind == "file" else f"{name} {text}")
+        elif kind == "alias":
+            session.print(f"alias {name}={single_quoted(shell.aliases[name])}")
+        else:
+            session.print(text if kind == "file" else name)
+    return status
 
 
 async def whoami(session: Session) -> int:
@@ -192,35 +239,109 @@ async def test(session: Session) -> int:
         session.print_error(f"{shell_of(session).name}: [: missing `]'")
         return 2
     try:
-        return 0 if _test(session, words) else 1
-    except ValueError as error:
+        return 0 if await _Test(session, words).holds() else 1
+    except (ValueError, SyntaxProblem) as error:
         complain_as_shell(session, error)
         return 2
 
 
-def _test(session: Session, words: list[str]) -> bool:
-    for word, combine in (("-o", any), ("-a", all)):
-        if word in words[1:-1]:
-            at = words.index(word, 1)
-            return combine((_test(session, words[:at]), _test(session, words[at + 1 :])))
-    if words and words[0] == "!":
-        return not _test(session, words[1:])
-    if len(words) <= 1:
-        return bool(words and words[0])
-    if len(words) == 2:
-        return file_tests.unary(words[0], words[1], session.cwd)
-    if len(words) > 3:
-        raise ValueError("too many arguments")
-    left, comparison, right = words
-    if comparison in file_tests.INTEGER:
-        return file_tests.integers(left, comparison, right)
-    if comparison in ("=", "==", "!="):
-        return (left == right) != (comparison == "!=")
-    if comparison in ("<", ">"):
-        return left < right if comparison == "<" else left > right
-    if comparison in file_tests.FILES:
-        return file_tests.files(left, comparison, right, session.cwd)
-    raise ValueError(f"{comparison}: binary operator expected")
+class _Test:
+    """`test`: up to four words by their number, as POSIX says, more by a little grammar."""
+
+    def __init__(self, session: Session, words: list[str]) -> None:
+        self.session = session
+        self.words = words
+        self.at = 0
+
+    async def holds(self) -> bool:
+        words = self.words
+        if len(words) <= 4 and (answer := await self._short(words)) is not None:
+            return answer
+        answer = await self._either()
+        if self.at < len(words):
+            raise ValueError("too many arguments")
+        return answer
+
+    async def _short(self, words: list[str]) -> bool | None:
+        if len(words) <= 1:
+            return bool(words and words[0])
+        if len(words) == 2:
+            if words[0] == "!":
+                return not words[1]
+            if words[0] in file_tests.UNARY:
+                return await self._unary(words[0], words[1])
+            raise ValueError(f"{words[0]}: unary operator expected")
+        if len(words) == 3:
+            if words[1] in _BINARY or words[1] in ("-a", "-o"):
+                return self._binary(*words)
+            if words[0] == "!":
+                return not await self._short(words[1:])
+            if words[0] == "(" and words[2] == ")":
+                return bool(words[1])
+            raise ValueError(f"{words[1]}: binary operator expected")
+        if words[0] == "!":
+            return not await self._short(words[1:])
+        return await self._short(words[1:3]) if words[0] == "(" and words[3] == ")" else None
+
+    async def _either(self) -> bool:
+        answer = await self._both()
+        while self._takes("-o"):
+            other = await self._both()
+            answer = answer or other
+        return answer
+
+    async def _both(self) -> bool:
+        answer = await self._one()
+        while self._takes("-a"):
+            other = await self._one()
+            answer = answer and other
+        return answer
+
+    def _takes(self, word: str) -> bool:
+        if self.at < len(self.words) and self.words[self.at] == word:
+            self.at += 1
+            return True
+        return False
+
+    async def _one(self) -> bool:
+        rest = self.words[self.at :]
+        if not rest:
+            raise ValueError("argument expected")
+        if len(rest) > 2 and rest[1] in _BINARY:
+            self.at += 3
+            return self._binary(*rest[:3])
+        if rest[0] == "!":
+            self.at += 1
+            return not await self._one()
+        if rest[0] == "(":
+            self.at += 1
+            answer = await self._either()
+            if not self._takes(")"):
+                raise ValueError("`)' expected")
+            return answer
+        if rest[0] in file_tests.UNARY and len(rest) > 1:
+            self.at += 2
+            return await self._unary(rest[0], rest[1])
+        self.at += 1
+        return bool(rest[0])
+
+    async def _unary(self, question: str, text: str) -> bool:
+        shell = shell_of(self.session)
+        return await shell_test(question, text, shell, shell.all_streams(self.session), self.session.cwd)
+
+    def _binary(self, left: str, comparison: str, right: str) -> bool:
+        if comparison in ("-a", "-o"):
+            return bool(left and right) if comparison == "-a" else bool(left or right)
+        if comparison in file_tests.INTEGER:
+            return file_tests.integers(left, comparison, right)
+        if comparison in ("=", "==", "!="):
+            return (left == right) != (comparison == "!=")
+        if comparison in ("<", ">"):
+            return left < right if comparison == "<" else left > right
+        return file_tests.files(left, comparison, right, self.session.cwd)
+
+
+_BINARY = frozenset({"=", "==", "!=", "<", ">", *file_tests.INTEGER, *file_tests.FILES})
 
 
 async def basename(session: Session) -> int:

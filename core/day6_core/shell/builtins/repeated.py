@@ -7,8 +7,9 @@ import shlex
 from day6_core.session.session import Session
 from day6_core.session.streams import InputStream
 from day6_core.shell.builtins.options import UsageError, complain, parse
-from day6_core.shell.language.interpreter import shell_of, subshell_main
+from day6_core.shell.language.interpreter import shell_of
 from day6_core.shell.language.redirection import Streams
+from day6_core.shell.language.subshells import subshell_main
 
 MOST_ARGUMENTS = 5000
 """Most arguments of one command that xargs runs."""

@@ -1,4 +1,4 @@
-"""echo, printf, head, tail, wc, sort, uniq."""
+"""head, tail, wc, sort, uniq."""
 
 from __future__ import annotations
 
@@ -44,66 +44,6 @@ def unescape(text: str) -> str:
         return _ESCAPES.get(code, match[0])
 
     return joined(_ESCAPE.sub(one, text))
-
-
-async def echo(session: Session) -> int:
-    words = session.argv[1:]
-    newline, escapes = True, False
-    while words and re.fullmatch(r"-[neE]+", words[0]):
-        for letter in words.pop(0)[1:]:
-            newline = newline and letter != "n"
-            escapes = {"e": True, "E": False}.get(letter, escapes)
-    text = " ".join(words)
-    if escapes:
-        text, stop, _ = text.partition(_STOP_OUTPUT)
-        text = unescape(text)
-        newline = newline and not stop
-    session.print(text, end="\n" if newline else "")
-    return 0
-
-
-async def printf(session: Session) -> int:
-    if len(session.argv) < 2:
-        session.print_error("bash: printf: usage: printf [-v var] format [arguments]")
-        return 2
-    pattern, values = unescape(session.argv[1]), session.argv[2:]
-    status = 0
-    while True:
-        before = len(values)
-        try:
-            text, ok = _format(pattern, values, session)
-        except MemoryError:  # the real one prints the same if there is no memory for such a wide number
-            session.print_error("bash: printf: write error: Cannot allocate memory")
-            return 1
-        session.stdout.write(text)
-        status = status or (0 if ok else 1)
-        if not values or len(values) == before:
-            return status
-
-
-def _format(pattern: str, values: list[str], session: Session) -> tuple[str, bool]:
-    ok = True
-
-    def one(match: re.Match[str]) -> str:
-        nonlocal ok
-        flags, kind = match[1], match[2]
-        if any(int(number) > LONGEST_TEXT for number in re.findall(r"\d+", flags)):
-            raise MemoryError
-        if kind == "%":
-            return "%"
-        value = values.pop(0) if values else ""
-        if kind in "sc":
-            return f"%{flags}s" % (value[:1] if kind == "c" else value)
-        if kind == "b":
-            return f"%{flags}s" % unescape(value)
-        try:
-            number = float(value or 0) if kind in "eEfFgG" else int(value or "0", 0)
-        except ValueError:
-            session.print_error(f"bash: printf: {value}: invalid number")
-            ok, number = False, 0
-        return f"%{flags}{kind}" % number
-
-    return re.sub(r"%([-+ #0]*\d*(?:\.\d+)?)([%sbcdiouxXeEfFgG])", one, pattern), ok
 
 
 async def lines_of(

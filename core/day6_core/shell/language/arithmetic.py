@@ -7,8 +7,11 @@ import re
 from collections.abc import Callable, MutableMapping
 from functools import partial
 
+from day6_core.shell.language.variables import Variables
+from day6_core.shell.language.words import end_of_subscript
+
 _TOKEN = re.compile(
-    r"\s*(?:(\d[\w#@]*)|([A-Za-z_]\w*)"
+    r"\s*(?:(\d[\w#@]*)|([A-Za-z_]\w*\[?)"
     r"|(<<=|>>=|\*\*|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&^|]=|[-+*/%()<>!~&|^?:=,]))",
     re.ASCII,
 )
@@ -49,17 +52,29 @@ _UNARY: dict[str, Callable[[int], int]] = {
 class ArithmeticProblem(ValueError):
     """An expression without a value, in bash's words: the expression, what is wrong, and from where on."""
 
+    unbound = False
+    """Whether a variable is not set that has to be."""
+
     def __init__(self, expression: str, problem: str, rest: str) -> None:
         super().__init__(f'{expression}: {problem} (error token is "{rest}")')
 
 
-def evaluate(source: str, variables: MutableMapping[str, str], depth: int = 0) -> int:
+class UnsetProblem(ArithmeticProblem):
+    """A variable that is not set, under `set -u`."""
+
+    unbound = True
+
+    def __init__(self, name: str) -> None:
+        ValueError.__init__(self, f"{name}: unbound variable")
+
+
+def evaluate(source: str, variables: MutableMapping[str, str], depth: int = 0, *, unset_is_wrong: bool = False) -> int:
     """Return the value; assignments change `variables`, whose values may be expressions themselves.
 
     Raises:
         ArithmeticProblem: `source` is not an expression, or divides by 0.
     """
-    evaluator = _Evaluator(source, variables, depth)
+    evaluator = _Evaluator(source, variables, depth, unset_is_wrong)
     if depth > _MOST_DEPTH:
         raise evaluator.problem("expression recursion level exceeded")
     value = evaluator.comma() if evaluator.tokens else 0
@@ -71,7 +86,8 @@ def evaluate(source: str, variables: MutableMapping[str, str], depth: int = 0) -
 class _Evaluator:
     """Evaluates while it parses; while `quiet` is not 0 (in a branch that is not taken) nothing is assigned."""
 
-    def __init__(self, source: str, variables: MutableMapping[str, str], depth: int) -> None:
+    def __init__(self, source: str, variables: MutableMapping[str, str], depth: int, unset_is_wrong: bool) -> None:
+        self.unset_is_wrong = unset_is_wrong
         self.source = source.lstrip()
         self.variables = variables
         self.depth = depth
@@ -92,9 +108,14 @@ class _Evaluator:
                 after_operand = bool(self.tokens) and self.tokens[-1][0] in f"{_DIGITS})"
                 what = "invalid arithmetic operator" if after_operand else "operand expected"
                 raise ArithmeticProblem(self.source, f"syntax error: {what}", rest)
-            self.starts.append(match.start(match.lastindex or 0))
-            self.tokens.append(self.source[self.starts[-1] : match.end()])
             at = match.end()
+            if self.source[at - 1] == "[":  # an element of an array is one token, with its subscript
+                bracket = end_of_subscript(self.source, at - 1)
+                if bracket < 0:
+                    raise ArithmeticProblem(self.source, "bad array subscript", self.source[match.start() :])
+                at = bracket + 1
+            self.starts.append(match.start(match.lastindex or 0))
+            self.tokens.append(self.source[self.starts[-1] : at])
 
     def take(self) -> str:
         self.last = self.starts.pop(0)
@@ -117,7 +138,7 @@ class _Evaluator:
         return value
 
     def assignment(self) -> int:
-        if len(self.tokens) > 1 and self.tokens[1] in _ASSIGNING and self.tokens[0].isidentifier():
+        if len(self.tokens) > 1 and self.tokens[1] in _ASSIGNING and _is_name(self.tokens[0]):
             name, symbol, place = self.take(), self.take(), self.starts[:1]
             value = self.assignment()
             if symbol != "=":
@@ -179,7 +200,7 @@ class _Evaluator:
         if not self.tokens:
             raise self.problem("syntax error: operand expected")
         token = self.tokens[0]
-        if token in ("++", "--") and not (len(self.tokens) > 1 and self.tokens[1].isidentifier()):
+        if token in ("++", "--") and not (len(self.tokens) > 1 and _is_name(self.tokens[1])):
             self.tokens[:1], self.starts[:1] = token, [self.starts[0], self.starts[0] + 1]  # two signs, as in --5
             token = token[0]
         if not (token[0] in _DIGITS or token in ("(", "++", "--", *_UNARY)):
@@ -226,16 +247,44 @@ class _Evaluator:
         return ArithmeticProblem(self.source[: self.last + len(text)], what, text)
 
     def value_of(self, name: str) -> int:
-        text = self.variables.get(name, "").strip()
-        if not text:
+        text = self._text_of(name)
+        if text is None and self.unset_is_wrong and not self.quiet:
+            raise UnsetProblem(name)
+        text = (text or "").strip()
+        if not text or self.quiet:
             return 0
-        return evaluate(text, self.variables, self.depth + 1)
+        return evaluate(text, self.variables, self.depth + 1, unset_is_wrong=self.unset_is_wrong)
+
+    def _text_of(self, name: str) -> str | None:
+        base, bracket, subscript = name.partition("[")
+        if not bracket:
+            return self.variables.get(name)
+        if not isinstance(self.variables, Variables) or self.quiet:
+            return None
+        return self.variables.element(base, self._key(base, subscript[:-1]))
+
+    def _key(self, name: str, subscript: str) -> str:
+        """The key of an element: of an associative array the text itself."""
+        assert isinstance(self.variables, Variables)
+        cell = self.variables.find(name)
+        if cell is not None and cell.keyed:
+            return subscript.replace('"', "").replace("'", "")
+        return str(evaluate(subscript, self.variables, self.depth + 1, unset_is_wrong=self.unset_is_wrong))
 
     def assign(self, name: str, value: int) -> int:
         value = _wrapped(value)
-        if not self.quiet:
+        if self.quiet:
+            return value
+        base, bracket, subscript = name.partition("[")
+        if bracket and isinstance(self.variables, Variables):
+            self.variables.assign(base, str(value), key=self._key(base, subscript[:-1]))
+        else:
             self.variables[name] = str(value)
         return value
+
+
+def _is_name(token: str) -> bool:
+    return token[0].isalpha() or token[0] == "_"
 
 
 def _wrapped(value: int) -> int:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 from dataclasses import replace
-from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from day6_core.session.task import let_others_run
@@ -20,7 +19,9 @@ from day6_core.shell.language.expansion import (
     expand_text,
     sum_of,
 )
-from day6_core.shell.language.redirection import Streams, redirect
+from day6_core.shell.language.menu import run_select
+from day6_core.shell.language.redirection import Streams, forked, redirect
+from day6_core.shell.language.tracing import trace
 
 if TYPE_CHECKING:
     from day6_core.shell.language.interpreter import Shell
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 async def run_compound(shell: Shell, command: syntax.Command, streams: Streams) -> int:
     """Run one compound command with its redirections in `shell`; returns its status, which becomes the shell's."""
     assert not isinstance(command, syntax.SimpleCommand)
+    outer = streams
     with ExitStack() as opened:
         try:
             streams = await redirect(command.redirections, shell, streams, opened)
@@ -45,10 +47,11 @@ async def run_compound(shell: Shell, command: syntax.Command, streams: Streams) 
         elif isinstance(command, (syntax.Conditional, syntax.Arithmetic)):
             await _conditional(shell, command, streams)
         elif isinstance(command, syntax.Function):
-            shell.functions[command.name] = command
+            shell.functions[command.name] = replace(command, file=shell.file)
             shell.status = 0
         else:
             await _loop(shell, command, streams)
+        streams.hand_up(outer, command.redirections)
     return shell.status
 
 
@@ -57,7 +60,7 @@ async def _group(shell: Shell, command: syntax.Group, streams: Streams) -> None:
         await shell.run_tree(command.body, streams)
         return
     inner = shell.clone()
-    front = replace(streams, stdin=streams.stdin.fork())
+    front = forked(streams)
     await shell.run_subshell(inner, lambda: inner.run_tree(command.body, front), front, streams)
 
 
@@ -80,22 +83,27 @@ async def _holds(shell: Shell, condition: syntax.Sequence, streams: Streams) -> 
 
 
 async def _case(shell: Shell, command: syntax.Case, streams: Streams) -> None:
+    await trace(shell, streams, f"case {command.word.source} in")
     text = await expand_text(command.word, shell, streams)
     shell.status = 0
-    fallen = False
+    fallen = found = False
     for patterns, body, end in command.choices:
         if not fallen:
-            found = [fnmatchcase(text, await expand_pattern(pattern, shell, streams)) for pattern in patterns]
-        if fallen or any(found):
+            found = False
+            for pattern in patterns:
+                if found := (await expand_pattern(pattern, shell, streams)).matches(text):
+                    break
+        if fallen or found:
             await shell.run_tree(body, streams)
             if end == ";;":
                 return
-        fallen = (fallen or any(found)) and end == ";&"
+        fallen = (fallen or found) and end == ";&"
 
 
 async def _conditional(shell: Shell, command: syntax.Conditional | syntax.Arithmetic, streams: Streams) -> None:
     """`[[ … ]]` and `(( … ))`: status 0 if it is true, 1 if not; a condition that cannot be evaluated 2, a sum 1."""
     if isinstance(command, syntax.Arithmetic):
+        await trace(shell, streams, f"(( {command.source.strip()} ))")
         shell.status = 0 if await _sum(command.source, shell, streams) else 1
         return
     try:
@@ -125,6 +133,9 @@ async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Arithm
     values: list[str] | None = None
     if isinstance(command, syntax.For):
         values = list(shell.arguments) if command.words is None else await expand(command.words, shell, streams)
+        if command.asks:
+            await run_select(shell, command, values, streams)
+            return
     status = 0
     again = False
     while True:
@@ -140,10 +151,13 @@ async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Arithm
         elif isinstance(command, syntax.For):
             if not values:
                 break
-            shell.variables[command.name] = values.pop(0)
+            listed = " ".join(word.source for word in command.words) if command.words is not None else '"$@"'
+            await trace(shell, streams, f"for {command.name} in {listed}")
+            shell.variables.assign(command.name, values.pop(0))
         elif await _holds(shell, command.condition, streams) == command.until:
             break
         await let_others_run()
+        shell.loops += 1
         try:
             status = await shell.run_tree(command.body, streams)
         except LoopControl as control:
@@ -152,4 +166,6 @@ async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Arithm
             status = 0
             if not control.again:
                 break
+        finally:
+            shell.loops -= 1
     shell.status = status

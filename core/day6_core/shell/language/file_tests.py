@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import operator
 import os
+import re
+import stat
 from collections.abc import Callable
 from pathlib import Path
 
-UNARY = frozenset("-" + letter for letter in "abcdefghknoprstuvwxzGLNOS")
+UNARY = frozenset("-" + letter for letter in "abcdefghknoprstuvwxzGLNORS")
 INTEGER: dict[str, Callable[[int, int], bool]] = {
     "-eq": operator.eq,
     "-ne": operator.ne,
@@ -39,16 +41,26 @@ def unary(question: str, text: str, cwd: Path) -> bool:
         "-S": path.is_socket,
         "-b": path.is_block_device,
         "-c": path.is_char_device,
+        "-g": lambda: bool(_mode(path) & stat.S_ISGID),
+        "-u": lambda: bool(_mode(path) & stat.S_ISUID),
+        "-k": lambda: bool(_mode(path) & stat.S_ISVTX),
+        "-O": lambda: path.exists() and path.stat().st_uid == getattr(os, "geteuid", lambda: 0)(),
+        "-G": lambda: path.exists() and path.stat().st_gid == getattr(os, "getegid", lambda: 0)(),
+        "-N": lambda: path.exists() and path.stat().st_mtime_ns > path.stat().st_atime_ns,
     }
     if question not in checks:
         raise ValueError(f"{question}: unary operator expected")
     return (bool(text) or question in ("-z", "-n")) and checks[question]()
 
 
+def _mode(path: Path) -> int:
+    return path.stat().st_mode if path.exists() else 0
+
+
 def integers(left: str, comparison: str, right: str) -> bool:
     """Compare two integers. Raises ValueError (bash's text) for anything that isn't an integer."""
     for text in (left, right):
-        if not text.strip().lstrip("+-").isdigit():
+        if re.fullmatch(r"\s*[-+]?\d+\s*", text, re.ASCII) is None:
             raise ValueError(f"{text}: integer expression expected")
     return INTEGER[comparison](int(left), int(right))
 

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
-from typing import TYPE_CHECKING
 
 from day6_core.session.session import Main, Session
 from day6_core.shell.language import syntax
 from day6_core.shell.language.control_flow import DiscardLine, ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_core.shell.language.redirection import Streams
 from day6_core.shell.language.shell_state import MAX_DEPTH
-
-if TYPE_CHECKING:
-    pass
+from day6_core.shell.language.simple import restore
+from day6_core.shell.language.specials import Call
 
 
 async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitable[int]], too_deep: str) -> int:
@@ -27,9 +25,9 @@ async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitab
         session.print_error(f"{shell.name}: {session.name}: {too_deep} ({MAX_DEPTH})")
         return 1
     shell.depth += 1
-    shell.status = 0
+    line = shell.line
     try:
-        return await run(Streams(session.stdin, session.stdout, session.stderr))
+        return await run(shell.all_streams(session))
     except ReturnFromSource as end:
         return end.status
     except (ExitShell, LoopControl, DiscardLine, Interrupted) as end:
@@ -37,6 +35,7 @@ async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitab
         return shell.status
     finally:
         shell.depth -= 1
+        shell.line = line
 
 
 def calling(function: syntax.Function) -> Main:
@@ -47,8 +46,16 @@ def calling(function: syntax.Function) -> Main:
         from day6_core.shell.language.interpreter import shell_of
 
         shell = shell_of(session)
+        most = shell.variables.get("FUNCNEST", "")
+        if most.isdigit() and 0 < int(most) <= len(shell.hidden):
+            session.print_error(f"{shell.name}: {function.name}: maximum function nesting level exceeded ({most})")
+            shell.wanted[session] = DiscardLine()
+            return 1
         before, shell.arguments = shell.arguments, session.argv[1:]
         shell.hidden.append({})
+        loops, shell.loops = shell.loops, 0
+        on_error = None if "E" in shell.options else shell.traps.pop("ERR", None)
+        shell.calls.append(Call(function.name, function.file or "environment", shell.line))
         try:
             return await in_the_shell_itself(
                 session,
@@ -56,11 +63,10 @@ def calling(function: syntax.Function) -> Main:
                 "maximum function nesting level exceeded",
             )
         finally:
-            shell.arguments = before
-            for name, value in shell.hidden.pop().items():
-                if value is None:
-                    shell.variables.pop(name, None)
-                else:
-                    shell.variables[name] = value
+            shell.arguments, shell.loops = before, loops
+            shell.calls.pop()
+            if on_error is not None:
+                shell.traps.setdefault("ERR", on_error)
+            restore(shell, shell.hidden.pop())
 
     return main

@@ -1,4 +1,4 @@
-"""Runs parsed command lines: simple commands, pipelines, lists, background jobs. `compound` runs the loops and conditions.
+"""Runs parsed command lines: pipelines, lists, background jobs. `simple` prepares commands, `compound` runs loops and conditions.
 
 Every simple command, built-in or not, runs as a program of its own with a session (so Ctrl-C, pipes and `timeout` need no
 special cases); built-ins that change the shell reach it by `shell_of`. Commands in a pipeline, in `( )` and in the
@@ -7,41 +7,43 @@ background work on a copy.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 from day6_core.session.program import Program
-from day6_core.session.session import Main, Session
+from day6_core.session.session import KilledBySignal, Main, Session
 from day6_core.session.signals import NUMBERS
-from day6_core.session.streams import CAPTURE_LIMIT, Captured, InputStream, OutputStream, Pipe
-from day6_core.session.write_errors import report_write_error
-from day6_core.shell.language import parser, syntax
+from day6_core.session.streams import InputStream, OutputStream
+from day6_core.shell.language import parser, substitution, syntax
+from day6_core.shell.language.arithmetic import evaluate
 from day6_core.shell.language.compound import run_compound
-from day6_core.shell.language.control_flow import DiscardLine, ExitShell, Interrupted, LoopControl, ReturnFromSource
-from day6_core.shell.language.expansion import ExpansionProblem, UnboundProblem, expand, expand_text
+from day6_core.shell.language.control_flow import DiscardLine, Interrupted, LoopControl, ReturnFromSource
+from day6_core.shell.language.failures import after_failure, after_problem, is_last_itself, report
 from day6_core.shell.language.hints import Printed, hint_at_syntax, hint_below_command
 from day6_core.shell.language.jobs import Job, JobTable
-from day6_core.shell.language.redirection import Streams, redirect
-from day6_core.shell.language.shell_state import MAX_DEPTH, NOT_FOUND, ShellState
-from day6_core.shell.language.words import SyntaxProblem, Word
+from day6_core.shell.language.pipelines import run_timed, start_stages, take_statuses
+from day6_core.shell.language.redirection import Streams, descriptors_of, forked
+from day6_core.shell.language.refusals import Refused, check
+from day6_core.shell.language.shell_state import NOT_FOUND, ShellState
+from day6_core.shell.language.simple import Prepared, prepare
+from day6_core.shell.language.specials import add_specials, copy_specials
+from day6_core.shell.language.subshells import subshell_main, write_error
+from day6_core.shell.language.traps import run_trap, trapped
+from day6_core.shell.language.words import SyntaxProblem
 
 if TYPE_CHECKING:
     from day6_core.shell.desk import Desk
     from day6_core.shell.runs import Runs
 
-LONGEST_VALUE = 16 * 1024 * 1024
-"""Characters of a variable. A bash that keeps doubling one ends with this message too, once memory is used up."""
-
 
 class Shell(ShellState):
     """One shell on a desk: its state, and the jobs that it has started."""
 
-    def __init__(self, desk: Desk, *, env: dict[str, str], cwd: Path, interactive: bool, name: str = "bash") -> None:
+    def __init__(self, desk: Desk, *, env: Mapping[str, str], cwd: Path, interactive: bool, name: str = "bash") -> None:
         super().__init__(env=env, cwd=cwd, interactive=interactive, name=name, pid=desk.new_pid())
         self.desk = desk
         self.jobs = JobTable()
@@ -49,8 +51,16 @@ class Shell(ShellState):
         """In a subshell the table of the shell around it, which `jobs` shows as long as there are none of its own."""
         self.condition_depth = 0
         """The nesting depth of conditions of `if` and `while`, in which `set -e` does not apply."""
-        self._substitution_status = 0
+        self.substitution_status = 0
         """Status of the last `$(…)` in the command being prepared: that of an assignment is this one's."""
+        self.substitutions = 0
+        """How many `$(…)` it is in."""
+        self.made_files: list[Path] = []
+        """Files of `<(…)` that the command being prepared will read."""
+        self.kept = ExitStack()
+        """Closes what `exec` has opened."""
+        self.listeners: list[Program] = []
+        """What reads in `>(…)`."""
         self._front: list[Job] = []
         """Jobs being waited for, the innermost last."""
         self._interrupted = False
@@ -59,6 +69,10 @@ class Shell(ShellState):
         """What the script of `day6-tui exec` has printed, if something in it will ask `why`; a terminal has its own."""
         self.wanted: WeakKeyDictionary[Session, Exception] = WeakKeyDictionary()
         """What built-ins request after they have returned: to exit, to break out of a loop …"""
+        self.streams_of: WeakKeyDictionary[Session, Streams] = WeakKeyDictionary()
+        """All streams of the built-ins that run, with those beyond the first three."""
+        self.variables.evaluate = lambda text: evaluate(text, self.variables)
+        add_specials(self)
 
     # -- for its users -------------------------------------------------------------------------------------------------
 
@@ -69,6 +83,8 @@ class Shell(ShellState):
 
     def interrupt(self) -> bool:
         """Ctrl-C for the innermost foreground job; False if there is none."""
+        if self.traps.get("INT") == "":
+            return True
         front = self.front
         if front is None:
             return False
@@ -107,29 +123,39 @@ class Shell(ShellState):
 
     def clone(self) -> Shell:
         """A copy for a subshell: changes to it do not come back, and it has no jobs of its own."""
-        twin = Shell(self.desk, env=dict(self.variables), cwd=self.cwd, interactive=False, name=self.name)
+        twin = Shell(self.desk, env={}, cwd=self.cwd, interactive=False, name=self.name)
         twin.inherit(self)
+        copy_specials(twin, self.variables)
         twin.unbound_status = 1
+        twin.condition_depth = self.condition_depth
+        twin.substitutions = self.substitutions
         twin.runs = self.runs
         twin.outer_jobs = self.jobs if self.outer_jobs is None or self.jobs.jobs else self.outer_jobs
         return twin
 
+    async def close_streams(self) -> None:
+        """At the end of this shell: close what `exec` has opened, and wait for what reads from it."""
+        self.kept.close()
+        for program in self.listeners:
+            await program.wait()
+
     # -- running -------------------------------------------------------------------------------------------------------
 
-    async def run(self, source: str, streams: Streams) -> int:
+    async def run(self, source: str, streams: Streams, *, first_line: int = 1) -> int:
         """Run command lines; messages about wrong ones go to `streams.stderr`. Returns the last status.
 
         Raises ExitShell, and LoopControl or ReturnFromSource where those built-ins were used.
         """
         try:
-            for line in parser.lines(source, self.aliases):
+            for line in parser.lines(source, self.aliases, self.settings, first_line):
+                check(line, self.functions)
                 with suppress(DiscardLine):
                     await self.run_tree(line, streams)
         except SyntaxProblem as problem:
-            streams.stderr.write(f"{self.name}: {problem}\n")
-            if streams.stderr.isatty():
+            report(self, problem, streams, before_the_line=True)
+            if streams.stderr.isatty() and not isinstance(problem, Refused):
                 streams.stderr.write(hint_at_syntax(self, source))
-            self.status = 2
+            self.status = problem.status
         return self.status
 
     # -- for programs (day6_core/session/host.Host) -------------------------------------------------------------------------
@@ -138,7 +164,11 @@ class Shell(ShellState):
 
     async def run_line(self, source: str, session: Session) -> int:
         """Run command lines for a program, on its streams; for commands that start others (`ros2 run --prefix`)."""
-        return await self.run(source, Streams(session.stdin, session.stdout, session.stderr))
+        return await self.run(source, self.all_streams(session))
+
+    def all_streams(self, session: Session) -> Streams:
+        """The streams of a command that this shell runs."""
+        return self.streams_of.get(session) or Streams(session.stdin, session.stdout, session.stderr)
 
     def command(self, name: str) -> Main | None:
         """The built-in command of that name."""
@@ -174,32 +204,26 @@ class Shell(ShellState):
 
     async def run_tree(self, tree: syntax.Sequence, streams: Streams) -> int:
         for item in tree.items:
-            await self._and_or(item, streams)
+            try:
+                await self._and_or(item, streams)
+            except (Interrupted, KeyboardInterrupt, KilledBySignal) as error:
+                name = trapped(self, error)
+                if not name:
+                    raise
+                self.status = 128 + NUMBERS[name]
+                await run_trap(self, name, streams)
         return self.status
 
     async def output_of(self, source: str, streams: Streams) -> str:
         """`$(source)`: what the commands print, without the newlines at the end."""
-        captured = Captured()
-        inner = self.clone()
-        inner_streams = Streams(streams.stdin.fork(), captured, streams.stderr)
-        program = self._start(["$()"], subshell_main(inner, lambda: inner.run(source, inner_streams)), inner_streams)
-        job = Job([program], source, inner_streams.stdin)
-        await self._wait_front(job)
-        self.status = self._substitution_status = job.status
-        if job.interrupted:
-            raise Interrupted
-        if captured.is_cut:
-            streams.stderr.write(
-                f"{self.name}: warning: command substitution: more than {CAPTURE_LIMIT >> 20} MB of output, the rest is lost\n"
-            )
-        return captured.text.rstrip("\n")
+        return (await substitution.captured_output(self, source, streams)).rstrip("\n")
 
     async def _and_or(self, node: syntax.AndOr, streams: Streams) -> None:
         if node.background:
             try:
                 await self._background(node, streams)
             except SyntaxProblem as problem:
-                streams.stderr.write(f"{self.name}: {problem}\n")
+                report(self, problem, streams)
                 self.status = 1
             return
         last = node.items[-1][1]
@@ -211,31 +235,26 @@ class Shell(ShellState):
             asked = pipeline is not last  # a command before && or || may fail, even with `set -e`
             self.condition_depth += asked
             try:
-                await self._pipeline(pipeline, streams)
+                await self.run_pipeline(pipeline, streams)
             except SyntaxProblem as problem:
-                streams.stderr.write(f"{self.name}: {problem}\n")
-                self.status = 1
-                if isinstance(problem, UnboundProblem) and not self.interactive:
-                    raise ExitShell(self.unbound_status) from None
-                if isinstance(problem, ExpansionProblem):
-                    raise DiscardLine from None
+                after_problem(self, problem, streams)
             finally:
                 self.condition_depth -= asked
-        if "e" in self.options and self.status and not last.negated and not self.condition_depth:
-            raise ExitShell(self.status)
+        if self.status and not last.negated and not self.condition_depth:
+            await after_failure(self, last, streams)
 
     async def _background(self, node: syntax.AndOr, streams: Streams) -> None:
         stdin = streams.stdin.fork() if self.interactive else InputStream()
-        streams = replace(streams, stdin=stdin)
+        streams = Streams(stdin, streams.stdout, streams.stderr, dict(streams.more))
         inner = self.clone()
         inner.background = True
         inner.unbound_status = self.unbound_status
         if len(node.items) == 1 and not node.items[0][1].negated:
-            programs = inner._start_stages(node.items[0][1], streams)
+            programs = start_stages(inner, node.items[0][1], streams)
         else:
             foreground = replace(node, background=False)
-            main = subshell_main(inner, lambda: inner.run_tree(syntax.Sequence([foreground]), streams))
-            programs = [inner._start([node.source], main, streams)]
+            main = subshell_main(inner, lambda: inner.run_tree(syntax.Sequence([foreground]), streams), streams)
+            programs = [inner.start([node.source], main, streams)]
         job = Job(programs, node.source, stdin)
         self.jobs.add(job)
         self.last_background = programs[-1].pid
@@ -243,152 +262,73 @@ class Shell(ShellState):
         if self.interactive:
             streams.stderr.write(f"[{job.number}] {programs[-1].pid}\n")
 
-    async def _timed(self, node: syntax.Pipeline, streams: Streams) -> None:
-        """`time …`: how long it really took, and what the processor did meanwhile."""
-        began, before = self.desk.clock.wall_ns(), os.times()
-        try:
-            await self._pipeline(replace(node, timed=False), streams)
-        finally:
-            after = os.times()
-            user = after.user + after.children_user - before.user - before.children_user
-            system = after.system + after.children_system - before.system - before.children_system
-            seconds = (self.desk.clock.wall_ns() - began) / 1e9
-            for name, value in (("\nreal", seconds), ("user", user), ("sys", system)):
-                streams.stderr.write(f"{name}\t{int(value // 60)}m{value % 60:.3f}s\n")
-
-    async def _pipeline(self, node: syntax.Pipeline, streams: Streams) -> None:
+    async def run_pipeline(self, node: syntax.Pipeline, streams: Streams) -> None:
         if node.timed:
-            await self._timed(node, streams)
+            await run_timed(self, node, streams)
             return
         if self._interrupted:
             streams.stderr.write("\n")
             raise Interrupted
+        self.line = node.line
         command = node.commands[0]
         if len(node.commands) > 1:
-            front = replace(streams, stdin=streams.stdin.fork())
-            programs, printed = self._start_stages(node, front), Printed(front.stdin)
-            await self._foreground(Job(programs, node.source, front.stdin), streams)
+            front = forked(streams)
+            programs, printed = start_stages(self, node, front), Printed(front.stdin)
+            job = Job(programs, node.source, front.stdin)
+            await self._foreground(job, streams)
+            take_statuses(self, [program.status or 0 for program in programs])
             missing = next((program for program in programs if program.status == NOT_FOUND), None)
             if missing is not None and self.interactive and streams.stderr.isatty():
                 streams.stderr.write(await hint_below_command(self, missing.session.argv, printed, NOT_FOUND))
         elif isinstance(command, syntax.SimpleCommand):
             await self._simple(command, node.source, streams)
+            take_statuses(self, [self.status])
         else:
             await run_compound(self, command, streams)
+            if is_last_itself(command):
+                take_statuses(self, [self.status])
         if node.negated:
             self.status = 0 if self.status else 1
-
-    def _start_stages(self, node: syntax.Pipeline, streams: Streams) -> list[Program]:
-        """Start every command of a pipeline in a copy of the shell, each writing into the next."""
-        programs: list[Program] = []
-        stdin = streams.stdin
-        for index, command in enumerate(node.commands):
-            last = index == len(node.commands) - 1
-            pipe = None if last else Pipe()
-            stage = Streams(stdin, streams.stdout if pipe is None else pipe.writer, streams.stderr)
-            try:
-                program = self._start([node.source], self._stage_main(command, stage), stage)
-            except (
-                SyntaxProblem
-            ):  # too many programs: those already started would be in no job, and Ctrl-C would not reach them
-                for started in programs:
-                    started.kill()
-                raise
-            if index:
-                program.session.defer(stdin.close)
-            if pipe is not None:
-                program.session.defer(pipe.writer.close)
-                stdin = pipe.reader
-            programs.append(program)
-        return programs
-
-    def _stage_main(self, command: syntax.Command, streams: Streams) -> Main:
-        inner = self.clone()
-        if not isinstance(command, syntax.SimpleCommand):
-            return subshell_main(inner, lambda: run_compound(inner, command, streams))
-
-        async def become(session: Session) -> int:
-            try:
-                prepared = await inner._prepare(command, streams)
-            except SyntaxProblem as problem:
-                session.print_error(f"{inner.name}: {problem}")
-                return self.unbound_status if isinstance(problem, UnboundProblem) else 1
-            if prepared is None:
-                return 1
-            session.host = inner
-            session.env = prepared.env
-            session.cwd = inner.cwd
-            session.stdin, session.stdout, session.stderr = (
-                prepared.streams.stdin,
-                prepared.streams.stdout,
-                prepared.streams.stderr,
-            )
-            session.defer(prepared.opened.close)
-            return await session.execute(prepared.main, prepared.argv)
-
-        return become
 
     # -- simple commands -----------------------------------------------------------------------------------------------
 
     async def _simple(self, command: syntax.SimpleCommand, source: str, streams: Streams) -> None:
-        tty = streams.stdin.fork()
-        prepared = await self._prepare(command, replace(streams, stdin=tty))
+        front = forked(streams)
+        listeners = len(self.listeners)
+        prepared = await prepare(self, command, front)
         if prepared is None:
             self.status = 1
             return
-        if not prepared.argv:
-            prepared.opened.close()
-            return
-        program = self._start(prepared.argv, prepared.main, prepared.streams, env=prepared.env, shell=self)
-        program.session.defer(prepared.opened.close)
+        try:
+            if prepared.argv:
+                await self._run_prepared(prepared, command, source, front.stdin, streams)
+        finally:
+            prepared.finish(self)
+            self.last_argument = prepared.argv[-1] if prepared.argv else ""
+        if "exec" not in prepared.argv[:1]:
+            for program in self.listeners[listeners:]:
+                await program.wait()
+            del self.listeners[listeners:]
+
+    async def _run_prepared(
+        self, prepared: Prepared, command: syntax.SimpleCommand, source: str, tty: InputStream, streams: Streams
+    ) -> None:
+        program = self.start(prepared.argv, prepared.main, prepared.streams, env=prepared.env, shell=self)
+        self.streams_of[program.session] = prepared.streams
         printed = Printed(tty)
         await self._foreground(Job([program], source, tty), streams)
+        if prepared.argv[0] == "exec" and not prepared.argv[1:]:
+            self.kept.push(prepared.opened.pop_all())
+            streams.take(prepared.streams, descriptors_of(command.redirections))
+        prepared.streams.hand_up(streams, command.redirections)
         if self.status and self.interactive and prepared.streams.stderr.isatty():
             prepared.streams.stderr.write(await hint_below_command(self, prepared.argv, printed, self.status))
         if (end := self.wanted.pop(program.session, None)) is not None:
             raise end
 
-    async def _prepare(self, command: syntax.SimpleCommand, streams: Streams) -> _Prepared | None:
-        """Expand the words, open the redirections, find the command. None (and a message) if a redirection failed."""
-        from day6_core.shell.commands import find_command, list_too_long, too_long
-
-        self._substitution_status = 0
-        argv = await expand(command.words, self, streams)
-        values = [await self._assigned(name, word, streams) for name, word in command.assignments]
-        if "x" in self.options:
-            shown = [*(f"{name}={value}" for name, value in values), *argv]
-            streams.stderr.write("+ " + " ".join(shown) + "\n")
-        opened = ExitStack()
-        try:
-            redirected = await redirect(command.redirections, self, streams, opened)
-        except OSError as error:
-            opened.close()
-            streams.stderr.write(f"{self.name}: {error.filename}: {error.strerror}\n")
-            return None
-        env = self.environment
-        if argv:
-            env.update(values)
-        else:
-            self.variables.update(values)
-            self.status = self._substitution_status
-        main = find_command(argv[0], self) if argv else _nothing
-        if argv and argv[0] not in self.functions and too_long(argv, env):
-            main = list_too_long(argv[0], self)
-        return _Prepared(argv, main, redirected, env, opened)
-
-    async def _assigned(self, name: str, word: Word, streams: Streams) -> tuple[str, str]:
-        value = await expand_text(word, self, streams, assigned=True)
-        plain = name.removesuffix("+")
-        if plain != name:
-            value = self.variables.get(plain, "") + value
-        if len(value) > LONGEST_VALUE:
-            streams.stderr.write(f"{self.name}: xrealloc: cannot allocate {len(value)} bytes\n")
-            raise ExitShell(2)
-        return plain, value
-
     # -- programs and jobs ---------------------------------------------------------------------------------------------
 
-    def _start(
+    def start(
         self,
         argv: list[str],
         main: Main,
@@ -410,15 +350,15 @@ class Shell(ShellState):
         self, inner: Shell, run: Callable[[], Awaitable[int]], inner_streams: Streams, streams: Streams
     ) -> None:
         """Run `( … )`: `run()` does its work in the copy `inner`, which has the terminal until it ends."""
-        program = self._start(["( )"], subshell_main(inner, run), inner_streams)
+        program = self.start(["( )"], subshell_main(inner, run, inner_streams), inner_streams)
         await self._foreground(Job([program], "( )", inner_streams.stdin), streams)
 
     async def _foreground(self, job: Job, streams: Streams) -> None:
         """Give the job the terminal until it ends or is stopped, and take its status."""
-        await self._wait_front(job)
+        await self.wait_front(job)
         self._after(job, streams)
 
-    async def _wait_front(self, job: Job) -> None:
+    async def wait_front(self, job: Job) -> None:
         self._front.append(job)
         job.tty.focus()
         try:
@@ -454,61 +394,8 @@ class Shell(ShellState):
         return self.status
 
 
-@dataclass
-class _Prepared:
-    argv: list[str]
-    main: Main
-    streams: Streams
-    env: dict[str, str]
-    opened: ExitStack
-
-
-async def _nothing(session: Session) -> int:
-    return 0
-
-
 def shell_of(session: Session) -> Shell:
     """The shell that runs a built-in. Raises LookupError for a program that no shell has started."""
     if not isinstance(session.host, Shell):
         raise LookupError(f"{session.name}: no shell")
     return session.host
-
-
-def write_error(session: Session, error: OSError) -> int:
-    """Report that a command's output could not be written, as bash does for its built-ins; return the status."""
-    from day6_core.shell.commands import SHELL_BUILTINS
-
-    if not isinstance(session.host, Shell) or session.name not in SHELL_BUILTINS:
-        return report_write_error(session, error)
-    session.print_error(f"{session.host.name}: {session.name}: write error: {error.strerror}")
-    return 1
-
-
-def subshell_main(inner: Shell, run: Callable[[], Awaitable[int]]) -> Main:
-    """The program of a subshell: `run()` is the coroutine that does its work in the copy `inner`."""
-
-    async def main(session: Session) -> int:
-        def on_stop(stopped: bool) -> None:
-            if inner.front is not None and stopped:
-                inner.front.stop()
-            elif inner.front is not None:
-                inner.front.resume()
-
-        session.on_interrupt = inner.interrupt
-        session.on_stop = on_stop
-        if inner.depth > MAX_DEPTH:
-            session.print_error(inner.too_deep)
-            return 1
-        try:
-            return await run()
-        except ExitShell as end:
-            return end.status
-        except Interrupted:
-            raise KeyboardInterrupt from None
-        except (LoopControl, ReturnFromSource, DiscardLine):
-            return inner.status
-        finally:
-            for job in inner.jobs.jobs:
-                job.send(15)
-
-    return main

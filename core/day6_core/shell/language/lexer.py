@@ -8,65 +8,37 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
+from day6_core.shell.language.tokens import OPERATORS, Token
 from day6_core.shell.language.words import (
     HAS_PATTERN,
+    ArrayLiteral,
     Incomplete,
     Part,
+    ProcessSubstitution,
     Substitution,
+    SyntaxProblem,
     Text,
     Variable,
     Word,
     braced,
+    end_of_arithmetic,
+    end_of_subscript,
     unescaped,
 )
 
-OPERATORS = (
-    ";;&",
-    "&>>",
-    "<<<",
-    "<<-",
-    "&&",
-    "||",
-    ";;",
-    ";&",
-    ">>",
-    "<<",
-    ">&",
-    "<&",
-    ">|",
-    "&>",
-    "|&",
-    "|",
-    "&",
-    ";",
-    "(",
-    ")",
-    "<",
-    ">",
-)
-"""Longest first."""
-
-REDIRECTIONS = frozenset({">", ">>", "<", "<<", "<<-", "<<<", ">&", "<&", ">|", "&>", "&>>"})
 _WORD_END = frozenset(" \t\n|&;()<>")
 _SPECIAL_NAMES = frozenset("?!$#@*-0123456789")
 _BACKQUOTED = re.compile(r"`((?:[^`\\]|\\.)*)`", re.DOTALL)
 _ESCAPED_IN_BACKQUOTES = re.compile(r"\\([`$\\])")
+_ESCAPED_IN_QUOTED_BACKQUOTES = re.compile(r"\\([`$\\\"])")
+_BEFORE_AN_ARRAY = re.compile(r"[A-Za-z_]\w*(?:\[.*\])?\+?=", re.ASCII | re.DOTALL)
+_ELEMENT = re.compile(r"(?:[A-Za-z_]\w*)?\[", re.ASCII)
+_NAME = re.compile(r"\w+", re.ASCII)
+_FD_NAME = re.compile(r"\{[A-Za-z_]\w*\}", re.ASCII)
+_EXTENDED = "?*+@!"
+"""Before a `(`: a pattern of `extglob`."""
 _BEFORE_A_COMMAND = frozenset({"then", "do", "else", "elif", "if", "while", "until", "!", "{"})
-
-
-@dataclass
-class Token:
-    """`kind` is 'word', 'op', 'newline', 'number' (a file descriptor before a redirection) or 'end'."""
-
-    kind: str
-    text: str
-    start: int
-    end: int
-    word: Word | None = None
-    document: list[Word] = field(default_factory=list)
-    """The body of a here-document, on its `<<` token, once it was read."""
 
 
 def tokenize(source: str) -> list[Token]:
@@ -74,18 +46,23 @@ def tokenize(source: str) -> list[Token]:
     return list(Lexer(source).tokens())
 
 
-def single_word(source: str, quoted: bool = False) -> Word:
-    """Return all of `source` as one word, white space and operators included; `quoted`: as if it were between `"`."""
-    lexer = Lexer(source)
-    return Word(tuple(lexer._quoted("")), source) if quoted else lexer._word(frozenset())
+def single_word(source: str, quoted: bool = False, *, toggling: bool = False, extglob: bool = False) -> Word:
+    """Return all of `source` as one word, white space and operators included.
+
+    `quoted`: as if it were between `"`, and with `toggling` a `"` in it is dropped, as in `"${x:-…}"` and in expressions.
+    """
+    lexer = Lexer(source, extglob=extglob)
+    return Word(tuple(lexer._quoted("", toggling=toggling)), source) if quoted else lexer._word(frozenset())
 
 
 class Lexer:
     """Reads one text, one token at a time, because some tokens are not followed by a list of words."""
 
-    def __init__(self, source: str) -> None:
+    def __init__(self, source: str, *, extglob: bool = False) -> None:
         self.source = source
+        self.extglob = extglob
         self.at = 0
+        self._in_array = False
         self._documents: list[tuple[Token, str, bool, bool]] = []
 
     def tokens(self) -> Iterator[Token]:
@@ -93,32 +70,44 @@ class Lexer:
         last = None
         while last is None or last.kind != "end":
             token = self._next()
-            if last is not None and last.kind == "op" and last.text in ("<<", "<<-") and token.word is not None:
-                end = "".join(part.text for part in token.word.parts if isinstance(part, Text))
-                literal = any(isinstance(part, Text) and part.quoted for part in token.word.parts)
-                self._documents.append((last, end, literal, last.text == "<<-"))
-            if token.kind == "newline":
-                self._read_documents()
+            self._note_document(last, token)
             if token.kind == "end" and self._documents:
                 raise Incomplete(f"here-document delimited by end-of-file (wanted `{self._documents[0][1]}')")
             yield token
             last = token
 
+    def _note_document(self, last: Token | None, token: Token) -> None:
+        """Remember a here-document at its delimiter, and read those of a line at its end."""
+        if last is not None and last.kind == "op" and last.text in ("<<", "<<-") and token.word is not None:
+            end = "".join(part.text for part in token.word.parts if isinstance(part, Text))
+            literal = any(isinstance(part, Text) and part.quoted for part in token.word.parts)
+            self._documents.append((last, end, literal, last.text == "<<-"))
+        if token.kind == "newline":
+            self._read_documents()
+
     def arithmetic(self) -> str | None:
         """After a `(`: if it begins `((…))`, return the expression between them and move `at` past it; else None."""
         if not self.source.startswith("(", self.at):
             return None
-        end = _end_of_arithmetic(self.source, self.at + 1)
+        end = end_of_arithmetic(self.source, self.at + 1)
         if end < 0:
             return None
         start, self.at = self.at + 1, end + 2
         return self.source[start:end]
 
     def pattern(self) -> Word:
-        """The regular expression after `=~`, in which `(`, `)` and `|` are ordinary characters."""
-        while self.at < len(self.source) and self.source[self.at] in " \t":
+        """The regular expression after `=~`: `(`, `)` and `|` are ordinary characters in it, between parentheses blanks, too."""
+        self.at += len(self.source[self.at :]) - len(self.source[self.at :].lstrip(" \t"))
+        start, depth = self.at, 0
+        parts: list[Part] = []
+        while True:
+            parts.extend(self._word(frozenset("()") if depth else frozenset(" \t\n()")).parts)
+            char = self.source[self.at : self.at + 1]
+            depth += {"(": 1, ")": -1}.get(char, 0)
+            if char not in ("(", ")") or depth < 0:
+                return Word(tuple(parts), self.source[start : self.at])
+            parts.append(Text(char))
             self.at += 1
-        return self._word(frozenset(" \t\n"))
 
     def _next(self) -> Token:
         source = self.source
@@ -138,22 +127,37 @@ class Lexer:
         if source[start] == "\n":
             self.at += 1
             return Token("newline", "newline", start, self.at)
-        for operator in OPERATORS:
+        for operator in () if self._at_process() else OPERATORS:
             if source.startswith(operator, start):
                 self.at += len(operator)
                 return Token("op", operator, start, self.at)
         word = self._word()
-        if word.source.isdigit() and self.at < len(source) and source[self.at] in "<>":
-            return Token("number", word.source, start, self.at)
+        if self.at < len(source) and source[self.at] in "<>" and not self._at_process():
+            if word.source.isdigit():
+                return Token("number", word.source, start, self.at)
+            if _FD_NAME.fullmatch(word.source):
+                return Token("number", word.source[1:-1], start, self.at)
         return Token("word", word.source, start, self.at, word)
 
     def _word(self, ends: frozenset[str] = _WORD_END) -> Word:
         start = self.at
         parts: list[Part] = []
         source = self.source
+        if ends is _WORD_END and (subscript := self._odd_subscript()):
+            parts.append(Text(subscript))
         while self.at < len(source):
             char = source[self.at]
-            if char == "\\":
+            if self.extglob and char in _EXTENDED and source.startswith("(", self.at + 1) and ends:
+                parts.extend(self._extended())
+            elif char in "<>" and ends and self._at_process():
+                parts.append(self._process())
+            elif char == "(" and ends and parts and _BEFORE_AN_ARRAY.fullmatch(source, start, self.at):
+                try:
+                    parts.append(self._array())
+                except SyntaxProblem as problem:
+                    problem.status = 1  # as bash, which reads an array by itself
+                    raise
+            elif char == "\\":
                 if self.at + 1 >= len(source):
                     raise Incomplete("unexpected end of file after `\\'")
                 if source[self.at + 1] != "\n":
@@ -168,17 +172,75 @@ class Lexer:
                 parts.extend(self._quoted('"'))
             elif source.startswith("$'", self.at):
                 parts.append(self._escaped())
+            elif source.startswith('$"', self.at):
+                self.at += 1  # a text to be translated, and there are no translations
             elif char in "$`":
                 parts.append(self._dollar(quoted=False))
             elif char in ends:
                 break
             else:
-                end = self.at
+                end = self.at + 1
                 while end < len(source) and source[end] not in ends and source[end] not in "\\'\"$`":
+                    if self.extglob and source[end] in _EXTENDED and source.startswith("(", end + 1):
+                        break
                     end += 1
                 parts.append(Text(source[self.at : end]))
                 self.at = end
         return Word(tuple(parts), source[start : self.at])
+
+    def _at_process(self) -> bool:
+        return self.source.startswith(("<(", ">("), self.at)
+
+    def _process(self) -> ProcessSubstitution:
+        """`<(…)`, `>(…)`."""
+        writes = self.source[self.at] == ">"
+        self.at += 2
+        start = self.at
+        return ProcessSubstitution(self.source[start : self._matching_parenthesis()], writes)
+
+    def _array(self) -> ArrayLiteral:
+        """`(…)` behind `NAME=`: words, on any number of lines."""
+        self.at += 1
+        elements: list[Word] = []
+        while True:
+            self._in_array = True
+            token = self._next()
+            self._in_array = False
+            if token.kind == "end":
+                raise Incomplete("unexpected EOF while looking for matching `)'")
+            if token.kind == "op" and token.text == ")":
+                return ArrayLiteral(tuple(elements))
+            if token.word is not None:
+                elements.append(token.word)
+            elif token.kind != "newline":
+                raise SyntaxProblem(f"syntax error near unexpected token `{token.text}'")
+
+    def _odd_subscript(self) -> str:
+        """`NAME[` … `]` before a `=`, with blanks or operators in the subscript; '' where a word begins in another way."""
+        match = _ELEMENT.match(self.source, self.at)
+        if match is not None and len(match[0]) == 1 and not self._in_array:
+            match = None
+        end = end_of_subscript(self.source, match.end() - 1) if match else -1
+        if match is None or end < 0 or not self.source.startswith(("=", "+="), end + 1):
+            return ""
+        subscript = self.source[match.end() : end]
+        if not any(char in _WORD_END for char in subscript) or "\n" in subscript or "$(" in subscript:
+            return ""
+        found, self.at = self.source[self.at : end + 1], end + 1
+        return found
+
+    def _extended(self) -> list[Part]:
+        """`@(…)` and its relatives, in which blanks and `|` are ordinary characters; quotes and `$` keep their meaning."""
+        parts: list[Part] = [Text(self.source[self.at : self.at + 2])]
+        self.at += 2
+        while True:
+            parts.extend(self._word(frozenset("()")).parts)
+            if self.at >= len(self.source):
+                raise Incomplete("unexpected EOF while looking for matching `)'")
+            parts.append(Text(self.source[self.at]))
+            self.at += 1
+            if self.source[self.at - 1] == ")":
+                return parts
 
     def _escaped(self) -> Text:
         """`$'…'`, in which backslashes mean what they mean in C."""
@@ -187,9 +249,8 @@ class Lexer:
             end += 2 if self.source[end] == "\\" else 1
         if end >= len(self.source):
             raise Incomplete("unexpected EOF while looking for matching `''")
-        text = unescaped(self.source[self.at + 2 : end])
-        self.at = end + 1
-        return Text(text, quoted=True)
+        start, self.at = self.at, end + 1
+        return Text(unescaped(self.source[start + 2 : end]), quoted=True)
 
     def _closing(self, quote: str, start: int) -> int:
         end = self.source.find(quote, start)
@@ -197,7 +258,7 @@ class Lexer:
             raise Incomplete(f"unexpected EOF while looking for matching `{quote}'")
         return end
 
-    def _quoted(self, closing: str) -> list[Part]:
+    def _quoted(self, closing: str, *, toggling: bool = False) -> list[Part]:
         """The parts up to `closing` ('"', or '' for a here-document), in which only `$`, backquote and backslash are special."""
         source = self.source
         parts: list[Part] = []
@@ -217,8 +278,12 @@ class Lexer:
             if char == closing:
                 self.at += 1
                 break
-            if char == "\\" and self.at + 1 < len(source) and source[self.at + 1] in '$`"\\\n':
-                if source[self.at + 1] == '"' and not closing:
+            if char == '"' and toggling:
+                self.at += 1
+                continue
+            special = '$`"\\\n}' if toggling else '$`"\\\n'
+            if char == "\\" and self.at + 1 < len(source) and source[self.at + 1] in special:
+                if source[self.at + 1] == '"' and not closing and not toggling:
                     text.append("\\")
                 if source[self.at + 1] != "\n":
                     text.append(source[self.at + 1])
@@ -239,10 +304,11 @@ class Lexer:
             if match is None:
                 raise Incomplete("unexpected EOF while looking for matching ``'")
             self.at = match.end()
-            return Substitution(_ESCAPED_IN_BACKQUOTES.sub(r"\1", match[1]), quoted)
+            escaped = _ESCAPED_IN_QUOTED_BACKQUOTES if quoted else _ESCAPED_IN_BACKQUOTES
+            return Substitution(escaped.sub(r"\1", match[1]), quoted, backquoted=True)
         follow = source[start + 1 : start + 2]
         if source.startswith("$((", start):
-            end = _end_of_arithmetic(source, start + 3)
+            end = end_of_arithmetic(source, start + 3)
             if end >= 0:
                 self.at = end + 2
                 return Substitution(source[start + 3 : end], quoted, arithmetic=True)
@@ -250,6 +316,11 @@ class Lexer:
             self.at = start + 2
             end = self._matching_parenthesis()
             return Substitution(source[start + 2 : end], quoted)
+        if follow == "[":
+            end = end_of_subscript(source, start + 1)
+            if end > 0:
+                self.at = end + 1
+                return Substitution(source[start + 2 : end], quoted, arithmetic=True)
         if follow == "{":
             self.at = start + 2
             end = self._matching_brace(quoted and not HAS_PATTERN.match(source, start + 2))
@@ -257,13 +328,9 @@ class Lexer:
         if follow in _SPECIAL_NAMES and follow:
             self.at = start + 2
             return Variable(follow, quoted)
-        end = start + 1
-        while end < len(source) and (source[end] == "_" or (source[end].isascii() and source[end].isalnum())):
-            end += 1
-        self.at = end
-        if end == start + 1:
-            return Text("$", quoted)
-        return Variable(source[start + 1 : end], quoted)
+        name = _NAME.match(source, start + 1)
+        self.at = start + 1 if name is None else name.end()
+        return Text("$", quoted) if name is None else Variable(name[0], quoted, bare=True)
 
     def _matching_brace(self, quoted: bool) -> int:
         """Skip quotes and expansions up to the `}` that closes a `${`; leaves `at` after it and returns its position."""
@@ -292,8 +359,12 @@ class Lexer:
         """
         open_ones = ["("]
         begins = True
+        outer, self._documents = self._documents, []
+        last = None
         while True:
             token = self._next()
+            self._note_document(last, token)
+            last = token
             if token.kind == "end":
                 raise Incomplete("unexpected EOF while looking for matching `)'")
             if token.kind == "op" and token.text == "(":
@@ -301,6 +372,7 @@ class Lexer:
             elif token.kind == "op" and token.text == ")" and open_ones[-1] == "(":
                 open_ones.pop()
                 if not open_ones:
+                    self._documents = outer
                     return token.start
             elif begins and token.text == "case":
                 open_ones.append("case")
@@ -327,16 +399,3 @@ class Lexer:
             parts: list[Part] = [Text(text, quoted=True)] if literal else Lexer(text)._quoted("")
             token.document.append(Word(tuple(parts), text))
         self._documents.clear()
-
-
-def _end_of_arithmetic(source: str, start: int) -> int:
-    """Where the `))` is that closes the `((` before `start`; -1 if its parentheses do not close together."""
-    depth = 0
-    for at in range(start, len(source)):
-        if source[at] == "(":
-            depth += 1
-        elif source[at] == ")":
-            if depth == 0:
-                return at if source.startswith("))", at) else -1
-            depth -= 1
-    raise Incomplete("unexpected EOF while looking for matching `)'")

@@ -2,33 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from bisect import bisect_left
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
 from typing import NoReturn
 
-from day6_core.shell.language.conditional import parse_condition
-from day6_core.shell.language.lexer import REDIRECTIONS, Lexer, Token, tokenize
+from day6_core.shell.language.assignments import assignment
+from day6_core.shell.language.compound_grammar import case, for_loop, if_command, while_loop
+from day6_core.shell.language.condition_grammar import parse_condition
+from day6_core.shell.language.lexer import Lexer, tokenize
+from day6_core.shell.language.refusals import Refused
 from day6_core.shell.language.syntax import (
     AndOr,
     Arithmetic,
-    ArithmeticFor,
-    Case,
     Command,
     Conditional,
-    For,
     Function,
     Group,
-    If,
     Pipeline,
     Redirection,
     Sequence,
     SimpleCommand,
-    While,
 )
-from day6_core.shell.language.words import Incomplete, SyntaxProblem, Text, Word
+from day6_core.shell.language.tokens import ENDS_OF_CHOICE, REDIRECTIONS, Token
+from day6_core.shell.language.words import DECLARATIONS, ArrayLiteral, Incomplete, SyntaxProblem, Text, Word
 
 _CLOSERS = frozenset({"then", "do", "done", "fi", "elif", "else", "}", "esac"})
-_ENDS_OF_CHOICE = (";;", ";&", ";;&")
-_COMPOUND = frozenset({"{", "if", "for", "while", "until", "case", "[["})
+_COMPOUND = frozenset({"{", "if", "for", "while", "until", "case", "select", "[["})
+_REFUSED = frozenset({"coproc"})
 
 
 def parse(source: str, aliases: Mapping[str, str] | None = None) -> Sequence:
@@ -39,14 +40,21 @@ def parse(source: str, aliases: Mapping[str, str] | None = None) -> Sequence:
     return Sequence([item for line in lines(source, aliases) for item in line.items])
 
 
-def lines(source: str, aliases: Mapping[str, str] | None = None) -> Iterator[Sequence]:
-    """Parse as much as makes whole lines, one after the other, so that each can be run before the next is looked at."""
+def lines(
+    source: str, aliases: Mapping[str, str] | None = None, settings: Collection[str] = ("extglob",), first_line: int = 1
+) -> Iterator[Sequence]:
+    """Parse as much as makes whole lines, one after the other, so that each can be run before the next is looked at.
+
+    `settings` are those of `shopt`; `first_line` is the number of the first line in the file it is from.
+    """
     try:
-        parser = Parser(source, aliases or {})
-        parser.skip_newlines()
-        while parser.token.kind != "end":
-            yield parser.line()
+        parser = Parser(source, aliases or {}, first_line)
+        while True:
+            parser.lexer.extglob = "extglob" in settings
             parser.skip_newlines()
+            if parser.token.kind == "end":
+                return
+            yield parser.line()
     except RecursionError:
         raise SyntaxProblem("memory exhausted") from None  # bison's message: its stack is limited too
 
@@ -54,8 +62,10 @@ def lines(source: str, aliases: Mapping[str, str] | None = None) -> Iterator[Seq
 class Parser:
     """Parses one text; holds the position in it."""
 
-    def __init__(self, source: str, aliases: Mapping[str, str]) -> None:
+    def __init__(self, source: str, aliases: Mapping[str, str], first_line: int = 1) -> None:
         self.source = source
+        self.first_line = first_line
+        self._newlines: list[int] | None = None
         self.lexer = Lexer(source)
         self.rest = self.lexer.tokens()
         self.tokens: list[Token] = []
@@ -70,6 +80,11 @@ class Parser:
         if self.index >= len(self.tokens):
             self.tokens.append(next(self.rest))
         return self.tokens[self.index]
+
+    def line_number(self, at: int) -> int:
+        if self._newlines is None:
+            self._newlines = [place for place, char in enumerate(self.source) if char == "\n"]
+        return bisect_left(self._newlines, at) + self.first_line
 
     def unexpected(self) -> NoReturn:
         raise SyntaxProblem(f"syntax error near unexpected token `{self.token.text}'")
@@ -100,7 +115,7 @@ class Parser:
         """Commands up to the end, a `)`, the end of a choice or a closing keyword."""
         items: list[AndOr] = []
         self.skip_newlines()
-        while self.token.kind != "end" and not self.is_op(")", *_ENDS_OF_CHOICE) and not self.is_keyword(*_CLOSERS):
+        while self.token.kind != "end" and not self.is_op(")", *ENDS_OF_CHOICE) and not self.is_keyword(*_CLOSERS):
             item = self.and_or()
             items.append(item)
             if self.is_op("&", ";"):
@@ -151,13 +166,15 @@ class Parser:
             negated, timed = negated != (word == "!"), timed or word == "time"
             if timed and self.is_keyword("-p"):
                 self.take()
+        if timed and (self.token.kind in ("newline", "end") or self.is_op(";", "&", ")")):
+            return Pipeline([SimpleCommand()], negated, self.slice(start), timed, self.line_number(start))
         commands = [self.command()]
         while self.is_op("|", "|&"):
             if self.take().text == "|&":
                 commands[-1].redirections.append(Redirection(2, ">&", Word((Text("1"),), "1")))
             self.skip_newlines()
             commands.append(self.command())
-        return Pipeline(commands, negated, self.slice(start), timed)
+        return Pipeline(commands, negated, self.slice(start), timed, self.line_number(start))
 
     def slice(self, start: int) -> str:
         return self.source[start : self.tokens[self.index - 1].end].strip()
@@ -169,6 +186,10 @@ class Parser:
             self.unexpected()
         self.replace_alias()
         command: Command
+        if self.is_keyword("in"):
+            self.unexpected()
+        if self.is_keyword(*_REFUSED):
+            raise Refused(self.token.text)
         if self.is_op("("):
             bracket = self.take()
             value = self.arithmetic(bracket)
@@ -178,23 +199,19 @@ class Parser:
             command = Conditional(parse_condition(self))
             self.expect_keyword("]]")
         elif self.is_keyword("case"):
-            command = self.case()
+            command = case(self)
         elif self.is_keyword("function"):
             command = self.function()
         elif self.is_keyword("{"):
             self.take()
             command = Group(self.body(), subshell=False)
             self.expect_keyword("}")
-        elif self.is_keyword("for"):
-            command = self.for_loop()
+        elif self.is_keyword("for", "select"):
+            command = for_loop(self)
         elif self.is_keyword("while", "until"):
-            until = self.take().text == "until"
-            condition = self.body()
-            self.expect_keyword("do")
-            command = While(condition, self.body(), until)
-            self.expect_keyword("done")
+            command = while_loop(self)
         elif self.is_keyword("if"):
-            command = self.conditional()
+            command = if_command(self)
         else:
             return self.simple()
         while self.token.kind == "number" or self.is_op(*REDIRECTIONS):
@@ -221,61 +238,12 @@ class Parser:
         """The regular expression after `=~`."""
         return self.lexer.pattern() if self.index == len(self.tokens) else self.word()
 
-    def for_loop(self) -> For | ArithmeticFor:
-        self.take()
-        if self.is_op("("):
-            return self.arithmetic_for()
-        name = self.take()
-        if name.word is None or not (name.word.plain or "").isidentifier():
-            raise SyntaxProblem(f"`{name.text}': not a valid identifier")
-        words: list[Word] | None = None
-        self.skip_newlines()
-        if self.is_keyword("in"):
-            self.take()
-            words = []
-            while self.token.word is not None:
-                words.append(self.token.word)
-                self.take()
-        return For(name.text, words, self.loop_body())
-
-    def arithmetic_for(self) -> ArithmeticFor:
-        bracket = self.take()
-        parts = (self.arithmetic(bracket) or "").split(";")
-        if len(parts) != 3:
-            raise SyntaxProblem("syntax error: arithmetic expression required")
-        return ArithmeticFor(parts[0], parts[1], parts[2], self.loop_body())
-
-    def loop_body(self) -> Sequence:
-        if self.is_op(";"):
-            self.take()
-        self.skip_newlines()
-        self.expect_keyword("do")
-        body = self.body()
-        self.expect_keyword("done")
-        return body
-
-    def case(self) -> Case:
-        self.take()
-        command = Case(self.word(), [])
-        self.skip_newlines()
-        self.expect_keyword("in")
-        self.skip_newlines()
-        while not self.is_keyword("esac"):
-            if self.is_op("("):
-                self.take()
-            patterns = [self.word()]
-            while self.is_op("|"):
-                self.take()
-                patterns.append(self.word())
-            if not self.is_op(")"):
-                self.unexpected()
-            self.take()
-            body = self.sequence()
-            end = self.take().text if self.is_op(*_ENDS_OF_CHOICE) else ";;"
-            command.choices.append((patterns, body, end))
-            self.skip_newlines()
-        self.take()
-        return command
+    @contextmanager
+    def extended(self, always: bool) -> Iterator[None]:
+        """Inside, a word may have patterns of extglob, whatever `shopt` says, if `always`."""
+        before, self.lexer.extglob = self.lexer.extglob, self.lexer.extglob or always
+        yield
+        self.lexer.extglob = before
 
     def word(self) -> Word:
         if self.token.kind == "end":
@@ -320,22 +288,6 @@ class Parser:
                 self.replaced[id(token)] = known | {name}
             self.tokens[self.index : self.index + 1] = tokens
 
-    def conditional(self) -> If:
-        branches: list[tuple[Sequence, Sequence]] = []
-        otherwise = None
-        while True:
-            self.take()  # if, elif
-            condition = self.body()
-            self.expect_keyword("then")
-            branches.append((condition, self.body()))
-            if not self.is_keyword("elif"):
-                break
-        if self.is_keyword("else"):
-            self.take()
-            otherwise = self.body()
-        self.expect_keyword("fi")
-        return If(branches, otherwise)
-
     def simple(self) -> SimpleCommand | Function:
         command = SimpleCommand()
         start = self.token.start
@@ -347,10 +299,13 @@ class Parser:
                 command.redirections.append(self.redirection())
             elif token.word is not None:
                 self.take()
-                assignment = None if command.words else _assignment(token.word)
-                if assignment is not None:
-                    command.assignments.append(assignment)
+                assigned = None if command.words else assignment(token.word)
+                if assigned is not None:
+                    command.assignments.append(assigned)
                 else:
+                    has_array = any(isinstance(part, ArrayLiteral) for part in token.word.parts)
+                    if has_array and (not command.words or command.words[0].plain not in DECLARATIONS):
+                        raise SyntaxProblem("syntax error near unexpected token `('")
                     command.words.append(token.word)
             else:
                 break
@@ -368,22 +323,15 @@ class Parser:
         return command
 
     def redirection(self) -> Redirection:
-        fd = int(self.take().text) if self.token.kind == "number" else None
+        fd: int | str | None = None
+        if self.token.kind == "number":
+            text = self.take().text
+            fd = int(text) if text.isdigit() else text
         operator = self.take()
+        if operator.text == "<>":
+            raise Refused(operator.text)
         target = self.token
         if target.word is None:
             self.unexpected()
         self.take()
         return Redirection(fd, operator.text, target.word, operator.document)
-
-
-def _assignment(word: Word) -> tuple[str, Word] | None:
-    """Split `NAME=value` (the name of `NAME+=value` is `NAME+`); None if the word is not an assignment."""
-    first = word.parts[0] if word.parts else None
-    if not isinstance(first, Text) or first.quoted:
-        return None
-    name, equals, rest = first.text.partition("=")
-    if not equals or not name.removesuffix("+").isidentifier() or not name.isascii():
-        return None
-    parts = (Text(rest), *word.parts[1:]) if rest else word.parts[1:]
-    return name, Word(parts, word.source[len(name) + 1 :])

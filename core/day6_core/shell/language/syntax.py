@@ -4,25 +4,37 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from day6_core.shell.language.words import Word
+from day6_core.shell.language.words import ArrayLiteral, Word
 
 
 @dataclass
 class Redirection:
-    """`fd` is the descriptor to change, None for the operator's own; `target` is a file, a descriptor or a document's end."""
+    """`fd` is the descriptor to change, None for the operator's own, a text for `{NAME}`; `target` is a file, a descriptor or a
+    document's end.
+    """
 
-    fd: int | None
+    fd: int | str | None
     operator: str
     target: Word
     document: list[Word] = field(default_factory=list)
     """The body of a here-document, which is there once its line has been read."""
 
 
+@dataclass(frozen=True)
+class Assignment:
+    """`name=value`, `name[subscript]+=value`, `name=(…)`."""
+
+    name: str
+    subscript: str | None
+    append: bool
+    value: Word | ArrayLiteral
+
+
 @dataclass
 class SimpleCommand:
     """`A=1 command word … > file`."""
 
-    assignments: list[tuple[str, Word]] = field(default_factory=list)
+    assignments: list[Assignment] = field(default_factory=list)
     words: list[Word] = field(default_factory=list)
     redirections: list[Redirection] = field(default_factory=list)
 
@@ -41,6 +53,8 @@ class For:
     name: str
     words: list[Word] | None
     body: Sequence
+    asks: bool = False
+    """Whether it is `select`."""
     redirections: list[Redirection] = field(default_factory=list)
 
 
@@ -127,6 +141,8 @@ class Function:
     name: str
     body: Command
     source: str
+    file: str = ""
+    """The file it was defined in."""
     redirections: list[Redirection] = field(default_factory=list)
 
 
@@ -140,6 +156,8 @@ class Pipeline:
     source: str
     timed: bool = False
     """Whether `time` stands before it."""
+    line: int = 1
+    """The number of its line in the text it is in."""
 
 
 @dataclass
@@ -154,3 +172,6 @@ class AndOr:
 @dataclass
 class Sequence:
     items: list[AndOr]
+
+
+COMPOUND = (Group, For, While, If, ArithmeticFor, Case, Arithmetic, Conditional, Function)

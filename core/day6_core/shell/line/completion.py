@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from day6_core.session.session import Session
 from day6_core.shell.commands import command_names
-from day6_core.shell.language.lexer import Token, tokenize
+from day6_core.shell.language.lexer import tokenize
+from day6_core.shell.language.tokens import Token
 from day6_core.shell.language.words import Incomplete, SyntaxProblem, Text
 from day6_core.shell.process.real_tools import tools_beginning_with
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from day6_core.shell.language.lexer import Token, tokenize
+from day6_core.shell.language.lexer import tokenize
+from day6_core.shell.language.tokens import Token
 from day6_core.shell.language.words import SyntaxProblem
 from day6_core.whole_file import append_private
 

@@ -21,8 +21,8 @@ from day6_core.session.signals import from_system
 from day6_core.session.streams import InputStream
 from day6_core.shell.builtins.why import is_own
 from day6_core.shell.desk import Desk
-from day6_core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_core.shell.language.redirection import Streams
+from day6_core.shell.language.subshells import whole_run
 from day6_core.shell.runs import Run, Runs
 
 TIMED_OUT = 124
@@ -106,14 +106,7 @@ def run(
 
     async def script(session: Session) -> int:
         session.on_interrupt = shell.interrupt
-        try:
-            return await shell.run(commands, streams)
-        except ExitShell as end:
-            return end.status
-        except Interrupted:
-            raise KeyboardInterrupt from None
-        except (LoopControl, ReturnFromSource):
-            return shell.status
+        return await whole_run(shell, lambda: shell.run(commands, streams), streams)
 
     desk.link_on_demand()
     program = desk.start_program([name], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell)

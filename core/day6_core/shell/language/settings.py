@@ -1,0 +1,153 @@
+"""The switches of a shell: `set -o NAME` and `shopt NAME`; those that are not in these tables are refused."""
+
+from __future__ import annotations
+
+NAMED_OPTIONS = {
+    "allexport": "a", "braceexpand": "B", "emacs": "emacs", "errexit": "e", "errtrace": "E", "functrace": "T", "hashall": "h",
+    "histexpand": "H", "history": "history", "ignoreeof": "ignoreeof", "interactive-comments": "interactive-comments",
+    "keyword": "k", "monitor": "m", "noclobber": "C", "noexec": "n", "noglob": "f", "nolog": "nolog", "notify": "b",
+    "nounset": "u", "onecmd": "t", "physical": "P", "pipefail": "pipefail", "posix": "posix", "privileged": "p",
+    "verbose": "v", "vi": "vi", "xtrace": "x",
+}  # fmt: skip
+"""Of `set -o`: the letter that stands for it in a shell's options, the name itself if it has none."""
+OBEYED = frozenset("aBeEfhuxCmbHT") | {
+    "emacs",
+    "vi",
+    "history",
+    "ignoreeof",
+    "interactive-comments",
+    "nolog",
+    "pipefail",
+}
+"""Those that can be turned on; the others can be asked for and turned off."""
+FIRST_OPTIONS = frozenset("Bh") | {"interactive-comments"}
+LETTERS = "abefhiknptuvxBCEHPTcs"
+"""In the order of `$-`."""
+
+SHOPT = [
+    "autocd",
+    "assoc_expand_once",
+    "cdable_vars",
+    "cdspell",
+    "checkhash",
+    "checkjobs",
+    "checkwinsize",
+    "cmdhist",
+    "compat31",
+    "compat32",
+    "compat40",
+    "compat41",
+    "compat42",
+    "compat43",
+    "compat44",
+    "complete_fullquote",
+    "direxpand",
+    "dirspell",
+    "dotglob",
+    "execfail",
+    "expand_aliases",
+    "extdebug",
+    "extglob",
+    "extquote",
+    "failglob",
+    "force_fignore",
+    "globasciiranges",
+    "globskipdots",
+    "globstar",
+    "gnu_errfmt",
+    "histappend",
+    "histreedit",
+    "histverify",
+    "hostcomplete",
+    "huponexit",
+    "inherit_errexit",
+    "interactive_comments",
+    "lastpipe",
+    "lithist",
+    "localvar_inherit",
+    "localvar_unset",
+    "login_shell",
+    "mailwarn",
+    "no_empty_cmd_completion",
+    "nocaseglob",
+    "nocasematch",
+    "noexpand_translation",
+    "nullglob",
+    "patsub_replacement",
+    "progcomp",
+    "progcomp_alias",
+    "promptvars",
+    "restricted_shell",
+    "shift_verbose",
+    "sourcepath",
+    "varredir_close",
+    "xpg_echo",
+]
+FIRST_SETTINGS = frozenset(
+    [
+        "checkwinsize",
+        "cmdhist",
+        "complete_fullquote",
+        "expand_aliases",
+        "extquote",
+        "force_fignore",
+        "globasciiranges",
+        "globskipdots",
+        "hostcomplete",
+        "interactive_comments",
+        "patsub_replacement",
+        "progcomp",
+        "promptvars",
+        "sourcepath",
+    ]
+)
+WITHOUT_EFFECT_ON_SCRIPTS = frozenset(
+    [
+        "autocd",
+        "cdspell",
+        "checkhash",
+        "checkjobs",
+        "checkwinsize",
+        "cmdhist",
+        "complete_fullquote",
+        "direxpand",
+        "dirspell",
+        "extquote",
+        "force_fignore",
+        "globasciiranges",
+        "globskipdots",
+        "gnu_errfmt",
+        "histappend",
+        "histreedit",
+        "histverify",
+        "hostcomplete",
+        "huponexit",
+        "interactive_comments",
+        "lithist",
+        "mailwarn",
+        "no_empty_cmd_completion",
+        "noexpand_translation",
+        "patsub_replacement",
+        "progcomp",
+        "progcomp_alias",
+        "promptvars",
+        "sourcepath",
+        "assoc_expand_once",
+    ]
+)
+"""Accepted, because they change only how lines are typed or look, and the editor of lines here is not readline."""
+OBEYED_SETTINGS = WITHOUT_EFFECT_ON_SCRIPTS | frozenset(
+    [
+        "dotglob",
+        "expand_aliases",
+        "extglob",
+        "failglob",
+        "globstar",
+        "inherit_errexit",
+        "nocaseglob",
+        "nocasematch",
+        "nullglob",
+        "shift_verbose",
+        "xpg_echo",
+    ]
+)
