@@ -7,7 +7,7 @@
 `generated` scripts come from `bash_grammar`; `folder` takes every file below PATH: public scripts, which never enter this
 repository. Each is run as `bash FILE` in a folder of its own. What differs is one of two kinds: our shell said that it lacks
 something ("refused"), or it did something else without a word ("different"), which must not happen. The counts are kept in
-`bash_lines.json` with `--keep NAME`. `record` writes `bash_lines.jsonl`, a sample of what bash answered to generated scripts
+`bash_lines.json`. `record` writes `bash_lines.jsonl`, a sample of what bash answered to generated scripts
 that need no other program, for `test_bash_lines`.
 """
 
@@ -31,7 +31,6 @@ from day6_core.shell.commands import builtin
 from day6_core.shell.desk import Desk
 from day6_core.shell.language.redirection import Streams
 
-RECORDED = Path(__file__).with_name("bash_lines.json")
 SAMPLE = Path(__file__).with_name("bash_lines.jsonl")
 SAMPLES = 200
 REFUSAL = "bash has this, the shell of day6-tui does not"
@@ -217,7 +216,7 @@ def show(number: int, script: str, real: Answer | None, ours: Answer | None) -> 
 
 
 def main() -> None:
-    """Run, print the table, and keep it."""
+    """Run, and print what differs and the counts."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("kind", choices=["generated", "folder", "record"])
     parser.add_argument("path", nargs="?")
@@ -225,7 +224,6 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=32)
     parser.add_argument("--show", type=int, default=20, help="how many differences are printed")
     parser.add_argument("--refusals", action="store_true", help="print those that were refused")
-    parser.add_argument("--keep", metavar="NAME", help="keep the counts under this name")
     options = parser.parse_args()
     os.environ["DAY6_LINK"] = "off"
     if options.kind == "record":
@@ -241,10 +239,6 @@ def main() -> None:
             show(number, script, real, mine)
     ours.close()
     print(counts)
-    if options.keep:
-        kept = json.loads(RECORDED.read_text(encoding="utf-8")) if RECORDED.exists() else {}
-        kept[options.keep] = counts
-        RECORDED.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -102,7 +102,10 @@ async def value_of(assigned: Assignment, shell: Shell, streams: Streams) -> str 
         if assigned.subscript is not None:
             raise SyntaxProblem(f"{assigned.name}[{assigned.subscript}]: cannot assign list to array member")
         cell = shell.variables.find(assigned.name)
-        return await items_of(assigned.value, shell, streams, keyed=cell is not None and cell.keyed)
+        if cell is None:  # the array is there, and empty, while its elements are expanded
+            cell = shell.variables.changeable(assigned.name)
+            shell.variables.make_array(cell)
+        return await items_of(assigned.value, shell, streams, keyed=cell.keyed)
     return await expand_text(assigned.value, shell, streams, assigned=True)
 
 
