@@ -20,7 +20,25 @@ SURROUNDINGS = re.compile(r"environ|\benv\b|_env\b|variables|getenv", re.IGNOREC
 """What mappings of environment variables are called."""
 
 OF_LANGUAGES = {
-    "bash's own, in the simulated shell": {"BASH_REMATCH", "IFS", "OLDPWD", "PS1", "PS2", "PWD"},
+    "bash's own, in the simulated shell": {
+        "BASH_REMATCH",
+        "CDPATH",
+        "FUNCNEST",
+        "IFS",
+        "OLDPWD",
+        "OPTARG",
+        "OPTERR",
+        "OPTIND",
+        "PIPESTATUS",
+        "PS1",
+        "PS2",
+        "PS3",
+        "PS4",
+        "PWD",
+        "TZ",
+        "REPLY",
+        "SHLVL",
+    },
     "CMake's, in a CMakeLists.txt": {"CMAKE_CURRENT_SOURCE_DIR", "PROJECT_SOURCE_DIR", "UNPARSED_ARGUMENTS"},
 }
 """Variables of the languages that are interpreted here, whose tables are called `variables`, too."""

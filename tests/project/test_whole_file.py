@@ -156,6 +156,8 @@ ALLOWED = {
     "day6_core/shell/outward/subshell.py": "scripts in a temporary folder of its own",
     "day6_core/workspace/create.py": "a new package, which is a hidden folder until it is whole",
     "day6_core/ros/python/rosbag2_py/_reader.py": "unpacks into a temporary folder",
+    "day6_core/shell/builtins/shell_itself.py": "`umask` only shows what it is",
+    "day6_core/shell/language/substitution.py": "the temporary file of `<( )`, gone with the command that reads it",
     "day6_core/workspace/files.py": "colcon's output: the one way, and only where colcon may write",
     "day6_core/ros/executables.py": "commands for PATH, in a new folder that gets its name when it is whole",
     "day6_core/lessons/grading/archive.py": "unpacks into a temporary folder",
