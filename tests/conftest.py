@@ -215,6 +215,13 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 
 @pytest.fixture(autouse=True)
+def _own_text_tools(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tests of the default layer start no processes: the text tools are ours, as on a machine without GNU's."""
+    if one_process.confined(request.node):
+        monkeypatch.setattr("day6_core.shell.text_tools.MACHINES", False)
+
+
+@pytest.fixture(autouse=True)
 def own_environment() -> Iterator[None]:
     """Start in an empty folder; what a test does to variables, current folder, umask and sourced packages ends with it."""
     before, folder, sourced = dict(os.environ), os.getcwd(), list(registry._more_prefixes)

@@ -27,7 +27,7 @@ ENDLESS = {
 }
 BOUNDED = {
     "sort /dev/zero": (2, "sort: memory exhausted"),
-    "diff /dev/zero /dev/zero": (2, "diff: /dev/zero: Cannot allocate memory"),
+    "PATH= diff /dev/zero /dev/zero": (2, "diff: /dev/zero: Cannot allocate memory"),
     "x=a; while true; do x=$x$x; done": (2, "bash: xrealloc: cannot allocate"),
     "mkfifo=$(python3 -c 'import os; os.mkfifo(\"f\")'); cat f": (1, "cat: f: Resource temporarily unavailable"),
     "source brackets": (2, "bash: memory exhausted"),
@@ -116,8 +116,8 @@ EXPRESSIONS = {
     f"echo {LETTERS}b | grep -oE '(a|a)*b'": (0, LETTERS + "b"),
     f"echo {LETTERS}b | sed -E 's/(a|aa)+$/x/; s/(a*)*b/[&]/'": (0, f"[{LETTERS}b]"),
     f"[[ {LETTERS}b =~ ^(a+)+$ ]]": (1, ""),
-    f"echo {LETTERS}b | grep -E '(a+)+\\1c'": (2, "grep: regular expression would take too long"),
-    "grep -E \"$(printf '(%.0s' {1..9999})\" /dev/null": (2, "grep: Regular expression too big"),
+    f"echo {LETTERS}b | PATH= grep -E '(a+)+\\1c'": (2, "grep: regular expression would take too long"),
+    "PATH= grep -E \"$(printf '(%.0s' {1..9999})\" /dev/null": (2, "grep: Regular expression too big"),
 }
 
 
@@ -136,7 +136,7 @@ def test_no_regular_expression_stops_everything(line: str, tmp_path: Path) -> No
 @pytest.mark.process
 def test_others_go_on_and_ctrl_c_works_beside_a_long_search(tmp_path: Path) -> None:
     (tmp_path / "long.txt").write_text("ab" * 500_000)
-    process = start("(for i in 1 2 3; do sleep 0.01; echo tick; done) & grep -E '((a|b)+)+c' long.txt", tmp_path)
+    process = start("(for i in 1 2 3; do sleep 0.01; echo tick; done) & PATH= grep -E '((a|b)+)+c' long.txt", tmp_path)
     try:
         assert process.stdout is not None
         assert [process.stdout.readline() for _ in range(3)] == ["tick\n"] * 3

@@ -13,6 +13,7 @@ from day6_core.ros.program_index import COMMANDS, named_by, place_of_command
 from day6_core.ros.programs import load
 from day6_core.session.session import Main, Session
 from day6_core.shell.process.real_tools import find_tool, running
+from day6_core.shell.text_tools import TOOLS, chosen
 
 if TYPE_CHECKING:
     from day6_core.shell.language.interpreter import Shell
@@ -133,7 +134,8 @@ def find_command(name: str, shell: Shell, *, functions: bool = True) -> Main:
     if "/" in name:
         return _file(name, shell)
     if name in _PLACES and not _is_unsourced(name, shell.variables):
-        return builtin(name) or _nothing
+        main = builtin(name) or _nothing
+        return chosen(name, main) if name in TOOLS else main
     if tool := find_tool(name, shell.variables, shell.cwd):
         return running([tool])
     return _saying(f"{shell.name}: {name}: command not found", 127)

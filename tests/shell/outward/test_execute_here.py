@@ -151,7 +151,7 @@ def test_a_process_is_prepared_before_the_program_takes_its_place(
     import termios
 
     done: dict[str, Any] = {"limits": {}, "signals": [], "terminal": []}
-    monkeypatch.setattr(sys, "argv", ["launch", mode, "7", memory, "/bin/prog", "a", "b"])
+    monkeypatch.setattr(sys, "argv", ["launch", mode, "7", memory, "/bin/prog", "prog", "a", "b"])
     monkeypatch.setattr(os, "nice", lambda value: done.update(nice=value))
     monkeypatch.setattr(os, "execv", lambda path, argv: done.update(program=(path, argv)))
     monkeypatch.setattr(signal, "signal", lambda number, action: done["signals"].append((number, action)))
@@ -159,7 +159,7 @@ def test_a_process_is_prepared_before_the_program_takes_its_place(
     monkeypatch.setattr(resource, "getrlimit", lambda kind: (soft, hard) if kind == resource.RLIMIT_DATA else (8, 9))
     monkeypatch.setattr(resource, "setrlimit", lambda kind, limits: done["limits"].update({kind: limits}))
     launch_process.main()
-    assert done["program"] == ("/bin/prog", ["/bin/prog", "a", "b"]) and done["nice"] == 7
+    assert done["program"] == ("/bin/prog", ["prog", "a", "b"]) and done["nice"] == 7
     assert dict(done["signals"]) == dict.fromkeys(
         (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP), signal.SIG_DFL
     )

@@ -77,7 +77,7 @@ def test_a_process_is_launched_with_its_terminal_priority_and_limit(
 
     done: list[object] = []
     limits = {resource.RLIMIT_CORE: (5, 7), resource.RLIMIT_DATA: (resource.RLIM_INFINITY, resource.RLIM_INFINITY)}
-    monkeypatch.setattr(sys, "argv", ["launch_process.py", mode, "10", memory, "/bin/prog", "a", "b"])
+    monkeypatch.setattr(sys, "argv", ["launch_process.py", mode, "10", memory, "/bin/prog", "prog", "a", "b"])
     monkeypatch.setattr(signal, "signal", lambda number, handler: done.append((number, handler)))
     monkeypatch.setattr(fcntl, "ioctl", lambda *words: done.append(words))
     monkeypatch.setattr(os, "nice", lambda by: done.append(("nice", by)))
@@ -87,7 +87,7 @@ def test_a_process_is_launched_with_its_terminal_priority_and_limit(
     launch_process.main()
     ended = [(number, signal.SIG_DFL) for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP)]
     terminal = [(0, termios.TIOCSCTTY, 0)] if mode == "tty" else []
-    assert done == [*ended, *terminal, ("nice", 10), ("/bin/prog", ["/bin/prog", "a", "b"])]
+    assert done == [*ended, *terminal, ("nice", 10), ("/bin/prog", ["prog", "a", "b"])]
     assert limits[resource.RLIMIT_CORE] == (0, 7)
     assert limits[resource.RLIMIT_DATA][0] == (resource.RLIM_INFINITY if memory == "0" else 500)
 

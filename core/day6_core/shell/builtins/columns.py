@@ -158,10 +158,14 @@ async def _reverse(session: Session, name: str | None, problems: list[str]) -> N
 
 
 async def sed(session: Session) -> int:
-    """`s/A/B/gI`, `Np`, `Nd`, `/A/d`, `/A/p`, `$`, ranges `N,M`; -n, -i, -E, -e."""
+    """`s/A/B/`, with g, I, p and a number, `Np`, `Nd`, `/A/d`, `/A/p`, `$`, ranges `N,M`; -n, -i, -E, -e."""
     try:
         options, names = parse(
-            session.argv, "nEri", "e", {"--in-place": "i", "--quiet": "n", "--silent": "n", "--regexp-extended": "E"}
+            session.argv,
+            "nEri",
+            "e",
+            {"--in-place": "i", "--quiet": "n", "--silent": "n", "--regexp-extended": "E"},
+            "e",
         )
     except UsageError as error:
         complain(session, error)
@@ -241,7 +245,9 @@ async def _edited(lines: list[str], steps: list[_Step], silent: bool) -> list[st
             if step.action == "p":
                 out.append(text + "\n")
             else:
-                text = await in_turns(step.substitute(text))
+                text, done = await in_turns(step.substitute(text))
+                if done and step.prints:
+                    out.append(text + "\n")
         if not deleted and not silent:
             out.append(text + end)
     return out
@@ -267,8 +273,16 @@ class _Step:
         parts = _split_at(mark, match["rest"][2:]) if mark else []
         if len(parts) != 3:
             raise ValueError("unterminated `s' command")
-        self._count = 0 if "g" in parts[2] else 1
-        self._what = _pattern(parts[0].replace("\\" + mark, mark), extended, re.IGNORECASE if "I" in parts[2] else 0)
+        flags = re.fullmatch(r"(?P<words>[gIip]*)(?P<number>[1-9]\d*)?(?P<more>[gIip]*)", parts[2])
+        if flags is None:
+            raise ValueError("unknown option to `s'")
+        words = flags["words"] + flags["more"]
+        self._first = int(flags["number"] or 1)
+        self._last = 0 if "g" in words else self._first
+        self.prints = "p" in words
+        self._what = _pattern(
+            parts[0].replace("\\" + mark, mark), extended, re.IGNORECASE if set("Ii") & set(words) else 0
+        )
         self._by = parts[1].replace("\\" + mark, mark)
         _check_replacement(self._by, self._what.groups)
 
@@ -283,9 +297,16 @@ class _Step:
             return last if self._from == "$" else number == int(self._from)
         return first and (self._to == "$" or number <= int(self._to))
 
-    def substitute(self, text: str) -> Generator[None, None, str]:
-        """Return the line with its matches replaced."""
-        return self._what.replacing(text, lambda found: _replacement(self._by, found), self._count)
+    def substitute(self, text: str) -> Generator[None, None, tuple[str, bool]]:
+        """Return the line with its matches replaced, and whether any was."""
+        number = 0
+
+        def replaced(found: Match) -> str:
+            nonlocal number
+            number += 1
+            return _replacement(self._by, found) if number >= self._first else found[0] or ""
+
+        return (yield from self._what.replacing(text, replaced, self._last)), number >= self._first
 
 
 def _split_at(mark: str, text: str) -> list[str]:

@@ -250,7 +250,8 @@ async def _agreed_to_remove(session: Session, name: str, found: os.stat_result) 
 
 @asking(lambda names: names[1:])
 async def chmod(session: Session) -> int:
-    words = [word for word in session.argv[1:] if word != "-R"]
+    words = [word for word in session.argv[1:] if word not in ("-R", "--recursive")]
+    recursive = len(words) < len(session.argv) - 1
     if len(words) < 2:
         complain(session, "missing operand\nTry 'chmod --help' for more information.")
         return 1
@@ -259,7 +260,9 @@ async def chmod(session: Session) -> int:
     for name in names:
         path = session.cwd / name
         try:
-            path.chmod(_new_mode(mode, path.stat().st_mode))
+            below = sorted(path.rglob("*")) if recursive and path.is_dir() else []
+            for each in (path, *(entry for entry in below if not entry.is_symlink())):
+                each.chmod(_new_mode(mode, each.stat().st_mode))
         except ValueError:
             complain(session, f"invalid mode: ‘{mode}’\nTry 'chmod --help' for more information.")
             return 1

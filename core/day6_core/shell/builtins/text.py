@@ -262,7 +262,10 @@ async def sort(session: Session) -> int:
             "kot",
             {"--reverse": "r", "--numeric-sort": "n", "--unique": "u", "--ignore-case": "f", "--output": "o",
              "--key": "k", "--field-separator": "t"},
+            "k",
         )  # fmt: skip
+        if "\n" in options.get("k", ""):
+            raise UsageError("day6-tui's own sort takes one -k")
         key = _sort_key(options)
     except UsageError as error:
         complain(session, error)

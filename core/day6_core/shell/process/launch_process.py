@@ -1,4 +1,4 @@
-"""Becomes a student's process: `python -I -S launch_process.py tty|no-tty NICE MEMORY PROGRAM ARG…`.
+"""Becomes a student's process: `python -I -S launch_process.py tty|no-tty NICE MEMORY PROGRAM NAME ARG…`.
 
 Run as a file, before the program, because a process with threads must not run Python between fork and exec. It leads
 a session already; here it takes its standard input as controlling terminal, lowers its priority, limits its memory (bytes,
@@ -13,7 +13,7 @@ import sys
 def main() -> None:
     if sys.platform == "win32":
         raise NotImplementedError("processes are started without this there")
-    mode, nice, memory, *argv = sys.argv[1:]
+    mode, nice, memory, program, *argv = sys.argv[1:]
     for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
     if mode == "tty":
@@ -26,9 +26,9 @@ def main() -> None:
     if int(memory):
         limit_memory(int(memory))
     try:
-        os.execv(argv[0], argv)
+        os.execv(program, argv)
     except OSError as error:  # it was there a moment ago, or no system calls it a program
-        sys.stderr.write(f"bash: {argv[0]}: {error.strerror}\n")
+        sys.stderr.write(f"bash: {program}: {error.strerror}\n")
         sys.exit(126)
 
 

@@ -81,13 +81,13 @@ def _hint(output: str, session: Session, launch: bool) -> str:
     return dimmed(hint) if hint else ""
 
 
-async def run_process(session: Session, argv: list[str]) -> int:
-    """Run a process for a program until it ends; returns its exit status. `argv` begins with a path.
+async def run_process(session: Session, argv: list[str], name: str = "") -> int:
+    """Run a process for a program until it ends; returns its exit status. `argv` begins with a path, the program is told `name`.
 
     Ctrl-C becomes SIGINT, SIGTERM SIGTERM, and SIGKILL SIGKILL of its group. Raises KilledBySignal (KeyboardInterrupt for SIGINT)
     when a signal ended it, and OSError when it could not be started.
     """
-    return await _run(session, Process(session, argv))
+    return await _run(session, Process(session, argv, name))
 
 
 async def _run(session: Session, process: Process) -> int:
@@ -119,9 +119,11 @@ async def _run(session: Session, process: Process) -> int:
 class Process:
     """One child process. `ended` is set when it is gone and its output has been read; then `returncode` is as in subprocess."""
 
-    def __init__(self, session: Session, argv: list[str]) -> None:
+    def __init__(self, session: Session, argv: list[str], name: str = "") -> None:
         self.session = session
         self.argv = argv
+        self._name = name
+        """What the program is told as its name; its path without one."""
         self.ended = Signal()
         self.recent = ""
         """The end of what it wrote to the terminal."""
@@ -287,7 +289,11 @@ class Process:
         elif terminal is not None:
             self._launch_on_pty(argv, env, terminal)
         else:
-            self._launch_with_pipes([*_launcher("no-tty"), *argv], env)
+            self._launch_with_pipes(self._launched("no-tty"), env)
+
+    def _launched(self, mode: str) -> list[str]:
+        launcher = [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE), str(memory_limit())]
+        return [*launcher, self.argv[0], self._name or self.argv[0], *self.argv[1:]]
 
     def _launch_on_pty(self, argv: list[str], env: dict[str, str], terminal: TerminalSide) -> None:
         if sys.platform == "win32":
@@ -304,7 +310,7 @@ class Process:
             for name in ("COLUMNS", "LINES"):
                 env.pop(name, None)  # programs ask the pty, whose size follows the window; fixed numbers would lie
             self._popen = subprocess.Popen(
-                [*_launcher("tty"), *argv],
+                self._launched("tty"),
                 stdin=slave,
                 stdout=slave if session.stdout.isatty() else self._child_end(session.stdout),
                 stderr=slave if session.stderr.isatty() else self._child_end(session.stderr),
@@ -441,10 +447,6 @@ def _has_output(fd: int, seconds: float | None) -> bool:
     poll = select.poll()
     poll.register(fd, select.POLLIN)
     return bool(poll.poll(None if seconds is None else 1000 * seconds))
-
-
-def _launcher(mode: str) -> list[str]:
-    return [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE), str(memory_limit())]
 
 
 def _pump(

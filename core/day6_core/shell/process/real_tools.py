@@ -42,7 +42,7 @@ def running(words: list[str]) -> Main:
     async def main(session: Session) -> int:
         from day6_core.shell.process.process import run_process
 
-        return await run_process(session, [*words, *session.argv[1:]])
+        return await run_process(session, [*words, *session.argv[1:]], Path(words[0]).name if len(words) == 1 else "")
 
     return main
 

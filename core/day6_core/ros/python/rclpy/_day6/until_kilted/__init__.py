@@ -1,0 +1,1 @@
+"""Modules of rclpy that Lyrical removed: its path in the older distributions."""

@@ -1,0 +1,78 @@
+"""Which command lines of the text tools are ours, and that whichever answers, it is what bash and GNU answer."""
+
+from __future__ import annotations
+
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from day6_core.shell.text_tools import is_exactly_ours
+
+LINES = r"""
+printf 'a\nb\n' | sed -e 's/a/1/' -e 's/b/2/'; printf 'abc\n' | sed -n 's/b/X/p'; printf 'aaa\n' | sed 's/a/b/2'
+printf 'a\n' > q; sed -i -e 's/a/b/' -e 's/b/c/' q; cat q
+printf '3 a\n1 b\n2 a\n' | sort -k2,2 -k1,1n; printf '1K\n2M\n' | sort -h; printf 'v1.10\nv1.9\n' | sort -V
+seq -s, 1 5; seq -w 8 11; date -d @0 +%Y
+mkdir -p d/e; touch d/a.txt d/e/b.py; chmod 600 d/e/b.py; chmod -R 755 d; stat -c %a d/e/b.py
+find d -name "*.py" -exec echo {} \; ; find d -print0 | xargs -0 -n1 echo | sort
+echo hello > d/a.txt; grep -r --include=*.txt hello d; grep -L hello d/a.txt d/e/b.py; grep -oE '[a-z]+' d/a.txt
+printf 'a,b,c\n' | cut -d, -f2-; echo abc | tr a-z A-Z; tail -n +2 d/a.txt; diff <(echo a) <(echo b); echo $?
+sed -n '/hel/,$p' d/a.txt; sed 's/\(h\)\(e\)/\2\1/' d/a.txt; sed '1i top' d/a.txt; basename -s .txt d/a.txt
+sort nofile; grep x nofile; sed p nofile; echo $?
+"""
+
+
+@pytest.mark.process
+@pytest.mark.skipif(sys.platform != "linux" or not shutil.which("bash"), reason="compares with GNU's tools and bash")
+def test_what_answers_answers_as_the_real_ones(machine: Any, tmp_path: Path) -> None:
+    for name in ("real", "here"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "lines.sh").write_text(LINES, encoding="utf-8")
+    done = subprocess.run(
+        ["bash", "lines.sh"],
+        cwd=tmp_path / "real",
+        capture_output=True,
+        text=True,
+        env={"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"},
+    )
+    ours = machine.run(f"cd {shlex.quote(str(tmp_path / 'here'))}; export LC_ALL=C.UTF-8; bash lines.sh")
+    assert ours.out == done.stdout
+    assert ours.err == done.stderr and "sort: cannot read: nofile" in ours.err
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "grep -in hello a.txt",
+        "sed 's/a/b/g' x",
+        "sed -n 3p x",
+        "sort -r x",
+        "head -5 x",
+        "cut -d : -f 1 x",
+        "grep --color=auto x",
+    ],
+)
+def test_the_usual_lines_cost_no_process(line: str) -> None:
+    assert is_exactly_ours(shlex.split(line))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "grep 'a*' x",
+        "sed -e s/a/b/ -e s/b/c/ x",
+        "sed s/a/b/2 x",
+        "sort -k2 x",
+        "sort -rn x",
+        "date -d now",
+        "find .",
+        "grep -rL a .",
+    ],
+)
+def test_what_ours_might_do_in_another_way_is_the_machines(line: str) -> None:
+    assert not is_exactly_ours(shlex.split(line))
