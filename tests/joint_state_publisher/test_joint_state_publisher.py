@@ -117,6 +117,35 @@ def test_other_topics_can_be_its_sources(machine: SteppedMachine) -> None:
 
 JOINT = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="revolute">{}</joint></robot>'
 
+SDF = '<sdf version="1.8"><model name="m"><joint name="j" type="revolute"><axis>{}</axis></joint></model></sdf>'
+COLLADA = (
+    '<COLLADA xmlns="http://www.collada.org/2008/03/COLLADASchema" version="1.5.0"><kinematics_model><technique_common>'
+    '<joint name="j"><revolute>{}</revolute></joint></technique_common></kinematics_model></COLLADA>'
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("<urdf>" + JOINT.format('<limit lower="1" upper="3"/>') + "</urdf>", {"j": 2.0}),
+        (SDF.format("<limit><lower>1</lower><upper>3</upper></limit>"), {"j": 2.0}),
+        (SDF.format("").replace("revolute", "continuous"), {"j": 0.0}),
+        (SDF.format("").replace("revolute", "ball"), {}),
+        (COLLADA.format("<limits><min>-90</min><max>90</max></limits>"), {"j": 0.0}),
+        (COLLADA.format("<limits><min>0</min><max>0</max></limits>"), {}),
+    ],
+)
+def test_joints_of_a_wrapped_robot_of_sdf_and_of_collada(
+    machine: SteppedMachine, text: str, expected: dict[str, float]
+) -> None:
+    seen = machine.watch(JointState, "/joint_states")
+    running = start(machine)
+    machine.advance(0.1)
+    machine.node.create_publisher(String, "/robot_description", LATCHED).publish(String(data=text))
+    machine.advance(0.3)
+    assert running.log == [WAITING]
+    assert [positions(state) for state in seen[-1:]] == ([expected] if expected else [])
+
 
 @pytest.mark.parametrize(
     ("text", "said"),
@@ -129,6 +158,27 @@ JOINT = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="r
         ),
         ('<robot name="r">\n<link></robot>', "mismatched tag: line 2, column 8"),
         ("<urdf/>", 'URDF must have a "robot" tag'),
+        ("<sdf/>", 'SDF must have a "model" tag'),
+        (SDF.format(""), 'Limits must be specified for joint "j" of type "revolute"'),
+        (
+            SDF.format("<limit><upper>1</upper></limit>"),
+            '"lower" limit must be specified for joint "j" of type "revolute"',
+        ),
+        (
+            SDF.format("<limit><lower>0</lower><upper>x</upper></limit>"),
+            '"upper" limit must be a float for joint "j" of type "revolute"',
+        ),
+        ("<COLLADA/>", "COLLADA must have a version tag"),
+        ('<COLLADA version="1.4.1"/>', "COLLADA must be at least version 1.5.0"),
+        ('<COLLADA version="1.5.0"/>', 'COLLADA must have a "kinematics_model" tag'),
+        (
+            '<COLLADA version="1.5.0"><kinematics_model/></COLLADA>',
+            'COLLADA must have a "technique_common" tag',
+        ),
+        (
+            COLLADA.format("<limits><max>1</max></limits>"),
+            '"min" limit must be specified for joint "j" of type "revolute"',
+        ),
         ("", "no element found: line 1, column 0"),
         (
             '<!DOCTYPE r [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]><robot name="&b;"/>',

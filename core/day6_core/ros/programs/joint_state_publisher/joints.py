@@ -1,26 +1,29 @@
 """The joints of a description that can be set, their limits, and the joints that follow others. Pure data.
 
-As the original, this reads the XML by itself and is stricter than urdfdom about limits. It takes URDF; SDF and
-COLLADA, which the original reads too, are refused. The text is read by our own reader, which expands no entities;
-expat first checks that it is well-formed, because the original reports expat's messages.
+As the original, this reads the XML by itself and is stricter than urdfdom about limits. SDF and COLLADA are read by
+`other_formats`. URDF is read by our own reader, which expands no entities; expat first checks that the text is
+well-formed, because the original reports expat's messages.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
+from day6_core.ros.programs.joint_state_publisher.other_formats import (
+    DescriptionError,
+    limit_value,
+    missing_limits,
+    read_collada,
+    read_sdf,
+)
 from day6_urdf.check import MAX_BYTES
 from day6_urdf.xmlreader import Element, XmlError, read_xml
 
 FIXED_TYPES = ("fixed", "floating", "planar")
-
-
-class DescriptionError(Exception):
-    """A description or parameter that cannot be used, in the original's words."""
 
 
 class MimicCycle(Exception):
@@ -139,14 +142,7 @@ def read_followers(parameters: Mapping[str, Any]) -> dict[str, Follower]:
 
 
 def read_joints(text: str, options: JointOptions) -> Joints:
-    """Return the joints of a URDF. Raises DescriptionError."""
-    joints = Joints()
-    for element in _robot(text).all("joint"):
-        _add(element, joints, options)
-    return joints
-
-
-def _robot(text: str) -> Element:
+    """Return the joints of a URDF, an SDF model or COLLADA kinematics. Raises DescriptionError."""
     if len(text) > MAX_BYTES:
         raise DescriptionError(f"The description is too large: more than {MAX_BYTES // 1_000_000} MB are not read")
     _check_well_formed(text)
@@ -154,12 +150,28 @@ def _robot(text: str) -> Element:
         elements = read_xml(text)
     except XmlError as error:
         raise DescriptionError(str(error)) from error
-    root = elements[0] if elements else None
-    if root is not None and root.tag.lower() in ("sdf", "collada"):
-        raise DescriptionError(f"{root.tag} descriptions cannot be read here, only URDF")
-    if root is None or root.tag != "robot":
+    joints = Joints()
+    top = elements[0].tag if elements else ""
+    if top in ("sdf", "COLLADA"):
+        for name, kind, minimum, maximum in read_sdf(text) if top == "sdf" else read_collada(text):
+            zero = _zero(name, minimum, maximum, options) if top == "sdf" else 0.0
+            joints.names.append(name)
+            _add_free(joints, options, name, kind, minimum, maximum, zero)
+        return joints
+    robot = next(_robots(elements), None)
+    if robot is None:
         raise DescriptionError('URDF must have a "robot" tag')
-    return root
+    for element in robot.all("joint"):
+        _add(element, joints, options)
+    return joints
+
+
+def _robots(elements: Sequence[Element]) -> Iterator[Element]:
+    """Yield the elements <robot>, in the order of the file: one may be inside of another element."""
+    for element in elements:
+        if element.tag == "robot":
+            yield element
+        yield from _robots(element.children)
 
 
 def _check_well_formed(text: str) -> None:
@@ -199,7 +211,16 @@ def _add(element: Element, joints: Joints, options: JointOptions) -> None:
     if name in options.dependent_joints:
         joints.followers[name] = options.dependent_joints[name]
         return
-    zero = options.zeros.get(name, (maximum + minimum) / 2 if minimum > 0 or maximum < 0 else 0.0)
+    _add_free(joints, options, name, kind, minimum, maximum, _zero(name, minimum, maximum, options))
+
+
+def _zero(name: str, minimum: float, maximum: float, options: JointOptions) -> float:
+    return options.zeros.get(name, (maximum + minimum) / 2 if minimum > 0 or maximum < 0 else 0.0)
+
+
+def _add_free(
+    joints: Joints, options: JointOptions, name: str, kind: str, minimum: float, maximum: float, zero: float
+) -> None:
     joints.free[name] = FreeJoint(
         name,
         minimum,
@@ -216,19 +237,9 @@ def _add(element: Element, joints: Joints, options: JointOptions) -> None:
 def _limits(element: Element, name: str, kind: str) -> tuple[float, float]:
     limit = element.first("limit")
     if limit is None:
-        raise DescriptionError(f'Limits must be specified for joint "{name}" of type "{kind}"')
-    values: Sequence[float] = [_limit(limit, side, name, kind) for side in ("lower", "upper")]
-    return values[0], values[1]
-
-
-def _limit(limit: Element, side: str, name: str, kind: str) -> float:
-    text = limit.attributes.get(side)
-    if text is None:
-        raise DescriptionError(f'"{side}" limit must be specified for joint "{name}" of type "{kind}"')
-    try:
-        return float(text)
-    except ValueError as error:
-        raise DescriptionError(f'"{side}" limit must be a float for joint "{name}" of type "{kind}"') from error
+        raise missing_limits(name, kind)
+    low, high = (limit_value(limit.attributes.get(side), side, name, kind) for side in ("lower", "upper"))
+    return low, high
 
 
 def _float(text: str | None, default: float) -> float:
