@@ -136,6 +136,37 @@ def test_seek_filter_and_backwards(tmp_path, storage):
     assert backwards == [2 * MILLISECOND, MILLISECOND, 0]
 
 
+@pytest.mark.parametrize("order", ({}, {"reverse": True}, {"sort_by": rosbag2_py.ReadOrderSortBy.File}))
+@pytest.mark.parametrize("storage", STORAGES)
+def test_another_filter_goes_on_behind_the_message_that_was_read_last(tmp_path, storage, order):
+    writer = write(tmp_path / "bag", storage, 0, close=False)
+    said = [("/chatter", 1), ("/pose", 1), ("/chatter", 1), ("/pose", 1), ("/chatter", 1), ("/pose", 2)]
+    for number, (topic, moment) in enumerate(said):
+        writer.write(topic, serialize_message(String(data=str(number))), moment)
+    writer.close()
+    reader = rosbag2_py.SequentialReader()
+    reader.open_uri(str(tmp_path / "bag"))
+    assert reader.set_read_order(rosbag2_py.ReadOrder(**order))
+    numbers = list(range(len(said)))[:: -1 if order.get("reverse") else 1]
+
+    def next_number() -> int:
+        return int(deserialize_message(reader.read_next()[1], String).data)
+
+    for place in range(1, len(said)):
+        reader.reset_filter()
+        reader.seek(2 if order.get("reverse") else 0)
+        assert [next_number() for _ in range(place)] == numbers[:place]
+        for wanted in ("/pose", "/chatter", "/pose"):  # each hears what comes behind the place, and nothing twice
+            reader.set_filter(rosbag2_py.StorageFilter(topics=[wanted]))
+            following = [number for number in numbers[place:] if said[number][0] == wanted]
+            assert reader.has_next() == bool(following)
+            if following:
+                assert next_number() == following[0]
+                place = numbers.index(following[0]) + 1
+        reader.reset_filter()
+        assert [next_number() for _ in numbers[place:]] == numbers[place:] and not reader.has_next()
+
+
 def test_chunks_that_overlap_in_time_are_merged(tmp_path):
     writer = McapWriter(tmp_path / "bag_0.mcap")
     source = rosbag2_py.LocalMessageDefinitionSource()
@@ -359,7 +390,7 @@ def test_we_read_the_bags_of_rosbags(tmp_path, storage, version):
 # -- compression -------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("storage", "mode"), (("mcap", "FILE"), ("sqlite3", "FILE"), ("sqlite3", "MESSAGE")))
+@pytest.mark.parametrize(("storage", "mode"), [(storage, mode) for storage in STORAGES for mode in ("FILE", "MESSAGE")])
 def test_compressed_bags_are_written_and_read(tmp_path, storage, mode):
     options = rosbag2_py.CompressionOptions("zstd", rosbag2_py.compression_mode_from_string(mode))
     writer = rosbag2_py.SequentialCompressionWriter(options)

@@ -6,6 +6,7 @@ import shutil
 import tempfile
 import weakref
 from collections.abc import Iterator
+from itertools import islice, takewhile
 from pathlib import Path
 
 from rosbag2_py._compression import decompress
@@ -22,6 +23,7 @@ from rosbag2_py._storage import (
     StorageFilter,
     StorageOptions,
     TopicMetadata,
+    Wanted,
     nanoseconds_of,
 )
 
@@ -45,6 +47,10 @@ class SequentialReader:
         self._order = ReadOrder()
         self._start_ns: int | None = None
         self._end_ns = _LAST
+        self._skipped = 0
+        """Messages from `_start_ns` on, of all topics, that were passed before the stream began."""
+        self._passed = 0
+        """Messages since then that the filter let through, of the time `_start_ns` (by file: all)."""
         self._stream: Iterator[Message] | None = None
         self._next: Message | None = None
         self._unpacked: Path | None = None
@@ -93,7 +99,7 @@ class SequentialReader:
             file.close()
         self._open.clear()
         self._metadata = None
-        self._start_ns = None
+        self._go_to(None)
 
     def _is_in_order(self, file: BagReader) -> bool:
         """Whether a file can be read by time; otherwise it is read as it was written."""
@@ -151,6 +157,7 @@ class SequentialReader:
 
     def set_filter(self, storage_filter: StorageFilter) -> None:
         """Continue with only those topics that the filter allows."""
+        self._skipped, self._passed = self._place(), 0
         self._filter = storage_filter
         self._restart()
 
@@ -160,8 +167,7 @@ class SequentialReader:
 
     def seek(self, timestamp: int) -> None:
         """Continue with the first message at or after (in reverse: before) this time."""
-        self._start_ns = timestamp
-        self._restart()
+        self._go_to(timestamp)
 
     def set_read_order(self, read_order: ReadOrder) -> bool:
         """Choose the order; returns False for one in which the bag can't be read."""
@@ -172,6 +178,8 @@ class SequentialReader:
         by_time = read_order.sort_by == ReadOrderSortBy.ReceivedTimestamp
         if by_time and self._files and not self._is_in_order(self._reader(self._files[0])):
             return False
+        if self._passed or self._skipped:
+            self._go_to(self._next_start())
         self._order = read_order
         self._restart()
         return True
@@ -196,23 +204,59 @@ class SequentialReader:
             raise RuntimeError("Bag is at end. No next message.")
         message, self._next = self._next, None
         # A filter or order that is changed later applies from here on.
-        self._start_ns = message.received_ns + (-1 if self._order.reverse else 1)
+        if self._order.sort_by != ReadOrderSortBy.File and message.received_ns != self._start_ns:
+            self._start_ns, self._skipped, self._passed = message.received_ns, 0, 0
+        self._passed += 1
         return message
 
     def _restart(self) -> None:
         self._stream = None
         self._next = None
 
+    def _go_to(self, start_ns: int | None) -> None:
+        self._start_ns, self._skipped, self._passed = start_ns, 0, 0
+        self._restart()
+
+    def _next_start(self) -> int | None:
+        """Return the time after `_start_ns` in this order."""
+        return self._start_ns if self._start_ns is None else self._start_ns + (-1 if self._order.reverse else 1)
+
+    def _place(self) -> int:
+        """Return how many messages from `_start_ns` on have been passed, whatever their topics."""
+        left = self._passed
+        for number, message in enumerate(self._from(lambda topic: True) if left else ()):
+            left -= number >= self._skipped and self._filter.allows(message.topic)
+            if not left:
+                return number + 1
+        return self._skipped
+
     def _messages(self) -> Iterator[Message]:
+        allows = self._filter.allows
+        if not self._skipped:
+            yield from self._from(allows)
+            return
+        rest = islice(self._from(lambda topic: True), self._skipped, None)
+        if self._order.sort_by == ReadOrderSortBy.File:
+            yield from (message for message in rest if allows(message.topic))
+            return
+        now = takewhile(lambda message: message.received_ns == self._start_ns, rest)
+        following = self._next_start()
+        yield from (message for message in now if allows(message.topic))
+        yield from self._from(allows, following)
+
+    def _from(self, wanted: Wanted, start_ns: int | None = None) -> Iterator[Message]:
+        """Yield the messages of wanted topics from `start_ns` on, by default from `_start_ns`."""
         reverse = self._order.reverse
-        start = self._start_ns if self._start_ns is not None else (_LAST if reverse else 0)
+        start = self._start_ns if start_ns is None else start_ns
+        if start is None:
+            start = _LAST if reverse else 0
         metadata = self.get_metadata()
         unpack = metadata.compression_mode.upper() == "MESSAGE"
         # After a split the order of the names is the order of time.
         for path in reversed(self._files) if reverse else self._files:
             file = self._reader(path)
             by_file = self._order.sort_by == ReadOrderSortBy.File or not file.has_time_order
-            stream = file.messages(start, self._filter.allows, reverse=reverse, by_file=by_file)
+            stream = file.messages(start, wanted, reverse=reverse, by_file=by_file)
             with reading(path):
                 for message in stream:
                     if message.received_ns > self._end_ns:

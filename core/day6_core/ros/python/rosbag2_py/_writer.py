@@ -176,11 +176,6 @@ class _Bag:
                 "Invalid bag splitting size given. Please provide a value greater than "
                 f"{least}. Specified value of {size}"
             )
-        if self.storage == "mcap" and self.compression.compression_mode == CompressionMode.MESSAGE:
-            raise RuntimeError(
-                "MCAP storage plugin does not support message compression, consider using chunk compression by "
-                "setting `compression: 'Zstd'` in storage config"
-            )
 
     # -- files ---------------------------------------------------------------------------------------------------------
 
