@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Iterator
 from typing import Any
@@ -11,6 +12,7 @@ import tf2_ros
 from tf2_msgs.action import LookupTransform
 from tf2_msgs.msg import TF2Error
 
+import rclpy
 from rclpy.action import ActionServer
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.duration import Duration
@@ -99,3 +101,11 @@ def test_without_a_server_a_client_gives_up_at_once(node: Node) -> None:
     with pytest.raises(TypeError, match=r"^Must pass a rclpy\.time\.Time object\.$"):
         lonely.lookup_transform("a", "b", 0.0)  # type: ignore[arg-type]
     lonely.destroy()
+
+
+def test_actions_are_an_attribute_of_rclpy_once_the_client_is_imported(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(rclpy, "action", raising=False)
+    assert rclpy.action.ActionServer.__name__ == "ActionServer"
+    monkeypatch.delitem(sys.modules, "tf2_ros.buffer_client")
+    with pytest.raises(AttributeError, match="action"):
+        rclpy.action  # noqa: B018

@@ -44,29 +44,33 @@ if TYPE_CHECKING:
 if value("rclpy.deprecated_names"):
     __path__.append(f"{__path__[0]}/_day6/until_kilted")
 
-# In real rclpy these come with rclpy.node, so programs use them as attributes once that is imported.
-_WITH_NODE = frozenset(
-    (
-        "event_handler",
-        "executors",
-        "logging",
-        "logging_service",
-        "qos_overriding_options",
-        "subscription_content_filter_options",
-        "topic_endpoint_info",
-        "type_hash",
-        "validate_full_topic_name",
-        "validate_namespace",
-        "validate_node_name",
-        "validate_topic_name",
-    )
-)
+# In real rclpy these come with another module, so programs use them as attributes once that is imported.
+_WITH = {
+    **dict.fromkeys(
+        (
+            "event_handler",
+            "executors",
+            "logging",
+            "logging_service",
+            "qos_overriding_options",
+            "subscription_content_filter_options",
+            "topic_endpoint_info",
+            "type_hash",
+            "validate_full_topic_name",
+            "validate_namespace",
+            "validate_node_name",
+            "validate_topic_name",
+        ),
+        "rclpy.node",
+    ),
+    "action": "tf2_ros.buffer_client",
+}
 
 _also = also(__name__)
 
 
 def __getattr__(name: str) -> Any:
-    if name in _WITH_NODE and "rclpy.node" in sys.modules:
+    if _WITH.get(name) in sys.modules:
         from importlib import import_module
 
         return import_module(f"rclpy.{name}")
