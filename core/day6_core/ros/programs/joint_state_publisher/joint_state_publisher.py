@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_core.ros.programs.joint_state_publisher.joints import DescriptionError
+from day6_core.ros.programs.joint_state_publisher.other_formats import DescriptionError
 from day6_core.ros.programs.joint_state_publisher.publisher import JointStatePublisher
 from day6_core.session.argument_parser import ParserExit, SessionParser
 from day6_urdf.check import MAX_BYTES, read_description, too_large

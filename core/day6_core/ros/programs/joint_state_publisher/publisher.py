@@ -10,13 +10,13 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 
 from day6_core.ros.programs.joint_state_publisher.joints import (
-    DescriptionError,
     JointOptions,
     Joints,
     MimicCycle,
     read_followers,
     read_joints,
 )
+from day6_core.ros.programs.joint_state_publisher.other_formats import DescriptionError
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 if TYPE_CHECKING:
