@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from geometry_msgs.msg import Point32
-from sensor_msgs.msg import CameraInfo, ChannelFloat32, Image, PointCloud, PointCloud2, PointField
+from sensor_msgs.msg import ChannelFloat32, Image, PointCloud, PointCloud2, PointField
 
 from day6_core.ros.programs.rviz2.model.displays.point_cloud_common import MOST_DRAWN, rainbow
 from tests.rviz2.rviz_machine import RVizMachine, lines
@@ -251,30 +251,3 @@ def test_an_image_lies_in_the_corner_of_the_view_in_its_own_shape(machine: RVizM
     assert picture.colour[41, 44].tolist() != [1.0, 0.0, 0.0] and picture.colour[42, 43].tolist() != [1.0, 0.0, 0.0]
     assert [label.words for label in picture.labels][-1] == "Image"
     assert display.picture_size == "20x10"
-
-
-def test_a_depth_image_and_its_calibration_are_points(machine: RVizMachine) -> None:
-    machine.open()
-    machine.transform("map", "camera", (1.0, 0.0, 0.0))
-    display = machine.add("DepthCloud", "/camera/depth/image")
-    depth = Image(
-        height=1, width=3, encoding="16UC1", step=6, data=array.array("B", array.array("H", [2000, 0, 1000]).tobytes())
-    )
-    depth.header.frame_id = "camera"
-    machine.publish("/camera/depth/image", depth)
-    assert lines(display)["Camera Info"] == ("Warn", "No CameraInfo received on [/camera/depth/camera_info].")
-    info = CameraInfo(height=1, width=3, k=[2.0, 0.0, 1.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.0])
-    machine.publish("/camera/depth/camera_info", info)
-    machine.publish("/camera/depth/image", depth)
-    assert machine.rviz.scene.points[0].xyz.tolist() == [[0.0, 0.0, 2.0], [1.5, 0.0, 1.0]]
-    assert lines(display)["Camera Info"] == ("Ok", "OK") and display.how.value == "Intensity"
-    machine.do(lambda: display.colour_topic.set("/camera/color"))
-    colour = Image(height=1, width=3, encoding="rgb8", step=9, data=array.array("B", [255, 0, 0, 0, 255, 0, 0, 0, 255]))
-    for topic, message in (("depth/camera_info", info), ("color", colour), ("depth/image", depth)):
-        machine.publish(f"/camera/{topic}", message)
-    machine.rviz.edit(display.how, "RGB8")
-    machine.settle()
-    assert colours(machine) == [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]]
-    depth.encoding = "rgb8"
-    machine.publish("/camera/depth/image", depth)
-    assert lines(display)["Message"][1] == "Input image must be unsigned 16 bit or float. Found [rgb8]"

@@ -157,61 +157,6 @@ def test_every_display_type_survives_saving_and_loading(machine: RVizMachine) ->
     assert not rviz.modified
 
 
-GROUPS = """\
-Visualization Manager:
-  Displays:
-    - Class: rviz_common/Group
-      Name: Robot
-      Enabled: true
-      Displays:
-        - {Class: rviz_default_plugins/Grid, Name: Floor, Enabled: true, Value: true}
-        - Class: rviz_common/Group
-          Name: Sensors
-          Enabled: false
-          Displays:
-            - {Class: rviz_default_plugins/Axes, Name: Laser, Enabled: true, Value: true}
-            - {Class: nav2_rviz_plugins/ParticleCloud, Name: Particles, Enabled: true, Value: true, Mine: 7}
-          Value: false
-      Value: true
-  Global Options: {Fixed Frame: map}
-"""
-"""In the shape of the files of courses."""
-
-
-def test_groups_hold_displays_switch_them_and_come_back(machine: RVizMachine) -> None:
-    rviz = machine.open()
-    machine.do(lambda: rviz.load_text(GROUPS))
-    robot, floor, sensors, laser, particles = rviz.displays
-    assert [each.name for each in rviz.displays] == ["Robot", "Floor", "Sensors", "Laser", "Particles"]
-    assert floor.enabled and not laser.enabled and laser.value is True
-    machine.settle()
-    assert not lines(laser) and not lines(particles)
-    rviz.edit(sensors, True)
-    machine.settle()
-    assert laser.enabled and lines(particles)["Class"][0] == "Error"
-    rviz.edit(robot, False)
-    machine.settle()
-    assert not floor.enabled and not laser.enabled and not rviz.scene.lines
-    rviz.edit(robot, True)
-    rviz.edit(sensors, False)
-    machine.settle()
-    saved = yaml.safe_load(write_config(rviz.save()))["Visualization Manager"]["Displays"]
-    (first,) = saved
-    assert (first["Class"], first["Name"], first["Enabled"], first["Value"]) == (
-        "rviz_common/Group",
-        "Robot",
-        True,
-        True,
-    )
-    inner = first["Displays"][1]
-    assert (inner["Enabled"], inner["Displays"][0]["Enabled"], inner["Displays"][1]["Mine"]) == (False, True, 7)
-    machine.do(lambda: rviz.move_display(sensors, -1))
-    machine.do(lambda: rviz.duplicate_display(laser))
-    assert [each.name for each in rviz.displays] == ["Robot", "Sensors", "Laser", "Particles", "Laser", "Floor"]
-    machine.do(lambda: rviz.remove_display(sensors))
-    assert [each.name for each in rviz.displays] == ["Robot", "Floor"]
-
-
 @pytest.mark.parametrize("frame", ["base_link", "lidar", "/base_link"])
 def test_the_fixed_frame_of_a_file_is_the_one_that_is_used(machine: RVizMachine, tmp_path: Path, frame: str) -> None:
     file = tmp_path / "a.rviz"

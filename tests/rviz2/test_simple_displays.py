@@ -125,22 +125,36 @@ def test_small_motions_are_hidden_if_wanted(world: RVizMachine, name: str, kind:
     assert len(world.rviz.scene.shapes) == 2
 
 
-def test_a_class_that_is_not_here_says_so_and_keeps_its_words(world: RVizMachine) -> None:
+def test_a_class_that_is_not_here_says_so_in_one_line_and_keeps_its_words(world: RVizMachine) -> None:
     text = (
+        "Panels:\n  - Class: nav2_rviz_plugins/Navigation 2\n    Name: N\n"
         "Visualization Manager:\n  Displays:\n    - Class: nav2_rviz_plugins/ParticleCloud\n      Name: Particles\n"
-        "      Enabled: true\n      Auto Size: {Value: true}\n"
+        "      Enabled: true\n      Auto Size: {Value: true}\n    - Class: rviz/Grid\n    - Class: rviz_default_plugins/Gird\n"
+        "    - Class: rviz_satellite/AerialMap\n    - Class: rviz_satellite/AerialMap\n"
+        "  Tools:\n    - Class: nav2_rviz_plugins/GoalTool\n"
     )
     world.do(lambda: world.rviz.load_text(text))
-    (display,) = world.rviz.displays
-    reason = (
-        "According to the loaded plugin descriptions the class nav2_rviz_plugins/ParticleCloud with base class type "
-        "rviz_common::Display does not exist. It is of nav2_rviz_plugins, which day6-tui doesn't have."
+    display = world.rviz.displays[0]
+    said = [line.partition("]: ")[2] for line in world.running.errors.splitlines() if line.startswith("[ERROR]")]
+    assert display.status("Class")[1] == said[0]
+    assert [line.partition(":")[0] for line in said] == [
+        f"class {name} isn't here" for name in (
+            "nav2_rviz_plugins/ParticleCloud", "rviz/Grid", "rviz_default_plugins/Gird", "rviz_satellite/AerialMap",
+            "nav2_rviz_plugins/GoalTool", "nav2_rviz_plugins/Navigation 2",
+        )
+    ]  # fmt: skip
+    words = (
+        "nav2_amcl",
+        "rviz_default_plugins/Grid",
+        "no display of that name",
+        "rviz_satellite",
+        "SetGoal",
+        "Navigation2",
     )
-    text = "The class required for this display, 'nav2_rviz_plugins/ParticleCloud', could not be loaded. Error: "
-    assert display.status("Class")[1] == text + reason
-    logged = "PluginlibFactory: The plugin for class 'nav2_rviz_plugins/ParticleCloud' failed to load. Error: "
-    assert logged + reason in world.running.errors
+    for line, word in zip(said, words, strict=True):
+        assert word in line.partition(": ")[2]
     assert display.save()["Auto Size"] == {"Value": True}
+    assert world.rviz.save()["Panels"][1] == {"Class": "nav2_rviz_plugins/Navigation 2", "Name": "N"}
 
 
 def test_a_pose_estimate_is_shown_with_its_covariance(world: RVizMachine) -> None:
@@ -153,6 +167,18 @@ def test_a_pose_estimate_is_shown_with_its_covariance(world: RVizMachine) -> Non
     message.pose.covariance[35] = math.nan
     world.publish("/initialpose", message)
     assert display.status("Topic") == ("Error", INVALID_FLOATS)
+
+
+@pytest.mark.parametrize(
+    "lang, words", [("en", "it draws the particles of nav2_amcl"), ("zh", "它画 nav2_amcl 的粒子")]
+)
+def test_a_class_that_is_not_here_is_told_in_plain_words(world: RVizMachine, lang: str, words: str) -> None:
+    text = (
+        "Visualization Manager:\n  Displays:\n    - Class: nav2_rviz_plugins/ParticleCloud\n      Name: Swarm\n"
+        "      Enabled: true\n"
+    )
+    world.do(lambda: world.rviz.load_text(text))
+    assert words in described(world.rviz, Texts(lang))
 
 
 def test_messages_that_wait_for_a_transform_are_told_with_their_frame(world: RVizMachine) -> None:

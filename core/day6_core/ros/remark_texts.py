@@ -205,4 +205,26 @@ TEXTS = {
     ),
     "world.bumped": "it touches a wall: the wheels slip, and /odom doesn't notice",
     "world.sideways": "linear.y is ignored: two wheels cannot go sideways",
+    # Classes of a .rviz file
+    "rviz.missing.particles": (
+        "class {type} isn't here: it draws the particles of nav2_amcl (nav2_msgs/ParticleCloud); it stays in the file"
+    ),
+    "rviz.missing.nav2_goal": (
+        "class {type} isn't here: it gives Navigation2 a goal; rviz_default_plugins/SetGoal publishes one on /goal_pose; "
+        "it stays in the file"
+    ),
+    "rviz.missing.nav2": "class {type} isn't here: this {kind} is part of Navigation2; it stays in the file",
+    "rviz.missing.moveit": "class {type} isn't here: this {kind} is part of MoveIt; it stays in the file",
+    "rviz.missing.slam_toolbox": "class {type} isn't here: this {kind} is part of slam_toolbox; it stays in the file",
+    "rviz.missing.imu": (
+        "class {type} isn't here: it comes with the package rviz_imu_plugin and shows an Imu as axes or a box; it stays in "
+        "the file"
+    ),
+    "rviz.missing.ros1_same": (
+        "class {type} isn't here: the file is from ROS 1; in ROS 2 it is called rviz_default_plugins/{name}; it stays in "
+        "the file"
+    ),
+    "rviz.missing.ros1": "class {type} isn't here: the file is from ROS 1; it stays in the file",
+    "rviz.missing.misspelt": "class {type} isn't here: {package} has no {kind} of that name; it stays in the file",
+    "rviz.missing.plugin": "class {type} isn't here: it comes with the package {package}; it stays in the file",
 }

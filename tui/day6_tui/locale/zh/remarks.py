@@ -153,4 +153,18 @@ TEXTS = {
     ),
     "inspector.well": "一切正常",
     "inspector.well_so_far": "看过的地方一切正常",
+    "rviz.missing.particles": "这里没有 {type} 这个类：它画 nav2_amcl 的粒子（nav2_msgs/ParticleCloud）；它会留在文件里",
+    "rviz.missing.nav2_goal": (
+        "这里没有 {type} 这个类：它给 Navigation2 一个目标；rviz_default_plugins/SetGoal 会把目标发到 /goal_pose；它会留在文件里"
+    ),
+    "rviz.missing.nav2": "这里没有 {type} 这个类：它是 Navigation2 的；它会留在文件里",
+    "rviz.missing.moveit": "这里没有 {type} 这个类：它是 MoveIt 的；它会留在文件里",
+    "rviz.missing.slam_toolbox": "这里没有 {type} 这个类：它是 slam_toolbox 的；它会留在文件里",
+    "rviz.missing.imu": "这里没有 {type} 这个类：它是软件包 rviz_imu_plugin 的，把 Imu 画成坐标轴或方块；它会留在文件里",
+    "rviz.missing.ros1_same": (
+        "这里没有 {type} 这个类：这是 ROS 1 的文件；在 ROS 2 里它叫 rviz_default_plugins/{name}；它会留在文件里"
+    ),
+    "rviz.missing.ros1": "这里没有 {type} 这个类：这是 ROS 1 的文件；它会留在文件里",
+    "rviz.missing.misspelt": "这里没有 {type} 这个类：{package} 里没有这个名字；它会留在文件里",
+    "rviz.missing.plugin": "这里没有 {type} 这个类：它是软件包 {package} 的；它会留在文件里",
 }

@@ -6,7 +6,6 @@ import colorsys
 import math
 
 from day6_core.ros.programs.rviz2.model.display import FailedDisplay
-from day6_core.ros.programs.rviz2.model.displays.group import GroupDisplay
 from day6_core.ros.programs.rviz2.model.displays.robot_model import RobotModelDisplay
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.properties import number_text
@@ -35,7 +34,7 @@ def described(rviz: RViz, texts: Texts) -> str:
     """One sentence for each enabled display, joined."""
     phrases: list[str] = []
     for display in rviz.displays:
-        if not display.enabled or isinstance(display, GroupDisplay):
+        if not display.enabled or display.type == "Group":
             continue
         if isinstance(display, RobotModelDisplay):
             phrases += _robot(display, texts)
@@ -49,7 +48,8 @@ def described(rviz: RViz, texts: Texts) -> str:
         elif display.type == "Axes":
             phrases.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
         elif isinstance(display, FailedDisplay):
-            phrases.append(texts("rviz.seen.unknown", name=display.name))
+            missing = display.missing
+            phrases.append(f"{display.name}: {texts(missing.id, **dict(missing.parameters))}")
         elif display.type == "InteractiveMarkers":
             count = len(getattr(display, "markers", {}))
             phrases.append(texts("rviz.seen.markers", name=display.name, count=count))

@@ -72,7 +72,7 @@ def segments_of(line: PropertyLine, width: int, look: Look, chosen: bool, focuse
         name_style = value_style = colours.selection if focused else colours.strong
     name = " " * (line.depth * 2) + opener + " "
     if isinstance(prop, Display):
-        name += "[x] " if prop.enabled else "[ ] "
+        name += "[x] " if prop.value else "[ ] "
     name += _mark(prop, look) + name_of(prop, look)
     value = _value(prop)
     split = value_column(line, width)

@@ -110,6 +110,7 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
             node.data.depth,
             prop.name,
             prop.value,
+            isinstance(prop, Display) and prop.enabled,
             opens,
             panel.level_of(prop),
             chosen,

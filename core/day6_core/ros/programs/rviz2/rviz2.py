@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, NoReturn
 from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_core.ros.programs.rviz2.model.config import ConfigError
+from day6_core.ros.programs.rviz2.model.display import Display
 from day6_core.ros.programs.rviz2.model.frames import FrameBuffer
 from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.status import ERROR, WORDS, Status
@@ -263,11 +264,13 @@ def panel_text(rviz: RViz) -> list[str]:
     """The panel as text: the Fixed Frame, every display with its statuses."""
     lines = [f"Fixed Frame: {rviz.fixed_frame}", *_statuses(rviz.statuses, "")]
     for display in rviz.displays:
-        indent = "  " * (display.path.count("/") - 2)
+        indent, group = "", display.parent
+        while isinstance(group, Display):
+            indent, group = indent + "  ", group.parent
         kind = display.class_id.rpartition("/")[2]
         lines.append(f"{indent}{display.name} ({kind}){'' if display.enabled else ': disabled'}")
         if display.enabled and display.statuses.children:
-            lines += _statuses(display.statuses, f"{indent}  ")
+            lines += _statuses(display.statuses, indent + "  ")
     return lines
 
 

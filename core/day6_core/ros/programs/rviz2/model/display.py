@@ -11,6 +11,7 @@ from day6_core.ros.programs.rviz2.model.properties import BOOL, Property
 from day6_core.ros.programs.rviz2.model.status import ERROR, OK, Status, StatusList
 
 if TYPE_CHECKING:
+    from day6_core.ros.programs.remark import Remark
     from day6_core.ros.programs.rviz2.model.manager import RViz
     from day6_core.ros.programs.rviz2.model.scene import Scene
     from day6_urdf.model import Vector
@@ -41,9 +42,17 @@ class Display(Property):
 
     @property
     def enabled(self) -> bool:
-        """Whether its check box is set, and that of the groups it is in."""
-        group = self.parent
-        return bool(self.value) and (not isinstance(group, Display) or group.enabled)
+        """Whether its own check box is set, and that of every group around it."""
+        return bool(self.value) and (self.parent.enabled if isinstance(self.parent, Display) else True)
+
+    @property
+    def displays(self) -> list[Display]:
+        """Those of a group, in the order of the panel."""
+        return [child for child in self.children if isinstance(child, Display)]
+
+    @property
+    def should_be_saved(self) -> bool:
+        return False  # not as a property of its group
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
 
@@ -176,14 +185,19 @@ class FailedDisplay(Display):
     The original says why in its description, in HTML; here it is a status.
     """
 
-    def __init__(self, rviz: RViz, name: str, class_id: str, reason: str) -> None:
-        self._class_id, self._reason = class_id, reason
+    def __init__(self, rviz: RViz, name: str, class_id: str, missing: Remark) -> None:
+        self._class_id, self._missing = class_id, missing
         super().__init__(rviz, name)
         self.config: dict[str, Any] = {}
 
     @property
     def class_id(self) -> str:
         return self._class_id
+
+    @property
+    def missing(self) -> Remark:
+        """What the class is, and that it isn't here."""
+        return self._missing
 
     def load(self, config: Any) -> None:
         self.config = dict(config)
@@ -194,9 +208,7 @@ class FailedDisplay(Display):
         return {**self.config, "Name": self.name, "Enabled": bool(self.value), "Value": bool(self.value)}
 
     def refresh(self) -> None:
-        name, reason = self._class_id, self._reason
-        text = f"The class required for this display, '{name}', could not be loaded. Error: {reason}"
-        self.put_status(ERROR, "Class", text)
+        self.put_status(ERROR, "Class", self._missing.text)
 
 
 __all__ = ["Display", "FailedDisplay", "Status"]

@@ -8,22 +8,16 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.programs.rviz2.model.config import read_config
 from day6_core.ros.programs.rviz2.model.display import Display, FailedDisplay
-from day6_core.ros.programs.rviz2.model.displays import (
-    GROUP_CLASS,
-    PACKAGE,
-    TYPES,
-    display_class,
-    types_for,
-    unknown_class,
-)
+from day6_core.ros.programs.rviz2.model.displays import display_class, type_of, types_for
 from day6_core.ros.programs.rviz2.model.frames import FrameBuffer, FrameLookups
-from day6_core.ros.programs.rviz2.model.panels import load_expanded, save_panels
+from day6_core.ros.programs.rviz2.model.missing import missing_class
+from day6_core.ros.programs.rviz2.model.panels import load_expanded, missing_panels, save_panels
 from day6_core.ros.programs.rviz2.model.properties import (
     COLOUR,
     ENUM,
@@ -44,6 +38,7 @@ from rclpy.clock import ClockChange, JumpThreshold, TimeJump
 from rclpy.duration import Duration
 
 if TYPE_CHECKING:
+    from day6_core.ros.programs.remark import Remark
     from rclpy.node import Node
 
 QUALITIES = ("High", "Medium", "Low")
@@ -54,20 +49,6 @@ TIMES = ("ROS Time", "ROS Elapsed", "Wall Time", "Wall Elapsed")
 RobotReader = Callable[[str, str, bool, Callable[[Any], None], Callable[[], bool]], None]
 MeshReader = Callable[[str, bool, Callable[[Any], None]], None]
 """Take, beside a text or URI, whether it came from this machine (see `MeshStore`)."""
-
-
-def _all_displays(place: Property) -> Iterator[Display]:
-    for child in place.children:
-        if isinstance(child, Display):
-            yield child
-            if child.type == "Group":
-                yield from _all_displays(child)
-
-
-def _place_of(display: Display) -> Property:
-    """The group that a display is in, or the root."""
-    assert display.parent is not None
-    return display.parent
 
 
 class RViz:
@@ -117,6 +98,8 @@ class RViz:
         """Where Save puts a configuration that was never named."""
         self.modified = False
         self._config: dict[str, Any] = {}
+        self._missing: set[Remark] = set()
+        """Classes of the file that were told of."""
         self._requests: deque[Callable[[], object]] = deque()
         self._dirty = True
         self._redraw = True
@@ -163,8 +146,18 @@ class RViz:
 
     @property
     def displays(self) -> list[Display]:
-        """In the order of the panel, groups with what is in them."""
-        return list(_all_displays(self.root))
+        """In the order of the panel: groups, and what is in them after them."""
+        found, waiting = [], self.outermost[::-1]
+        while waiting:
+            display = waiting.pop()
+            found.append(display)
+            waiting += display.displays[::-1]
+        return found
+
+    @property
+    def outermost(self) -> list[Display]:
+        """Those that are in no group."""
+        return [child for child in self.root.children if isinstance(child, Display)]
 
     @property
     def panels(self) -> list[Property]:
@@ -203,6 +196,12 @@ class RViz:
 
     def log_error(self, text: str) -> None:
         self.node.get_logger().error(text)
+
+    def log_missing(self, missing: Remark) -> None:
+        """Tell of a class of the file that isn't here, once."""
+        if missing not in self._missing:
+            self._missing.add(missing)
+            self.log_error(missing.text)
 
     def hint(self, key: str, **parameters: Any) -> None:
         """Show the user a message in the window, in plain words."""
@@ -304,15 +303,18 @@ class RViz:
         return types_for(message_type)
 
     def remove_display(self, display: Display) -> None:
+        """Take a display away, a group with all that is in it."""
         display.close()
-        _place_of(display).remove(display)
+        assert display.parent is not None
+        display.parent.remove(display)
         self._changed_by_user()
 
     def duplicate_display(self, display: Display) -> Display:
         """A copy with the same settings, at the end of where it is."""
         copy = self._make(display.class_id, display.name)
         copy.load(display.save())
-        place = _place_of(display)
+        place = display.parent
+        assert place is not None
         place.add(copy, len(place.children) - (place is self.root))
         self._changed_by_user()
         return copy
@@ -322,15 +324,23 @@ class RViz:
         self._changed_by_user()
 
     def move_display(self, display: Display, step: int) -> None:
-        """Move a display up (-1) or down (1) in the list."""
-        place = _place_of(display)
-        displays = [child for child in place.children if isinstance(child, Display)]
-        index = displays.index(display) + step
-        if 0 <= index < len(displays):
-            target = place.children.index(displays[index])
-            place.remove(display)
-            place.add(display, target)
-            self._changed_by_user()
+        """Move a display up (-1) or down (1) in the list: into a group that is open, and out of one at its end."""
+        old = display.parent
+        assert old is not None
+        index = old.children.index(display) + step
+        beside = old.children[index] if 0 <= index < len(old.children) else None
+        if isinstance(beside, Display) and beside.type == "Group" and beside.expanded:
+            new: Property = beside
+            target = len(beside.children) - (len(beside.displays) if step > 0 else 0)
+        elif isinstance(beside, Display):
+            new, target = old, index
+        elif isinstance(old, Display) and old.parent is not None:
+            new, target = old.parent, old.parent.children.index(old) + (step > 0)
+        else:
+            return
+        old.remove(display)
+        new.add(display, target)
+        self._changed_by_user()
 
     def _changed_by_user(self) -> None:
         self.modified = True
@@ -338,24 +348,21 @@ class RViz:
         self.touch()
 
     def _make(self, class_id: str, name: str) -> Display:
-        package, _, type_name = class_id.partition("/")
-        if class_id == GROUP_CLASS:
-            from day6_core.ros.programs.rviz2.model.displays.group import GroupDisplay
-
-            return GroupDisplay(self, name)
-        if package == PACKAGE and type_name in TYPES:
+        type_name = type_of(class_id)
+        if type_name is not None:
             return display_class(type_name)(self, name)
-        reason = unknown_class(class_id)
-        self.log_error(f"PluginlibFactory: The plugin for class '{class_id}' failed to load. Error: {reason}")
-        return FailedDisplay(self, name, class_id, reason)
+        missing = missing_class(class_id, "display")
+        self.log_missing(missing)
+        return FailedDisplay(self, name, class_id, missing)
 
-    def make_displays(self, entries: Any) -> list[Display]:
+    def make_displays(self, config: Any) -> list[Display]:
         """Make the displays of a list in a .rviz file; what isn't a map in it is passed over."""
         made = []
-        for entry in entries if isinstance(entries, list) else ():
+        for entry in config if isinstance(config, list) else ():
             if isinstance(entry, dict):
-                made.append(self._make(str(entry.get("Class", "")), str(entry.get("Name", ""))))
-                made[-1].load(entry)
+                display = self._make(str(entry.get("Class", "")), str(entry.get("Name", "")))
+                display.load(entry)
+                made.append(display)
         return made
 
     def reset(self) -> None:
@@ -368,7 +375,7 @@ class RViz:
 
     def close(self) -> None:
         self.tools.close()
-        for display in self.displays:
+        for display in self.outermost:
             display.close()
 
     # -- time ----------------------------------------------------------------------------------------------------------
@@ -468,9 +475,10 @@ class RViz:
         if path is not None:
             self.config_file = path
         self._config = config
+        self._missing.clear()
         manager = config.get("Visualization Manager")
         manager = manager if isinstance(manager, dict) else {}
-        for display in self.displays:
+        for display in self.outermost:
             display.close()
             self.root.remove(display)
         self.options.load(manager.get("Global Options"))
@@ -492,6 +500,8 @@ class RViz:
             if isinstance(entry, dict):
                 self.views.add(SavedView(entry))
         load_expanded(self.root, config.get("Panels"))
+        for class_id in missing_panels(config.get("Panels")):
+            self.log_missing(missing_class(class_id, "panel"))
         self.modified = False
         self.loaded += 1
         self.tree_changed()
@@ -502,7 +512,7 @@ class RViz:
         config = dict(self._config)
         old = config.get("Visualization Manager")
         manager = dict(old) if isinstance(old, dict) else {}
-        manager["Displays"] = [child.save() for child in self.root.children if isinstance(child, Display)]
+        manager["Displays"] = [display.save() for display in self.outermost]
         unknown = manager.get("Global Options")
         options = {child.name: child.save() for child in self.options.children}
         manager["Global Options"] = {**(unknown if isinstance(unknown, dict) else {}), **options}

@@ -7,6 +7,15 @@ from typing import Any
 from day6_core.ros.programs.rviz2.model.properties import Property
 from day6_core.ros.programs.rviz2.model.status import StatusList
 
+HERE = ("Displays", "Help", "Selection", "Time", "Tool Properties", "Transformation", "Views")
+"""Panels of rviz_common. Help and Transformation have nothing to choose here."""
+
+
+def missing_panels(panels: Any) -> list[str]:
+    """The classes of a file's panels that aren't here."""
+    named = [str(panel.get("Class")) for panel in panels if isinstance(panel, dict)] if isinstance(panels, list) else []
+    return [class_id for class_id in named if class_id not in {f"rviz_common/{name}" for name in HERE}]
+
 
 def load_expanded(root: Property, panels: Any) -> None:
     """Open the branches that the panel `Displays` of a file names, and close the others."""

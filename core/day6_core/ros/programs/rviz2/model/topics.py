@@ -30,6 +30,8 @@ class TopicDisplay(Display):
     """Subscribes while enabled (rviz_common/ros_topic_display.hpp)."""
 
     topic_name = "Topic"
+    topic_line = "Topic"
+    """The line of its status that counts the messages."""
     default_topic = ""
     usual_topic = ""
     """The one that is offered first, where somebody publishes it."""
@@ -123,7 +125,7 @@ class TopicDisplay(Display):
         except CppException as error:
             self.put_status(ERROR, line, f"Error subscribing: {error}".rstrip())
             return None
-        if line == "Topic":
+        if line == self.topic_line:
             self.subscription = subscription
         return subscription
 
@@ -142,7 +144,7 @@ class TopicDisplay(Display):
         self.received += 1
         passed = (self.rviz.now_ns() - self._since_ns) / 1e9
         often = f"{self.received / passed:.1f}" if passed > 0 else "inf"
-        self.put_status(OK, "Topic", f"{self.received} messages received at {often} hz.")
+        self.put_status(OK, self.topic_line, f"{self.received} messages received at {often} hz.")
 
 
 class FilteredDisplay(TopicDisplay):

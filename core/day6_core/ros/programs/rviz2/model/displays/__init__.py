@@ -9,7 +9,6 @@ if TYPE_CHECKING:
     from day6_core.ros.programs.rviz2.model.display import Display
 
 PACKAGE = "rviz_default_plugins"
-GROUP_CLASS = "rviz_common/Group"
 
 TYPES: dict[str, tuple[str, str]] = {
     "AccelStamped": ("screw", "geometry_msgs/msg/AccelStamped"),
@@ -21,6 +20,7 @@ TYPES: dict[str, tuple[str, str]] = {
     "FluidPressure": ("scalar", "sensor_msgs/msg/FluidPressure"),
     "Grid": ("grid", ""),
     "GridCells": ("flat", "nav_msgs/msg/GridCells"),
+    "Group": ("group", ""),
     "Illuminance": ("scalar", "sensor_msgs/msg/Illuminance"),
     "Image": ("image", "sensor_msgs/msg/Image"),
     "InteractiveMarkers": ("interactive_markers", "visualization_msgs/msg/InteractiveMarkerUpdate"),
@@ -47,6 +47,15 @@ TYPES: dict[str, tuple[str, str]] = {
 }
 """Type -> the module of its class `<type>Display`, and the message type by which Add by topic finds it (not RobotModel, TF)."""
 
+_ELSEWHERE = {"Group": "rviz_common"}
+"""Types of another package."""
+
+
+def type_of(class_id: str) -> str | None:
+    """The type of a class in a .rviz file; None if there is none here."""
+    package, _, type_name = class_id.partition("/")
+    return type_name if type_name in TYPES and package == _ELSEWHERE.get(type_name, PACKAGE) else None
+
 
 def display_class(type_name: str) -> type[Display]:
     """The class of a type of `TYPES`. Raises KeyError."""
@@ -58,16 +67,3 @@ def display_class(type_name: str) -> type[Display]:
 def types_for(message_type: str) -> list[str]:
     """The display types that show messages of this type."""
     return [name for name, (_, shown) in TYPES.items() if shown == message_type]
-
-
-def unknown_class(class_id: str) -> str:
-    """What pluginlib says of a display class that nobody declared, without its list of those that somebody did.
-
-    Of a class that a package of ROS has, it says that the package isn't here.
-    """
-    from day6_core.ros.released import is_released
-
-    package = class_id.partition("/")[0]
-    text = f"According to the loaded plugin descriptions the class {class_id} with base class type rviz_common::Display"
-    known = package != PACKAGE and is_released(package)
-    return f"{text} does not exist." + (f" It is of {package}, which day6-tui doesn't have." if known else "")

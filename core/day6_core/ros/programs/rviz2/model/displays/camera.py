@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from day6_core.ros.programs.rviz2.model.display import Display
 from day6_core.ros.programs.rviz2.model.displays.image import ImageDisplay
 from day6_core.ros.programs.rviz2.model.properties import BOOL, ENUM, Property, floats
 from day6_core.ros.programs.rviz2.model.scene import Overlay, Scene, Sight
@@ -156,9 +157,26 @@ class CameraDisplay(FilteredDisplay, ImageDisplay):
         self.rviz.tree_changed()
 
     def load_extras(self, config: dict[str, Any]) -> None:
-        saved = config.get("Visibility")
-        if isinstance(saved, dict):
-            self._wanted_visible = {str(name): bool(on) for name, on in saved.items()}
+        waiting = [config.get("Visibility")]
+        while waiting:
+            saved = waiting.pop()
+            for name, on in saved.items() if isinstance(saved, dict) else ():
+                self._wanted_visible[str(name)] = bool(on.get("Value", True) if isinstance(on, dict) else on)
+                waiting.append(on)
+
+    def save_extras(self) -> dict[str, Any]:
+        return {"Visibility": {**self._saved_visible(self.rviz.outermost), "Value": self.visibility.value}}
+
+    def _saved_visible(self, displays: list[Display]) -> dict[str, Any]:
+        """What the switches say, a group's with those of its displays (display_group_visibility_property.cpp)."""
+        saved: dict[str, Any] = {}
+        for display in displays:
+            if display is not self:
+                switch = self._switches.get(id(display))
+                on = bool(switch.value) if switch is not None else self._wanted_visible.get(display.name, True)
+                group = display.type == "Group"
+                saved[display.name] = {**self._saved_visible(display.displays), "Value": on} if group else on
+        return saved
 
     def draw(self, scene: Scene) -> None:
         if self._overlay is not None and (sight := self._sight()) is not None:

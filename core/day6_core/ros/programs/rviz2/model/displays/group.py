@@ -1,4 +1,4 @@
-"""A folder of displays, `rviz_common/Group`: its check box is that of all in it (rviz_common/display_group.cpp)."""
+"""Group (rviz_common/display_group.cpp): a folder of displays, of which its check box switches all."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from day6_core.ros.programs.rviz2.model.display import Display
 
 
 class GroupDisplay(Display):
-    """Displays are its children, other groups among them."""
+    """Its displays are below it, may be groups themselves, and have their own check boxes, which they keep."""
 
     type = "Group"
 
@@ -16,24 +16,22 @@ class GroupDisplay(Display):
     def class_id(self) -> str:
         return "rviz_common/Group"
 
-    @property
-    def displays(self) -> list[Display]:
-        """Those directly in it, in the order of the panel."""
-        return [child for child in self.children if isinstance(child, Display)]
-
-    def load(self, config: Any) -> None:
-        super().load({key: value for key, value in config.items() if key != "Displays"})
-        for display in self.rviz.make_displays(config.get("Displays")):
-            self.add(display)
-
-    def save(self) -> dict[str, Any]:
-        named = {"Class": self.class_id, "Name": self.name, "Enabled": bool(self.value), "Value": bool(self.value)}
-        return {**self.unknown, **named, "Displays": [display.save() for display in self.displays]}
-
     def close(self) -> None:
         for display in self.displays:
             display.close()
         super().close()
 
-    def reset(self) -> None:
-        self.clear_statuses()
+    def save(self) -> dict[str, Any]:
+        saved = super().save()
+        del saved["Value"]  # the original writes it beside properties only, and a group has none
+        return saved
+
+    def save_extras(self) -> dict[str, Any]:
+        return {"Displays": [display.save() for display in self.displays] or None}
+
+    def load_extras(self, config: dict[str, Any]) -> None:
+        for display in self.displays:
+            display.close()
+            self.remove(display)
+        for display in self.rviz.make_displays(config.get("Displays")):
+            self.add(display)

@@ -10,6 +10,7 @@ from day6_core.ros.programs.rviz2.model.properties import TOPIC, Property
 from day6_core.ros.programs.rviz2.model.qos import QosProperties
 
 if TYPE_CHECKING:
+    from day6_core.ros.programs.remark import Remark
     from day6_core.ros.programs.rviz2.model.manager import RViz
     from day6_core.ros.programs.rviz2.model.scene import Scene
     from day6_urdf.model import Vector
@@ -167,9 +168,9 @@ class Tool(Property):
 class FailedTool(Tool):
     """Stands for a tool of a .rviz file that there is no class for; the file's words are kept (failed_tool.cpp)."""
 
-    def __init__(self, rviz: RViz, class_id: str) -> None:
+    def __init__(self, rviz: RViz, class_id: str, missing: Remark) -> None:
         super().__init__(rviz)
-        self._class_id = class_id
+        self._class_id, self.missing = class_id, missing
         self.name = self.title = self.short = class_id.rpartition("/")[2]
 
     @property
@@ -178,7 +179,7 @@ class FailedTool(Tool):
 
     @property
     def status(self) -> str:
-        return f"The class required for this tool, '{self._class_id}', could not be loaded."
+        return self.missing.text
 
 
 class ToolTopic:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from day6_core.ros.programs.rviz2.model.missing import missing_class
 from day6_core.ros.programs.rviz2.model.properties import GROUP, Property
 from day6_core.ros.programs.rviz2.model.tools import TYPES, tool_class
 from day6_core.ros.programs.rviz2.model.tools.interact import Interact
@@ -54,8 +55,9 @@ class Toolbox:
         type_name = class_id.removeprefix(PACKAGE)
         if class_id.startswith(PACKAGE) and type_name in TYPES:
             return tool_class(type_name)(self._rviz)
-        self._rviz.log_error(f"The class required for this tool, '{class_id}', could not be loaded.")
-        return FailedTool(self._rviz, class_id)
+        missing = missing_class(class_id, "tool")
+        self._rviz.log_missing(missing)
+        return FailedTool(self._rviz, class_id, missing)
 
     def save(self) -> list[dict[str, Any]]:
         """What a .rviz file holds of them."""
