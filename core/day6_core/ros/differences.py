@@ -178,6 +178,7 @@ _SPLIT = VALUES["turtlesim.interfaces"][1]
 _IRON = "ros2/rcl_interfaces: no such folder or file in branch humble, in branch jazzy there is (Iron)"
 _COMMON = "ros2/common_interfaces: branches humble and jazzy"
 _BAG = "ros2/rosbag2: rosbag2_interfaces/srv, branches humble and jazzy"
+_CONTROL = "ros-controls/control_msgs: branches humble (4.8), jazzy (5.8) and master (6.8, which Kilted and later have)"
 
 PACKAGES: dict[str, tuple[tuple[str, ...], str]] = {
     "turtlesim_msgs": _since("kilted", _SPLIT),
@@ -201,7 +202,15 @@ INTERFACES: dict[str, tuple[tuple[str, ...], str]] = {
     "rosbag2_interfaces/srv/Play": _since("jazzy", _BAG),
     "rosbag2_interfaces/srv/SplitBagfile": _since("jazzy", _BAG),
     "rosbag2_interfaces/srv/Stop": _since("jazzy", _BAG),
-}
+    "control_msgs/action/ExecuteMotionPrimitiveSequence": _since("jazzy", _CONTROL),
+    "control_msgs/srv/SetOdometry": _since("jazzy", _CONTROL),
+    **dict.fromkeys(
+        (f"control_msgs/msg/{name}"
+         for name in ("BatteryStateArray", "DynamicInterfaceValues", "Float64Values", "Keys", "MotionArgument",
+                      "MotionPrimitive", "MotionPrimitiveSequence", "SpeedScalingFactor", "VDA5050SafetyState")),
+        _since("jazzy", _CONTROL),
+    ),
+}  # fmt: skip
 """Interface, or package for all of its interfaces -> (the distributions that have it, the source); all others are everywhere."""
 
 _STORES = "the type stores of rosbags 0.11 (from the message definitions of each release)"
@@ -224,6 +233,17 @@ TEXTS: dict[str, tuple[tuple[str, ...], str]] = {
         (f"rosgraph_msgs/msg/{name}"
          for name in ("Action", "Graph", "InterfaceType", "Node", "QoSProfile", "Service", "Topic", "TypeHash")),
         _since("lyrical", _STORES),
+    ),
+    "control_msgs/msg/JointTrajectoryControllerState": _until("humble", _CONTROL),
+    "control_msgs/action/FollowJointTrajectory": _since("kilted", _CONTROL),
+    "control_msgs/action/FollowJointWrenchTrajectory": _since("kilted", _CONTROL),
+    **dict.fromkeys(
+        (f"control_msgs/msg/{name}"
+         for name in ("CANopenState", "EtherCATState", "GenericHardwareState", "HardwareDeviceDiagnostics",
+                      "HardwareDeviceStatus", "HardwareDiagnostics", "HardwareStatus", "JointWrenchTrajectory",
+                      "JointWrenchTrajectoryPoint", "PidState", "SteeringControllerCommand", "SteeringControllerStatus",
+                      "VDA5050State", "WrenchFramed")),
+        _since("kilted", _CONTROL),
     ),
 }  # fmt: skip
 """Interface -> (the distributions that have the text in `share_of/<the first of them>`, the source); the others have that of

@@ -1,0 +1,1 @@
+"""Holds the module that is C++ in real ROS."""
