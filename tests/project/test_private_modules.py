@@ -111,7 +111,7 @@ def test_an_import_of_anothers_private_module_is_found(package: str, source: str
     [
         ("day6_core.ros.programs.rqt_topic", "from day6_core.ros.programs.rqt_topic._measure import Measure"),
         ("day6_core.ros.programs.turtlesim", "from day6_core.ros.programs._waiting import spin"),
-        ("day6_core.ros.ros2.topic", "from day6_core.ros.ros2.pkg._index import packages"),
+        ("day6_core.ros.ros2.topic", "from day6_core.ros.ros2.param._values import type_name"),
         ("day6_tui", "from textual._time import get_time"),
         ("day6_core.ros.ros2.bag", "from rosbag2_py._info import Info"),
     ],

@@ -10,7 +10,7 @@ from day6_core.ros.ros2.cli.tree import command_names, verb_names
 
 
 def has_multicast() -> bool:
-    from day6_core.ros.ros2.multicast._group import GROUP, member, send
+    from day6_core.ros.ros2.cli.multicast import GROUP, member, send
 
     try:
         with member(GROUP, 49151) as receiver:

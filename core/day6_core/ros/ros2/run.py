@@ -11,7 +11,7 @@ from day6_core.ros.ros2.cli.completion import executable_names, package_names
 from day6_core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
-    from day6_core.ros.ros2.pkg._index import Executable
+    from day6_core.ros.ros2.cli.packages import Executable
     from day6_core.session.session import Session
 
 SUMMARY = "Run a package specific executable"
@@ -32,7 +32,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> int | str:
-    from day6_core.ros.ros2.pkg._index import executables
+    from day6_core.ros.ros2.cli.packages import executables
 
     found = executables(session, args.package_name)
     if found is None:

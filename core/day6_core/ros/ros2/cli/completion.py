@@ -170,14 +170,14 @@ def interface_packages(context: CompletionContext) -> Iterable[str]:
 
 def package_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a package."""
-    from day6_core.ros.ros2.pkg._index import packages
+    from day6_core.ros.ros2.cli.packages import packages
 
     return packages(context.session)
 
 
 def executable_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of an executable of the package named before."""
-    from day6_core.ros.ros2.pkg._index import executables
+    from day6_core.ros.ros2.cli.packages import executables
 
     return [each.name for each in executables(context.session, context.values.get("package_name", "")) or ()]
 

@@ -23,7 +23,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> str | None:
-    from day6_core.ros.ros2.pkg._index import packages
+    from day6_core.ros.ros2.cli.packages import packages
 
     if args.package_name is not None:
         if args.package_name not in packages(session):

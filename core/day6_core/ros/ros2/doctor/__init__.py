@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.ros.ros2.cli.node import graph_node
@@ -71,12 +71,27 @@ def _warn(session: Session, finding: Finding) -> None:
 
 
 def _print_report(session: Session, node: Node, title: str) -> None:
-    rows = list(REPORTS[title][1](session, node))
+    session.print(*report_lines(title, list(REPORTS[title][1](session, node))), sep="\n")
+
+
+def report_lines(title: str, rows: Sequence[tuple[str, object]]) -> list[str]:
+    """Return a report as it is printed."""
     longest = max((len(name) for name, _ in rows), default=0)
     width = longest + 4 if longest >= 8 else 8
-    session.print(f"\n   {title}")
-    for name, value in rows:
-        session.print(f"{name:{width}}: {value}")
+    return [f"\n   {title}", *(f"{name:{width}}: {value}" for name, value in rows)]
+
+
+async def findings(session: Session, category: str) -> list[Finding]:
+    """Return what one check finds."""
+    async with graph_node(session) as node:
+        return list(CHECKS[category](session, node))
+
+
+async def rows(session: Session, title: str) -> list[tuple[str, object]]:
+    """Return the rows of one report."""
+    await in_thread(_query_platform)
+    async with graph_node(session) as node:
+        return list(REPORTS[title][1](session, node))
 
 
 def _check_network(session: Session, node: Node) -> Iterator[Finding]:
@@ -142,7 +157,7 @@ def _report_packages(session: Session, node: Node) -> Iterator[tuple[str, object
     from pathlib import Path
     from xml.etree import ElementTree
 
-    from day6_core.ros.ros2.pkg._index import packages, prefix_of
+    from day6_core.ros.ros2.cli.packages import packages, prefix_of
 
     for name in packages(session):
         manifest = Path(prefix_of(session, name) or "", "share", name, "package.xml")

@@ -9,8 +9,8 @@ from collections import Counter
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from day6_core.ros.ros2.cli.multicast import GROUP, LARGEST, PORT, member, send
 from day6_core.ros.ros2.cli.node import direct_node
-from day6_core.ros.ros2.multicast._group import GROUP, LARGEST, PORT, member, send
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -69,12 +69,12 @@ async def main(session: Session, args: Namespace) -> None:
     host = socket.gethostname()
     name = f"ros2doctor_{re.sub('[^0-9a-zA-Z_]', '_', host)}_{session.pid}_node"
     node = await direct_node(session, None, name)
-    counts = _Counts()
+    counts = getattr(args, "summary_table", None) or SummaryTable()
 
     def receive(message: Any) -> None:
         sender = _sender(message.data)
         if sender not in ("", host):
-            counts.subscribed[sender] += 1
+            counts.increment_sub(sender)
 
     publisher = node.create_publisher(String, args.topic, qos_profile_system_default)
     node.create_subscription(String, args.topic, receive, qos_profile_system_default)
@@ -86,22 +86,24 @@ async def main(session: Session, args: Namespace) -> None:
             while True:
                 now = session.clock.steady_ns()
                 if now - printed > args.print_period * 1e9:
-                    counts.print(session, args)
-                    counts, printed = _Counts(), now
+                    session.print(*counts.lines(args.topic, args.print_period), sep="\n")
+                    counts.reset()
+                    printed = now
                 publisher.publish(String(data=hello))
                 send(hello.encode(), GROUP, PORT, args.ttl)
-                counts.emitted += 1
+                counts.increment_pub()
+                counts.increment_send()
                 await session.sleep(args.emit_period)
                 session.spin_some()
                 _receive(receiver, host, counts)
                 if args.once:
-                    counts.print(session, args)
+                    session.print(*counts.lines(args.topic, args.print_period), sep="\n")
                     return
         except KeyboardInterrupt:
             return
 
 
-def _receive(receiver: socket.socket, host: str, counts: _Counts) -> None:
+def _receive(receiver: socket.socket, host: str, counts: SummaryTable) -> None:
     while True:
         try:
             data, _ = receiver.recvfrom(LARGEST)
@@ -109,7 +111,7 @@ def _receive(receiver: socket.socket, host: str, counts: _Counts) -> None:
             return
         sender = _sender(data.decode("utf-8", "replace"))
         if sender not in ("", host):
-            counts.received[sender] += 1
+            counts.increment_receive(sender)
 
 
 def _sender(text: str) -> str:
@@ -117,24 +119,53 @@ def _sender(text: str) -> str:
     return words[-1] if words else ""
 
 
-class _Counts:
+class SummaryTable:
     """Messages sent and received since the last table."""
 
     def __init__(self) -> None:
-        self.emitted = 0
-        self.subscribed: Counter[str] = Counter()
-        self.received: Counter[str] = Counter()
+        self.reset()
 
-    def print(self, session: Session, args: Namespace) -> None:
-        def table(counts: Counter[str]) -> None:
-            for name, count in (("Hostname", f"Msg Count /{args.print_period}s"), *counts.items()):
-                session.print(f"{'':<15} {name:<20} {count:<10}")
+    def reset(self) -> None:
+        """Begin again at nothing."""
+        self._pub = 0
+        self._send = 0
+        self._sub: Counter[str] = Counter()
+        self._receive: Counter[str] = Counter()
 
-        session.print("MULTIMACHINE COMMUNICATION SUMMARY")
-        session.print(f"Topic: {args.topic}, Published Msg Count: {self.emitted}")
-        session.print("Subscribed from:")
-        table(self.subscribed)
-        session.print(f"Multicast Group/Port: {GROUP}/{PORT}, Sent Msg Count: {self.emitted}")
-        session.print("Received from:")
-        table(self.received)
-        session.print("-" * 60)
+    def increment_pub(self) -> None:
+        """Count a message published."""
+        self._pub += 1
+
+    def increment_send(self) -> None:
+        """Count a packet sent."""
+        self._send += 1
+
+    def increment_sub(self, hostname: str) -> None:
+        """Count a message of another machine."""
+        self._sub[hostname] += 1
+
+    def increment_receive(self, hostname: str) -> None:
+        """Count a packet of another machine."""
+        self._receive[hostname] += 1
+
+    def lines(self, topic: str, print_period: float, *, group: str = GROUP, port: int = PORT) -> list[str]:
+        """Return the table."""
+
+        def table(counts: Counter[str]) -> list[str]:
+            rows = (("Hostname", f"Msg Count /{print_period}s"), *counts.items())
+            return [f"{'':<15} {name:<20} {count:<10}" for name, count in rows]
+
+        return [
+            "MULTIMACHINE COMMUNICATION SUMMARY",
+            f"Topic: {topic}, Published Msg Count: {self._pub}",
+            "Subscribed from:",
+            *table(self._sub),
+            f"Multicast Group/Port: {group}/{port}, Sent Msg Count: {self._send}",
+            "Received from:",
+            *table(self._receive),
+            "-" * 60,
+        ]
+
+
+EXPORTS = {"SummaryTable": SummaryTable}
+"""What `ros2doctor.verb.hello` has besides."""

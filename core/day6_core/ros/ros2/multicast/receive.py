@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from day6_core.ros.ros2.multicast._group import LARGEST, add_group_arguments, member
+from day6_core.ros.ros2.cli.multicast import LARGEST, add_group_arguments, member
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session

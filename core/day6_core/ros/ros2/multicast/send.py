@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from day6_core.ros.ros2.cli.multicast import add_group_arguments, send
 from day6_core.ros.ros2.cli.options import positive_int
-from day6_core.ros.ros2.multicast._group import add_group_arguments, send
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session

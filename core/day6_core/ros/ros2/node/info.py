@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     NamesAndTypes = Callable[[str, str], list[tuple[str, list[str]]]]
 
 SUMMARY = "Output information about a node"
+SEVERAL = (
+    'There are {num_nodes} nodes in the graph with the exact name "{node_name}". '
+    "You are seeing information about only one of them."
+)
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -37,10 +41,7 @@ async def main(session: Session, args: Namespace) -> str | None:
         if number == 0:
             return f"Unable to find node '{args.node_name}'"
         if number > 1:
-            session.print_error(
-                f'There are {number} nodes in the graph with the exact name "{args.node_name}". '
-                "You are seeing information about only one of them."
-            )
+            session.print_error(SEVERAL.format(num_nodes=number, node_name=args.node_name))
         session.print(args.node_name)
         for title, names_and_types in _sections(node).items():
             session.print(f"  {title}:")

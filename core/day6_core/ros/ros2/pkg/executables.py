@@ -20,7 +20,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from day6_core.ros.ros2.pkg._index import executables, packages
+    from day6_core.ros.ros2.cli.packages import executables, packages
 
     for package in packages(session) if args.package_name is None else [args.package_name]:
         found = executables(session, package)

@@ -18,7 +18,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from day6_core.ros.ros2.pkg._index import packages, prefix_of
+    from day6_core.ros.ros2.cli.packages import packages, prefix_of
 
     for name in packages(session):
         # Real ROS doesn't have our examples: `ros2 pkg list | grep day6` has to find the student's packages only.

@@ -23,7 +23,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 async def main(session: Session, args: Namespace) -> str | None:
     from xml.etree import ElementTree
 
-    from day6_core.ros.ros2.pkg._index import prefix_of
+    from day6_core.ros.ros2.cli.packages import prefix_of
 
     prefix = prefix_of(session, args.package_name)
     if prefix is None:

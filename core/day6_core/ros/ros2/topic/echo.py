@@ -67,8 +67,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from day6_core.ros.ros2.topic._qos import profile_for_echo
-    from day6_core.ros.ros2.topic._types import POLL_SECONDS, class_of_topic, message_class, warn_unpublished
+    from day6_core.ros.ros2.cli.message_class import POLL_SECONDS, class_of_topic, message_class, unpublished
+    from day6_core.ros.ros2.cli.qos import profile_for_echo
 
     echo = _Echo(session, args)
     async with graph_node(session, args) as query_node:
@@ -84,7 +84,7 @@ async def main(session: Session, args: Namespace) -> None:
             waited += POLL_SECONDS
         profile = profile_for_echo(session, query_node, args)
         if kind is None:
-            warn_unpublished(session, args.topic_name)
+            session.print(unpublished(args.topic_name))
             raise RuntimeError("Could not determine the type for the passed topic")
     node = await direct_node(session, args, args.node_name)
     if args.timeout is not None:

@@ -50,7 +50,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from day6_core.ros.ros2.topic._types import wait_for_class
+    from day6_core.ros.ros2.cli.message_class import wait_for_class
     from rclpy.executors import ExternalShutdownException
     from rclpy.qos import qos_profile_sensor_data
 

@@ -85,8 +85,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> str | None:
-    from day6_core.ros.ros2.topic._qos import profile_from_options
-    from day6_core.ros.ros2.topic._types import message_class
+    from day6_core.ros.ros2.cli.message_class import message_class
+    from day6_core.ros.ros2.cli.qos import profile_from_options
 
     profile = profile_from_options(args)
     text = (await session.stdin.read_all()).encode() if args.stdin else args.values

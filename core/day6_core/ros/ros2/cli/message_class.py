@@ -57,16 +57,16 @@ def _class_of(type_name: str, environment: Mapping[str, str]) -> Any:
     return get_message(type_name)
 
 
-def warn_unpublished(session: Session, topic: str) -> None:
-    """Print the warning for a topic without a publisher."""
-    session.print(f"WARNING: topic [{topic}] does not appear to be published yet")
+def unpublished(topic: str) -> str:
+    """Return the warning for a topic without a publisher."""
+    return f"WARNING: topic [{topic}] does not appear to be published yet"
 
 
 async def wait_for_class(session: Session, node: Node, topic: str) -> Any:
     """Return the message class of a topic; if it doesn't exist yet, warn and wait until it does."""
     found = class_of_topic(node, topic, session.env)
     if found is None:
-        warn_unpublished(session, topic)
+        session.print(unpublished(topic))
     while found is None:
         await session.sleep(POLL_SECONDS)
         found = class_of_topic(node, topic, session.env)

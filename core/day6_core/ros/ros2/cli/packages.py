@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -37,8 +38,14 @@ def prefix_of(session: Session, package: str) -> str | None:
 
 def executables(session: Session, package: str) -> list[Executable] | None:
     """Return the executables of a package, sorted by path; None if there is no such package."""
-    prefix = prefix_of(session, package)
-    if prefix is None:
+    return executables_in(session.env, package)
+
+
+def executables_in(environment: Mapping[str, str], package: str) -> list[Executable] | None:
+    """Return the executables of a package that an environment finds, as `executables` does."""
+    try:
+        prefix = get_package_prefix(package, environment)
+    except (PackageNotFoundError, ValueError):
         return None
     folder = Path(prefix, "lib", package)
     if prefix == BUILT_IN_PREFIX:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import Namespace
+from collections.abc import Mapping
 from copy import deepcopy
 from typing import TYPE_CHECKING
 
@@ -19,16 +20,21 @@ _OVERRIDES = ("qos_depth", "qos_liveliness_lease_duration_seconds", *(f"qos_{pol
 
 def profile_from_options(args: Namespace) -> QoSProfile:
     """Return the preset of `--qos-profile`, overridden by the other options."""
-    profile = _preset(args)
+    words = {policy.name: getattr(args, f"qos_{policy.name}") for policy in CHOICES}
+    return overridden(preset(args.qos_profile), words, args.qos_depth, args.qos_liveliness_lease_duration_seconds)
+
+
+def overridden(
+    profile: QoSProfile, words: Mapping[str, str | None], depth: int | None, lease_seconds: float | None
+) -> QoSProfile:
+    """Set what is given in a profile: policies by the words of their values, the depth, the lease; returns the profile."""
     for policy in CHOICES:
-        word = getattr(args, f"qos_{policy.name}")
-        if word:
+        if word := words.get(policy.name):
             setattr(profile, policy.name, int(policy.values[word.upper()]))
-    lease = args.qos_liveliness_lease_duration_seconds
-    if lease and lease >= 0:
-        profile.liveliness_lease_duration = Duration(seconds=lease)
-    if args.qos_depth and args.qos_depth >= 0:
-        profile.depth = args.qos_depth
+    if lease_seconds and lease_seconds >= 0:
+        profile.liveliness_lease_duration = Duration(seconds=lease_seconds)
+    if depth and depth >= 0:
+        profile.depth = depth
     elif profile.durability == QoSDurabilityPolicy.TRANSIENT_LOCAL and profile.depth == 0:
         profile.depth = 1
     return profile
@@ -38,7 +44,7 @@ def profile_for_echo(session: Session, node: Node, args: Namespace) -> QoSProfil
     """Return the profile that `topic echo` subscribes with: the options', else one adapted to the present publishers."""
     if any(getattr(args, option) is not None for option in _OVERRIDES):
         return profile_from_options(args)
-    profile = _preset(args)
+    profile = preset(args.qos_profile)
     offered = [info.qos_profile for info in node.get_publishers_info_by_topic(args.topic_name)]
     if not offered:
         return profile
@@ -53,9 +59,9 @@ def profile_for_echo(session: Session, node: Node, args: Namespace) -> QoSProfil
     return profile
 
 
-def _preset(args: Namespace) -> QoSProfile:
-    # A copy: the presets belong to the whole process.
-    return deepcopy(QoSPresetProfiles.get_from_short_key(args.qos_profile))
+def preset(word: str) -> QoSProfile:
+    """Return a preset profile by its word: a copy, for the presets belong to the whole process."""
+    return deepcopy(QoSPresetProfiles.get_from_short_key(word))
 
 
 def _fallback(policy: str, offered: str, taken: str) -> str:
