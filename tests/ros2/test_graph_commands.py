@@ -213,9 +213,15 @@ def test_the_daemon_is_a_hidden_node_that_commands_start_where_it_can_live(machi
 
 def test_without_a_desktop_a_command_asks_by_a_node_of_its_own(machine):
     assert machine.ros2("node", "list", "-a").stdout.startswith("/_ros2cli_1")
-    result = machine.ros2("daemon", "start")
-    assert (result.stdout, result.status) == ("", 1)
     assert machine.graph.nodes == ()
+
+
+def test_beside_a_daemon_of_another_process_a_command_has_no_node_that_is_seen(machine):
+    machine.graph.create_node("_ros2cli_daemon_0_1234")
+    assert machine.ros2("node", "list", "-a").stdout == "/_ros2cli_daemon_0_1234\n"
+    assert machine.ros2("node", "list", "-a", "--no-daemon").stdout.startswith("/_ros2cli_1")
+    assert machine.ros2("topic", "list").stdout == ""
+    assert machine.ros2("daemon", "start").stdout == "The daemon is already running\n"
 
 
 def test_doctor_passes_a_sound_graph_and_names_what_is_wrong(machine):

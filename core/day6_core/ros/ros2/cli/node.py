@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
 
-from day6_core.graph.names import is_hidden
+from day6_core.graph.names import OBSERVER_PREFIX, is_hidden
 from day6_core.ros.ros2.cli import daemon
 from day6_core.session.task import Signal
 
@@ -75,18 +75,24 @@ async def plain_node(session: Session, name: str) -> Node:
 
 @asynccontextmanager
 async def graph_node(session: Session, args: Any = None) -> AsyncIterator[Node]:
-    """Yield a node for queries of the graph: the daemon's, or a temporary one (`--no-daemon`, or no daemon possible)."""
+    """Yield a node for queries of the graph: the daemon's, or a temporary one (`--no-daemon`, or no daemon possible).
+
+    Where the daemon is another process the temporary one is not to be seen, for the real command then has none.
+    """
     await settle(session)
-    if not getattr(args, "no_daemon", False):
+    through_daemon = not getattr(args, "no_daemon", False)
+    if through_daemon:
         daemon.start(session)
         running = daemon.node_of(session)
         if running is not None:
             with daemon.reporting_faults():
                 yield running
             return
-    node = await direct_node(session, args)
+    unseen = through_daemon and daemon.is_running(session)
+    node = await direct_node(session, args, f"{OBSERVER_PREFIX}{PREFIX}_{session.pid}" if unseen else None)
     try:
-        yield node
+        with daemon.reporting_faults() if unseen else nullcontext():
+            yield node
     finally:
         node.destroy_node()
 

@@ -1,0 +1,56 @@
+"""`ros2 daemon` where no desktop is: a process of its own."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+
+import pytest
+
+from day6_core.ros.environment import program_environment
+from day6_core.ros.ros2.cli import lone_daemon
+from tests.support.waiting import until
+
+pytestmark = pytest.mark.process
+DOMAIN = 77
+
+
+@pytest.fixture
+def ros2(monkeypatch):
+    monkeypatch.setenv("DAY6_LINK", "on")
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(DOMAIN))
+    yield lambda *words: subprocess.run(
+        ["ros2", *words], env=program_environment(), capture_output=True, text=True, timeout=30
+    )
+    lone_daemon.shut_down(DOMAIN)
+
+
+def test_it_outlives_the_command_until_it_is_stopped_and_commands_ask_it(ros2):
+    for words, said in (
+        ("daemon status", "The daemon is not running\n"),
+        ("daemon start", "The daemon has been started\n"),
+        ("daemon start", "The daemon is already running\n"),
+        ("daemon status", "The daemon is running\n"),
+    ):
+        result = ros2(*words.split())
+        assert (result.stdout, result.stderr, result.returncode) == (said, "", 0)
+    listed = ros2("node", "list", "-a").stdout
+    assert listed.startswith(f"/_ros2cli_daemon_{DOMAIN}_"), "and the command has no node of its own"
+    assert listed.count("\n") == 1
+    for said in ("The daemon has been stopped\n", "The daemon is not running\n"):
+        result = ros2("daemon", "stop")
+        assert (result.stdout, result.returncode) == (said, 0)
+    assert lone_daemon.running(DOMAIN) == 0
+
+
+def test_one_that_was_killed_is_not_running_and_the_next_one_starts(monkeypatch):
+    monkeypatch.setenv("DAY6_LINK", "on")
+    assert lone_daemon.spawn(DOMAIN + 1, 10.0)
+    number = lone_daemon.running(DOMAIN + 1)
+    os.kill(number, 9)
+    until(lambda: not lone_daemon.running(DOMAIN + 1))
+    assert lone_daemon.spawn(DOMAIN + 1, 10.0)
+    assert lone_daemon.running(DOMAIN + 1) != number
+    assert not lone_daemon.spawn(DOMAIN + 1)
+    assert lone_daemon.shut_down(DOMAIN + 1)
+    assert not lone_daemon.shut_down(DOMAIN + 1)
