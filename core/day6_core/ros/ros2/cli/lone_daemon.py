@@ -16,6 +16,7 @@ from pathlib import Path
 
 from day6_core.link.file_lock import FileLock
 from day6_core.link.paths import LinkError, meeting_place, process_exists
+from day6_core.whole_file import PRIVATE, replace_file
 
 UNUSED_SECONDS = 2 * 60 * 60
 _POLL_SECONDS = 0.02
@@ -103,7 +104,7 @@ def main(domain_id: int) -> None:
     context.init(args=[], domain_id=domain_id)
     node = Node(node_name(domain_id), context=context, **keywords())
     try:
-        _file(folder).write_text(str(os.getpid()), encoding="ascii")
+        replace_file(_file(folder), str(os.getpid()).encode(), mode=PRIVATE, sync=False, follow=False)
         while time.time() < _file(folder).stat().st_mtime + UNUSED_SECONDS:
             time.sleep(60)
     finally:
