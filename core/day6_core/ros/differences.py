@@ -150,6 +150,19 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     ),
     "topic.bw_of_several": _since_lyrical(False, True, "ros2/ros2cli#1124, #1130: ros2topic/verb/bw.py (Lyrical)"),
     "topic.hz_of_all": _since_lyrical(False, True, "ros2/ros2cli#1122: ros2topic/verb/hz.py (Lyrical)"),
+    "topic.echo_of_several": (
+        {"humble": False, "kilted": True},
+        "ros2/ros2cli#964 (0.37.0: `--field` more than once), #996 (0.38.0: entries of arrays): ros2topic/verb/echo.py",
+    ),
+    "ros2.chooses": _since_lyrical(False, True, "ros2/ros2cli#1151 (0.40.5): ros2cli/helpers.py, interactive_select"),
+    "doctor.lacks_reports": _since_lyrical(
+        ("ACTION LIST", "ROS ENVIRONMENT", "SERVICE LIST"),
+        (),
+        "ros2/ros2cli#1045, #1059, #1076: ros2doctor/api/{environment,service,action}.py; Release-Lyrical-Luth.rst",
+    ),
+    "pkg.create_rust": _since_lyrical(
+        False, True, "ros2/ros2cli#1107 (0.40.3): ros2pkg/verb/create.py, resource/ament_cargo"
+    ),
     "rqt_robot_steering.stamped": (
         {"humble": False, "lyrical": True},
         "ros-visualization/rqt_robot_steering#18 (1.0.1: what is not kept is not the text 'true') and #28 (4.0.2, Rolling)",
@@ -319,6 +332,17 @@ VERBS: dict[str, tuple[tuple[str, ...], str]] = {
 }
 """Verb of `ros2` -> (the distributions that have it, the source)."""
 
+_QOS_OPTIONS = (
+    *(
+        "--qos-depth",
+        "--qos-durability",
+        "--qos-history",
+        "--qos-liveliness",
+        "--qos-liveliness-lease-duration-seconds",
+    ),
+    *("--qos-profile", "--qos-reliability"),
+)
+
 OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
     "action send_goal": (("--stdin",), *_since("jazzy", _CLI)),
     "bag info": (("--sort", "--topic-name", "--verbose"), *_since("jazzy", _BAGCLI)),
@@ -349,8 +373,30 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
         ("--max-wait-time-secs", "--qos-liveliness", "--qos-liveliness-lease-duration-seconds", "--stdin"),
         *_since("jazzy", _CLI),
     ),
+    "topic pub since kilted": (("--yaml-file",), *_since("kilted", "ros2/ros2cli#925 (0.38.0): ros2topic/verb/pub.py")),
+    **{f"{verb} since kilted": (_QOS_OPTIONS, *_since("kilted", f"ros2/ros2cli{source}"))
+       for verb, source in (
+           ("topic bw", "#935 (0.38.0): ros2topic/verb/bw.py"),
+           ("topic delay", "#935 (0.38.0): ros2topic/verb/delay.py"),
+           ("topic hz", "#935 (0.38.0): ros2topic/verb/hz.py"),
+           ("service call", "#966 (0.38.0): ros2service/verb/call.py"),
+           ("service echo", "#1036 (#1038 in Kilted 0.38.1): ros2service/verb/echo.py"),
+           ("action echo", "#1036 (#1038 in Kilted 0.38.1): ros2action/verb/echo.py"),
+       )},
+    "action send_goal since kilted": (
+        ("--timeout",), *_since("kilted", "ros2/ros2cli#1067 (#1068 in Kilted 0.38.1): ros2action/verb/send_goal.py")
+    ),
+    "service call since lyrical": (
+        ("--timeout",), *_since("lyrical", "ros2/ros2cli#1185; #1244 quotes its usage in Lyrical")
+    ),
+    **{f"{verb} since lyrical": ((option,), *_since("lyrical", "ros2/ros2cli#1185 (0.40.6); ros2param/verb/get.py and load.py"))
+       for verb, option in (
+           *((f"param {each}", "--service-timeout") for each in ("delete", "describe", "dump", "get", "load", "set")),
+           *((f"lifecycle {each}", "--timeout") for each in ("get", "list", "set")),
+           *((f"component {each}", "--timeout") for each in ("list", "load", "unload")),
+       )},
 }  # fmt: skip
-"""Verb of `ros2` -> (options, the distributions that have them, the source)."""
+"""Verb of `ros2`, where it has several rows with ` since NAME` -> (options, the distributions that have them, the source)."""
 
 KEPT: dict[str, str] = {
     "rclpy and ros2 of Jazzy": (
@@ -359,6 +405,8 @@ KEPT: dict[str, str] = {
     ),
     "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0, so a learner's mistake is told at its "
     "line; numeric arrays take what they take there (`[0, 1.5]`)",
+    "the choice of a name": "is our own list and not fzf (#1151), which may be missing; without a terminal both refuse",
+    "action counts of the doctor": "are counted under their names (#1076 as it was proposed has them the other way round)",
 }
 """What deliberately is another one than there, and how."""
 
@@ -366,9 +414,11 @@ UNSETTLED: dict[str, str] = {
     "Rolling": "is Lyrical, from which it goes on: what came after May 2026 isn't told apart",
     "rclpy of Lyrical": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
     "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510)",
-    "ros2 of Lyrical": "lacks what doctor --report adds (#1045, #1059, #1076, #1079), "
-    "choosing with fzf where a name is left out (#1151), --service-timeout of get, set and others (#1185), --qos-… of more "
-    "verbs (#935, #966, #1036), topic pub from a YAML file (#925); topics that come after `--all` are not followed",
+    "ros2 of Lyrical": "has the words of its own sources where those could be read; what a command says after --timeout or "
+    "--service-timeout (#1185), which of its verbs choose and how they ask (#1151), a `---` after each of several fields (#964), "
+    "words for a wrong entry of an array (#996) are as seemed likely; topics that come after `--all` are not followed",
+    "ros2 service call of Lyrical": "asks for a name although it was given (#1151, taken back by #1244): not imitated",
+    "a package for Rust": "has no Cargo.lock (#1107): cargo asks the internet for it",
     "bags of Lyrical": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
     "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150), the newer methods of its classes",
     "launch of Lyrical": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
@@ -453,8 +503,9 @@ def launch_file_at(path: str) -> str:
 
 def lacking_options(words: str) -> tuple[str, ...]:
     """Return the long options that a verb of `ros2` lacks here."""
-    options, there, _ = OPTIONS.get(words, ((), NAMES, ""))
-    return () if current() in there else options
+    mine = current()
+    rows = (row for key, row in OPTIONS.items() if key.partition(" since ")[0] == words)
+    return tuple(option for options, there, _ in rows if mine not in there for option in options)
 
 
 def retold(text: str) -> str:

@@ -56,10 +56,7 @@ def create(plan: PackagePlan, destination: Path, shown: str, print_line: Callabl
     draft = _Draft(os.path.join(shown, plan.name))
     draft.folder()
     draft.file("package.xml", templates.package_xml(plan))
-    if plan.build_type == "ament_python":
-        _draft_python(draft, plan)
-    else:
-        _draft_cpp(draft, plan)
+    {"ament_python": _draft_python, "ament_cargo": _draft_rust}.get(plan.build_type, _draft_cpp)(draft, plan)
     if plan.license in LICENSES:
         draft.files["LICENSE"] = (_LICENSES / f"{plan.license}.txt").read_text(encoding="utf-8")
     _write(draft, destination, plan.name)
@@ -89,6 +86,13 @@ def _draft_python(draft: _Draft, plan: PackagePlan) -> None:
     if plan.library:
         draft.folder(os.path.join(plan.name, plan.library))
         draft.file(os.path.join(plan.name, plan.library, "__init__.py"), "")
+
+
+def _draft_rust(draft: _Draft, plan: PackagePlan) -> None:
+    draft.lines.append("creating source folder")
+    draft.folder("src")
+    draft.file("Cargo.toml", templates.cargo_toml(plan))
+    draft.file(os.path.join("src", "main.rs"), templates.rust_node(plan))
 
 
 def _draft_cpp(draft: _Draft, plan: PackagePlan) -> None:

@@ -87,7 +87,10 @@ class PackagePlan:
 
 def package_xml(plan: PackagePlan) -> str:
     """Return package.xml. As in the original nothing is escaped, so an argument can make it malformed XML."""
-    tools = {"ament_cmake": ["ament_cmake_ros" if plan.library else "ament_cmake"]}.get(plan.build_type, [])
+    tools = {
+        "ament_cmake": ["ament_cmake_ros" if plan.library else "ament_cmake"],
+        "ament_cargo": ["ament_cargo"],
+    }.get(plan.build_type, [])
     tests = {
         "ament_cmake": ["ament_lint_auto", "ament_lint_common"],
         "ament_python": ["ament_copyright", "ament_flake8", "ament_pep257", "python3-pytest"],
@@ -411,4 +414,42 @@ def cpp_visibility(plan: PackagePlan) -> str:
 #endif
 
 #endif  // {name}__VISIBILITY_CONTROL_H_
+"""
+
+
+def cargo_toml(plan: PackagePlan) -> str:
+    """Return Cargo.toml of an ament_cargo package."""
+    named = "".join(f'{name} = "*"\n' for name in plan.dependencies)
+    return f"""[package]
+name = "{plan.name}"
+version = "0.0.1"
+authors = ["{plan.maintainer} <{plan.email}>"]
+edition = "2021"
+
+[[bin]]
+name = "{plan.name}"
+path = "src/main.rs"
+
+[dependencies]
+anyhow = {{version = "1", features = ["backtrace"]}}
+rclrs = "*"
+
+# newer ones need a newer Rust than 1.75
+backtrace = "=0.3.74"
+
+{named or '# what else it needs: NAME = "*"' + chr(10)}"""
+
+
+def rust_node(plan: PackagePlan) -> str:
+    """Return the source file of a Rust node: it says hello and spins."""
+    return f"""use anyhow::Result;
+use rclrs::{{Context, CreateBasicExecutor, RclrsErrorFilter, SpinOptions}};
+
+fn main() -> Result<()> {{
+    let mut executor = Context::default_from_env()?.create_basic_executor();
+    let _node = executor.create_node("{plan.node or f"{plan.name}_node"}")?;
+    println!("Hello from {plan.name} package!");
+    executor.spin(SpinOptions::default()).first_error()?;
+    Ok(())
+}}
 """

@@ -7,6 +7,7 @@ import shlex
 from argparse import REMAINDER, ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from day6_core.ros.ros2.cli.choice import NothingChosen, choose, may_be_left_out
 from day6_core.ros.ros2.cli.completion import executable_names, package_names
 from day6_core.ros.ros2.cli.options import completed
 
@@ -25,15 +26,18 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="Prefix command, which should go before the executable. Command must be wrapped in quotes if it contains spaces "
         "(e.g. --prefix 'gdb -ex run --args').",
     )
-    completed(parser.add_argument("package_name", help="Name of the ROS package"), package_names)
-    completed(parser.add_argument("executable_name", help="Name of the executable"), executable_names)
+    chosen = may_be_left_out()
+    completed(parser.add_argument("package_name", nargs=chosen, help="Name of the ROS package"), package_names)
+    completed(parser.add_argument("executable_name", nargs=chosen, help="Name of the executable"), executable_names)
     rest = parser.add_argument("argv", nargs=REMAINDER, help="Pass arbitrary arguments to the executable")
-    rest.required = True  # Python before 3.13 lists it among the missing arguments
+    rest.required = chosen is None  # Python before 3.13 lists it among the missing arguments
 
 
 async def main(session: Session, args: Namespace) -> int | str:
     from day6_core.ros.ros2.cli.packages import executables
 
+    if args.executable_name is None and (refusal := await _choose(session, args)) is not None:
+        return refusal
     found = executables(session, args.package_name)
     if found is None:
         raise RuntimeError(f"Package '{args.package_name}' not found")
@@ -52,6 +56,27 @@ async def main(session: Session, args: Namespace) -> int | str:
     if fitting[0].built_in:
         return await _run_built_in(session, args.package_name, fitting[0], args.argv)
     return await _run_process(session, [str(fitting[0].path), *args.argv])
+
+
+async def _choose(session: Session, args: Namespace) -> str | None:
+    """Let the user choose what was left out, the package and its executable; return what is wrong."""
+    from day6_core.ros.ros2.cli.packages import executables, packages
+
+    try:
+        if args.package_name is None:
+            args.package_name = await choose(session, packages(session), "Select package:")
+    except NothingChosen:
+        return "No package selected"
+    found = executables(session, args.package_name)
+    if found is None:
+        raise RuntimeError(f"Package '{args.package_name}' not found")
+    if not found:
+        return f"No executables found in package '{args.package_name}'"
+    try:
+        args.executable_name = await choose(session, sorted(each.name for each in found), "Select executable:")
+    except NothingChosen:
+        return "No executable selected"
+    return None
 
 
 async def _run_process(session: Session, argv: list[str]) -> int:

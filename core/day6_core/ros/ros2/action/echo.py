@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from day6_core.ros.ros2.cli.completion import action_names, action_types_of_action
 from day6_core.ros.ros2.cli.events import EventPrinter, add_printing_options
 from day6_core.ros.ros2.cli.node import direct_node, graph_node
-from day6_core.ros.ros2.cli.options import completed
+from day6_core.ros.ros2.cli.options import add_qos_options, completed
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -44,6 +44,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         '"STATUS_TOPIC". If this option is not set, output messages from all interfaces of the action.',
     )
     add_printing_options(parser)
+    add_qos_options(parser, "action introspection", "services_default")
 
 
 async def main(session: Session, args: Namespace) -> str | None:
@@ -64,7 +65,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     node = await direct_node(session, args)
     for name in INTERFACES:
         if name in wanted:
-            _subscribe(node, kind, args.action_name, name, printer)
+            _subscribe(node, kind, args, name, printer)
     try:
         await session.spin(node)
     except KeyboardInterrupt:
@@ -72,18 +73,19 @@ async def main(session: Session, args: Namespace) -> str | None:
     return None
 
 
-def _subscribe(node: Node, kind: Any, action: str, interface: str, printer: EventPrinter) -> None:
-    from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+def _subscribe(node: Node, kind: Any, args: Namespace, interface: str, printer: EventPrinter) -> None:
+    from day6_core.ros.ros2.cli.qos import profile_from_options
+    from rclpy.qos import QoSProfile, qos_profile_action_status_default
 
     messages, profile = {
-        "GOAL_SERVICE": (kind.Impl.SendGoalService.Event, qos_profile_services_default),
-        "CANCEL_SERVICE": (kind.Impl.CancelGoalService.Event, qos_profile_services_default),
-        "RESULT_SERVICE": (kind.Impl.GetResultService.Event, qos_profile_services_default),
+        "GOAL_SERVICE": (kind.Impl.SendGoalService.Event, profile_from_options(args)),
+        "CANCEL_SERVICE": (kind.Impl.CancelGoalService.Event, profile_from_options(args)),
+        "RESULT_SERVICE": (kind.Impl.GetResultService.Event, profile_from_options(args)),
         "FEEDBACK_TOPIC": (kind.Impl.FeedbackMessage, QoSProfile(depth=10)),
         "STATUS_TOPIC": (kind.Impl.GoalStatusMessage, qos_profile_action_status_default),
     }[interface]
     receive = partial(_receive, printer, f"interface: {interface}\n")
-    node.create_subscription(messages, f"{action}/_action/{INTERFACES[interface]}", receive, profile)
+    node.create_subscription(messages, f"{args.action_name}/_action/{INTERFACES[interface]}", receive, profile)
 
 
 def _receive(printer: EventPrinter, heading: str, message: Any) -> None:

@@ -32,14 +32,11 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from rclpy.action import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
-
     async with graph_node(session, args) as node:
         full_name = _full_name(node, args.action_name)
-        clients = _owners(node, full_name, get_action_client_names_and_types_by_node)
-        servers = _owners(node, full_name, get_action_server_names_and_types_by_node)
+        found = {"Action clients": clients(node, full_name), "Action servers": servers(node, full_name)}
     session.print(f"Action: {args.action_name}")
-    for title, owners in (("Action clients", clients), ("Action servers", servers)):
+    for title, owners in found.items():
         session.print(f"{title}: {len(owners)}")
         if not args.count:
             for owner, types in owners:
@@ -57,6 +54,20 @@ def _full_name(node: Node, action_name: str) -> str:
     except (ValueError, InvalidTopicNameException) as error:
         raise RuntimeError(error) from None
     return full_name
+
+
+def clients(node: Node, action: str) -> list[tuple[str, list[str]]]:
+    """Return `(node, types)` of the nodes that have a client of an action."""
+    from rclpy.action import get_action_client_names_and_types_by_node
+
+    return _owners(node, action, get_action_client_names_and_types_by_node)
+
+
+def servers(node: Node, action: str) -> list[tuple[str, list[str]]]:
+    """Return `(node, types)` of the nodes that have a server of an action."""
+    from rclpy.action import get_action_server_names_and_types_by_node
+
+    return _owners(node, action, get_action_server_names_and_types_by_node)
 
 
 def _owners(node: Node, action: str, names_and_types: Callable[..., Any]) -> list[tuple[str, list[str]]]:

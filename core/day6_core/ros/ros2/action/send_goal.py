@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.ros2.cli.completion import action_names, action_types_of_action, goal_prototype
-from day6_core.ros.ros2.cli.node import PREFIX, plain_node
-from day6_core.ros.ros2.cli.options import completed
+from day6_core.ros.ros2.cli.node import PREFIX, appears, plain_node
+from day6_core.ros.ros2.cli.options import add_response_timeout, completed
 from day6_core.ros.ros2.cli.yaml_text import safe_load
 
 if TYPE_CHECKING:
@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from rclpy.action.client import ActionClient, ClientGoalHandle
 
 SUMMARY = "Send an action goal"
-POLL_SECONDS = 0.05
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -33,6 +32,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     source.add_argument("--stdin", action="store_true", help="Read goal from standard input")
     parser.add_argument("-f", "--feedback", action="store_true", help="Echo feedback messages for the goal")
+    add_response_timeout(parser)
 
 
 async def main(session: Session, args: Namespace) -> str | None:
@@ -57,8 +57,8 @@ async def main(session: Session, args: Namespace) -> str | None:
     except Exception as error:
         return f"Failed to populate message fields: {error!r}"
     session.print("Waiting for an action server to become available...")
-    while not client.server_is_ready():
-        await session.sleep(POLL_SECONDS)
+    if not await appears(session, client.server_is_ready, args.timeout):
+        return f"Action server is not available after waiting {args.timeout} seconds."
     session.print(f"Sending goal:\n     {message_to_yaml(goal)}")
     session.executor.add_node(node)
 
@@ -70,7 +70,7 @@ async def main(session: Session, args: Namespace) -> str | None:
         else:
             session.print(f"Feedback:\n    {message_to_yaml(message.feedback)}")
 
-    handle = await _send(session, client, goal, feedback if args.feedback else None)
+    handle = await _send(session, client, goal, feedback if args.feedback else None, args.timeout)
     if handle is None:
         session.print("Goal was rejected.")
         return None
@@ -78,29 +78,31 @@ async def main(session: Session, args: Namespace) -> str | None:
     waiting, early = early, None
     for message in waiting or ():
         feedback(message)
-    result = await _result(session, handle)
+    result = await _result(session, handle, args.timeout)
     session.print(f"Result:\n    {message_to_yaml(result.result)}")
     session.print(f"Goal finished with status: {_status_name(result.status)}")
     return None
 
 
 async def _send(
-    session: Session, client: ActionClient[Any, Any, Any], goal: Any, feedback: Any
+    session: Session, client: ActionClient[Any, Any, Any], goal: Any, feedback: Any, seconds: float | None
 ) -> ClientGoalHandle[Any, Any, Any] | None:
     """Send the goal; returns None if the server rejects it."""
     future = client.send_goal_async(goal, feedback)
-    await session.spin_until(future)
+    if not await session.spin_until(future, seconds):
+        raise RuntimeError(f"Timed out waiting for the goal's acceptance (timeout: {seconds}s)")
     handle = future.result()
     if handle is None:
         raise RuntimeError(f"Exception while sending goal: {future.exception()!r}")
     return handle if handle.accepted else None
 
 
-async def _result(session: Session, handle: ClientGoalHandle[Any, Any, Any]) -> Any:
+async def _result(session: Session, handle: ClientGoalHandle[Any, Any, Any], seconds: float | None) -> Any:
     """Wait for the result; Ctrl-C cancels the goal."""
     future = handle.get_result_async()
     try:
-        await session.spin_until(future)
+        if not await session.spin_until(future, seconds):
+            raise RuntimeError(f"Timed out waiting for the result (timeout: {seconds}s)")
     except KeyboardInterrupt:
         session.print("Canceling goal...")
         handle.cancel_goal_async()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 PREFIX = "_ros2cli"
 HIDDEN_PREFIX = "_"
+POLL_SECONDS = 0.05
 
 
 _settled: WeakSet[Transport] = WeakSet()
@@ -95,6 +96,16 @@ async def graph_node(session: Session, args: Any = None) -> AsyncIterator[Node]:
             yield node
     finally:
         node.destroy_node()
+
+
+async def appears(session: Session, is_there: Callable[[], bool], seconds: float | None) -> bool:
+    """Wait for something in the graph, for ever if `seconds` is None; returns whether it has come."""
+    deadline = None if seconds is None else session.clock.steady_ns() + int(seconds * 1e9)
+    while not is_there():
+        if deadline is not None and session.clock.steady_ns() >= deadline:
+            return False
+        await session.sleep(POLL_SECONDS)
+    return True
 
 
 def topics(node: Node, *, hidden: bool) -> list[tuple[str, list[str]]]:

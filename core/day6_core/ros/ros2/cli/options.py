@@ -47,6 +47,18 @@ def add_strategy_options(parser: ArgumentParser) -> None:
     parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")
 
 
+def add_response_timeout(parser: ArgumentParser, option: str = "--timeout", default: float | None = None) -> None:
+    """Add the longest time that a service may take to respond; without one that is for ever."""
+    parser.add_argument(
+        option,
+        metavar="N",
+        type=float,
+        default=default,
+        help="Maximum time to wait for service response in seconds "
+        + ("(default: waits indefinitely)" if default is None else "(default: %(default)s)"),
+    )
+
+
 def add_hidden_option(parser: ArgumentParser, things: str) -> None:
     """Add `--include-hidden-THINGS`, where `things` is 'topics', 'services' or 'nodes'."""
     parser.add_argument(f"--include-hidden-{things}", action="store_true", help=f"Consider hidden {things} as well")

@@ -8,6 +8,7 @@ from copy import deepcopy
 from typing import TYPE_CHECKING
 
 from day6_core.graph.qos import CHOICES
+from day6_core.ros.differences import lacking_options
 from rclpy.duration import Duration
 from rclpy.qos import QoSDurabilityPolicy, QoSPresetProfiles, QoSProfile, QoSReliabilityPolicy
 
@@ -40,12 +41,19 @@ def overridden(
     return profile
 
 
-def profile_for_echo(session: Session, node: Node, args: Namespace) -> QoSProfile:
+def profile_for_measuring(session: Session, node: Node, args: Namespace, topic: str) -> QoSProfile:
+    """Return the profile that `topic hz`, `bw` and `delay` subscribe with; before their options came it was always the same."""
+    if lacking_options("topic hz"):
+        return preset("sensor_data")
+    return profile_for_echo(session, node, args, topic)
+
+
+def profile_for_echo(session: Session, node: Node, args: Namespace, topic: str) -> QoSProfile:
     """Return the profile that `topic echo` subscribes with: the options', else one adapted to the present publishers."""
     if any(getattr(args, option) is not None for option in _OVERRIDES):
         return profile_from_options(args)
     profile = preset(args.qos_profile)
-    offered = [info.qos_profile for info in node.get_publishers_info_by_topic(args.topic_name)]
+    offered = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
     if not offered:
         return profile
     for name, strong, weak in (

@@ -7,6 +7,7 @@ import signal
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros import environment
+from day6_core.ros.ros2.cli.choice import NothingChosen
 from day6_core.ros.ros2.cli.tree import build_parser
 from day6_core.session.argument_parser import ParserExit
 from day6_core.session.session import Crash
@@ -52,11 +53,13 @@ async def _status_of(session: Session, args: Any) -> int:
         outcome = await args.run(session, args)
     except ParserExit as end:
         return end.status
+    except NothingChosen:
+        return 0
     except KeyboardInterrupt:
         return int(signal.SIGINT)
     except (BrokenPipeError, WriteError):
         raise
-    except (RuntimeError, Crash) as error:
+    except (RuntimeError, Crash, TimeoutError) as error:
         # What C++ code throws within `ros2` itself comes to Python as a RuntimeError (pybind11).
         outcome = str(error)
     except Exception as error:

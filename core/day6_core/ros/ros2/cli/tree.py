@@ -108,7 +108,7 @@ def _remove(parser: SessionParser, options: Collection[str]) -> None:
     for action in [each for each in parser._actions if not {*options}.isdisjoint(each.option_strings)]:
         parser.set_defaults(**{action.dest: action.default})
         parser._remove_action(action)
-        for group in parser._action_groups:
+        for group in (*parser._action_groups, *parser._mutually_exclusive_groups):
             if action in group._group_actions:
                 group._group_actions.remove(action)
         for option in action.option_strings:

@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
 
 from day6_core.graph.endpoints import EndpointKind
-from day6_core.ros.ros2.cli.node import direct_node, graph_node, node_names, split_name
+from day6_core.ros.ros2.cli.node import appears, direct_node, graph_node, node_names, split_name
 from day6_core.ros.ros2.cli.options import completed
 from day6_core.ros.ros2.component._index import package_names, type_names
 
@@ -74,10 +74,11 @@ def _is_container(node: Node, full_name: str) -> bool:
 class Container:
     """The services of one container, called from this command's own node."""
 
-    def __init__(self, session: Session, node: Node, name: str) -> None:
+    def __init__(self, session: Session, node: Node, name: str, limit: float | None = None) -> None:
         self.session = session
         self.node = node
         self.name = name
+        self.limit = limit
 
     @classmethod
     @asynccontextmanager
@@ -86,7 +87,7 @@ class Container:
         node = await direct_node(session, args)
         session.executor.add_node(node)
         try:
-            yield cls(session, node, name)
+            yield cls(session, node, name, getattr(args, "timeout", None))
         finally:
             session.executor.remove_node(node)
             node.destroy_node()
@@ -96,14 +97,12 @@ class Container:
         import composition_interfaces.srv
 
         client = self.node.create_client(getattr(composition_interfaces.srv, kind), f"{self.name}/{_SERVICES[kind]}")
-        deadline = self.session.clock.steady_ns() + int(LONGEST_WAIT * 1e9)
-        while not client.service_is_ready():
-            if self.session.clock.steady_ns() >= deadline:
-                raise TimeoutError("service found")
-            await self.session.sleep(POLL_SECONDS)
+        if not await appears(self.session, client.service_is_ready, self.limit or LONGEST_WAIT):
+            raise TimeoutError("service found")
         future = client.call_async(client.srv_type.Request() if request is None else request)
-        # A component may need a long time to load; only ListNodes has a time limit.
-        if not await self.session.spin_until(future, LONGEST_WAIT if kind == "ListNodes" else None):
+        # A component may need a long time to load; without an option, only ListNodes has a time limit.
+        limit = self.limit or (LONGEST_WAIT if kind == "ListNodes" else None)
+        if not await self.session.spin_until(future, limit):
             raise TimeoutError("service response")
         return future.result()
 
@@ -116,8 +115,8 @@ class Container:
         """Load the component named by the arguments; returns its number and node name. Raises RuntimeError if it fails."""
         try:
             response = await self.call("LoadNode", _load_request(args))
-        except TimeoutError:
-            raise RuntimeError(f"No 'load_node' service found for '{self.name}' container") from None
+        except TimeoutError as error:
+            raise RuntimeError(f"No 'load_node' {error} for '{self.name}' container") from None
         if not response.success:
             raise RuntimeError(f"Failed to load component: {response.error_message.capitalize()}")
         return response.unique_id, response.full_node_name
@@ -128,8 +127,8 @@ class Container:
 
         try:
             response = await self.call("UnloadNode", UnloadNode.Request(unique_id=number))
-        except TimeoutError:
-            raise RuntimeError(f"No 'unload_node' service found for '{self.name}' container") from None
+        except TimeoutError as error:
+            raise RuntimeError(f"No 'unload_node' {error} for '{self.name}' container") from None
         return None if response.success else str(response.error_message)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from day6_core.ros.ros2.cli.options import add_strategy_options
+from day6_core.ros.ros2.cli.options import add_response_timeout, add_strategy_options
 from day6_core.ros.ros2.component._container import Container, add_container_argument, containers
 from day6_core.session.harmless import in_a_list
 
@@ -19,6 +19,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     add_strategy_options(parser)
     add_container_argument(parser, "Name of the container node to list components from", nargs="?")
     parser.add_argument("--containers-only", action="store_true", help="List found containers nodes only")
+    add_response_timeout(parser)
 
 
 async def main(session: Session, args: Namespace) -> str | None:

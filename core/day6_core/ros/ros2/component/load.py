@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from day6_core.ros.ros2.cli.options import add_strategy_options
+from day6_core.ros.ros2.cli.options import add_response_timeout, add_strategy_options
 from day6_core.ros.ros2.component._container import (
     Container,
     add_component_arguments,
@@ -24,6 +24,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     add_container_argument(parser, "Container node name to load component into")
     add_component_arguments(parser)
     parser.add_argument("-q", "--quiet", action="store_true", help="Only print component unique IDs and names")
+    add_response_timeout(parser)
 
 
 async def main(session: Session, args: Namespace) -> str | None:

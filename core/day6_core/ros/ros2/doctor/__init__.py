@@ -6,7 +6,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from day6_core.ros.ros2.cli.node import graph_node
+from day6_core.ros.differences import value
+from day6_core.ros.ros2.cli.node import graph_node, services
 from day6_core.session.threads import in_thread
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ async def main(session: Session, args: Namespace) -> None:
         await in_thread(_query_platform)
     async with graph_node(session) as node:
         if args.report:
-            for title, (category, _) in REPORTS.items():
+            for title, (category, _) in reports().items():
                 if category != "package" or not args.exclude_packages:
                     _print_report(session, node, title)
             return
@@ -59,7 +60,7 @@ async def main(session: Session, args: Namespace) -> None:
         session.print(f"\n{len(failed)}/{len(CHECKS)} check(s) failed\n")
         session.print("Failed modules:", *failed)
         if args.report_failed:
-            for title, (category, _) in REPORTS.items():
+            for title, (category, _) in reports().items():
                 if category in failed:
                     _print_report(session, node, title)
 
@@ -222,6 +223,31 @@ def _report_topics(session: Session, node: Node) -> Iterator[tuple[str, object]]
         yield "subscriber count", node.count_subscribers(topic) if topics else 0
 
 
+def _report_services(session: Session, node: Node) -> Iterator[tuple[str, object]]:
+    names = [name for name, _ in services(node, hidden=False)]
+    for name in names or ["none"]:
+        yield "service", name
+        yield "service count", node.count_services(name) if names else 0
+        yield "client count", node.count_clients(name) if names else 0
+
+
+def _report_actions(session: Session, node: Node) -> Iterator[tuple[str, object]]:
+    from day6_core.ros.ros2.action.info import clients, servers
+    from rclpy.action import get_action_names_and_types
+
+    names = [name for name, _ in get_action_names_and_types(node)]
+    for name in names or ["none"]:
+        yield "action", name
+        yield "action server count", len(servers(node, name)) if names else 0
+        yield "action client count", len(clients(node, name)) if names else 0
+
+
+def _report_environment(session: Session, node: Node) -> Iterator[tuple[str, object]]:
+    for title, word in (("ROS", "ROS"), ("rcutils", "RCUTILS"), ("rmw", "RMW")):
+        found = [f"{name}={text}" for name, text in session.env.items() if word in name]
+        yield f"{title} environment variables", ", ".join(found)
+
+
 CHECKS: dict[str, Callable[[Session, Node], Iterator[Finding]]] = {
     "network": _check_network,
     "middleware": _check_qos,
@@ -230,12 +256,20 @@ CHECKS: dict[str, Callable[[Session, Node], Iterator[Finding]]] = {
 """By category, the names that `Failed modules:` lists."""
 
 REPORTS: dict[str, tuple[str, Callable[[Session, Node], Iterator[tuple[str, object]]]]] = {
+    "ACTION LIST": ("action", _report_actions),
     "NETWORK CONFIGURATION": ("network", _report_network),
     "PACKAGE VERSIONS": ("package", _report_packages),
     "PLATFORM INFORMATION": ("platform", _report_platform),
     "QOS COMPATIBILITY LIST": ("middleware", _report_qos),
     "RMW MIDDLEWARE": ("middleware", _report_middleware),
     "ROS 2 INFORMATION": ("platform", _report_distribution),
+    "ROS ENVIRONMENT": ("environment", _report_environment),
+    "SERVICE LIST": ("topic", _report_services),
     "TOPIC LIST": ("topic", _report_topics),
 }
 """By title: the category, and the function that yields the rows."""
+
+
+def reports() -> dict[str, tuple[str, Callable[[Session, Node], Iterator[tuple[str, object]]]]]:
+    """Return the reports of this distribution."""
+    return {title: row for title, row in REPORTS.items() if title not in value("doctor.lacks_reports")}

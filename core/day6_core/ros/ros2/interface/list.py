@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -20,6 +21,19 @@ def add_kind_options(parser: ArgumentParser) -> None:
     parser.add_argument("-m", "--only-msgs", action="store_true", help="Print out only the message types")
     parser.add_argument("-s", "--only-srvs", action="store_true", help="Print out only the service types")
     parser.add_argument("-a", "--only-actions", action="store_true", help="Print out only the action types")
+
+
+def interface_names(environment: Mapping[str, str]) -> list[str]:
+    """Return the types of all messages, services and actions, sorted."""
+    import rosidl_runtime_py as lookup
+
+    kinds = (lookup.get_message_interfaces, lookup.get_service_interfaces, lookup.get_action_interfaces)
+    return sorted(
+        f"{package}/{name}"
+        for interfaces in kinds
+        for package, names in interfaces(environment=environment).items()
+        for name in names
+    )
 
 
 async def main(session: Session, args: Namespace) -> None:

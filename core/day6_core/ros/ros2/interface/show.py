@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.ros.ros2.cli.choice import choose, may_be_left_out
 from day6_core.ros.ros2.cli.completion import interface_types
 from day6_core.ros.ros2.cli.options import completed
 
@@ -30,6 +31,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     completed(
         parser.add_argument(
             "type",
+            nargs=may_be_left_out(),
             help="Show an interface definition (e.g. 'example_interfaces/msg/String'). Passing '-' reads the argument from "
             "stdin (e.g. 'ros2 topic type /chatter | ros2 interface show -').",
         ),
@@ -40,6 +42,10 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> str | None:
     name = args.type
+    if name is None:
+        from day6_core.ros.ros2.interface.list import interface_names
+
+        name = await choose(session, interface_names(session.env), "Select interface:")
     if name == "-":
         if session.stdin.isatty():
             args.parser.error("expected stdin pipe")

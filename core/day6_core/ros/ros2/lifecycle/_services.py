@@ -6,15 +6,13 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from day6_core.ros.ros2.cli.node import direct_node, graph_node, node_names, services
-from day6_core.ros.ros2.cli.options import add_hidden_option, add_strategy_options, completed
+from day6_core.ros.ros2.cli.node import appears, direct_node, graph_node, node_names, services
+from day6_core.ros.ros2.cli.options import add_hidden_option, add_response_timeout, add_strategy_options, completed
 
 if TYPE_CHECKING:
     from day6_core.ros.ros2.cli.completion import CompletionContext
     from day6_core.session.session import Session
     from rclpy.node import Node
-
-POLL_SECONDS = 0.05
 
 
 def add_node_argument(
@@ -24,6 +22,7 @@ def add_node_argument(
     add_strategy_options(parser)
     completed(parser.add_argument("node_name", nargs=nargs, help=help_text), lifecycle_node_names)
     add_hidden_option(parser, "nodes")
+    add_response_timeout(parser)
 
 
 async def lifecycle_nodes(session: Session, args: Namespace, *, hidden: bool) -> list[str]:
@@ -40,30 +39,34 @@ def _with_lifecycle(node: Node, *, hidden: bool) -> list[str]:
 class LifecycleServices:
     """The lifecycle services of nodes, called from this command's own node."""
 
-    def __init__(self, session: Session, node: Node) -> None:
+    def __init__(self, session: Session, node: Node, limit: float | None = None) -> None:
         self.session = session
         self.node = node
+        self.limit = limit
+        """Seconds that a service may take to appear, and a response to come; for ever without one."""
 
     @classmethod
     async def of(cls, session: Session, args: Namespace) -> LifecycleServices:
         """Create the command's node."""
         node = await direct_node(session, args)
         session.executor.add_node(node)
-        return cls(session, node)
+        return cls(session, node, args.timeout)
 
     async def call(self, remote: str, service: str, kind: str, **fields: Any) -> Any:
         """Wait for a service of the node `remote`, call it and return the response.
 
-        Like the real command it waits for ever if the service does not appear. Raises RuntimeError if the call fails.
+        Without a limit it waits, like the real command, for ever if the service does not appear. Raises RuntimeError if the
+        call fails or takes longer.
         """
         import lifecycle_msgs.srv
 
         client = self.node.create_client(getattr(lifecycle_msgs.srv, kind), f"{remote}/{service}")
         try:
-            while not client.service_is_ready():
-                await self.session.sleep(POLL_SECONDS)
+            if not await appears(self.session, client.service_is_ready, self.limit):
+                raise RuntimeError(f"Timed out waiting for {service} service (timeout: {self.limit}s)")
             future = client.call_async(client.srv_type.Request(**fields))
-            await self.session.spin_until(future)
+            if not await self.session.spin_until(future, self.limit):
+                raise RuntimeError(f"Timed out waiting for {service} response (timeout: {self.limit}s)")
         finally:
             self.node.destroy_client(client)
         response = future.result()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.graph.names import is_hidden
 from day6_core.ros.ros2.cli import completion
+from day6_core.ros.ros2.cli.choice import choose_node, may_be_left_out
 from day6_core.ros.ros2.cli.node import graph_node, node_names, split_name
 from day6_core.ros.ros2.cli.options import add_strategy_options, completed
 
@@ -27,7 +28,9 @@ SEVERAL = (
 def add_arguments(parser: ArgumentParser) -> None:
     add_strategy_options(parser)
     completed(
-        parser.add_argument("node_name", help="Fully qualified node name to request information"),
+        parser.add_argument(
+            "node_name", nargs=may_be_left_out(), help="Fully qualified node name to request information"
+        ),
         completion.node_names,
     )
     parser.add_argument(
@@ -37,6 +40,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> str | None:
     async with graph_node(session, args) as node:
+        if args.node_name is None:
+            args.node_name = await choose_node(session, node, "Select node:", hidden=args.include_hidden)
         number = node_names(node, hidden=args.include_hidden).count(args.node_name)
         if number == 0:
             return f"Unable to find node '{args.node_name}'"

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.ros2.cli import completion
 from day6_core.ros.ros2.cli.node import absolute, direct_node, graph_node, node_names
-from day6_core.ros.ros2.cli.options import add_strategy_options, completed
+from day6_core.ros.ros2.cli.options import add_response_timeout, add_strategy_options, completed
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -35,7 +35,7 @@ def add_node_argument(parser: ArgumentParser, *, optional: bool = False) -> None
 
 
 def add_timeout_option(parser: ArgumentParser) -> None:
-    """Add `--timeout`, the seconds to wait for the node."""
+    """Add `--timeout`, the seconds to wait for the node, and `--service-timeout`, those to wait for its services' responses."""
     parser.add_argument(
         "--timeout",
         metavar="N",
@@ -43,6 +43,7 @@ def add_timeout_option(parser: ArgumentParser) -> None:
         default=1,
         help="Wait for N seconds until node becomes available (default %(default)s sec)",
     )
+    add_response_timeout(parser, "--service-timeout")
 
 
 async def found_node(session: Session, args: Namespace) -> bool:
@@ -60,10 +61,12 @@ async def found_node(session: Session, args: Namespace) -> bool:
 class ParameterServices:
     """The parameter services of one node, called from this command's own node."""
 
-    def __init__(self, session: Session, node: Node, remote: str) -> None:
+    def __init__(self, session: Session, node: Node, remote: str, limit: float | None = None) -> None:
         self.session = session
         self.node = node
         self.remote = remote
+        self.limit = limit
+        """Seconds that a response may take, for ever without one."""
         self._clients: dict[str, Any] = {}
 
     @classmethod
@@ -71,11 +74,11 @@ class ParameterServices:
         """Create the command's node."""
         node = await direct_node(session, args)
         session.executor.add_node(node)
-        return cls(session, node, remote)
+        return cls(session, node, remote, getattr(args, "service_timeout", None))
 
     def for_node(self, remote: str) -> ParameterServices:
         """Return the services of another node, called from the same command's node."""
-        return ParameterServices(self.session, self.node, remote)
+        return ParameterServices(self.session, self.node, remote, self.limit)
 
     async def ready(self, seconds: float = SERVICES_SECONDS) -> bool:
         """Wait until all six services are available; returns False after `seconds`."""
@@ -93,17 +96,20 @@ class ParameterServices:
             await self.session.sleep(POLL_SECONDS)
         return True
 
-    async def call(self, kind: str, seconds: float | None = None, **fields: Any) -> Any:
-        """Call a service and return its response, None if there is none within `seconds`.
+    async def call(self, kind: str, **fields: Any) -> Any:
+        """Call a service and return its response.
 
-        Raises RuntimeError if no services appear or the call fails.
+        Raises TimeoutError if it takes longer than `limit`, RuntimeError if no services appear or the call fails.
         """
         if not await self.ready():
             raise RuntimeError(f"Wait for service timed out waiting for parameter services for node {self.remote}")
         client = self._clients[kind]
         future = client.call_async(client.srv_type.Request(**fields))
-        if not await self.session.spin_until(future, seconds):
-            return None
+        if not await self.session.spin_until(future, self.limit):
+            name = _SERVICES[kind]
+            raise TimeoutError(
+                f"Timed out waiting for {name} response from node {self.remote} (timeout: {self.limit}s)"
+            )
         response = future.result()
         if response is None:
             raise RuntimeError(f"Exception while calling service of node {self.remote}: {future.exception()}")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.ros.differences import value
 from day6_core.ros.ros2.cli import completion
+from day6_core.ros.ros2.cli.choice import NothingChosen, choose, choose_node
 from day6_core.ros.ros2.cli.node import graph_node, node_names
 from day6_core.ros.ros2.cli.options import add_hidden_option, completed
 from day6_core.ros.ros2.param._services import (
@@ -58,8 +59,8 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 async def _several(session: Session, args: Namespace) -> str | None:
     """Get several parameters of a node, or one of all nodes: a single word is its name."""
-    if args.node_name is None:
-        return "error: the following arguments are required: parameter_name"
+    if args.node_name is None and (refusal := await _choose(session, args)) is not None:
+        return refusal
     names: list[str] = args.parameter_name or [args.node_name]
     everywhere = not args.parameter_name
     if everywhere:
@@ -94,6 +95,23 @@ async def _several(session: Session, args: Namespace) -> str | None:
             session.print(f"{title}{between if title else ''}{_text(each, args)}")
     if not found:
         session.print(f"Parameter '{names[0]}' not set on any node")
+    return None
+
+
+async def _choose(session: Session, args: Namespace) -> str | None:
+    """Let the user choose a node and one of its parameters; return what is wrong."""
+    async with graph_node(session, args) as node:
+        try:
+            args.node_name = await choose_node(session, node, "Select node:", hidden=args.include_hidden_nodes)
+        except NothingChosen:
+            return "No node selected"
+    services = await ParameterServices.of(session, args, args.node_name)
+    names = (await services.call("ListParameters")).result.names
+    session.executor.remove_node(services.node)
+    services.node.destroy_node()  # the next one has its name
+    if not names:
+        return "No parameters available to select from."
+    args.parameter_name = [await choose(session, names, "Select parameter:")]
     return None
 
 

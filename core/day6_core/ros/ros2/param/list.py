@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.ros.differences import value
 from day6_core.ros.ros2.cli.node import absolute, graph_node, node_names, split_name
-from day6_core.ros.ros2.cli.options import add_hidden_option
+from day6_core.ros.ros2.cli.options import add_hidden_option, add_response_timeout
 from day6_core.ros.ros2.param._services import ParameterServices, add_node_argument
 from day6_core.ros.ros2.param._values import type_name
 from day6_core.session.harmless import in_a_list
@@ -32,13 +32,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--param-type", action="store_true", help="Print parameter types with parameter names")
     if value("param.several"):
-        parser.add_argument(
-            "--service-timeout",
-            metavar="N",
-            type=float,
-            default=5.0,
-            help="Maximum time to wait for service responses in seconds (default: %(default)s)",
-        )
+        add_response_timeout(parser, "--service-timeout", 5.0)
 
 
 async def main(session: Session, args: Namespace) -> str | None:
@@ -58,11 +52,10 @@ async def main(session: Session, args: Namespace) -> str | None:
         if not await of_node.ready():
             session.print(f"Wait for service timed out waiting for parameter services for node {_node_name(name)}")
             continue
-        limit: float | None = getattr(args, "service_timeout", None)
-        response = await of_node.call("ListParameters", limit, prefixes=args.param_prefixes)
-        if response is None:
-            about = f"from node {_node_name(name)} (timeout: {limit}s)"
-            session.print(f"Timed out waiting for list_parameters response {about}")
+        try:
+            response = await of_node.call("ListParameters", prefixes=args.param_prefixes)
+        except TimeoutError as error:
+            session.print(str(error).replace(name, _node_name(name)))
             continue
         parameters = sorted(response.result.names)
         if pattern is not None:

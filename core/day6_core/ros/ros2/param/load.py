@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import io
 import threading
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.ros2.cli.node import absolute, split_name
 from day6_core.ros.ros2.cli.options import add_hidden_option
-from day6_core.ros.ros2.cli.yaml_text import in_turns_with_others, load
+from day6_core.ros.ros2.cli.yaml_text import file_text, in_turns_with_others, load
 from day6_core.ros.ros2.param._services import (
     ParameterServices,
     add_node_argument,
@@ -18,7 +17,6 @@ from day6_core.ros.ros2.param._services import (
     print_result,
 )
 from day6_core.ros.ros2.param._values import value_of
-from day6_core.session.blocking_files import refuse
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -71,15 +69,7 @@ def parameters_of_file(
 
     Raises OSError, yaml.YAMLError, KeyError for a section without `ros__parameters`, RuntimeError without parameters.
     """
-    try:
-        path = session.cwd / file_name
-        refuse(str(path), path.stat().st_mode, writing=False)  # a pipe waits for its writer, a device has no end
-        stream = io.StringIO(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        error.filename = file_name
-        raise
-    stream.name = file_name  # YAML's errors then name the file as the user did
-    content = load(stream, abandoned)
+    content = load(file_text(session, file_name), abandoned)
     name, namespace = split_name(node_name)
     found: dict[str, Any] = {}
     for section in _sections(content, node_name, name, namespace.rstrip("/"), wildcard):

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import shutil
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from day6_core.ros.differences import value
 from day6_core.ros.ros2.cli.completion import package_names
 from day6_core.ros.ros2.cli.options import completed
 
@@ -36,7 +39,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--build-type",
         default="ament_cmake",
-        choices=["cmake", "ament_cmake", "ament_python"],
+        choices=["cmake", "ament_cmake", *(["ament_cargo"] if value("pkg.create_rust") else []), "ament_python"],
         help="The build type to process the package with",
     )
     completed(parser.add_argument("--dependencies", nargs="+", default=[], help="list of dependencies"), package_names)
@@ -83,6 +86,8 @@ async def main(session: Session, args: Namespace) -> str | None:
     )
     if not session.cwd.is_dir():
         return f"ros2 pkg create: {LOST}"
+    if args.build_type == "ament_cargo" and shutil.which("cargo", path=session.env.get("PATH")) is None:
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), "cargo")
     _announce(session, plan, os.path.normpath(session.cwd / destination))
     create(plan, destination, args.destination_directory, session.print)
     return None

@@ -7,8 +7,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.ros2.cli.completion import request_prototype, service_names, service_types_of_service
-from day6_core.ros.ros2.cli.node import PREFIX, plain_node
-from day6_core.ros.ros2.cli.options import completed
+from day6_core.ros.ros2.cli.node import PREFIX, appears, plain_node
+from day6_core.ros.ros2.cli.options import add_qos_options, add_response_timeout, completed
 from day6_core.ros.ros2.cli.pace import Pace
 from day6_core.ros.ros2.cli.yaml_text import safe_load
 
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from day6_core.session.session import Session
 
 SUMMARY = "Call a service"
-POLL_SECONDS = 0.05
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -41,10 +40,14 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     source.add_argument("--stdin", action="store_true", help="Read values from standard input")
     parser.add_argument("-r", "--rate", metavar="N", type=float, help="Repeat the call at a specific rate in Hz")
+    add_response_timeout(parser)
+    add_qos_options(parser, "service client", "services_default")
 
 
 async def main(session: Session, args: Namespace) -> str | None:
     from rosidl_runtime_py.set_message import set_message_fields
+
+    from day6_core.ros.ros2.cli.qos import profile_from_options
 
     if args.rate is not None and args.rate <= 0:
         raise RuntimeError("rate must be greater than zero")
@@ -52,7 +55,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     package, kind = _service_class(args.service_type)
     values = await safe_load(text)
     node = await plain_node(session, f"{PREFIX}_requester_{package}_{kind.__name__}")
-    client = node.create_client(kind, args.service_name)
+    client = node.create_client(kind, args.service_name, qos_profile=profile_from_options(args))
     request = kind.Request()
     try:
         set_message_fields(request, values)
@@ -60,14 +63,15 @@ async def main(session: Session, args: Namespace) -> str | None:
         return f"Failed to populate field: {error}"
     if not client.service_is_ready():
         session.print("waiting for service to become available...")
-        while not client.service_is_ready():
-            await session.sleep(POLL_SECONDS)
+        if not await appears(session, client.service_is_ready, args.timeout):
+            return f"Service is not available after waiting {args.timeout} seconds."
     session.executor.add_node(node)
     pace = Pace(session, 1.0 / args.rate) if args.rate else None
     while True:
         session.print(f"requester: making request: {request!r}\n")
         future = client.call_async(request)
-        await session.spin_until(future)
+        if not await session.spin_until(future, args.timeout):
+            return f"Timed out waiting for service response (timeout: {args.timeout}s)"
         response = future.result()
         if response is None:
             raise RuntimeError(f"Exception while calling service: {future.exception()!r}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from day6_core.ros.ros2.cli.completion import service_names, service_types_of_service
 from day6_core.ros.ros2.cli.events import EventPrinter, add_printing_options
 from day6_core.ros.ros2.cli.node import direct_node, graph_node
-from day6_core.ros.ros2.cli.options import completed
+from day6_core.ros.ros2.cli.options import add_qos_options, completed
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -30,10 +30,11 @@ def add_arguments(parser: ArgumentParser) -> None:
         service_types_of_service,
     )
     add_printing_options(parser)
+    add_qos_options(parser, "service introspection", "services_default")
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from rclpy.qos import QoSPresetProfiles
+    from day6_core.ros.ros2.cli.qos import profile_from_options
 
     if args.service_type is None:
         async with graph_node(session, args) as query_node:
@@ -43,7 +44,7 @@ async def main(session: Session, args: Namespace) -> None:
     topic = args.service_name + EVENT_TOPIC
     printer = EventPrinter(session, args)
     node = await direct_node(session, args)
-    profile = QoSPresetProfiles.get_from_short_key("services_default")
+    profile = profile_from_options(args)
     subscription = node.create_subscription(kind.Event, topic, printer.receive, profile)
     if subscription.get_publisher_count() < 1:
         session.print(f"No publishers on topic '{topic}'; is service introspection on the client or server enabled?")

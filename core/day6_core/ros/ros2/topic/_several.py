@@ -6,6 +6,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from day6_core.ros.ros2.cli.choice import choose_topic
 from day6_core.ros.ros2.cli.completion import topic_names
 from day6_core.ros.ros2.cli.node import settle, topics
 from day6_core.ros.ros2.cli.options import completed
@@ -30,15 +31,17 @@ def add_topics(parser: ArgumentParser, dest: str, words: str, *, several: bool, 
 
 
 async def chosen_topics(session: Session, node: Node, args: Namespace, dest: str) -> list[str]:
-    """Return the topics to listen to, given as `dest`. Raises RuntimeError for none."""
-    if getattr(args, "all_topics", False):
-        await settle(session)
-        found = [name for name, _ in topics(node, hidden=False)]
-    else:
-        given: str | list[str] = getattr(args, dest)
-        found = [given] if isinstance(given, str) else given
-    if not found:
-        raise RuntimeError(f"error: the following arguments are required: {dest}")
+    """Return the topics to listen to, given as `dest`, chosen, or all. Raises RuntimeError, NothingChosen."""
+    given: str | list[str] = getattr(args, dest)
+    if isinstance(given, str):
+        return [given]
+    if not getattr(args, "all_topics", False):
+        return given or [await choose_topic(session, args, node, "Select topic:")]
+    if given:
+        raise RuntimeError("Cannot specify both --all/-a and topic names")
+    await settle(session)
+    found = [name for name, _ in topics(node, hidden=args.include_hidden_topics)]
+    session.print(f"Subscribing to all {len(found)} available topics..." if found else "No topics available")
     return found
 
 

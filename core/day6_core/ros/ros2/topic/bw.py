@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.ros.differences import value
 from day6_core.ros.ros2.cli.node import direct_node
-from day6_core.ros.ros2.cli.options import add_discovery_options, positive_int
+from day6_core.ros.ros2.cli.options import add_discovery_options, add_qos_options, positive_int
 from day6_core.ros.ros2.topic._several import add_topics, chosen_topics, clear_above, table
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     several = value("topic.bw_of_several")
     words = "Topic name to monitor for bandwidth utilization"
     add_topics(parser, "topic", words, several=several, everything=several)
+    add_qos_options(parser, "subscribe", "sensor_data")
     parser.add_argument(
         "--window",
         "-w",
@@ -37,7 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> None:
     from day6_core.ros.ros2.cli.message_class import wait_for_class
-    from rclpy.qos import qos_profile_sensor_data
+    from day6_core.ros.ros2.cli.qos import profile_for_measuring
 
     node = await direct_node(session, args)
     topics = await chosen_topics(session, node, args, "topic")
@@ -45,9 +46,9 @@ async def main(session: Session, args: Namespace) -> None:
     for topic in topics:
         kind = await wait_for_class(session, node, topic)
         meters[topic] = _Meter(session, node, args.window)
-        node.create_subscription(kind, topic, meters[topic].count, qos_profile_sensor_data, raw=True)
-        if len(topics) > 1 or not value("topic.bw_of_several"):
-            session.print(f"Subscribed to [{topic}]")
+        profile = profile_for_measuring(session, node, args, topic)
+        node.create_subscription(kind, topic, meters[topic].count, profile, raw=True)
+        session.print(f"Subscribed to [{topic}]")
     node.create_timer(1, lambda: _report(session, args, meters))
     await session.spin(node)
 

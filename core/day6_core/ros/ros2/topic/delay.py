@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.ros2.cli.completion import topic_names
 from day6_core.ros.ros2.cli.node import direct_node
-from day6_core.ros.ros2.cli.options import add_discovery_options, completed, positive_int
+from day6_core.ros.ros2.cli.options import add_discovery_options, add_qos_options, completed, positive_int
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -20,6 +20,7 @@ WINDOW = 10000
 
 def add_arguments(parser: ArgumentParser) -> None:
     completed(parser.add_argument("topic", help="Topic name to calculate the delay for"), topic_names)
+    add_qos_options(parser, "subscribe", "sensor_data")
     parser.add_argument(
         "--window",
         "-w",
@@ -32,12 +33,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> None:
     from day6_core.ros.ros2.cli.message_class import wait_for_class
-    from rclpy.qos import qos_profile_sensor_data
+    from day6_core.ros.ros2.cli.qos import profile_for_measuring
 
     node = await direct_node(session, args)
     kind = await wait_for_class(session, node, args.topic)
     meter = _Meter(session, node, args.window)
-    node.create_subscription(kind, args.topic, meter.count, qos_profile_sensor_data)
+    node.create_subscription(kind, args.topic, meter.count, profile_for_measuring(session, node, args, args.topic))
     node.create_timer(1, meter.report)
     await session.spin(node)
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
+from day6_core.ros.differences import value
+from day6_core.ros.ros2.cli.choice import choose_topic, may_be_left_out
 from day6_core.ros.ros2.cli.completion import topic_fields, topic_names, topic_types
 from day6_core.ros.ros2.cli.node import direct_node, graph_node
 from day6_core.ros.ros2.cli.options import (
@@ -20,6 +23,7 @@ if TYPE_CHECKING:
     from rclpy.task import Future
 
 SUMMARY = "Output messages from a topic"
+_ENTRY = re.compile(r"\[(\d+)\]")
 CLEAR = "\x1b[H\x1b[2J"
 START_SECONDS = 1.0
 """Time in which a topic may appear: the real command itself needs that long to start, and launch files rely on it."""
@@ -28,7 +32,10 @@ START_SECONDS = 1.0
 def add_arguments(parser: ArgumentParser) -> None:
     add_strategy_options(parser)
     completed(
-        parser.add_argument("topic_name", help="Name of the ROS topic to listen to (e.g. '/chatter')"), topic_names
+        parser.add_argument(
+            "topic_name", nargs=may_be_left_out(), help="Name of the ROS topic to listen to (e.g. '/chatter')"
+        ),
+        topic_names,
     )
     completed(
         parser.add_argument("message_type", nargs="?", help="Type of the ROS message (e.g. 'std_msgs/msg/String')"),
@@ -42,10 +49,14 @@ def add_arguments(parser: ArgumentParser) -> None:
         "passed, the following fields are prepended: source_timestamp, received_timestamp, publication_sequence_number, "
         "reception_sequence_number.",
     )
-    field = parser.add_argument(
-        "--field",
-        help="Echo a selected field of a message. Use '.' to select sub-fields. For example, to echo the position field of "
-        "a nav_msgs/msg/Odometry message: 'ros2 topic echo /odom --field pose.pose.position'",
+    words = (
+        "Echo a selected field of a message. Use '.' to select sub-fields. For example, to echo the position field of a "
+        "nav_msgs/msg/Odometry message: 'ros2 topic echo /odom --field pose.pose.position'"
+    )
+    field = (
+        parser.add_argument("--field", action="append", help=f"{words}. May be given more than once")
+        if value("topic.echo_of_several")
+        else parser.add_argument("--field", help=words)
     )
     completed(field, topic_fields)
     add_length_options(parser)
@@ -72,6 +83,8 @@ async def main(session: Session, args: Namespace) -> None:
 
     echo = _Echo(session, args)
     async with graph_node(session, args) as query_node:
+        if args.topic_name is None:
+            args.topic_name = await choose_topic(session, args, query_node, "Select topic to echo:")
         env = session.env
         kind = message_class(args.message_type, env) if args.message_type is not None else None
         waited = 0.0
@@ -82,7 +95,7 @@ async def main(session: Session, args: Namespace) -> None:
         ):
             await session.sleep(POLL_SECONDS)
             waited += POLL_SECONDS
-        profile = profile_for_echo(session, query_node, args)
+        profile = profile_for_echo(session, query_node, args, args.topic_name)
         if kind is None:
             session.print(unpublished(args.topic_name))
             raise RuntimeError("Could not determine the type for the passed topic")
@@ -120,9 +133,12 @@ class _Echo:
     def __init__(self, session: Session, args: Namespace) -> None:
         self.session = session
         self.args = args
-        self.fields = [part for part in args.field.split(".") if part] if args.field is not None else []
-        if args.field is not None and not self.fields:
-            raise RuntimeError(f"Invalid field value '{args.field}'")
+        given = [args.field] if isinstance(args.field, str) else args.field or []
+        self.fields = [[part for part in field.split(".") if part] for field in given]
+        """The fields to print, each a path; without any, the whole message."""
+        for field, path in zip(given, self.fields, strict=True):
+            if not path:
+                raise RuntimeError(f"Invalid field value '{field}'")
         self.limits: dict[str, Any] = {
             "truncate_length": None if args.full_length else args.truncate_length,
             "no_arr": args.no_arr,
@@ -141,26 +157,31 @@ class _Echo:
     def receive(self, message: Any, info: Any) -> None:
         if self.future is not None and self.future.done():
             return  # a second message, before the command has ended
-        selected = self._select(message)
-        if self.args.filter_expr and not self._passes(selected):
+        chosen = [self._select(message, path) for path in self.fields or [[]]]
+        if self.args.filter_expr and not self._passes(chosen[-1]):
             return
         if self.future is not None and self.args.once:
             self.future.set_result(True)
         if self.args.clear:
             self.session.stdout.control(CLEAR + "\n")
-        if not hasattr(selected, "__slots__"):
-            self._print_bare(selected, info)
-        elif self.args.csv:
-            self._print_csv(selected, info)
-        else:
-            self._print_yaml(selected, info)
+        for selected in chosen:
+            if not hasattr(selected, "__slots__"):
+                self._print_bare(selected, info)
+            elif self.args.csv:
+                self._print_csv(selected, info)
+            else:
+                self._print_yaml(selected, info)
 
-    def _select(self, message: Any) -> Any:
-        for field in self.fields:
+    def _select(self, message: Any, path: list[str]) -> Any:
+        """Return a field of a message, where the distribution knows them also entries of arrays: `name[1][2]`."""
+        for field in path:
+            name, *numbers = _ENTRY.split(field) if value("topic.echo_of_several") else [field]
             try:
-                message = getattr(message, field)
-            except AttributeError as error:
-                raise RuntimeError(f"Invalid field '{'.'.join(self.fields)}': {error}") from None
+                message = getattr(message, name)
+                for number in filter(None, numbers):
+                    message = message[int(number)]
+            except (AttributeError, IndexError, TypeError) as error:
+                raise RuntimeError(f"Invalid field '{'.'.join(path)}': {error}") from None
         return message
 
     def _passes(self, message: Any) -> bool:

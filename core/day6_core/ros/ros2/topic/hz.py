@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.ros.differences import value
 from day6_core.ros.ros2.cli.node import direct_node
-from day6_core.ros.ros2.cli.options import add_discovery_options, positive_int
+from day6_core.ros.ros2.cli.options import add_discovery_options, add_qos_options, positive_int
 from day6_core.ros.ros2.topic._several import add_topics, chosen_topics, clear_above, table
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ _HEADER = ("topic", "rate", "min_delta", "max_delta", "std_dev", "window")
 def add_arguments(parser: ArgumentParser) -> None:
     words = "Names of the ROS topic to listen to (e.g. '/chatter')"
     add_topics(parser, "topic_name", words, several=True, everything=value("topic.hz_of_all"))
+    add_qos_options(parser, "subscribe", "sensor_data")
     parser.add_argument(
         "--window",
         "-w",
@@ -51,8 +52,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> None:
     from day6_core.ros.ros2.cli.message_class import wait_for_class
+    from day6_core.ros.ros2.cli.qos import profile_for_measuring
     from rclpy.executors import ExternalShutdownException
-    from rclpy.qos import qos_profile_sensor_data
 
     node = await direct_node(session, args)
     now_ns = session.clock.now_ns if args.use_wtime else lambda: int(node.get_clock().now().nanoseconds)
@@ -62,7 +63,7 @@ async def main(session: Session, args: Namespace) -> None:
         kind = await wait_for_class(session, node, topic)
         meters[topic] = _Meter(session, now_ns, args.window_size)
         receive = partial(_receive, meters[topic], args.filter_expr)
-        node.create_subscription(kind, topic, receive, qos_profile_sensor_data)
+        node.create_subscription(kind, topic, receive, profile_for_measuring(session, node, args, topic))
         if len(topics) > 1:
             session.print(f"Subscribed to [{topic}]")
     session.spawn(_report(session, args, meters))

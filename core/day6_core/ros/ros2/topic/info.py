@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from day6_core.ros.ros2.cli.choice import choose_topic, may_be_left_out
 from day6_core.ros.ros2.cli.completion import topic_names
 from day6_core.ros.ros2.cli.node import graph_node
 from day6_core.ros.ros2.cli.options import add_strategy_options, completed
@@ -18,7 +19,10 @@ SUMMARY = "Print information about a topic"
 def add_arguments(parser: ArgumentParser) -> None:
     add_strategy_options(parser)
     completed(
-        parser.add_argument("topic_name", help="Name of the ROS topic to get info (e.g. '/chatter')"), topic_names
+        parser.add_argument(
+            "topic_name", nargs=may_be_left_out(), help="Name of the ROS topic to get info (e.g. '/chatter')"
+        ),
+        topic_names,
     )
     parser.add_argument(
         "--verbose",
@@ -31,7 +35,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> str | None:
     async with graph_node(session, args) as node:
-        name = args.topic_name
+        name = args.topic_name or await choose_topic(session, args, node, "Select topic for info:")
         types = dict(node.get_topic_names_and_types()).get(name)
         if types is None:
             return f"Unknown topic '{name}'"

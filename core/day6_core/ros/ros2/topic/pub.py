@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from itertools import repeat
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.ros2.cli.completion import message_prototype, topic_names, topic_types
@@ -15,7 +16,7 @@ from day6_core.ros.ros2.cli.options import (
     positive_float,
 )
 from day6_core.ros.ros2.cli.pace import Pace
-from day6_core.ros.ros2.cli.yaml_text import safe_load
+from day6_core.ros.ros2.cli.yaml_text import file_text, in_turns_with_others, load_all, safe_load
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -43,6 +44,9 @@ def add_arguments(parser: ArgumentParser) -> None:
         message_prototype,
     )
     source.add_argument("--stdin", action="store_true", help="Read values from standard input")
+    source.add_argument(
+        "--yaml-file", help="YAML file that has message contents, e.g STDOUT from ros2 topic echo <topic>"
+    )
     parser.add_argument(
         "-r", "--rate", metavar="N", type=positive_float, default=1.0, help="Publishing rate in Hz (default: 1)"
     )
@@ -92,9 +96,13 @@ async def main(session: Session, args: Namespace) -> str | None:
     text = (await session.stdin.read_all()).encode() if args.stdin else args.values
     node = await direct_node(session, args, args.node_name)
     kind = message_class(args.message_type, session.env)
-    values = await safe_load(text)
-    if not isinstance(values, dict):
+    contents: list[Any] = []
+    if args.yaml_file is not None:
+        contents = await in_turns_with_others(lambda abandoned: load_all(file_text(session, args.yaml_file), abandoned))
+    elif not isinstance(values := await safe_load(text), dict):
         return "The passed value needs to be a dictionary in YAML format"
+    else:
+        contents = [values]
     publisher = node.create_publisher(kind, args.topic_name, profile)
     times = 1 if args.once else args.times
     wanted = args.wait_matching_subscriptions
@@ -105,24 +113,23 @@ async def main(session: Session, args: Namespace) -> str | None:
     refusal = await _wait_for_subscriptions(session, publisher, wanted, args.max_wait_time_secs)
     if refusal is not None:
         return refusal
-    message = kind()
-    from rosidl_runtime_py.set_message import set_message_fields
-
-    try:
-        stamps = set_message_fields(message, values, expand_header_auto=True, expand_time_now=True)
-    except Exception as error:
-        return f"Failed to populate field: {error}"
+    publication = _Publication(session, node, publisher, kind(), args.print)
+    if args.yaml_file is None and (problem := publication.fill(contents[0])):
+        return problem
     session.print("publisher: beginning loop")
-    publication = _Publication(session, node, publisher, message, stamps, args.print)
-    publication.publish()
-    if times != 1:
-        session.executor.add_node(node)
-        pace = Pace(session, 1.0 / args.rate)
-        while publication.count != times:
+    pace = Pace(session, 1.0 / args.rate)
+    session.executor.add_node(node)
+    for content in contents if args.yaml_file is not None else repeat(None):
+        if content is not None and (problem := publication.fill(content)):
+            session.print_error(problem)
+            continue
+        if publication.count:
             await session.stdout.drain()
             await pace.turn()
             session.spin_some()
-            publication.publish()
+        publication.publish()
+        if publication.count == times:
+            break
     await session.sleep(args.keep_alive)
     return None
 
@@ -130,16 +137,26 @@ async def main(session: Session, args: Namespace) -> str | None:
 class _Publication:
     """One message, published repeatedly; its stamps are set anew every time."""
 
-    def __init__(
-        self, session: Session, node: Any, publisher: Publisher[Any], message: Any, stamps: list[Any], print_nth: int
-    ) -> None:
+    def __init__(self, session: Session, node: Any, publisher: Publisher[Any], message: Any, print_nth: int) -> None:
         self.session = session
         self.clock = node.get_clock()
         self.publisher = publisher
         self.message = message
-        self.stamps = stamps
+        self.stamps: list[Any] = []
         self.print_nth = print_nth
         self.count = 0
+
+    def fill(self, values: Any) -> str | None:
+        """Set fields of the message; return what went wrong."""
+        from rosidl_runtime_py.set_message import set_message_fields
+
+        if not isinstance(values, dict):
+            return "The contents in YAML file need to be a YAML format"
+        try:
+            self.stamps = set_message_fields(self.message, values, expand_header_auto=True, expand_time_now=True)
+        except Exception as error:
+            return f"Failed to populate field: {error}"
+        return None
 
     def publish(self) -> None:
         now = self.clock.now().to_msg() if self.stamps else None

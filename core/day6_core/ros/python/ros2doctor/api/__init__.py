@@ -119,7 +119,7 @@ def run_checks(*, include_warnings: bool = False, exclude_packages: bool = False
 
 def generate_reports(*, categories: Any = None, exclude_packages: bool = False) -> list[Report]:
     """Return all reports, or those of some categories."""
-    reports = _all(map(own_report, doctor.REPORTS), "ros2doctor.report")
+    reports = _all(map(own_report, doctor.reports()), "ros2doctor.report")
     return [
         each.report()
         for each in reports

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
-from rosidl_runtime_py import (
-    get_action_interfaces,
-    get_interface_packages,
-    get_message_interfaces,
-    get_service_interfaces,
-    message_to_yaml,
-    utilities,
-)
+from rosidl_runtime_py import get_interface_packages, message_to_yaml, utilities
+
+from day6_core.ros.ros2.interface.list import interface_names
 
 
 def package_name_completer(**kwargs: Any) -> Any:
@@ -21,12 +17,7 @@ def package_name_completer(**kwargs: Any) -> Any:
 
 def type_completer(**kwargs: Any) -> list[str]:
     """Complete the type of an interface."""
-    return sorted(
-        f"{package}/{name}"
-        for found in (get_service_interfaces(), get_message_interfaces(), get_action_interfaces())
-        for package, names in found.items()
-        for name in names
-    )
+    return interface_names(os.environ)
 
 
 def interface_to_yaml(identifier: str) -> str:
