@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from rosbags.typesys import Stores, get_typestore
@@ -22,6 +23,7 @@ from day6_core.ros.differences import (
     VERBS,
 )
 from day6_core.ros.distribution import NAMES
+from tests.ros2.ros2_machine import Machine
 from tests.support.short_folder import make_short_folder
 
 from .command import day6, sections, started, wait_for
@@ -434,13 +436,15 @@ def test_ros2_lists_the_verbs_of_its_distribution(played: dict[str, dict[str, st
         assert (verb in listed) == (name in there), words
 
 
-@pytest.mark.process
 @pytest.mark.parametrize("words", OPTIONS)
-def test_ros2_takes_the_options_of_its_distribution(words: str) -> None:
+def test_ros2_takes_the_options_of_its_distribution(
+    words: str, tmp_path: Path, in_distribution: Callable[[str], None]
+) -> None:
     options, there, _ = OPTIONS[words]
     verb, _, first = words.partition(" since ")
     for name in (NAMES[NAMES.index(first) - 1], first) if first else ("humble", "kilted"):
-        text = day6("ros2", *verb.split(), "--help", ROS_DISTRO=name).stdout
+        in_distribution(name)
+        text = Machine(tmp_path).ros2(*verb.split(), "--help").stdout
         found = {each.strip(",") for line in text.splitlines() if line.startswith("  -") for each in line.split()}
         assert (found & {*options} == {*options}) if name in there else not found & {*options}, text
 

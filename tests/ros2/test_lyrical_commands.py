@@ -216,7 +216,7 @@ def busy(machine, in_distribution):
         ("topic type", "zz\x7f\x7fturtle\r", "geometry_msgs/msg/Twist\n"),
         ("topic type", "zz\x15cmd\r", "geometry_msgs/msg/Twist\n"),
         ("topic info", "cha\r", "Type: std_msgs/msg/String\nPublisher count: 1\nSubscription count: 0\n"),
-        ("interface show", "turtle srv Kill\r", "string name\n---\n"),
+        ("interface show", "turtle srv Kill\r", "# Removes a turtle.\nstring name\n---\n"),
         ("param get", "driver\rsim\r", "Boolean value is: False\n"),
     ],
 )
