@@ -90,7 +90,7 @@ REFUSED = [
     (("--scene", "cars"), "invalid choice: 'cars' (choose from turtle, car, world, empty); did you mean car?"),
     (
         ("--distro", "jazy", "env"),
-        "invalid choice: 'jazy' (choose from humble, jazzy, kilted, rolling); did you mean jazzy?",
+        "invalid choice: 'jazy' (choose from humble, jazzy, kilted, lyrical, rolling); did you mean jazzy?",
     ),
     (("--lang", "fr", "why"), "day6-tui: error: argument --lang: invalid choice: 'fr' (choose from zh, en)"),
     (("--robot", "nofile"), "day6-tui: error: argument --robot: there is no file 'nofile'"),

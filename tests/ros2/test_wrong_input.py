@@ -112,7 +112,12 @@ WORDS = [
 
 
 COMMANDS = [
-    *([command, verb] for command in command_names() for verb in verb_names(command)),
+    *(
+        [command, verb]
+        for command in command_names()
+        for verb in verb_names(command)
+        if [command, verb] != ["daemon", "start"]
+    ),
     *([command] for command in command_names()),
     [],
 ]

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
-from xml.etree.ElementTree import Element
+from typing import TYPE_CHECKING, NamedTuple
 
 from day6_core.plain_xml import plain_xml
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
 
 _SDF_WITHOUT = ("gearbox", "revolute2", "ball", "screw", "universal", "fixed")
 """Joints of SDF that have no position to publish (joint_state_publisher.py: init_sdf)."""
