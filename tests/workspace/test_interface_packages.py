@@ -360,3 +360,97 @@ def test_other_files_of_the_package_are_read_too(workshop: Workshop) -> None:
     package(workshop, "day6_mixed", "include(cmake/more.cmake)\nadd_subdirectory(src)", files)
     done = workshop.run("colcon build > /dev/null; source install/setup.bash; ros2 run day6_mixed say.py")
     assert done.out == "from below\n" and "executable talker" in done.err
+
+
+# -- what day6-tui has not ---------------------------------------------------------------------------------------------
+
+
+def test_messages_for_which_a_package_of_ros_is_missing_are_left_out_with_those_that_use_them(
+    workshop: Workshop,
+) -> None:
+    files = {"msg/A.msg": "geographic_msgs/GeoPoint p\n", "msg/B.msg": "A a\n", "msg/C.msg": "std_msgs/Header h\n"}
+    package(workshop, "day6_own", generate(" ".join(files), "std_msgs geographic_msgs"), files, "geographic_msgs")
+    more = {"srv/D.srv": "day6_own/B b\n---\n", "srv/E.srv": "day6_own/C c\n---\n"}
+    package(workshop, "day6_more", generate(" ".join(more), "day6_own"), more, "day6_own")
+    done = workshop.run("colcon build")
+    assert done.status == 0, done.err
+    assert (
+        "day6-tui doesn't have these packages of ROS, which 'day6_own' looks for: geographic_msgs.\n"
+        "It was built without them.\n"
+        "Left out of 'day6_own': msg/A, msg/B (day6-tui doesn't have geographic_msgs)\n"
+    ) in done.err
+    assert "Left out of 'day6_more': srv/D (day6-tui doesn't have geographic_msgs)\n" in done.err
+    said = workshop.run("source install/setup.bash; ros2 interface package day6_own; ros2 interface package day6_more")
+    assert said.out == "day6_own/msg/C\nday6_more/srv/E\n"
+
+
+def test_an_interface_in_idl_is_left_out(workshop: Workshop) -> None:
+    files = {"msg/A.idl": "module day6_own { module msg { struct A { long x; }; }; };", "msg/B.msg": "int32 x\n"}
+    package(workshop, "day6_own", generate(" ".join(files)), files)
+    done = workshop.run("colcon build")
+    assert done.status == 0, done.err
+    assert "Left out of 'day6_own': msg/A (day6-tui reads .msg, .srv and .action, not .idl)\n" in done.err
+    assert workshop.run("source install/setup.bash; ros2 interface package day6_own").out == "day6_own/msg/B\n"
+
+
+@pytest.mark.parametrize(
+    ("commands", "value"),
+    [
+        ('file(READ include/v.h x)\nstring(REGEX MATCH "MAJOR ([0-9]+)" _ "${x}")\nset(x ${CMAKE_MATCH_1})', "12"),
+        (
+            'file(STRINGS include/v.h x REGEX "MAJOR")\nstring(REGEX REPLACE ".*MAJOR ([0-9]+)" "v\\\\1.\\\\1" x "${x}")',
+            "v12.12",
+        ),
+        ('string(REGEX MATCHALL "[a-c]+" x "ab1c2xb")', "ab;c;b"),
+        ('string(LENGTH talker.cpp n)\nmath(EXPR n "${n} - 4")\nstring(SUBSTRING talker.cpp 0 ${n} x)', "talker"),
+        (
+            'string(SUBSTRING talker 2 -1 x)\nstring(STRIP "  ${x} " x)\nstring(FIND "${x}" k at)\nset(x ${x}${at})',
+            "lker1",
+        ),
+        ('string(JOIN "-" x a b c)\nstring(PREPEND x "<")', "<a-b-c"),
+        ('string(COMPARE EQUAL "a" "a" x)\nstring(REPEAT "ab" 2 y)\nset(x ${x}${y})', "1abab"),
+        ("set(l a b c)\nlist(GET l 0 -1 x)\nlist(INSERT l 1 z)\nlist(FIND l z at)\nset(x ${x} ${at})", "a;c;1"),
+        ('set(l a b c)\nlist(REMOVE_AT l 0)\nlist(JOIN l "+" x)\nlist(SUBLIST l 0 1 y)\nset(x ${x}${y})', "b+cb"),
+        ("set(l a b c)\nlist(POP_BACK l x)\nlist(POP_FRONT l y)\nset(x ${x}${y}${l})", "cab"),
+        ('math(EXPR x "(7 + 2) * 3 % 5 << 1")', "4"),
+        ('math(EXPR x "255 & 0x1F" OUTPUT_FORMAT HEXADECIMAL)', "0x1f"),
+    ],
+)
+def test_what_a_lists_file_works_out_is_what_cmake_works_out(workshop: Workshop, commands: str, value: str) -> None:
+    """The values are those of cmake 3.25."""
+    lists = f'{commands}\nif(NOT "${{x}}" STREQUAL "{value}")\n  message(FATAL_ERROR "it is ${{x}}")\nendif()'
+    package(workshop, "day6_own", lists, {"include/v.h": "#define MAJOR 12\n#define MINOR 3\n"})
+    done = workshop.run("colcon build")
+    assert done.status == 0, done.err
+
+
+def test_a_c_plus_plus_package_that_stops_itself_for_want_of_something_is_left_out(workshop: Workshop) -> None:
+    lists = """\
+find_package(Spinnaker)
+if(NOT Spinnaker_FOUND)
+  message(FATAL_ERROR "Install the Spinnaker SDK first")
+endif()
+add_executable(camera camera.cpp)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+"""
+    package(workshop, "day6_camera", lists, {"launch/up.launch.py": ""})
+    done = workshop.run("colcon build")
+    assert done.status == 0, done.err
+    assert "left out of 'day6_camera': executable camera.\n" in done.err
+    assert "Its CMakeLists.txt (line 7) would stop CMake here: Install the Spinnaker SDK first\n" in done.err
+    assert (workshop.workspace / "install/day6_camera/share/day6_camera/launch/up.launch.py").is_file()
+
+
+def test_what_the_build_of_cmake_would_make_is_not_missed_by_install(workshop: Workshop) -> None:
+    lists = """\
+add_custom_command(OUTPUT made.yaml COMMAND python3 make.py)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/made.yaml TYPE DATA)
+install(FILES kept.yaml TYPE DATA)
+install(FILES x.hpp TYPE INCLUDE)
+"""
+    package(workshop, "day6_own", lists, {"kept.yaml": "a: 1\n", "x.hpp": ""})
+    done = workshop.run("colcon build")
+    assert done.status == 0, done.err
+    assert "Left out of 'day6_own': made.yaml (CMake itself makes it, and day6-tui doesn't run CMake)\n" in done.err
+    prefix = workshop.workspace / "install/day6_own"
+    assert (prefix / "share/kept.yaml").is_file() and (prefix / "include/x.hpp").is_file()

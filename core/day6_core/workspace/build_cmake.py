@@ -18,17 +18,9 @@ from pathlib import Path
 
 from ament_index_python.packages import get_packages_with_prefixes
 
-from day6_core.interfaces.definition import (
-    InvalidSpecification,
-    Structure,
-    parse_action,
-    parse_message,
-    parse_service,
-)
-from day6_core.interfaces.package import package_files
-from day6_core.interfaces.values import InvalidValue
 from day6_core.ros.left_out import replacements
 from day6_core.ros.released import is_released
+from day6_core.workspace.build_interfaces import INTERFACES, GeneratorError, InterfaceBuild
 from day6_core.workspace.build_python import python_library
 from day6_core.workspace.cmake import CMakeError, Command, read_commands
 from day6_core.workspace.interface_packages import EXPORTS, InterfacePackages, exports_text
@@ -52,17 +44,14 @@ _CPP = """
 """C++ libraries of every ROS 2 desktop. Packages name them out of habit (`ros2 pkg create --dependencies rclcpp`) and then
 install only Python programs, models or messages."""
 
-_INTERFACES = "rosidl_generate_interfaces"
-_GROUP = "rosidl_interface_packages"
-_SUFFIXES = ("msg", "srv", "action", "idl")
-_KEYWORDS = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS", "SKIP_GROUP_MEMBERSHIP_CHECK")
-
-
 _INSTALL_WORDS = """
     DESTINATION TYPE PERMISSIONS FILE_PERMISSIONS DIRECTORY_PERMISSIONS USE_SOURCE_PERMISSIONS OPTIONAL RENAME
     CONFIGURATIONS COMPONENT EXCLUDE_FROM_ALL MESSAGE_NEVER FILES_MATCHING PATTERN REGEX EXCLUDE
 """
 """Keywords that end a list of files in `install`, in any order (cmake manual, command `install`)."""
+
+_TYPES = {"BIN": "bin", "LIB": "lib", "INCLUDE": "include", "DATA": "share", "SYSCONF": "etc"}
+"""The folder of each TYPE of `install` (GNUInstallDirs)."""
 
 _COMPILER = {
     "CMAKE_VERSION": "3.28.3",
@@ -79,16 +68,9 @@ def build(package: Package, settings: BuildSettings, work: Work) -> int:
     """Build one package; returns an exit status."""
     try:
         return _CMakeBuild(package, settings, work).run()
-    except (CMakeError, _GeneratorError) as error:
+    except (CMakeError, GeneratorError) as error:
         work.stderr(str(error))
         return 1
-
-
-class _GeneratorError(ValueError):
-    """An error of the code generator for interfaces; its last line is the real generator's."""
-
-    def __init__(self, last_line: str, about: str) -> None:
-        super().__init__(f"{last_line}\n({about})\n")
 
 
 def cmake_variables(package: Package, settings: BuildSettings) -> dict[str, str]:
@@ -145,6 +127,9 @@ class _CMakeBuild:
         """Packages found by `find_package`, directly or through others."""
         self.missing: list[tuple[str, Command]] = []
         self.exported: dict[str, None] = {}
+        self.interfaces = InterfaceBuild(package, settings, self.packages, self.found.keys(), self._lacks)
+        self.not_made: dict[str, None] = {}
+        """Files to install that CMake itself would make."""
 
     def run(self) -> int:
         self.output.make_folder(self.settings.build_base / self.package.name)
@@ -161,24 +146,28 @@ class _CMakeBuild:
             self._find,
         )
         left_out = find_left_out(commands)
-        unknown = [each for each in self.missing if not is_released(each[0])]
-        if unknown and not left_out:
-            raise _not_found(*unknown[0])
+        if not left_out:
+            self._refuse(commands)
         for command in commands:
             self._run(command)
         self._finish(left_out)
-        if left_out:
-            self._report_left_out(left_out)
-        elif self.missing:
-            self.work.stderr(
-                f"day6-tui doesn't have these packages of ROS, which '{self.package.name}' looks for: {self._missing_names()}.\n"
-                "It was built without them.\n"
-            )
+        stopped = next((command for command in commands if command.stops), None)
+        if notes := list(self._notes(left_out, stopped)):
+            self.work.stderr("\n".join([*notes, ""]))
         return 0
 
+    def _refuse(self, commands: list[Command]) -> None:
+        """Stop where CMake would: at a package that nobody has, or where the project says so."""
+        for command in commands:
+            if command.stops:
+                raise command.error("".join(command.words[1:]))
+            for name, asked in self.missing:
+                if asked is command and not is_released(name):
+                    raise _not_found(name, command)
+
     def _run(self, command: Command) -> None:
-        if command.name == _INTERFACES:
-            self._generate(command)
+        if command.name == INTERFACES:
+            self.interfaces.generate(command)
         elif command.name == "install":
             self._install(command)
         elif command.name == "ament_python_install_package" and command.words:
@@ -191,20 +180,30 @@ class _CMakeBuild:
             for name in command.after("INSTALL_TO_SHARE", "NO_INSTALL_TO_SHARE", "INSTALL_TO_PATH"):
                 self._copy_tree(command.folder / name, self.share / name)
 
-    # -- left-out C++ --------------------------------------------------------------------------------------------------
+    # -- what is left out ----------------------------------------------------------------------------------------------
 
-    def _missing_names(self) -> str:
-        return ", ".join(dict.fromkeys(name for name, _ in self.missing))
-
-    def _report_left_out(self, left_out: LeftOut) -> None:
-        names = self._missing_names()
-        missing = f"Not found, and needed to compile it: {names}.\n" if names else ""
-        ours = ", ".join(replacements(self.package.name, left_out.executables))
-        instead = f"day6-tui has its own versions of these programs and starts them instead: {ours}.\n" if ours else ""
-        self.work.stderr(
-            f"day6-tui has no C++ compiler: left out of '{self.package.name}': {left_out}.\n{instead}{missing}"
-            "Everything else was built. A real ROS 2 can build all of it: `day6-tui export` makes a zip for it.\n"
-        )
+    def _notes(self, left_out: LeftOut, stopped: Command | None) -> Iterator[str]:
+        """Yield the lines that say what was not built, and why."""
+        name = self.package.name
+        missing = ", ".join(dict.fromkeys(each for each, _ in self.missing))
+        if left_out:
+            yield f"day6-tui has no C++ compiler: left out of '{name}': {left_out}."
+            if ours := ", ".join(replacements(name, left_out.executables)):
+                yield f"day6-tui has its own versions of these programs and starts them instead: {ours}."
+            if missing:
+                yield f"Not found, and needed to compile it: {missing}."
+            if stopped is not None:
+                text = " ".join("".join(stopped.words[1:]).split())
+                yield f"Its {stopped.file} (line {stopped.line}) would stop CMake here: {text}"
+        elif missing:
+            yield f"day6-tui doesn't have these packages of ROS, which '{name}' looks for: {missing}."
+            yield "It was built without them."
+        not_made = dict.fromkeys(self.not_made, "CMake itself makes it, and day6-tui doesn't run CMake")
+        reasons = self.interfaces.left_out | not_made
+        for why in dict.fromkeys(reasons.values()):
+            yield f"Left out of '{name}': {', '.join(each for each in reasons if reasons[each] == why)} ({why})"
+        if left_out:
+            yield "Everything else was built. A real ROS 2 can build all of it: `day6-tui export` makes a zip for it."
 
     # -- finding packages ----------------------------------------------------------------------------------------------
 
@@ -222,107 +221,12 @@ class _CMakeBuild:
         self.found.update(dict.fromkeys(found))
         return found
 
+    def _lacks(self, name: str) -> bool:
+        return not self._is_there(name) and is_released(name)
+
     def _is_there(self, name: str) -> bool:
         known = self.packages.share(name) is not None or name in self.settings.needs.get(self.package.name, ())
         return known or name in _CPP.split() or name.lower().startswith(_TOOLS)
-
-    # -- interfaces ----------------------------------------------------------------------------------------------------
-
-    def _generate(self, command: Command) -> None:
-        if not self.found.keys() & {"rosidl_default_generators", "rosidl_core_generators", "rosidl_cmake"}:
-            raise CMakeError(f'Unknown CMake command "{_INTERFACES}".', command.line, "", command.file)
-        if (
-            self.package.manifest is not None
-            and _GROUP not in self.package.manifest.groups
-            and not {"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"} & set(command.words)
-        ):
-            raise command.error(
-                f"Packages installing interfaces must include '<member_of_group>{_GROUP}</member_of_group>' in their "
-                "package.xml"
-            )
-        files = [word for word in _before_keywords(command.words[1:]) if Path(word).suffix[1:] in _SUFFIXES]
-        if not files:
-            raise command.error(f"{_INTERFACES}() called without any interface files")
-        known = self._known_packages(command, files)
-        listed = {f"{Path(file).suffix[1:]}/{Path(file).stem}" for file in files}
-        made: dict[str, list[str]] = {}
-        for file in files:
-            made.setdefault(Path(file).suffix[1:], []).append(self._interface(file, command, known, listed))
-        for path, text in package_files(self.package.name, sorted(made)).items():
-            self.output.write_text(python_library(self.prefix) / path, text)
-        self.python = True
-        index = "".join(f"{kind}/{name}.{kind}\n" for kind in sorted(made) for name in sorted(made[kind]))
-        self.output.write_text(
-            self.prefix / "share/ament_index/resource_index/rosidl_interfaces" / self.package.name, index
-        )
-
-    def _known_packages(self, command: Command, files: list[str]) -> set[str]:
-        """Return the packages whose messages may be used: DEPENDENCIES, those actions and services need, and their exports."""
-        named = command.after("DEPENDENCIES", *_KEYWORDS)
-        for name in named:
-            if name not in self.found:
-                raise command.error(
-                    f"{_INTERFACES}() the passed dependency '{name}' has not been found before using find_package()"
-                )
-        kinds = {Path(file).suffix for file in files}
-        implied = ["service_msgs"] if kinds & {".srv", ".action"} else []
-        implied += ["action_msgs"] if ".action" in kinds else []
-        self.exported.update(dict.fromkeys([*named, *implied]))
-        return set(self.packages.with_exported([*named, *implied]))
-
-    def _interface(self, file: str, command: Command, known: set[str], listed: set[str]) -> str:
-        """Check and install one definition; returns its name."""
-        base, colon, inside = file.rpartition(":") if Path(file).is_absolute() else ("", "", "")
-        source = Path(base, inside) if colon else command.folder / file
-        kind, name = source.suffix[1:], source.stem
-        if not source.is_file():
-            raise command.error(
-                f"{_INTERFACES}() the passed file '{source}' doesn't exist"
-                if colon
-                else f"{_INTERFACES}() the passed file '{file}' doesn't exist relative to the CMAKE_CURRENT_SOURCE_DIR "
-                f"'{command.folder}'"
-            )
-        if kind == "idl":
-            raise command.error(f"{file}: day6-tui reads .msg, .srv and .action, not .idl")
-        text = source.read_text(encoding="utf-8", errors="surrogateescape")
-        try:
-            parts = self._parse(kind, name, text)
-        except (InvalidSpecification, InvalidValue, TypeError, ValueError, NameError) as error:
-            raise command.error(f"Error processing idl file: {source}\n{type(error).__name__}: {error}") from error
-        for part in parts:
-            for field in part.fields:
-                if field.type.nested and "/msg/" in field.type.base:
-                    self._check_nested(field.type.base, file, known, listed)
-        target = self.share / kind / source.name
-        if self.settings.symlink_install:
-            self.output.link(source, target)
-        else:
-            self.output.write_text(target, text)
-        return name
-
-    def _parse(self, kind: str, name: str, text: str) -> list[Structure]:
-        if kind == "msg":
-            return [parse_message(self.package.name, kind, name, text)]
-        return (parse_service if kind == "srv" else parse_action)(self.package.name, kind, name, text)
-
-    def _check_nested(self, base: str, file: str, known: set[str], listed: set[str]) -> None:
-        """Refuse an unknown type, with the errors of generate_type_hash() in rosidl_generator_type_description."""
-        package, _, interface = base.partition("/")
-        if package == self.package.name:
-            if interface in listed:
-                return
-            folder = self.settings.build_base / package / "rosidl_generator_type_description" / package
-            about = f"{file} uses '{base}', which is not among the files of {_INTERFACES}()"
-        elif package not in known:
-            about = f"{file} uses '{base}', but '{package}' is not among the DEPENDENCIES of {_INTERFACES}()"
-            raise _GeneratorError(f"KeyError: '{package}'", about)
-        elif self.packages.has_type(package, interface):
-            return
-        else:
-            folder = self.packages.share(package) or Path(package)
-            about = f"{file} uses '{base}', but '{package}' has no such message"
-        missing = f"[Errno 2] No such file or directory: '{folder / interface}.json'"
-        raise _GeneratorError(f"FileNotFoundError: {missing}", about)
 
     # -- files ---------------------------------------------------------------------------------------------------------
 
@@ -331,6 +235,7 @@ class _CMakeBuild:
         if kind not in ("DIRECTORY", "FILES", "PROGRAMS"):
             return
         destination = command.after("DESTINATION", *_INSTALL_WORDS.split())
+        destination = destination or [_TYPES[word] for word in command.after("TYPE")[:1] if word in _TYPES]
         if not destination:
             raise command.error(f"install {kind} given no DESTINATION!")
         folder = self.prefix / destination[0]
@@ -341,6 +246,9 @@ class _CMakeBuild:
         for name in command.after(kind, *_INSTALL_WORDS.split()):
             source = command.folder / name
             if not source.exists():
+                if source.is_relative_to(self.settings.build_base / self.package.name):
+                    self.not_made[source.name] = None
+                    continue
                 if "OPTIONAL" in command.words:
                     continue
                 raise command.error(f'file INSTALL cannot find "{source}": No such file or directory.')
@@ -389,26 +297,15 @@ class _CMakeBuild:
             return
         self.output.write_text(self.prefix / "share/ament_index/resource_index/packages" / name, "")
         write_note(self.output, self.prefix, name, left_out)
-        self.output.write_text(self.share / EXPORTS, exports_text(self.exported))
+        exported = [*self.exported, *self.interfaces.exported]
+        self.output.write_text(self.share / EXPORTS, exports_text(dict.fromkeys(exported)))
         self._copy(self.package.path / "package.xml", self.share / "package.xml")
         write_package_scripts(self.output, self.prefix, name, list(self._hooks()), self.package.dependencies("run"))
 
     def _hooks(self) -> Iterator[str]:
         name = self.package.name
-        if self.python:
+        if self.python or self.interfaces.made:
             library = python_library(self.prefix).relative_to(self.prefix).as_posix()
             yield from write_hook(self.output, self.prefix, name, "pythonpath", "PYTHONPATH", library)
         yield from write_hook(self.output, self.prefix, name, "cmake_prefix_path", "CMAKE_PREFIX_PATH", "")
         yield from write_hook(self.output, self.prefix, name, "ament_prefix_path", "AMENT_PREFIX_PATH", "")
-
-
-def _before_keywords(words: list[str]) -> Iterator[str]:
-    """Yield the arguments of `rosidl_generate_interfaces` that belong to no keyword."""
-    taking = 0
-    for word in words:
-        if word in _KEYWORDS:
-            taking = {"DEPENDENCIES": sys.maxsize, "LIBRARY_NAME": 1}.get(word, 0)
-        elif taking:
-            taking -= 1
-        else:
-            yield word

@@ -13,14 +13,18 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from day6_core.user_pattern import user_pattern
 from day6_core.workspace.cmake_condition import evaluate
+from day6_core.workspace.cmake_values import VALUE_COMMANDS, items_of
 
 _COMMAND = re.compile(r"(?m)^[ \t]*([A-Za-z_]\w*)[ \t]*\(")
 _WIDTH = 77
 """Characters at which CMake wraps the paragraphs of an error."""
 _WORD = re.compile(r'\s*(?:"((?:[^"\\]|\\.)*)"|([^\s"()#]+)|(\()|(\))|(#[^\n]*))')
 _REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
+_ESCAPE = re.compile(r"\\([^A-Za-z0-9;\n\x80-\U0010ffff]|[ntr])")
+_CONTROLS = {"n": "\n", "t": "\t", "r": "\r"}
+_HIDDEN = 0xF0000
+"""Added to the code of an escaped character while variables are expanded: a private place of Unicode."""
 LISTS = "CMakeLists.txt"
 
 _BLOCKS = {"if": "endif", "foreach": "endforeach", "while": "endwhile", "function": "endfunction", "macro": "endmacro"}
@@ -83,6 +87,11 @@ class Command:
             found.append(word)
         return found
 
+    @property
+    def stops(self) -> bool:
+        """Whether CMake stops here, because the project says so."""
+        return self.name == "message" and self.words[:1] in (["FATAL_ERROR"], ["SEND_ERROR"])
+
     def error(self, text: str) -> CMakeError:
         """Return the error with which CMake stops at this command."""
         return CMakeError(text, self.line, self.name, self.file)
@@ -93,12 +102,12 @@ Find = Callable[[Command], Iterable[str]]
 
 
 def read_commands(text: str, variables: Mapping[str, str], find: Find = lambda command: ()) -> list[Command]:
-    """Return the commands that are run, in order.
+    """Return the commands that are run, in order; those after `message(FATAL_ERROR …)`, which stops CMake, too.
 
     `variables` are set from the start, those of the environment as `ENV{NAME}`; CMAKE_CURRENT_SOURCE_DIR is the text's folder.
 
     Raises:
-        CMakeError: the text is malformed, or stops itself (`message(FATAL_ERROR …)`).
+        CMakeError: the text is malformed.
     """
     run = _Run(find, Path(variables.get("CMAKE_CURRENT_SOURCE_DIR", ".")))
     run.file(_calls(text, LISTS), _Scope(dict(variables), run.top, LISTS))
@@ -244,10 +253,11 @@ class _Run:
         if call.name in ("find_package", "ament_auto_find_build_dependencies"):
             for name in self._find(command):
                 scope.variables[f"{name}_FOUND"] = "1"
-        elif call.name == "message" and words[:1] == ["FATAL_ERROR"]:
-            raise command.error("".join(words[1:]))
         elif call.name == "include" and words:
-            self._read(scope.folder / words[0], scope)
+            modules = (
+                Path(each, f"{words[0]}.cmake") for each in items_of(scope.variables.get("CMAKE_MODULE_PATH", ""))
+            )
+            self._read(next(filter(Path.is_file, modules), scope.folder / words[0]), scope)
         elif call.name == "add_subdirectory" and words:
             folder = scope.folder / words[0]
             inner = _Scope(
@@ -258,10 +268,14 @@ class _Run:
                 scope.depth,
             )
             self._read(folder / LISTS, inner)
-        elif (change := _CHANGES.get(call.name)) is not None:
-            change(command, scope)
-            if sum(map(len, (scope.variables.get(word, "") for word in words[:2]))) > _MOST_TEXT:
-                raise command.error(f"day6-tui keeps at most {_MOST_TEXT} characters in a variable.")
+        elif call.name == "set":
+            _set_variable(command, scope)
+        elif call.name == "project":
+            _project(command, scope)
+        elif (work_out := VALUE_COMMANDS.get(call.name)) is not None:
+            work_out(words, scope.variables, scope.folder)
+        if sum(map(len, (scope.variables.get(word, "") for word in words[:2]))) > _MOST_TEXT:
+            raise command.error(f"day6-tui keeps at most {_MOST_TEXT} characters in a variable.")
         self.commands.append(command)
 
     def _call(self, function: _Function, call: _Call, words: list[str], scope: _Scope) -> None:
@@ -293,10 +307,12 @@ class _Run:
             return
         shown = Path(os.path.relpath(path, self.top)).as_posix()
         text = path.read_text(encoding="utf-8", errors="replace")
-        before = scope.file
+        before, folder = scope.file, scope.variables.get("CMAKE_CURRENT_LIST_DIR", "")
         scope.file, scope.depth = shown, scope.depth + 1
+        scope.variables["CMAKE_CURRENT_LIST_DIR"] = str(path.parent)
         self.file(_calls(text, shown), scope)
         scope.file, scope.depth = before, scope.depth - 1
+        scope.variables["CMAKE_CURRENT_LIST_DIR"] = folder
 
     def file(self, calls: list[_Call], scope: _Scope) -> None:
         """Run the commands of a file or function, up to a `return`."""
@@ -325,136 +341,10 @@ def _set_variable(command: Command, scope: _Scope) -> None:
         target.pop(name, None)
 
 
-def _option(command: Command, scope: _Scope) -> None:
-    if command.words:
-        value = command.words[2] if len(command.words) > 2 else "OFF"
-        scope.variables.setdefault(command.words[0], value)
-
-
-def _unset(command: Command, scope: _Scope) -> None:
-    for name in command.words[:1]:
-        scope.variables.pop(name, None)
-
-
-def _list(command: Command, scope: _Scope) -> None:
-    if len(command.words) < 2:
-        return
-    verb, name, *values = command.words
-    items = [item for item in scope.variables.get(name, "").split(";") if item]
-    if verb in ("APPEND", "PREPEND"):
-        items = [*items, *values] if verb == "APPEND" else [*values, *items]
-    elif verb == "REMOVE_ITEM":
-        items = [item for item in items if item not in values]
-    elif verb == "REMOVE_DUPLICATES":
-        items = list(dict.fromkeys(items))
-    elif verb in ("SORT", "REVERSE"):
-        items = sorted(items) if verb == "SORT" else items[::-1]
-    elif verb == "FILTER" and len(values) == 3 and values[1] == "REGEX":
-        wanted = values[0] == "INCLUDE"
-        items = [item for item in items if _matches(values[2], item) == wanted]
-    elif verb == "LENGTH" and values:
-        scope.variables[values[0]] = str(len(items))
-        return
-    else:
-        return
-    scope.variables[name] = ";".join(items)
-
-
-def _matches(pattern: str, text: str) -> bool:
-    try:
-        return user_pattern(pattern).search(text) is not None
-    except re.error:
-        return False
-
-
-def _file(command: Command, scope: _Scope) -> None:
-    if len(command.words) > 1 and command.words[0] in ("GLOB", "GLOB_RECURSE"):
-        mode, name, *words = command.words
-        scope.variables[name] = ";".join(_globbed(mode, words, scope.folder))
-
-
-def _globbed(mode: str, words: list[str], folder: Path) -> Iterator[str]:
-    """Yield the files that `file(GLOB …)` finds."""
-    words = [word for word in words if word not in ("CONFIGURE_DEPENDS", "LIST_DIRECTORIES", "true", "false")]
-    start = None
-    if words[:1] == ["RELATIVE"] and len(words) > 1:
-        start, words = folder / words[1], words[2:]
-    for word in words:
-        where, pattern = (folder / word).parent, Path(word).name
-        for path in sorted(where.rglob(pattern) if mode == "GLOB_RECURSE" else where.glob(pattern)):
-            yield (path.relative_to(start) if start is not None and start in path.parents else path).as_posix()
-
-
 def _project(command: Command, scope: _Scope) -> None:
     for name in command.words[:1]:
         scope.variables.update({"PROJECT_NAME": name, "CMAKE_PROJECT_NAME": name})
         scope.variables["PROJECT_SOURCE_DIR"] = str(scope.folder)
-
-
-def _filename_component(command: Command, scope: _Scope) -> None:
-    if len(command.words) < 3:
-        return
-    name, text, mode = command.words[:3]
-    path = Path(text)
-    parts = {
-        "NAME": path.name,
-        "NAME_WE": path.name.partition(".")[0],
-        "NAME_WLE": path.stem,
-        "EXT": "".join(path.name.partition(".")[1:]),
-        "LAST_EXT": path.suffix,
-        "DIRECTORY": "" if str(path.parent) == "." else path.parent.as_posix(),
-        "PATH": "" if str(path.parent) == "." else path.parent.as_posix(),
-        "ABSOLUTE": os.path.normpath(scope.folder / path),
-        "REALPATH": os.path.realpath(scope.folder / path),
-    }
-    scope.variables[name] = parts.get(mode, "")
-
-
-def _string(command: Command, scope: _Scope) -> None:
-    verb, *words = command.words or [""]
-    if verb in ("TOLOWER", "TOUPPER") and len(words) == 2:
-        scope.variables[words[1]] = words[0].lower() if verb == "TOLOWER" else words[0].upper()
-    elif verb == "REPLACE" and len(words) >= 4:
-        scope.variables[words[2]] = "".join(words[3:]).replace(words[0], words[1])
-    elif verb == "APPEND" and words:
-        scope.variables[words[0]] = scope.variables.get(words[0], "") + "".join(words[1:])
-    elif verb == "CONCAT" and words:
-        scope.variables[words[0]] = "".join(words[1:])
-
-
-def _parse_arguments(command: Command, scope: _Scope) -> None:
-    """Run `cmake_parse_arguments(PREFIX OPTIONS ONE_VALUE MANY_VALUES ARG…)`, which packages' functions use."""
-    if len(command.words) < 4:
-        return
-    prefix, *lists = command.words[:4]
-    options, ones, many = ([each for each in text.split(";") if each] for text in lists)
-    found: dict[str, list[str]] = {}
-    current = "UNPARSED_ARGUMENTS"
-    for word in (part for each in command.words[4:] for part in each.split(";")):
-        if word in options or word in ones or word in many:
-            current = "UNPARSED_ARGUMENTS" if word in options else word
-            found[word] = ["TRUE"] if word in options else []
-            continue
-        found.setdefault(current, []).append(word)
-        if current in ones:
-            current = "UNPARSED_ARGUMENTS"
-    for name in (*options, *ones, *many, "UNPARSED_ARGUMENTS"):
-        scope.variables.pop(f"{prefix}_{name}", None)
-        if name in options or name in found:
-            scope.variables[f"{prefix}_{name}"] = ";".join(found.get(name, ["FALSE"]))
-
-
-_CHANGES: dict[str, Callable[[Command, _Scope], None]] = {
-    "set": _set_variable,
-    "option": _option,
-    "unset": _unset,
-    "list": _list,
-    "file": _file,
-    "project": _project,
-    "get_filename_component": _filename_component,
-    "string": _string,
-    "cmake_parse_arguments": _parse_arguments,
-}
 
 
 def _items(words: list[str], variables: Mapping[str, str]) -> Iterator[str]:
@@ -476,7 +366,7 @@ def _items(words: list[str], variables: Mapping[str, str]) -> Iterator[str]:
         if word in ("LISTS", "ITEMS"):
             mode = word
         elif mode == "LISTS":
-            yield from (item for item in variables.get(word, "").split(";") if item)
+            yield from items_of(variables.get(word, ""))
         else:
             yield word
 
@@ -539,13 +429,22 @@ def _all_expanded(words: Iterable[str], variables: Mapping[str, str]) -> list[st
 
 def _expanded(word: str, variables: Mapping[str, str]) -> list[str]:
     quoted = word.startswith('"')
-    value = word[1:] if quoted else word
+    value = _ESCAPE.sub(_hidden, word[1:] if quoted else word)
     for _ in range(10):  # ${A_${B}} from the inside out
         changed = _REFERENCE.sub(lambda match: _value(match[1], match[2], variables), value)
         if changed == value or len(changed) > _MOST_TEXT:
             break
         value = changed
-    return [value] if quoted else [part for part in value.split(";") if part]
+    return [_shown(value)] if quoted else [_shown(part) for part in value.split(";") if part]
+
+
+def _hidden(escape: re.Match[str]) -> str:
+    """Return the character that an escape sequence stands for, hidden from what expands variables."""
+    return _CONTROLS.get(escape[1]) or chr(_HIDDEN + ord(escape[1]))
+
+
+def _shown(text: str) -> str:
+    return "".join(chr(ord(each) - _HIDDEN) if _HIDDEN < ord(each) < _HIDDEN + 128 else each for each in text)
 
 
 def _value(kind: str | None, name: str, variables: Mapping[str, str]) -> str:

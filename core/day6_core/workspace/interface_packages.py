@@ -18,6 +18,9 @@ from day6_core.workspace.manifest import ManifestError, read_manifest
 EXPORTS = "cmake/ament_cmake_export_dependencies-extras.cmake"
 """The file below `share/<package>` that lists the exported packages."""
 
+LEFT_OUT = "share/ament_index/resource_index/day6_left_out_interfaces"
+"""The resource of the ament index in which a package lists its interfaces that were not built: name and reason in each line."""
+
 GENERATORS = {
     "rosidl_default_generators": ("action_msgs", "service_msgs"),
     "rosidl_default_runtime": ("action_msgs", "service_msgs"),
@@ -67,6 +70,14 @@ class InterfacePackages:
         share = self.share(package)
         kind, _, name = interface.partition("/")
         return share is not None and any((share / kind / f"{name}.{end}").is_file() for end in (kind, "idl"))
+
+    def left_out(self, package: str) -> dict[str, str]:
+        """Return the interfaces that the build of a package left out, like `msg/Point`, and why."""
+        try:
+            lines = Path(self._prefixes.get(package, ""), LEFT_OUT, package).read_text(encoding="utf-8").splitlines()
+        except OSError:
+            return {}
+        return {name: why for name, _, why in (line.partition(" ") for line in lines)}
 
     def _read(self, package: str) -> list[str]:
         share = self.share(package)

@@ -65,6 +65,24 @@ def test_a_package_of_c_plus_plus_says_plainly_why_it_is_not_built(machine: Any,
 
 
 @pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (
+            "echo 'find_package(catkin REQUIRED)' >> CMakeLists.txt",
+            "This is a package of ROS 1 (catkin), and this is ROS 2",
+        ),
+        ("sed -i 's/ament_cmake<.build_type>/ament_pyton<\\/build_type>/' package.xml", "ament_pyton"),
+        ("sed -i '/build_type/d' package.xml; rm CMakeLists.txt", "package.xml has no build_type, or a wrong one"),
+    ],
+)
+def test_a_manifest_of_another_kind_is_what_is_blamed(machine: Any, tall: Any, change: str, told: str) -> None:
+    assert machine.run(f"cd ros2_ws/src; ros2 pkg create --build-type ament_cmake car; cd car; {change}").status == 0
+    seen = said(tall, "cd ~/ros2_ws; colcon build")
+    card = said(tall, "why")
+    assert told in seen + card and "compiler" not in seen + card
+
+
+@pytest.mark.parametrize(
     ("manifest", "told"),
     [
         ("<package><name>car</name></package>", "<version> is missing in {file}"),
