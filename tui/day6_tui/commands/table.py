@@ -76,6 +76,7 @@ _OWN = (
     Command("export", "programs", "day6_core.workspace.export"),
     Command("why", "programs", "day6_tui.commands.why"),
     Command("cast", "programs", "day6_tui.cast.command"),
+    Command("bag-csv", "programs", "day6_tui.commands.bag_csv"),
     Command("ros2", "ros", _ROS, "ros2"),
     Command("colcon", "ros", _ROS, "colcon"),
     Command("help", "own", "day6_tui.commands.help"),
