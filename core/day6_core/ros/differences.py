@@ -54,6 +54,7 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
         True,
         "ros2/rclpy#1456: Node.declare_parameters raises TypeError; its words are taken to be those of the warning",
     ),
+    "rclpy.async_node": _since_lyrical(False, True, "ros2/rclpy#1620: rclpy/experimental/async_node.py"),
     "rclpy.deprecated_names": _since_lyrical(
         True, False, "ros2/rclpy#1456: RMW_QOS_POLICY_… of the policies and the module qos_event; see also RCLPY"
     ),
@@ -412,7 +413,7 @@ KEPT: dict[str, str] = {
 
 UNSETTLED: dict[str, str] = {
     "Rolling": "is Lyrical, from which it goes on: what came after May 2026 isn't told apart",
-    "rclpy of Lyrical": "lacks AsyncNode (rclpy#1620), get_servers_info_by_service and its sister (#1307), the graph of actions "
+    "rclpy of Lyrical": "lacks get_servers_info_by_service and its sister (#1307), the graph of actions "
     "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510)",
     "ros2 of Lyrical": "has the words of its own sources where those could be read; what a command says after --timeout or "
     "--service-timeout (#1185), which of its verbs choose and how they ask (#1151), a `---` after each of several fields (#964), "

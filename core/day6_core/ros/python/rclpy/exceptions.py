@@ -133,3 +133,10 @@ class ROSInterruptException(Exception):
 
     def __init__(self) -> None:
         super().__init__("rclpy.shutdown() has been called")
+
+
+class TimeSourceChangedError(Exception):
+    """Simulated time was switched on or off while somebody slept (Lyrical)."""
+
+    def __init__(self) -> None:
+        super().__init__("Time source changed")
