@@ -185,3 +185,11 @@ def test_times_and_durations_show_their_nanoseconds() -> None:
     assert str(Infinite) == "Infinite"
     assert Infinite.nanoseconds == LARGEST
     assert Duration(nanoseconds=5).get_c_duration().nanoseconds == 5
+
+
+def test_a_time_is_a_datetime_but_not_that_of_a_steady_clock() -> None:
+    from datetime import datetime
+
+    assert Time(seconds=3, nanoseconds=500_000_000).to_datetime() == datetime.fromtimestamp(3.5)
+    with pytest.raises(TypeError, match="should be either ROS_TIME or SYSTEM_TIME"):
+        Time(clock_type=ClockType.STEADY_TIME).to_datetime()

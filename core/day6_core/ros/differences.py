@@ -286,6 +286,7 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
     "rclpy.parameter:parameter_dict_from_yaml_file": _since("jazzy", _RCLPY),
     "rclpy.service:Service.configure_introspection": _since("jazzy", _RCLPY),
     "rclpy.service:Service.service_name": _since("jazzy", _RCLPY),
+    "rclpy.time:Time.to_datetime": _since("lyrical", "ros2/rclpy#1443: rclpy/time.py"),
     "rclpy.subscription:Subscription.get_publisher_count": _since("jazzy", _RCLPY),
 }
 """`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
@@ -414,7 +415,7 @@ KEPT: dict[str, str] = {
 UNSETTLED: dict[str, str] = {
     "Rolling": "is Lyrical, from which it goes on: what came after May 2026 isn't told apart",
     "rclpy of Lyrical": "lacks get_servers_info_by_service and its sister (#1307), the graph of actions "
-    "in Node (#1574), a datetime of Time (#1443), is_spinning (#1510)",
+    "in Node (#1574), is_spinning (#1510)",
     "ros2 of Lyrical": "has the words of its own sources where those could be read; what a command says after --timeout or "
     "--service-timeout (#1185), which of its verbs choose and how they ask (#1151), a `---` after each of several fields (#964), "
     "words for a wrong entry of an array (#996) are as seemed likely; topics that come after `--all` are not followed",

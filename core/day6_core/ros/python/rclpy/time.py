@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, overload
 
 from rclpy._day6.incidental import also
+from rclpy._day6.withdrawn import withdraw
 from rclpy.clock_type import ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
 
 if TYPE_CHECKING:
+    from datetime import datetime
+
     import builtin_interfaces.msg
 
 __getattr__ = also(__name__)
@@ -134,6 +137,18 @@ class Time:
         seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)
         return builtin_interfaces.msg.Time(sec=seconds, nanosec=nanoseconds)
 
+    def to_datetime(self) -> datetime:
+        """Return the time in the local time zone, without one.
+
+        Raises:
+            TypeError: for a time of a steady clock.
+        """
+        from datetime import datetime
+
+        if self.clock_type not in (ClockType.ROS_TIME, ClockType.SYSTEM_TIME):
+            raise TypeError("Time object's clock type should be either ROS_TIME or SYSTEM_TIME")
+        return datetime.fromtimestamp(self._nanoseconds / S_TO_NS)
+
     @classmethod
     def from_msg(cls, msg: builtin_interfaces.msg.Time, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
         """Convert a builtin_interfaces/Time message.
@@ -146,3 +161,6 @@ class Time:
         if not isinstance(msg, builtin_interfaces.msg.Time):
             raise TypeError("Must pass a builtin_interfaces.msg.Time object")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)
+
+
+withdraw(__name__)
