@@ -83,6 +83,13 @@ def test_what_does_not_fit_is_told(machine: RVizMachine, display: Any, image: Im
     assert lines(display)["Message"][1].startswith(told) and not points(machine)
 
 
+def test_a_camera_without_calibration_is_told(machine: RVizMachine, display: Any) -> None:
+    machine.rviz.edit(display.topic, "/other/depth")
+    machine.settle()
+    machine.publish("/other/depth", picture(np.ones((2, 2), np.float32), "32FC1"))
+    assert lines(display)["Message"] == ("Warn", "No CameraInfo received on [/other/camera_info].")
+
+
 def test_what_something_nearer_hides_stays_fainter_for_a_while(machine: RVizMachine, display: Any) -> None:
     machine.rviz.edit(display.behind, True)
     machine.rviz.edit(display.timeout, 5.0)

@@ -5,13 +5,15 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import sys
 from itertools import chain
 from pathlib import Path
 
 from day6_core.advice import known
+from day6_core.advice.foreign_modules import NEXT, PIP, family_of
 from day6_core.advice.lookers_line import of_slip
 from day6_core.advice.looking import Found, Situation, found, looker
-from day6_core.advice.rules import cause_of
+from day6_core.advice.rules import apt_name, cause_of, own_module
 from day6_core.advice.typed import slip_of_command
 from day6_core.facts.folders import files_in, names_in
 from day6_core.facts.names import CLOSE, nearest
@@ -29,6 +31,7 @@ from day6_core.facts.workspaces import (
     why_unknown,
     workspaces_around,
 )
+from day6_core.interfaces import registry
 from day6_core.language import language_of
 from day6_core.ros.differences import has_interface, has_package
 from day6_core.ros.distribution import setup_script
@@ -45,6 +48,33 @@ def python(scene: Situation) -> Found | None:
     text = cause_of(scene.fault, scene.around, language_of(scene.variables))
     run = re.search(r"(?:[Rr]un:|先运行：|可以运行：) ?(.+)$", text)
     return found("said", run[1] if run is not None else "", text=text) if text else None
+
+
+@looker
+def own_python(scene: Situation) -> Found | None:
+    """A file of the pupil's that Python finds in place of its own module, or of ROS's."""
+    name = own_module(scene.said, scene.around, scene.fault.file if scene.fault is not None else "")
+    if not name:
+        return None
+    key = "module.own_python" if name in sys.stdlib_module_names else "module.own_file"
+    return found(key, f"mv {name}.py my_{name}.py", file=f"{name}.py", name=name)
+
+
+@looker
+def foreign(scene: Situation) -> Found | None:
+    """A package of ROS that is not here: what it is for, and what can do its part; for one of ours, whether ROS is sourced."""
+    name = scene.value("name").partition(".")[0]
+    if (Path(registry.OWN_SHARE) / name).is_dir():
+        return ros_itself(scene) if has_package(name) else None
+    family = family_of(name)
+    if (
+        not family
+        or name in PIP
+        or name in known_packages(scene)
+        or why_unknown(name, scene.variables, scene.cwd) is not None
+    ):
+        return None
+    return found(f"foreign.{family}", NEXT.get(family, ""), name=name, apt=apt_name(name))
 
 
 @looker

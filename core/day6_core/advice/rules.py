@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
+import sys
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from pathlib import Path
 from day6_core.advice import known
 from day6_core.advice.callbacks import cause_in_source
 from day6_core.advice.fault import Fault, fault_in
-from day6_core.advice.foreign_modules import AMBIGUOUS, COMMON, NOT_HERE, OF_MATH, OF_ROS_1, PIP, SAMPLES
+from day6_core.advice.foreign_modules import AMBIGUOUS, COMMON, OF_MATH, OF_ROS_1, PIP, SAMPLES, family_of
 from day6_core.advice.matching import card_for
 from day6_core.advice.own_names import cause_of_name, never_begun
 from day6_core.advice.syntax_slips import line_of, slip_in_line
@@ -217,6 +218,8 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
     found = re.match(r"No module named '([\w.]+)'", fault.message)
     if found is None:
         return ""
+    if text := _own_file(fault, around, language):
+        return text
     whole = found[1]
     outer, _, last = whole.rpartition(".")
     if outer and (line := _import_of(last, around)):
@@ -236,13 +239,41 @@ def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
         return _say("module.moved", language, name=whole, distro=current(), now=turtlesim)
     if whole in OF_ROS_1:
         return _say("module.ros1", language, name=whole, now=OF_ROS_1[whole])
-    if whole in NOT_HERE:
-        apt = f"ros-{current()}-{whole.replace('_', '-')}"
-        return _say("module.not_here", language, name=whole, apt=apt)
     if whole in PIP:
         return _say("module.pip", language, name=whole, package=PIP[whole])
+    if family := family_of(whole):
+        return _say(f"foreign.{family}", language, name=whole, apt=apt_name(whole))
     near = nearest(whole, known.modules(around.variables), CLOSE)
     return _say("module.near", language, name=whole, near=near) if near else ""
+
+
+def apt_name(package: str) -> str:
+    """What apt calls a package of ROS on a real machine."""
+    return f"ros-{current()}-{package.replace('_', '-')}"
+
+
+_SHADOWED = (
+    re.compile(r"cannot import name '\w+' from (?:partially initialized module )?'(\w+)'"),
+    re.compile(r"(?:partially initialized )?module '(\w+)' has no attribute"),
+    re.compile(r"No module named '(\w+)\.[\w.]+'; '\w+' is not a package"),
+)
+"""What is said of a module that isn't the one that was meant."""
+
+
+def own_module(message: str, around: Surroundings, file: str = "") -> str:
+    """Return the module of Python, pip or ROS in whose place a file in the program's folder was found, '' if there is none."""
+    said = next((found for each in _SHADOWED if (found := each.search(message))), None)
+    folders = (around.cwd, (around.cwd / file).parent)
+    if said is None or not any((folder / f"{said[1]}.py").is_file() for folder in folders):
+        return ""
+    others = said[1] in sys.stdlib_module_names or said[1] in PIP or said[1] in known.modules(around.variables)
+    return said[1] if others else ""
+
+
+def _own_file(fault: Fault, around: Surroundings, language: str) -> str:
+    name = own_module(fault.message, around, fault.file)
+    key = "module.own_python" if name in sys.stdlib_module_names else "module.own_file"
+    return _say(key, language, file=f"{name}.py", name=name) if name else ""
 
 
 def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
@@ -258,6 +289,8 @@ def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
 
 
 def _no_import(fault: Fault, around: Surroundings, language: str) -> str:
+    if text := _own_file(fault, around, language):
+        return text
     found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", fault.message)
     if found is None:
         return ""
@@ -305,9 +338,8 @@ def _import_of(name: str, around: Surroundings, launch: bool = False) -> str:
 
 
 def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
-    module = re.match(r"(?:partially initialized )?module '(\w+)' has no attribute", fault.message)
-    if module is not None and (around.cwd / f"{module[1]}.py").is_file():
-        return _say("module.own_file", language, file=f"{module[1]}.py", name=module[1])
+    if text := _own_file(fault, around, language):
+        return text
     found = re.match(r"'(\w+)' object has no attribute '(\w+)'", fault.message)
     if found is None:
         return ""

@@ -205,10 +205,115 @@ TEXTS: dict[str, tuple[str, str]] = {
         "in {distro} the interfaces of turtlesim are in {now}: write {now} instead of {name}, in package.xml too",
         "在 {distro} 里，turtlesim 的接口在 {now} 里：把 {name} 写成 {now}，package.xml 里也一样",
     ),
-    "module.not_here": (
+    "foreign.nav2": (
         (
-            "{name} is a ROS package that day6-tui doesn't have, and neither does pip. "
-            "On a real robot: sudo apt install {apt}"
+            "{name} is a part of Navigation2, which plans a robot's way and drives it; neither day6-tui nor pip "
+            "has it. To drive through a room with a lidar yourself: ros2 run day6_world world"
+        ),
+        (
+            "{name} 是 Navigation2 的一部分，给机器人规划路线并开过去；day6-tui 里没有，用 pip 也装不上。"
+            "自己写节点在有激光雷达的房间里开：ros2 run day6_world world"
+        ),
+    ),
+    "foreign.simulator": (
+        (
+            "{name} belongs to a simulator (Gazebo, Webots), which neither day6-tui nor pip has. There is a "
+            "small world with walls and a lidar: ros2 run day6_world world"
+        ),
+        (
+            "{name} 是仿真器（Gazebo、Webots）的，day6-tui 里没有，用 pip 也装不上。"
+            "这里有一个带墙和激光雷达的小世界：ros2 run day6_world world"
+        ),
+    ),
+    "foreign.moveit": (
+        (
+            "{name} is a part of MoveIt, which plans the movements of arms; neither day6-tui nor pip has it. On "
+            "a real robot: sudo apt install {apt}"
+        ),
+        (
+            "{name} 是 MoveIt 的一部分，给机械臂规划动作；day6-tui 里没有，用 pip 也装不上。真机上运行：sudo apt "
+            "install {apt}"
+        ),
+    ),
+    "foreign.slam": (
+        (
+            "{name} draws maps of what a lidar sees; neither day6-tui nor pip has it. A world with a lidar is "
+            "here: ros2 run day6_world world"
+        ),
+        (
+            "{name} 用激光雷达的数据画地图；day6-tui 里没有，用 pip 也装不上。这里有带激光雷达的小世界：ros2 run "
+            "day6_world world"
+        ),
+    ),
+    "foreign.localization": (
+        (
+            "{name} merges sensors into one position; neither day6-tui nor pip has it. The world here knows "
+            "where its car is (/odom and /tf): ros2 run day6_world world"
+        ),
+        (
+            "{name} 把几个传感器合成一个位置；day6-tui 里没有，用 pip 也装不上。这里的小世界知道车在哪里（/odom "
+            "和 /tf）：ros2 run day6_world world"
+        ),
+    ),
+    "foreign.control": (
+        (
+            "{name} belongs to ros2_control, which moves the joints of real and simulated robots; neither "
+            "day6-tui nor pip has it. Its messages are here (control_msgs)"
+        ),
+        (
+            "{name} 是 ros2_control 的，用来驱动真的和仿真的机器人关节；day6-tui 里没有，用 pip 也装不上。"
+            "它的消息 control_msgs 这里有"
+        ),
+    ),
+    "foreign.lidar": (
+        (
+            "{name} is the driver of a lidar; neither day6-tui nor pip has it. A lidar that needs no device: "
+            "ros2 run day6_world world"
+        ),
+        "{name} 是激光雷达的驱动；day6-tui 里没有，用 pip 也装不上。不用设备的激光雷达：ros2 run day6_world world",
+    ),
+    "foreign.camera": (
+        (
+            "{name} is for cameras; neither day6-tui nor pip has it. Images without a camera: ros2 run "
+            "image_tools cam2image --ros-args -p burger_mode:=true"
+        ),
+        (
+            "{name} 是给摄像头用的；day6-tui 里没有，用 pip 也装不上。不用摄像头的图像：ros2 run image_tools "
+            "cam2image --ros-args -p burger_mode:=true"
+        ),
+    ),
+    "foreign.joystick": (
+        (
+            "{name} reads a gamepad; neither day6-tui nor pip has it. With the keyboard: ros2 run "
+            "teleop_twist_keyboard teleop_twist_keyboard"
+        ),
+        (
+            "{name} 读游戏手柄；day6-tui 里没有，用 pip 也装不上。用键盘：ros2 run teleop_twist_keyboard "
+            "teleop_twist_keyboard"
+        ),
+    ),
+    "foreign.turtlebot": (
+        (
+            "{name} belongs to the TurtleBot; neither day6-tui nor pip has it. A car to drive in its place: ros2 "
+            "run day6_world world"
+        ),
+        "{name} 是 TurtleBot 的；day6-tui 里没有，用 pip 也装不上。可以开这里的小车：ros2 run day6_world world",
+    ),
+    "foreign.browser": (
+        (
+            "{name} connects ROS to web pages and apps; neither day6-tui nor pip has it. On a real robot: sudo "
+            "apt install {apt}"
+        ),
+        "{name} 把 ROS 和网页、应用连起来；day6-tui 里没有，用 pip 也装不上。真机上运行：sudo apt install {apt}",
+    ),
+    "foreign.board": (
+        "{name} connects ROS to a microcontroller or a flight controller; neither day6-tui nor pip has it",
+        "{name} 把 ROS 和单片机或飞控连起来；day6-tui 里没有，用 pip 也装不上",
+    ),
+    "foreign.other": (
+        (
+            "{name} is a ROS package that day6-tui doesn't have, and neither does pip. On a real robot: sudo apt "
+            "install {apt}"
         ),
         "{name} 是 ROS 的功能包，day6-tui 里没有，用 pip 也装不上。真机上运行：sudo apt install {apt}",
     ),
@@ -340,6 +445,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "keyword.near": (
         "{name} in line {line} is misspelled: write {near}",
         "第 {line} 行的 {name} 拼错了：要写 {near}",
+    ),
+    "module.own_python": (
+        "your own file {file} has the name of Python's module {name}, so Python finds it first: rename your file",
+        "你自己的文件 {file} 和 Python 的模块 {name} 同名，Python 用了你的那个：给自己的文件换个名字",
     ),
     "module.own_file": (
         "your own file {file} has the name of the module {name}, so Python finds it first: rename your file",

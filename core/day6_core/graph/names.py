@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 MAX_NODE_NAME = 255
@@ -185,8 +184,7 @@ def is_hidden(name: str) -> bool:
     return any(part.startswith("_") for part in name.split("/"))
 
 
-@dataclass(frozen=True)
-class RemapRule:
+class RemapRule(NamedTuple):
     """One `-r match:=replacement`; `node` limits it to nodes of that name."""
 
     kind: Literal["name", "node", "namespace"]

@@ -77,9 +77,9 @@ class MeetingPoint:
         """
         if self._session is None:
             return
-        import ctypes
+        from _ctypes import Py_INCREF  # not ctypes, as which a student's file may be called
 
-        ctypes.pythonapi.Py_IncRef(ctypes.py_object(self._session))
+        Py_INCREF(self._session)
         _kept.append(self)
 
     def close(self) -> None:

@@ -35,24 +35,75 @@ def test_what_is_wrong_in_bash_too_is_not_called_lacking(tall: Any, typed: str) 
 
 @pytest.mark.process
 @pytest.mark.parametrize(
-    ("module", "told"),
+    ("module", "told", "next_"),
     [
-        ("cv_bridge", "sudo apt install ros-jazzy-cv-bridge"),
-        ("nav2_msgs.action", "sudo apt install ros-jazzy-nav2-msgs"),
-        ("rospy", "rospy belongs to ROS 1, and this is ROS 2: here it is rclpy"),
-        ("tf.transformations", "tf belongs to ROS 1, and this is ROS 2: here it is tf2_ros"),
+        ("vision_msgs.msg", "sudo apt install ros-jazzy-vision-msgs", ""),
+        ("nav2_msgs.action", "a part of Navigation2, which plans a robot's way", "ros2 run day6_world world"),
+        ("rospy", "rospy belongs to ROS 1, and this is ROS 2: here it is rclpy", ""),
+        ("tf.transformations", "tf belongs to ROS 1, and this is ROS 2: here it is tf2_ros", ""),
     ],
 )
 def test_a_package_of_ros_that_is_not_here_is_not_looked_for_in_pip(
-    machine: Any, tall: Any, module: str, told: str
+    machine: Any, tall: Any, module: str, told: str, next_: str
 ) -> None:
     (machine.desk.home / "camera.py").write_text(f"import {module}\n")
     seen = said(tall, "python3 camera.py")
     assert "hint: " in seen and told in seen and "pip3" not in seen
     card = said(tall, "why")
-    assert told in card and "pip3" not in card and "Type next" not in card
+    assert told in card and "pip3" not in card and (f"Type next {next_}" in card if next_ else "Type next" not in card)
     tall.line("export DAY6_LANG=zh")
     assert "提示：" in said(tall, "python3 camera.py")
+
+
+@pytest.mark.parametrize(
+    ("line", "told", "next_"),
+    [
+        ("ros2 run moveit_ros_move_group move_group", "MoveIt, which plans the movements of arms", ""),
+        ("ros2 launch gazebo_ros gazebo.launch.py", "a simulator (Gazebo, Webots)", "ros2 run day6_world world"),
+        ("ros2 run usb_cam usb_cam_node_exe", "is for cameras", "ros2 run image_tools cam2image"),
+        ("ros2 run teleop_twist_joy teleop_node", "reads a gamepad", "ros2 run teleop_twist_keyboard"),
+        ("ros2 run nav2_mgs x", "", ""),
+    ],
+)
+def test_a_package_that_nobody_has_here_is_told_as_what_it_is(tall: Any, line: str, told: str, next_: str) -> None:
+    assert "not found" in said(tall, line)
+    card = said(tall, "why")
+    assert told in card and (f"Type next {next_}" in card if next_ else "day6_world" not in card)
+
+
+@pytest.mark.process
+@pytest.mark.parametrize(
+    ("name", "what"),
+    [
+        ("operator", "ImportError: cannot import name 'eq' from 'operator'"),
+        ("string", "ImportError: cannot import name 'Template' from 'string'"),
+    ],
+)
+def test_a_file_named_as_a_module_of_python_hurts_as_on_real_ros_and_is_told(
+    machine: Any, tall: Any, name: str, what: str
+) -> None:
+    """What real rclpy 9.1.2 ended with, without the wheels' own start-up files."""
+    (machine.desk.home / f"{name}.py").write_text("def add(a, b):\n    return a + b\n")
+    (machine.desk.home / "node.py").write_text("import rclpy\n")
+    seen = said(tall, "python3 node.py")
+    told = f"your own file {name}.py has the name of Python's module {name}"
+    assert what in seen and told in seen
+    card = said(tall, "why")
+    assert told[1:] in card and f"Type next mv {name}.py my_{name}.py" in card
+
+
+@pytest.mark.process
+def test_files_named_as_modules_that_real_rclpy_does_without_hurt_nobody(machine: Any, tall: Any) -> None:
+    names = ("signal", "hashlib", "ctypes", "dataclasses")
+    for name in names:
+        (machine.desk.home / f"{name}.py").write_text("MINE = 7\n")
+    (machine.desk.home / "node.py").write_text(
+        "import rclpy\nfrom std_msgs.msg import String\nrclpy.init()\nnode = rclpy.create_node('n')\n"
+        "node.create_publisher(String, 'chatter', 10).publish(String())\nrclpy.spin_once(node, timeout_sec=0.1)\n"
+        f"import {', '.join(names)}\nprint('sum', {' + '.join(f'{name}.MINE' for name in names)})\nrclpy.shutdown()\n"
+    )
+    seen = said(tall, "python3 node.py; echo status $?")
+    assert "sum 28 status 0" in seen and "Error" not in seen
 
 
 def test_a_package_of_c_plus_plus_says_plainly_why_it_is_not_built(machine: Any, tall: Any) -> None:

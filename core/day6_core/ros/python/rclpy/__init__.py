@@ -21,6 +21,7 @@ import rclpy.exceptions
 import rclpy.impl  # noqa: F401
 from day6_core.ros.differences import value
 from rclpy._day6.incidental import also
+from rclpy._day6.shadowed import fail_as_real
 from rclpy._day6.withdrawn import withdraw
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
     from rclpy.executors import Executor
     from rclpy.node import Node
 
-
+fail_as_real()
 if value("rclpy.deprecated_names"):
     __path__.append(f"{__path__[0]}/_day6/until_kilted")
 

@@ -7,7 +7,6 @@ ExternalShutdownException.
 
 from __future__ import annotations
 
-import signal
 import threading
 from collections.abc import Callable
 from functools import partial
@@ -20,7 +19,11 @@ from rclpy._rclpy_pybind11 import SignalHandlerOptions as SignalHandlerOptions
 from rclpy.guard_condition import GuardCondition
 
 if TYPE_CHECKING:
+    import signal
+
     from rclpy.context import Context
+else:
+    import _signal as signal  # what signal is made of: in real rclpy a student's own signal.py is in nobody's way
 
 __getattr__ = also(__name__, "InvalidHandle")
 

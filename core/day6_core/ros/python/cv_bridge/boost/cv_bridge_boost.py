@@ -52,7 +52,7 @@ _WEIGHTS = {"r": 9798, "g": 19235, "b": 3735}
 def opencv(what: str) -> ModuleType:
     """The module cv2. Raises RuntimeError, naming `what` needs it, if it isn't installed."""
     try:
-        import cv2
+        import cv2  # type: ignore[import-not-found,unused-ignore]
     except ImportError:
         text = f"{what} needs OpenCV, and Python has no module cv2: pip3 install opencv-python-headless"
         raise RuntimeError(text) from None

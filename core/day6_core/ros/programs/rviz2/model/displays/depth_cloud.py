@@ -100,6 +100,11 @@ class DepthCloudDisplay(PointsDisplay):
         lines = (self.reliability, self.hint, self.colour_topic, self.colour_hint, self.queue)
         return (self.topic.value, *(line.value for line in lines))
 
+    @property
+    def info_topic(self) -> str:
+        """`camera_info` beside the topic of the depths (image_transport's getCameraInfoTopic)."""
+        return f"{str(self.topic.value).rpartition('/')[0]}/camera_info"
+
     def _subscribe(self) -> None:
         self._subscribed = self._wanted()
         if not self.topic.value or not self.hint.value:
@@ -112,9 +117,10 @@ class DepthCloudDisplay(PointsDisplay):
             depth=self.queue.value, history=HistoryPolicy.KEEP_LAST, reliability=RELIABILITY[self.reliability.value]
         )
         self.filter_size.value = self.queue.value
-        info_topic = f"{str(self.topic.value).rpartition('/')[0]}/camera_info"
         wanted = [(self.topic.value, self.message_type, self._incoming, self.topic_line, profile)]
-        wanted.append((info_topic, "sensor_msgs/msg/CameraInfo", self._info_came, "Message", qos_profile_sensor_data))
+        wanted.append(
+            (self.info_topic, "sensor_msgs/msg/CameraInfo", self._info_came, "Message", qos_profile_sensor_data)
+        )
         if self.colour_topic.value:
             wanted.append((self.colour_topic.value, self.message_type, self._picture_came, "Message", profile))
         found = [self._try_to_subscribe(*each) for each in wanted]
@@ -152,6 +158,9 @@ class DepthCloudDisplay(PointsDisplay):
             at = stamp_ns(message.header.stamp)
             picture = min(self._pictures, key=lambda each: abs(stamp_ns(each.header.stamp) - at))
         pose = self.place(message.header)
+        if self._info is None:
+            # The original says nothing and shows nothing.
+            self.put_status(WARN, "Message", f"No CameraInfo received on [{self.info_topic}].")
         if self._info is None or pose is None:
             return
         self.put_status(OK, "Depth Image Size", f"{message.width} x {message.height}")
