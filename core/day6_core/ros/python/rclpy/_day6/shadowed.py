@@ -19,5 +19,7 @@ def fail_as_real() -> None:
     """Import what real rclpy imports, if a file beside the program may break it. Raises what that raises."""
     folder = sys.path[0] if sys.path else ""
     if any(isfile(f"{folder or '.'}/{name}.py") for name in _NEEDED):
+        from importlib import import_module
+
         for module in ("concurrent.futures", "yaml", "numpy"):
-            __import__(module)
+            import_module(module)
