@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from day6_tui.locale import catalogue
 from tests.support.source_files import nodes, trees
 
-KEY = re.compile(r"[a-z_]+(\.\w+)+")
+KEY = re.compile(r"[a-z_]+(\.[\w-]+)+")
 
 
 def keys_in(tree: ast.AST) -> Iterator[str]:
@@ -18,9 +18,9 @@ def keys_in(tree: ast.AST) -> Iterator[str]:
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and KEY.fullmatch(node.value):
             yield re.escape(node.value)
         elif isinstance(node, ast.JoinedStr):
-            parts = [re.escape(part.value) if isinstance(part, ast.Constant) else r"[\w.]+" for part in node.values]
+            parts = [re.escape(part.value) if isinstance(part, ast.Constant) else r"[\w.-]+" for part in node.values]
             fixed = "".join(part.value for part in node.values if isinstance(part, ast.Constant))
-            if re.fullmatch(r"[\w.]*[a-z][\w.]*", fixed) and "." in fixed:
+            if re.fullmatch(r"[\w.-]*[a-z][\w.-]*", fixed) and "." in fixed:
                 yield "".join(parts)
 
 

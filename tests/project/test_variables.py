@@ -39,7 +39,13 @@ OF_LANGUAGES = {
         "REPLY",
         "SHLVL",
     },
-    "CMake's, in a CMakeLists.txt": {"CMAKE_CURRENT_SOURCE_DIR", "PROJECT_SOURCE_DIR", "UNPARSED_ARGUMENTS"},
+    "CMake's, in a CMakeLists.txt": {
+        "CMAKE_CURRENT_LIST_DIR",
+        "CMAKE_CURRENT_SOURCE_DIR",
+        "CMAKE_MODULE_PATH",
+        "PROJECT_SOURCE_DIR",
+        "UNPARSED_ARGUMENTS",
+    },
 }
 """Variables of the languages that are interpreted here, whose tables are called `variables`, too."""
 

@@ -11,6 +11,7 @@ from operator import attrgetter
 
 import pytest
 
+from day6_core.ros.differences import RCLPY
 from rclpy import qos
 from rclpy.clock_type import ClockType
 from rclpy.duration import Duration
@@ -63,7 +64,9 @@ def test_what_is_ours_alone_begins_with_an_underscore(recorded: Table) -> None:
             if known is not None and "members" in known:
                 members = (member for member in each.get("members", ()) if not member.startswith("__"))
                 extra += [f"{module}.{name}.{member}" for member in members if member not in known["members"]]
-    assert sorted(extra) == _INSTANCE_ATTRIBUTES
+    newer = {key.replace(":", ".") for key, (there, _) in RCLPY.items() if "kilted" not in there}
+    known = [name for name in extra if name not in newer and not name.startswith("rclpy.experimental.async_")]
+    assert sorted(known) == _INSTANCE_ATTRIBUTES
 
 
 def test_names_of_pythons_library_are_found_where_editors_take_them_from() -> None:

@@ -84,7 +84,7 @@ class AsyncClock:
 class AsyncTimer:
     """Calls a function, or awaits a coroutine function, once a period; the next call waits for the end of the last."""
 
-    def __init__(self, period_ns: int, clock: AsyncClock, callback: Callable[..., Any], autostart: bool) -> None:
+    def __init__(self, period_ns: int, clock: AsyncClock, callback: Callable[..., object], autostart: bool) -> None:
         self._period_ns = period_ns
         self._clock = clock
         self.callback = callback
@@ -150,7 +150,7 @@ class AsyncTimer:
             expected, now = self._next_ns, self._clock.now()
             behind = max(0, now.nanoseconds - expected) // self._period_ns if self._period_ns else 0
             self._next_ns = expected + (behind + 1) * self._period_ns
-            await called(self.callback, *([self._info(expected, now)] if _takes_info(self.callback) else []))
+            await _called(self.callback, *([self._info(expected, now)] if _takes_info(self.callback) else []))
 
     def _info(self, expected_ns: int, now: Any) -> TimerInfo:
         return TimerInfo(
@@ -158,7 +158,7 @@ class AsyncTimer:
         )
 
 
-async def called(callback: Callable[..., Any], *arguments: Any) -> Any:
+async def _called(callback: Callable[..., Any], *arguments: Any) -> Any:
     """Call a function, or await a coroutine function."""
     result = callback(*arguments)
     return await result if inspect.isawaitable(result) else result

@@ -14,27 +14,35 @@ from collections import deque
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.experimental.async_clock import AsyncClock, AsyncTimer, called
+from rclpy.experimental.async_clock import AsyncClock, AsyncTimer, _called
 from rclpy.node import Node
 from rclpy.qos import HistoryPolicy, QoSProfile, qos_profile_services_default
 from rclpy.task import Future
+from rclpy.type_support import MsgT, SrvRequestT, SrvResponseT
 
 if TYPE_CHECKING:
     from typing_extensions import Self
+
+    from rclpy._day6.typing_names import ServiceType
+    from rclpy.client import Client
+    from rclpy.publisher import Publisher
+    from rclpy.service import Service
+    from rclpy.subscription import Subscription
+    from rclpy.subscription_content_filter_options import ContentFilterOptions
 
 _OLDEST = (3, 11)
 """asyncio.TaskGroup."""
 _LOOK_SECONDS = 0.1
 
 
-class AsyncClient:
+class AsyncClient(Generic[SrvRequestT, SrvResponseT]):
     """A client whose `call` is awaited."""
 
-    def __init__(self, node: AsyncNode, client: Any) -> None:
+    def __init__(self, node: AsyncNode, client: Client[SrvRequestT, SrvResponseT]) -> None:
         self._node = node
         self._client = client
 
@@ -46,7 +54,7 @@ class AsyncClient:
         while not self._client.service_is_ready():
             await asyncio.sleep(check_interval)
 
-    async def call(self, request: Any) -> Any:
+    async def call(self, request: SrvRequestT) -> SrvResponseT:
         """Send a request and return the response.
 
         Raises:
@@ -55,9 +63,9 @@ class AsyncClient:
         if self._node._is_destroyed:
             raise RuntimeError("Calling a destroyed client is forbidden")
         loop = asyncio.get_running_loop()
-        answer: asyncio.Future[Any] = loop.create_future()
+        answer: asyncio.Future[SrvResponseT] = loop.create_future()
 
-        def arrived(future: Future[Any]) -> None:  # on the executor's thread
+        def arrived(future: Future[SrvResponseT]) -> None:  # on the executor's thread
             loop.call_soon_threadsafe(lambda: None if answer.done() else answer.set_result(future.result()))
 
         sent = self._client.call_async(request)
@@ -92,11 +100,12 @@ class AsyncNode(Node):
         self._taking: threading.Thread | None = None
         self._async_clock: AsyncClock | None = None
         super().__init__(node_name, **options)
-        self._async_clock = AsyncClock(super().get_clock())
 
-    def get_clock(self) -> Any:
+    def get_clock(self) -> AsyncClock:  # type: ignore[override]
         """Return the node's clock, with `await clock.sleep(seconds)`."""
-        return self._async_clock or super().get_clock()
+        if self._async_clock is None:
+            self._async_clock = AsyncClock(super().get_clock())
+        return self._async_clock
 
     # -- running -------------------------------------------------------------------------------------------------------
 
@@ -173,22 +182,24 @@ class AsyncNode(Node):
 
     # -- endpoints -----------------------------------------------------------------------------------------------------
 
-    def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **options: Any) -> Any:
+    def create_publisher(  # type: ignore[override]
+        self, msg_type: type[MsgT], topic: str, qos_profile: QoSProfile | int
+    ) -> Publisher[MsgT]:
         """Make a publisher. Raises RuntimeError after the node was destroyed."""
         self._refuse_after_the_end("publisher")
-        return super().create_publisher(msg_type, topic, qos_profile, **options)
+        return super().create_publisher(msg_type, topic, qos_profile)
 
     def create_subscription(  # type: ignore[override]
         self,
-        msg_type: Any,
+        msg_type: type[MsgT],
         topic: str,
-        callback: Callable[..., Any],
+        callback: Callable[..., object],
         qos_profile: QoSProfile | int,
         *,
         raw: bool = False,
         concurrent: bool = False,
-        content_filter_options: Any = None,
-    ) -> Any:
+        content_filter_options: ContentFilterOptions | None = None,
+    ) -> Subscription[MsgT]:
         """Make a subscription: `callback(message)` or `callback(message, info)` runs on the event loop for each message.
 
         While it runs, so many messages wait as the history of the QoS profile keeps; with `concurrent` none waits. Raises
@@ -210,13 +221,13 @@ class AsyncNode(Node):
 
     def create_service(  # type: ignore[override]
         self,
-        srv_type: Any,
+        srv_type: type[ServiceType[SrvRequestT, SrvResponseT]],
         srv_name: str,
-        callback: Callable[..., Any],
+        callback: Callable[..., object],
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
         concurrent: bool = False,
-    ) -> Any:
+    ) -> Service[SrvRequestT, SrvResponseT]:
         """Make a server: `callback(request, response)` runs on the event loop and returns the response.
 
         Requests are answered one after the other, with `concurrent` at once. Raises RuntimeError after the node was destroyed.
@@ -230,22 +241,26 @@ class AsyncNode(Node):
             return await answer
 
         async def answered(request: Any, response: Any, answer: Future[Any]) -> None:
-            answer.set_result(await called(callback, request, response))
+            answer.set_result(await _called(callback, request, response))
 
         self._run_with_node(lambda: self._serve(inbox, answered, concurrent))
         group = ReentrantCallbackGroup()  # an answer takes its time, and nothing may wait for it
         return super().create_service(srv_type, srv_name, taken, qos_profile=qos_profile, callback_group=group)
 
     def create_client(  # type: ignore[override]
-        self, srv_type: Any, srv_name: str, *, qos_profile: QoSProfile = qos_profile_services_default
-    ) -> Any:
+        self,
+        srv_type: type[ServiceType[SrvRequestT, SrvResponseT]],
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+    ) -> AsyncClient[SrvRequestT, SrvResponseT]:
         """Make a client, whose `call` is awaited. Raises RuntimeError after the node was destroyed."""
         self._refuse_after_the_end("client")
         return AsyncClient(self, super().create_client(srv_type, srv_name, qos_profile=qos_profile))
 
     def create_timer(  # type: ignore[override]
-        self, timer_period_sec: float, callback: Callable[..., Any], autostart: bool = True
-    ) -> Any:
+        self, timer_period_sec: float, callback: Callable[..., object], autostart: bool = True
+    ) -> AsyncTimer:
         """Make a timer with a period in seconds of ROS time. Raises RuntimeError after the node was destroyed."""
         self._refuse_after_the_end("timer")
         timer = AsyncTimer(int(float(timer_period_sec) * 1e9), self.get_clock(), callback, autostart)
@@ -271,9 +286,9 @@ class AsyncNode(Node):
             arguments = await inbox.get()
             if concurrent:
                 self._tasks = [task for task in self._tasks if not task.done()]
-                self._begin(lambda arguments=arguments: called(callback, *arguments))  # type: ignore[misc]
+                self._begin(lambda arguments=arguments: _called(callback, *arguments))  # type: ignore[misc]
             else:
-                await called(callback, *arguments)
+                await _called(callback, *arguments)
 
 
 class _Inbox:
