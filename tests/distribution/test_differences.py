@@ -48,11 +48,12 @@ PLAYED = NAMES[:-1]
 """Rolling has what Lyrical has: `test_rolling_goes_on_from_lyrical`."""
 
 PROGRAM = """
-import json, sys
+import json, sys, warnings
 from importlib import import_module
 import rclpy
 from rclpy.node import Node
 from rclpy.qos import HistoryPolicy
+from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 import example_interfaces.srv as srv
 from example_interfaces.srv import AddTwoInts
@@ -72,6 +73,15 @@ def said(call):
     except Exception as error:
         return f"{type(error).__name__}: {error}"
 
+def set_to(value):
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        joints = JointState(name=value)
+    try:
+        joints.name = 5
+    except AssertionError as error:
+        return [f"{each.category.__name__}: {each.message}" for each in told], type(joints.name).__name__, str(error)
+
 manager = rclpy.init()
 node = Node("asked")
 print(json.dumps({
@@ -81,6 +91,8 @@ print(json.dumps({
     "wrong": said(lambda: String(data=5)),
     "unchecked": said(lambda: String(data=5, check_fields=False)),
     "slots": list(String.__slots__),
+    "set": set_to({"a"}),
+    "tuple": set_to(("a",)),
     "alone": said(lambda: node.declare_parameters("", [("alone",)])),
     "old_policy": said(lambda: HistoryPolicy.RMW_QOS_POLICY_HISTORY_KEEP_LAST),
     "qos_event": said(lambda: import_module("rclpy.qos_event")),
@@ -295,6 +307,16 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
     refused = "AssertionError: Invalid arguments passed to constructor: check_fields"
     assert asked["unchecked"] == (refused if name == "humble" else None)
     assert asked["slots"] == (["_data"] if name == "humble" else ["_data", "_check_fields"])
+
+
+@pytest.mark.process
+@pytest.mark.parametrize("name", PLAYED)
+def test_sets_for_arrays_are_deprecated_in_lyrical_and_tuples_become_lists(asked: dict[str, object], name: str) -> None:
+    old = name != "lyrical"
+    refused = f"The 'name' field must be {'a set or ' if old else ''}sequence and each value of type 'str'"
+    warning = "Using set or subclass of set is deprecated, please use a subclass of collections.abc.Sequence like list"
+    assert asked["set"] == [[] if old else [f"DeprecationWarning: {warning}"], "set" if old else "list", refused]
+    assert asked["tuple"] == [[], "tuple" if old else "list", refused]
 
 
 @pytest.mark.process

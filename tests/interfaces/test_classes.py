@@ -280,12 +280,21 @@ def test_an_action_has_the_parts_of_its_protocol() -> None:
     assert (Fibonacci.Impl.__module__, Fibonacci.Impl.__qualname__) == (Fibonacci.__module__, "Fibonacci.Impl")
 
 
-def test_an_assigned_array_is_kept_and_a_list_becomes_one() -> None:
-    from sensor_msgs.msg import JointState
+def test_an_assigned_array_is_copied_as_in_real_ros_and_kept_where_fields_are_checked() -> None:
+    from sensor_msgs.msg import CameraInfo, JointState
 
     mine = array("d", [1.0])
-    state = JointState()
+    state = JointState(position=mine)
+    mine[0] = 2.0
+    assert state.position == array("d", [1.0])
     state.position = mine
-    assert state.position is mine
-    state.velocity = [2.0]
-    assert state.velocity == array("d", [2.0])
+    mine[0] = 3.0
+    assert state.position == array("d", [2.0])
+    strict = JointState(check_fields=True)
+    strict.position = mine
+    assert strict.position is mine
+    info = CameraInfo()
+    own = info.r
+    info.k = own
+    own[0] = 5.0
+    assert info.k[0] == 0.0

@@ -88,8 +88,8 @@ def test_a_message_is_read_with_padding_and_in_either_byte_order() -> None:
     [
         ("8UC1", "mono8", r"[8UC1] is not a color format. but [mono8] is. The conversion does not make sense"),
         ("8UC3", "32FC1", "[8UC3] and [32FC1] do not have the same number of channel"),
-        ("bgr8", "8UC1",
-         "[bgr8] is a color format but [8UC1] is not so they must have the same OpenCV type, CV_8UC3, CV16UC1 ...."),
+        ("bgr8", "8UC1", ("[bgr8] is a color format but [8UC1] is not so they must have the same OpenCV type, CV_8UC3, "
+         "CV16UC1 ....")),
         ("bgr8", "bayer_rggb8", "Unsupported conversion from [bgr8] to [bayer_rggb8]"),
         ("bayer_rggb8", "bgra8", "Unsupported conversion from [bayer_rggb8] to [bgra8]"),
         ("bgr8", "brg8", "Unknown encoding brg8"),

@@ -28,6 +28,17 @@ CHECK_FIELDS: bool | int = (
     {"0": False, "1": True}.get(os.environ.get("ROS_PYTHON_CHECK_FIELDS", ""), TEACHING) if IS_OPTION else __debug__
 )
 """The `_check_fields` of new messages; read once at import, as in real ROS."""
+WARNS_OF_SETS: bool = differences.value("messages.sets") == "deprecated"
+KEEPS_WHAT_FITS: bool = differences.value("messages.keep_what_fits")
+_SEQUENCE = "sequence" if WARNS_OF_SETS else "a set or sequence"
+
+
+def warn_of_set() -> None:
+    """Say what newer distributions say of a set for an array field."""
+    from warnings import warn
+
+    text = "Using set or subclass of set is deprecated, please use a subclass of collections.abc.Sequence like list"
+    warn(text, DeprecationWarning, stacklevel=2)
 
 
 def slot_lines(message: str) -> list[str]:
@@ -129,7 +140,7 @@ def _elements_fit(type_: FieldType, value: Any, python: type) -> bool:
 
 
 def _collection_text(type_: FieldType, name: str, python: type) -> str:
-    text = f"The '{name}' field must be a set or sequence"
+    text = f"The '{name}' field must be {_SEQUENCE}"
     if type_.count != UNBOUNDED:
         text += f" with length {'' if type_.count == ARRAY else '<= '}{type_.size}"
     text += f" and each value of type '{python.__name__}'"
@@ -158,7 +169,7 @@ def checked_array(type_: FieldType, name: str, value: Any, check: bool | int) ->
             raise AssertionError(f"The '{name}' array.array() must have the type code of '{code}'")
         if not _length_fits(type_, len(value)):
             raise AssertionError(f"The '{name}' array.array() must have a size <= {type_.size}")
-        return value
+        return value if check is True or KEEPS_WHAT_FITS else array(code, value)
     kind = type(value)
     plain = (kind is bytes or kind is bytearray) and code == "B"
     if not plain and (kind is list or kind is tuple):
@@ -209,7 +220,7 @@ def checked_ndarray(type_: FieldType, name: str, value: Any, check: bool | int) 
             raise AssertionError(f"The '{name}' numpy.ndarray() must have the dtype of 'numpy.{primitive.numpy}'")
         if value.size != type_.size:
             raise AssertionError(f"The '{name}' numpy.ndarray() must have a size of {type_.size}")
-        return value
+        return value if check is True else numpy.array(value)
     if check is not True and (made := _made(numpy.array, value, dtype)) is not None and made.size == type_.size:
         return made
     _check_collection(type_, name, value, None)

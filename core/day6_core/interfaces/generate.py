@@ -6,6 +6,7 @@ valid value after one test and leave the rest to `checks`. Copying and CDR are g
 
 from __future__ import annotations
 
+from _collections_abc import Set
 from array import array
 from keyword import iskeyword
 from operator import attrgetter
@@ -86,6 +87,8 @@ def build_message(structure: Structure, find_class: Callable[[str], type]) -> ty
         "check": checks.CHECK_FIELDS,
         "check_arguments": checks.check_arguments,
         "check_value": checks.check_value,
+        "warn_of_set": checks.warn_of_set,
+        "Set": Set,
         "checked_array": checks.checked_array,
         "checked_ndarray": checks.checked_ndarray,
     }
@@ -163,8 +166,12 @@ def python_constant(constant: Constant) -> Any:
 def _setter_lines(field: Field) -> list[str]:
     """Return the setter `set_<name>(self, value)`: one test for the usual valid value, `checks` for everything else."""
     name, type_, primitive = field.name, field.type, field.type.primitive
-    header = f"def set_{name}(self, value):"
+    lines = [f"def set_{name}(self, value):"]
+    if checks.WARNS_OF_SETS and type_.count != SINGLE:
+        lines += ["    if type(value) is not list and isinstance(value, Set):", "        warn_of_set()"]
     store = f"    self._{name} = value"
+    if checks.KEEPS_WHAT_FITS and type_.count != SINGLE and not type_.is_numeric_array():
+        store += " if isinstance(value, list) else list(value)"
     if type_.is_numeric_array():
         assert primitive is not None
         if type_.count == ARRAY:
@@ -174,9 +181,9 @@ def _setter_lines(field: Field) -> list[str]:
         value = (
             f"    value = {checked}(T_{name}, {name!r}, value, self._check_fields) if self._check_fields else {plain}"
         )
-        return [header, value, store]
+        return [*lines, value, store]
     test = f"    if self._check_fields and {_bad_value_test(field)}:"
-    return [header, test, f"        check_value(T_{name}, {name!r}, value, E_{name})", store]
+    return [*lines, test, f"        check_value(T_{name}, {name!r}, value, E_{name})", store]
 
 
 def _bad_value_test(field: Field) -> str:

@@ -63,6 +63,15 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
         "option",
         "ros2/rosidl_python#194: resource/_msg.py.em, branches humble and jazzy (where day6-tui checks unless told not to)",
     ),
+    "messages.sets": _since_lyrical(
+        "taken", "deprecated", "ros2/rosidl_python#243: resource/_msg.py.em (no longer `must be a set or sequence`)"
+    ),
+    "messages.keep_what_fits": _since_lyrical(
+        False,
+        True,
+        "ros2/rosidl_python: setters as later than #243 generated: an array.array is kept, a tuple becomes a list (before: array "
+        "copied, tuple kept)",
+    ),
     "messages.have_hashes": _in_humble(
         False, True, "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported"
     ),
