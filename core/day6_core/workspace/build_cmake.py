@@ -27,6 +27,7 @@ from day6_core.workspace.interface_packages import EXPORTS, InterfacePackages, e
 from day6_core.workspace.jobs import Work
 from day6_core.workspace.left_out import LeftOut, write_note
 from day6_core.workspace.left_out import left_out as find_left_out
+from day6_core.workspace.options import cmake_definitions
 from day6_core.workspace.packages import Package
 from day6_core.workspace.settings import BuildSettings
 from day6_core.workspace.setup_scripts import write_hook, write_package_scripts
@@ -88,10 +89,21 @@ def cmake_variables(package: Package, settings: BuildSettings) -> dict[str, str]
         "CMAKE_INSTALL_PREFIX": str(prefix),
         "PYTHON_INSTALL_DIR": python_library(prefix).relative_to(prefix).as_posix(),
         **_COMPILER,
+        **_defined(package, settings),
         "BUILD_TESTING": "OFF",  # anything only tests need is not built here
         **({"UNIX": "1"} if sys.platform != "win32" else {}),
         **({system: "1"} if system else {}),
     }
+
+
+def _defined(package: Package, settings: BuildSettings) -> dict[str, str]:
+    """Return the variables that `--cmake-args` and the like define for a package."""
+    options = [
+        "cmake_args",
+        *({"ros.ament_cmake": ["ament_cmake_args"], "ros.catkin": ["catkin_cmake_args"]}.get(package.type, [])),
+    ]
+    words = [word for option in options for word in settings.option(option) or ()]
+    return cmake_definitions(words)[0]
 
 
 def _not_found(name: str, command: Command) -> CMakeError:

@@ -28,7 +28,7 @@ from day6_core.workspace.order import OrderError, Planned, check_unique, plan
 from day6_core.workspace.package_tests import test
 from day6_core.workspace.packages import Package, find_packages, refuse_sources
 from day6_core.workspace.results import show_results
-from day6_core.workspace.selection import SelectionError, select, without_ignored
+from day6_core.workspace.selection import LOGGER, SelectionError, select, without_ignored
 from day6_core.workspace.settings import BuildSettings
 from day6_core.workspace.setup_scripts import write_workspace_scripts
 
@@ -67,6 +67,8 @@ class Colcon:
     def run(self) -> int:
         """Run the verb. File system errors are reported with the name of the file."""
         verb = self.args.verb_name
+        for logger, text in self.args.remarks:
+            self.warn(logger, text)
         try:
             try:
                 self.log.write("logger_all.log", f"[0.000s] DEBUG:colcon:Command line arguments: {['colcon', verb]}\n")
@@ -125,19 +127,12 @@ class Colcon:
         settings.needs = {each.package.name: each.needs for each in planned}
         jobs = self._jobs(planned, "build", settings, find_task)
         self.selected = [each.package.name for each in planned if each.selected]
-        self._warn_of_overriding(planned, settings.install_base)
+        if text := overriding.warning(self.selected, args.allow_overriding, settings.install_base, self.environment):
+            self.warn(LOGGER, text)
         outcome = self._execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
         chained = self._chained(settings.install_base)
         write_workspace_scripts(settings.output, settings.install_base, chained)
         return outcome
-
-    def _warn_of_overriding(self, planned: list[Planned], install_base: Path) -> None:
-        allowed = self.args.allow_overriding
-        for name in allowed:
-            if name not in {each.package.name for each in planned}:
-                self.warn(overriding.LOGGER, f"ignoring unknown package '{name}' in --allow-overriding")
-        if text := overriding.warning(self.selected, allowed, install_base, self.environment):
-            self.warn(overriding.LOGGER, text)
 
     def test(self) -> int:
         """Run `colcon test`; returns the exit status."""
@@ -206,7 +201,7 @@ class Colcon:
             merge_install=args.merge_install,
             symlink_install=getattr(args, "symlink_install", False),
             test_result_base=results,
-            pytest_args=getattr(args, "pytest_args", None) or [],
+            args=args,
         )
 
     def _jobs(

@@ -20,7 +20,7 @@ async def main(session: Session) -> int:
     from day6_core.session.folder import LOST
     from day6_core.workspace.arguments import build_parser, parse
     from day6_core.workspace.colcon import Colcon
-    from day6_core.workspace.events import Console
+    from day6_core.workspace.events import LOG_LEVELS, Console
 
     environment.activate()
     try:
@@ -34,7 +34,8 @@ async def main(session: Session) -> int:
     if not session.cwd.is_dir():  # creating `build` would create it again
         session.print_error(f"colcon: {LOST}")
         return 1
-    console = Console(session.stdout, session.stderr, environment=session.env)
+    level = LOG_LEVELS.get(args.log_level.upper()) or int(args.log_level)
+    console = Console(session.stdout, session.stderr, environment=session.env, log_level=level)
     colcon = Colcon(args, console, session.cwd, environment.as_program(session.env))
     status = await _in_thread(colcon.run, colcon.interrupt)
     for name in colcon.selected:

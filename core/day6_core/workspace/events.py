@@ -11,6 +11,9 @@ from typing import Protocol
 from day6_core.session.streams import OutputStream
 from day6_core.workspace.style import Styler
 
+LOG_LEVELS = {"CRITICAL": 50, "ERROR": 40, "WARNING": 30, "INFO": 20, "DEBUG": 10}
+"""The levels of colcon's log."""
+
 INTERRUPTED = "SIGINT"
 """The result of a job ended by Ctrl-C; other results are numbers."""
 
@@ -46,6 +49,8 @@ class Console:
     status: str = ""
     """The status line on the screen now, to be wiped before anything else is printed."""
     environment: Mapping[str, str] = field(default_factory=dict)
+    log_level: int = LOG_LEVELS["WARNING"]
+    """What is less important than this is not printed."""
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
     def __post_init__(self) -> None:
@@ -86,8 +91,8 @@ class Console:
         """Print a message of colcon's log: `[0.123s] WARNING:colcon.…: text`; a plain line if `logger` is empty."""
         if not logger:
             self.err(f"{text}\n")
-            return
-        self.err(f"[{time.monotonic() - self.begun:.3f}s] {level}:{logger}:{text}\n")
+        elif LOG_LEVELS[level] >= self.log_level:
+            self.err(f"[{time.monotonic() - self.begun:.3f}s] {level}:{logger}:{text}\n")
 
 
 class Events:

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 
-from ament_index_python.packages import get_packages_with_prefixes
-from ament_index_python.search_paths import BUILT_IN_PREFIX
+from ament_index_python.resources import names_in
+from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
 
 from day6_core.ros.distribution import current
 from day6_core.workspace.manifest import ManifestError, read_manifest
-
-LOGGER = "colcon.colcon_core.package_selection"
 
 _DESKTOP = frozenset({
     "action_tutorials_cpp", "action_tutorials_interfaces", "action_tutorials_py", "composition", "demo_nodes_cpp",
@@ -40,22 +38,27 @@ def warning(
     selected: Collection[str], allowed: Iterable[str], install_base: Path, environment: Mapping[str, str]
 ) -> str:
     """Return what colcon warns of before it builds the packages `selected`, '' if none overrides another one's dependency."""
-    underlay = {
-        name: prefix
-        for name, prefix in get_packages_with_prefixes(environment).items()
-        if not Path(prefix).is_relative_to(install_base)
-    }
-    overriding = {name for name in selected if name in underlay}.difference(allowed)
+    underlay = [
+        (name, prefix)
+        for prefix in get_search_paths(environment)
+        if Path(prefix) != install_base
+        for name in names_in(prefix, "packages")
+    ]
+    overriding = {name for name, _ in underlay if name in selected}.difference(allowed)
     if not overriding:
         return ""
-    built = {entry.name for entry in install_base.iterdir()} if install_base.is_dir() else set()
-    needed = {name for name in overriding & _DESKTOP if underlay[name] == BUILT_IN_PREFIX}
-    for name, prefix in underlay.items():
+    index = install_base / "share" / "colcon-core" / "packages"
+    built = {entry.name for entry in index.iterdir()} if index.is_dir() else set()
+    needed = {name for name in overriding & _DESKTOP if (name, BUILT_IN_PREFIX) in underlay}
+    for name, prefix in underlay:
         if name not in selected and name not in built:
             needed |= overriding.intersection(_run_dependencies(Path(prefix, "share", name), environment))
     if not needed:
         return ""
-    places = "".join(f"\n\t'{name}' is in: {_shown(underlay[name])}" for name in sorted(needed))
+    places = "".join(
+        f"\n\t'{name}' is in: {', '.join(_shown(prefix) for each, prefix in underlay if each == name)}"
+        for name in sorted(needed)
+    )
     text = f"Some selected packages are already built in one or more underlay workspaces:{places}"
     return text + _ADVICE.format(names=" ".join(sorted(needed)))
 

@@ -73,8 +73,22 @@ class _Run:
         self.results = (settings.test_result_base or settings.build_base) / package.name
 
     def python(self) -> int:
-        """Run all tests that pytest finds in a Python package; returns pytest's status."""
+        """Run the tests of a Python package; returns the status of pytest or unittest."""
+        if self.settings.option("python_testing") == "setuppy_test":
+            return self._unittest()
         return self._pytest([], self.results / "pytest.xml", self.environment)
+
+    def _unittest(self) -> int:
+        for option in ("retest-until-fail", "retest-until-pass"):
+            if self.settings.option(option.replace("-", "_")):
+                self._warn(
+                    f"Ignored '--{option}' for package '{self.package.name}' since 'unittest' does not support the usage"
+                )
+        words = [sys.executable, "-m", "unittest", "-v", *(self.settings.option("unittest_args") or ())]
+        return self.work.run(words, self.package.path, self.environment)
+
+    def _warn(self, text: str) -> None:
+        self.settings.warn("colcon.colcon_core.verb.test", text)
 
     def cmake(self) -> int:
         """Run the tests added with BUILD_TESTING on; returns the worst of pytest's statuses."""
@@ -144,13 +158,47 @@ class _Run:
             "-o",
             f"cache_dir={cache}",
         ]
-        options += self.settings.pytest_args
+        coverage = self._coverage()
+        options += [*coverage, *self._again(), *(self.settings.option("pytest_args") or ())]
         environment = {
             **environment,
+            **({"COVERAGE_FILE": str(self.settings.build_base / name / ".coverage")} if coverage else {}),
             "PYTEST_ADDOPTS": " ".join(f'"{each}"' if " " in each else each for each in options),
         }
         status = self.work.run([sys.executable, "-m", "pytest", *words], self.package.path, environment)
         return 0 if status == _NO_TESTS else status
+
+    def _coverage(self) -> list[str]:
+        """Return what `--pytest-with-coverage` asks of pytest."""
+        if not self.settings.option("pytest_with_coverage"):
+            return []
+        if find_spec("pytest_cov") is None:
+            self._warn(
+                f"Test coverage will not be produced for package '{self.package.name}' since the pytest extension 'cov' was "
+                "not found"
+            )
+            return []
+        folder = (self.settings.build_base / self.package.name).as_posix()
+        reports = (f"--cov-report={kind}:{folder}/coverage.{kind}" for kind in ("html", "xml"))
+        return [f"--cov={self.package.path.as_posix()}", *reports, "--cov-branch"]
+
+    def _again(self) -> list[str]:
+        """Return what `--retest-until-fail` and `--retest-until-pass` ask of pytest."""
+        words = []
+        for option, the, plugin in (
+            ("retest_until_fail", "the pytest extension", "repeat"),
+            ("retest_until_pass", "pytest extension", "rerunfailures"),
+        ):
+            if not (number := self.settings.option(option)):
+                continue
+            if find_spec(f"pytest_{plugin}") is None:
+                self._warn(
+                    f"Ignored '--{option.replace('_', '-')}' for package '{self.package.name}' since {the} '{plugin}' was not "
+                    "found"
+                )
+            else:
+                words.append(f"--count={number + 1}" if plugin == "repeat" else f"--reruns={number}")
+        return words
 
     def _skip(self, commands: list[Command]) -> None:
         """Report the tests that do not run here and write a skipped result for each; an outdated result is removed."""

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from argparse import Namespace
+from collections.abc import Iterator
 from importlib import metadata
+from pathlib import Path
 
 from day6_core.workspace.events import Console
 from day6_core.workspace.handlers import HANDLERS
@@ -14,11 +17,9 @@ _COLOURS = {"build": "#0000ff", "run": "#ff0000", "test": "#d2b48c"}
 
 def list_packages(planned: list[Planned], args: Namespace, console: Console) -> int:
     """Run `colcon list`; returns the exit status."""
-    for option, new in (("topological_graph", ""), ("topological_graph_dot", " --dot")):
-        if getattr(args, option):
-            what = "options --topological-graph / -g are" if not new else "option --topological-graph-dot is"
-            console.err(f"The list {what} obsolete, instead use `colcon graph{new}`\n")
-            return 1
+    if obsolete := _obsolete(args):
+        console.err(f"{obsolete}\n")
+        return 1
     if not args.topological_order:
         planned = sorted(planned, key=lambda each: each.package.name)
     lines = []
@@ -31,6 +32,30 @@ def list_packages(planned: list[Planned], args: Namespace, console: Console) -> 
         lines.sort()
     console.out("".join(f"{line}\n" for line in lines))
     return 0
+
+
+def _obsolete(args: Namespace) -> str:
+    """Return what is said of the options of `colcon list` that became `colcon graph`, '' if none is given."""
+    dot = [
+        f" --{name.replace('_', '-')}"
+        for name in ("dot_cluster", "dot_include_skipped")
+        if getattr(args, f"topological_graph_{name}")
+    ]
+    legend = " --legend" if args.topological_graph_legend else ""
+    if args.topological_graph or args.topological_graph_dot:
+        further = "".join(dot) if args.topological_graph_dot else " --density" if args.topological_graph_density else ""
+        if args.topological_graph:
+            return (
+                f"The list options --topological-graph / -g are obsolete, instead use `colcon graph{further}{legend}`"
+            )
+        return f"The list option --topological-graph-dot is obsolete, instead use `colcon graph --dot{further}{legend}`"
+    if args.topological_graph_density:
+        return "The option --topological-graph-density must be used together with --topological-graph"
+    if legend:
+        return "The option --topological-graph-legend must be used  with either --topological-graph or --topological-graph-dot"
+    return (
+        f"The option --topological-graph-{dot[0][3:]} must be used together with --topological-graph-dot" if dot else ""
+    )
 
 
 def info(planned: list[Planned], args: Namespace, console: Console) -> int:
@@ -68,7 +93,7 @@ def graph(planned: list[Planned], args: Namespace, console: Console) -> int:
     """Run `colcon graph`: print a triangle of marks, or DOT; returns the exit status."""
     shown = [each for each in planned if each.selected]
     if args.dot:
-        console.out("\n".join(_dot(planned, shown, args)) + "\n")
+        console.out("\n".join(_dot(planned, args)) + "\n")
         return 0
     if args.legend:
         console.out(
@@ -93,17 +118,28 @@ def graph(planned: list[Planned], args: Namespace, console: Console) -> int:
     return 0
 
 
-def _dot(planned: list[Planned], shown: list[Planned], args: Namespace) -> list[str]:
+def _dot(planned: list[Planned], args: Namespace) -> list[str]:
     nodes = [each for each in reversed(planned) if each.selected or args.dot_include_skipped]
+    by_name = {each.package.name: each for each in planned}
     names = {each.package.name for each in nodes}
-    lines = ["digraph graphname {"]
+    lines = ["digraph graphname {", *_dot_nodes(nodes, args)]
+    direct: dict[tuple[Planned, str], set[str]] = {}
     for each in nodes:
-        grey = "" if each in shown else '[color = "gray" fontcolor = "gray"]'
-        lines.append(f'  "{each.package.name}"{grey};')
-    for each in nodes:
-        for name in sorted(each.package.dependencies() & names):
-            colours = ":".join(colour for kind, colour in _COLOURS.items() if name in each.package.depends[kind])
-            lines.append(f'  "{each.package.name}" -> "{name}" [color="{colours}"];')
+        for kind, dependencies in each.package.depends.items():
+            for name in sorted(names.intersection(dependencies)):
+                direct.setdefault((each, name), set()).add(kind)
+    indirect: dict[tuple[Planned, str], set[str]] = {}
+    for each in (each for each in nodes if each.selected):
+        for kind, dependencies in each.package.depends.items():
+            for between in (by_name[name] for name in dependencies if name in by_name and name not in names):
+                for name in between.needs:
+                    if name in names and (each, name) not in direct:
+                        indirect.setdefault((each, name), set()).add(kind)
+    for style, edges in (("", direct), (', style="dashed"', indirect)):
+        for (each, name), kinds in edges.items():
+            pale = "" if each.selected and by_name[name].selected else "77"
+            colours = ":".join(f"{colour}{pale}" for kind, colour in _COLOURS.items() if kind in kinds)
+            lines.append(f'  "{each.package.name}" -> "{name}" [color="{colours}"{style}];')
     if args.legend:
         lines += ["  subgraph cluster_legend {", "    color=gray", '    label="Legend";', "    margin=0;"]
         lines.append('    node [label="", shape=none];')
@@ -117,6 +153,24 @@ def _dot(planned: list[Planned], shown: list[Planned], args: Namespace) -> list[
         ]
         lines += ["    {", "      rank=same;", *ranks, "    }", "  }"]
     return [*lines, "}"]
+
+
+def _dot_nodes(nodes: list[Planned], args: Namespace) -> Iterator[str]:
+    """Yield the packages, with `--dot-cluster` in a frame for each folder."""
+    folders = [os.path.dirname(each.package.path) for each in nodes]
+    common = os.path.commonpath(folders) if args.dot_cluster and folders else ""
+    clusters: dict[str, list[Planned]] = {}
+    for each, folder in zip(nodes, folders, strict=True):
+        clusters.setdefault(Path(os.path.relpath(folder, common)).as_posix() if common else ".", []).append(each)
+    for number, (folder, members) in enumerate(clusters.items()):
+        framed = folder != "."
+        if framed:
+            yield from (f"  subgraph cluster_{number} {{", f'    label = "{folder}";')
+        for each in members:
+            grey = '[color = "gray" fontcolor = "gray"]' if not each.selected else ""
+            yield f'{"    " if framed else "  "}"{each.package.name}"{grey};'
+        if framed:
+            yield "  }"
 
 
 def extensions(console: Console) -> int:

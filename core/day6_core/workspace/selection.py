@@ -10,7 +10,7 @@ from day6_core.user_pattern import user_pattern
 from day6_core.workspace.order import Planned
 from day6_core.workspace.packages import Package
 
-_LOGGER = "colcon.colcon_core.package_selection"
+LOGGER = "colcon.colcon_core.package_selection"
 
 
 class SelectionError(Exception):
@@ -35,10 +35,16 @@ def select(planned: list[Planned], args: Namespace, build_base: Path, warn: Call
         SelectionError: a package named by an option does not exist.
     """
     names = {each.package.name for each in planned}
-    for option in ("select", "skip", "select_by_dep", "skip_by_dep"):
-        for name in getattr(args, f"packages_{option}") or ():
+    for option in (
+        "packages_select",
+        "packages_skip",
+        "packages_select_by_dep",
+        "packages_skip_by_dep",
+        "allow_overriding",
+    ):
+        for name in getattr(args, option) or ():
             if name not in names:
-                warn(_LOGGER, f"ignoring unknown package '{name}' in --packages-{option.replace('_', '-')}")
+                warn(LOGGER, f"ignoring unknown package '{name}' in --{option.replace('_', '-')}")
     _select_by_dependencies(planned, args)
     _select_by_result(planned, args, build_base)
     _keep(planned, args.packages_select, lambda each, wanted: each.package.name in wanted)

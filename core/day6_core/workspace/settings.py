@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from argparse import Namespace
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from day6_core.workspace.files import BuildOutput
 
@@ -25,7 +27,12 @@ class BuildSettings:
     test_result_base: Path | None = None
     needs: Mapping[str, list[str]] = field(default_factory=dict)
     """package -> the workspace packages it needs, in build order"""
-    pytest_args: list[str] = field(default_factory=list)
+    args: Namespace = field(default_factory=Namespace)
+    """The options of the call, of which tasks read those for packages of their type."""
+
+    def option(self, name: str) -> Any:
+        """Return the value of an option, None if the verb doesn't have it."""
+        return getattr(self.args, name, None)
 
     def prefix(self, package: str) -> Path:
         """Return the install prefix of a package."""
