@@ -6,7 +6,7 @@ import argparse
 import functools
 from argparse import Namespace
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 from day6_core.session.argument_parser import HelpFormatter, SessionParser, terminal_width
 from day6_core.workspace.defaults import default_values
@@ -28,9 +28,6 @@ VERBS = {
     "test-result": "Show the test results generated when testing a set of packages",
     "version-check": "Compare local package versions with PyPI",
 }
-
-OURS = "colcon.day6_tui"
-"""The logger of what colcon itself doesn't say."""
 
 _ENVIRONMENT = """\
 Environment variables:
@@ -117,16 +114,16 @@ def _add(parser: argparse.ArgumentParser, group: Group) -> None:
 
 
 def parse(session: Session, words: list[str]) -> Namespace:
-    """Parse the words after `colcon`. In the result `remarks` are what is to be said of them: a logger's name and a text.
+    """Parse the words after `colcon`. In the result `remarks` are what is to be said of them.
 
     Raises:
         ParserExit: after an error, or after `--help`.
     """
     parser = build_parser(session)
-    verb_name = next((word for word in words if word in VERBS), "")
-    remarks: list[tuple[str, str]] = []
+    before = dict(zip(words[1:], words, strict=False))
+    verb_name = next((word for word in words if word in VERBS and not before.get(word, "").startswith("--log-")), "")
     if verb_name:
-        found = default_values(verb_name, session.cwd, session.env, lambda logger, text: remarks.append((logger, text)))
+        found = default_values(verb_name, session.cwd, session.env, session.stderr.write)
         _verb_parser(parser, verb_name).set_defaults(**found)
     # Options with several values also accept values that begin with a dash where the real colcon does.
     args: Namespace
@@ -135,18 +132,23 @@ def parse(session: Session, words: list[str]) -> Namespace:
         for option in ("--packages-select", "--packages-skip", "--packages-up-to", "--base-paths", "--paths"):
             at = words.index(unknown[0])
             if option in words[:at] and not any(word.startswith("--") for word in words[words.index(option) + 1 : at]):
-                _refuse(parser, args, f"argument {option}: unrecognized argument: {unknown[0]}")
+                session.stderr.write(_verb_parser(parser, args.verb_name).format_usage())
+                prog = f"colcon {args.verb_name}"
+                parser.exit(2, f"{prog}: error: argument {option}: unrecognized argument: {unknown[0]}\n")
         parser.error(f"unrecognized arguments: {' '.join(unknown)}")
     args.log_level = args.log_level or session.env.get("COLCON_LOG_LEVEL") or "warning"
     if args.log_level.upper() not in LOG_LEVELS and not args.log_level.isdigit():
         names = ", ".join(LOG_LEVELS)
         parser.error(f"--log-level has unsupported value, valid names are: {names} (case-insensitive)")
+    args.remarks = []
     for each in (*ROOT.options, *options_of(args.verb_name)):
         if not each.has_effect(getattr(args, each.destination)):
             if each.treated is Treated.REFUSED:
-                _refuse(parser, args, f"argument {each.name}: {each.why[0]}")
-            remarks.append((OURS, f"{each.name} has no effect here: {each.why[0]}"))
-    args.remarks = remarks
+                session.stderr.write(_verb_parser(parser, args.verb_name).format_usage())
+                parser.exit(
+                    2, f"colcon {args.verb_name}: error: argument {each.name}: not possible here: {each.why[0]}\n"
+                )
+            args.remarks.append(f"{each.name} has no effect here: {each.why[0]}")
     return args
 
 
@@ -154,9 +156,3 @@ def _verb_parser(parser: ColconParser, verb: str) -> argparse.ArgumentParser:
     verbs = next(action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
     found: argparse.ArgumentParser = verbs.choices[verb]
     return found
-
-
-def _refuse(parser: ColconParser, args: Namespace, text: str) -> NoReturn:
-    """End the call with the usage of the verb, as the verb's own parser would."""
-    parser.session.stderr.write(_verb_parser(parser, args.verb_name).format_usage())
-    parser.exit(2, f"colcon {args.verb_name}: error: {text}\n")

@@ -32,6 +32,9 @@ from day6_core.workspace.selection import LOGGER, SelectionError, select, withou
 from day6_core.workspace.settings import BuildSettings
 from day6_core.workspace.setup_scripts import write_workspace_scripts
 
+_OURS = "colcon.day6_tui"
+"""The logger of what colcon itself doesn't say."""
+
 _INTERRUPT_STATUS = 2
 """The real colcon's exit status after Ctrl-C: the number of SIGINT."""
 
@@ -67,8 +70,8 @@ class Colcon:
     def run(self) -> int:
         """Run the verb. File system errors are reported with the name of the file."""
         verb = self.args.verb_name
-        for logger, text in self.args.remarks:
-            self.warn(logger, text)
+        for text in self.args.remarks:
+            self.warn(_OURS, text)
         try:
             try:
                 self.log.write("logger_all.log", f"[0.000s] DEBUG:colcon:Command line arguments: {['colcon', verb]}\n")

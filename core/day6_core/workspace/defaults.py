@@ -9,15 +9,18 @@ from typing import Any
 
 from day6_core.workspace.options import Option, options_of
 
-LOGGER = "colcon.colcon_defaults.argument_parser.defaults"
+_LOGGER = "colcon.colcon_defaults.argument_parser.defaults"
 _WORKSPACE_FILE = "colcon_defaults.yaml"
 
-Warn = Callable[[str, str], None]
-"""Called with a logger's name and the text."""
 
+def default_values(
+    verb: str, cwd: Path, environment: Mapping[str, str], write: Callable[[str], object]
+) -> dict[str, Any]:
+    """Return the default values of a verb's options, by their attribute in the namespace; `write` gets lines of colcon's log."""
 
-def default_values(verb: str, cwd: Path, environment: Mapping[str, str], warn: Warn) -> dict[str, Any]:
-    """Return the default values of a verb's options, by their attribute in the namespace."""
+    def warn(text: str) -> None:
+        write(f"WARNING:{_LOGGER}:{text}\n")  # without the time: it's before colcon's log begins
+
     home = environment.get("COLCON_HOME") or os.path.join(environment.get("HOME", "~"), ".colcon")
     path = environment.get("COLCON_DEFAULTS_FILE") or os.path.join(home, "defaults.yaml")
     values: dict[str, Any] = {}
@@ -26,38 +29,38 @@ def default_values(verb: str, cwd: Path, environment: Mapping[str, str], warn: W
         if isinstance(section, dict):
             values |= section
         else:
-            warn(LOGGER, f"Configuration option '{verb}' should be a dictionary")
+            warn(f"Configuration option '{verb}' should be a dictionary")
     known = {option.name.lstrip("-"): option for option in options_of(verb)}
-    if unknown := ", ".join(sorted(values.keys() - known.keys())):
-        warn(LOGGER, f"Skipping unknown keys from '{path}' for '{verb}': {unknown}")
     found = {}
     for key, value in values.items():
         if key in known:
             if wanted := _not_fitting(known[key], value):
-                warn(LOGGER, f"Default value '{key}' for parser '{verb}' should be {wanted}, not: {value}")
+                warn(f"Default value '{key}' for parser '{verb}' should be {wanted}, not: {value}")
             else:
                 found[known[key].destination] = value
+    if unknown := ", ".join(sorted(values.keys() - known.keys())):
+        warn(f"Skipping unknown keys from '{path}' for '{verb}': {unknown}")
     return found
 
 
-def _content(path: Path, warn: Warn) -> dict[str, Any]:
+def _content(path: Path, warn: Callable[[str], None]) -> dict[str, Any]:
     try:
         if not path.is_file():
             return {}
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        warn(LOGGER, f"Skipping metadata file '{path}' since it failed to parse: {error}")
+        warn(f"Skipping metadata file '{path}' since it failed to parse: {error}")
         return {}
     import yaml  # for the few who have such a file
 
     try:
         content = yaml.safe_load(text)
     except (yaml.YAMLError, ValueError, RecursionError) as error:
-        warn(LOGGER, f"Skipping metadata file '{path}' since it failed to parse: {error}")
+        warn(f"Skipping metadata file '{path}' since it failed to parse: {error}")
         return {}
     if content is None or isinstance(content, dict):
         return content or {}
-    warn(LOGGER, f"Skipping metadata file '{path}' since it doesn't contain a dict")
+    warn(f"Skipping metadata file '{path}' since it doesn't contain a dict")
     return {}
 
 

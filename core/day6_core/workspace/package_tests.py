@@ -21,6 +21,7 @@ from day6_core.workspace.local_setup_util import Environment, source_package
 from day6_core.workspace.packages import Package
 from day6_core.workspace.settings import BuildSettings
 
+_LOGGER = "colcon.colcon_core.verb.test"
 _TESTS_FAILED = 1
 _NO_TESTS = 5
 
@@ -88,7 +89,7 @@ class _Run:
         return self.work.run(words, self.package.path, self.environment)
 
     def _warn(self, text: str) -> None:
-        self.settings.warn("colcon.colcon_core.verb.test", text)
+        self.settings.warn(_LOGGER, text)
 
     def cmake(self) -> int:
         """Run the tests added with BUILD_TESTING on; returns the worst of pytest's statuses."""
