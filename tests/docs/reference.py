@@ -16,6 +16,7 @@ from day6_core.language import said
 from day6_core.lessons.command import WRITING
 from day6_core.places import PLACES
 from day6_core.variables import GROUPS, VARIABLES
+from day6_core.workspace.options import BEFORE_VERB, OPTIONS, Treated, options_of
 from day6_tui.actions import ACTIONS
 from day6_tui.commands.desktop import build_parser
 from day6_tui.commands.table import commands
@@ -58,6 +59,19 @@ WORDS = {
     "variable": ("variable", "变量"),
     "without": ("without it", "不设置时"),
     "what": ("what", "内容"),
+    "colcon": ("The options of colcon", "colcon 的选项"),
+    "colcon.intro": (
+        "`colcon` is part of day6-tui. Its options and help are those of colcon-core 0.21 with the extensions that ROS 2 "  # noqa: ISC004
+        "installs. No option is ignored in silence. Defaults from `~/.colcon/defaults.yaml` and from the workspace's "
+        "`colcon_defaults.yaml` count.",
+        "day6-tui 自带 `colcon`，选项和帮助与 colcon-core 0.21 加上 ROS 2 一起装的扩展相同。没有哪个选项会被悄悄忽略。"  # noqa: ISC004
+        "`~/.colcon/defaults.yaml` 和工作空间里 `colcon_defaults.yaml` 写的默认值也有效。",
+    ),
+    "colcon.of": ("of", "属于"),
+    "colcon.why": ("why", "原因"),
+    "colcon.refused": ("Refused, with the reason", "不接受，并说明原因"),
+    "colcon.said": ("Accepted; colcon says that it has no effect here", "接受，但会说明它在这里不起作用"),
+    "colcon.obeyed": ("The same as in colcon", "和 colcon 一样"),
     "removed": ("removed by `day6-tui uninstall`", "用 `day6-tui uninstall` 删除"),
     "whose.ours": ("`--data`", "`--data`"),
     "whose.user": ("`--files`: it is your work", "`--files`：这是你自己的文件"),
@@ -200,6 +214,28 @@ def environment(language: str) -> Iterator[str]:
         yield table((word("variable", language), word("does", language), word("without", language)), rows)
 
 
+def colcon(language: str) -> Iterator[str]:
+    """The options of colcon's verbs: what each does here."""
+    yield f"# {word('colcon', language)}\n"
+    yield MADE
+    yield f"{word('colcon.intro', language)}\n"
+    rows = {}
+    for verb in ("", *OPTIONS):
+        for option in options_of(verb) if verb else BEFORE_VERB.options:
+            rows.setdefault(option.name, (option, []))[1].append(f"colcon {verb}".strip())
+    for treated in (Treated.REFUSED, Treated.SAID):
+        yield f"## {word(f'colcon.{treated.name.lower()}', language)}\n"
+        unlike = [(option, verbs) for option, verbs in rows.values() if option.treated is treated]
+        head = (word("option", language), word("colcon.of", language), word("colcon.why", language))
+        comma = word("comma", language)
+        yield table(head, ((code(o.name), comma.join(map(code, of)), prose(said(o.why, language))) for o, of in unlike))
+    yield f"## {word('colcon.obeyed', language)}\n"
+    for verb in OPTIONS:
+        names = (code(each.name) for each in options_of(verb) if each.treated is Treated.OBEYED and each.name[0] == "-")
+        yield f"- {code(f'colcon {verb}')}: {word('comma', language).join(names)}"
+    yield ""
+
+
 def places(language: str) -> str:
     """Everything that is written outside of the package, by system."""
     systems = {"linux": "Linux", "darwin": "macOS", "win32": "Windows"}
@@ -228,6 +264,7 @@ PAGES: dict[str, Callable[[str], str]] = {
     "reference/keys.md": lambda language: "\n".join(keys(language)),
     "reference/environment.md": lambda language: "\n".join(environment(language)),
     "reference/files.md": files,
+    "reference/colcon.md": lambda language: "\n".join(colcon(language)),
     "teachers/writing-lessons.md": lambda language: (WRITING / f"{language}.md").read_text(encoding="utf-8"),
 }
 

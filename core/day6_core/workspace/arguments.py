@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from day6_core.session.argument_parser import HelpFormatter, SessionParser, terminal_width
 from day6_core.workspace.defaults import default_values
 from day6_core.workspace.events import LOG_LEVELS
-from day6_core.workspace.options import OPTIONS, ROOT, Group, Treated, options_of
+from day6_core.workspace.options import BEFORE_VERB, META, OPTIONS, Group, Treated, options_of
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -76,7 +76,7 @@ class ColconParser(SessionParser):
 def build_parser(session: Session) -> ColconParser:
     """Return the parser of `colcon`; the namespace has `verb_name`, None if no verb was given."""
     root = ColconParser(session, prog="colcon", epilog=_ENVIRONMENT)
-    _add(root, ROOT)
+    _add(root, BEFORE_VERB)
     options: dict[str, Any] = {"parser_class": functools.partial(ColconParser, session)}
     verbs = root.add_subparsers(
         title="colcon verbs",
@@ -141,8 +141,9 @@ def parse(session: Session, words: list[str]) -> Namespace:
         names = ", ".join(LOG_LEVELS)
         parser.error(f"--log-level has unsupported value, valid names are: {names} (case-insensitive)")
     args.remarks = []
-    for each in (*ROOT.options, *options_of(args.verb_name)):
-        if not each.has_effect(getattr(args, each.destination)):
+    for each in (*BEFORE_VERB.options, *options_of(args.verb_name)):
+        unread = each is META and (session.cwd / "colcon.meta").is_file()
+        if unread or not each.has_effect(getattr(args, each.destination)):
             if each.treated is Treated.REFUSED:
                 session.stderr.write(_verb_parser(parser, args.verb_name).format_usage())
                 parser.exit(

@@ -128,7 +128,7 @@ _INSTALL_BASE = Option(
 _MERGE = Option("--merge-install", "Merge all install prefixes into a single location", _FLAG)
 _RESULTS = Option("--test-result-base", "The base path for all test results (default: same as `--build-base`)")
 
-ROOT = Group(
+BEFORE_VERB = Group(
     (
         Option("--log-base", "The base path for all log directories (default: `./log`, to disable: `/dev/null`)"),
         Option(
