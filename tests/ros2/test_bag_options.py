@@ -29,6 +29,19 @@ from tests.ros2.bag_commands import counter, heard, information, play, record, w
         (["burst", "--num-messages=-1"], "argument -n/--num-messages: Value -1 is less than zero."),
         (["play", "nothing"], "argument bag_path: Bag path 'nothing' does not exist!"),
         (["info", "nothing"], "argument bag_path: Bag path 'nothing' does not exist!"),
+        *(
+            (
+                [verb, option, "no.yaml"],
+                f"argument {option}: can't open 'no.yaml': [Errno 2] No such file or directory: 'no.yaml'",
+            )
+            for verb, option in (
+                ("record", "--qos-profile-overrides-path"),
+                ("play", "--qos-profile-overrides-path"),
+                ("burst", "--qos-profile-overrides-path"),
+                ("record", "--storage-config-file"),
+                ("play", "--storage-config-file"),
+            )
+        ),
         (["play", "-e", "("], "argument -e/--regex: '(' is not a regular expression"),
     ],
 )
@@ -120,10 +133,6 @@ def test_what_a_stronger_option_overrides_is_said(machine, words, warnings):
         (
             ["--compression-format", "zstd"],
             "Invalid choice: Cannot specify compression format without a compression mode.",
-        ),
-        (
-            ["--qos-profile-overrides-path", "no.yaml"],
-            "can't open 'no.yaml': [Errno 2] No such file or directory: 'no.yaml'",
         ),
         (["--qos-profile-overrides-path", "list.yaml"], None),
         (["--qos-profile-overrides-path", "broken.yaml"], None),

@@ -149,6 +149,19 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
         "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling; #2328 (Lyrical)",
     ),
     "bag.play_takes_storage": _since_lyrical(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
+    "bag.recorder_starts_again": _since_lyrical(
+        False, True, "ros2/rosbag2#2248, #2330, #2357: ~/record, ~/stop, discovery, times; recorder.cpp of Lyrical"
+    ),
+    "bag.newer_options": _since_lyrical(
+        False,
+        True,
+        "ros2/rosbag2#2150, #2215, #2218, #2289, #2319, #2387, #2391: rosbag2_py/_storage.pyi and _transport.pyi",
+    ),
+    "bag.controlled_classes": _since_lyrical(
+        False,
+        True,
+        "ros2/rosbag2#2047, #2062, #2061, #2095: rosbag2_py/src/rosbag2_py/_transport.cpp; Release-Lyrical-Luth.rst",
+    ),
     "bag.file_names": _since_lyrical(
         "name_index", "index_name_time", "ros2/rosbag2#2265; Release-Lyrical-Luth.rst of ros2_documentation"
     ),
@@ -252,6 +265,11 @@ TEXTS: dict[str, tuple[tuple[str, ...], str]] = {
     "nav_msgs/msg/TrajectoryPoint": _since("lyrical", _STORES),
     "rosbag2_interfaces/msg/MessagesLostEvent": _since("lyrical", "ros2/rosbag2#2150"),
     "rosbag2_interfaces/msg/MessagesLostEventTopicStat": _since("lyrical", "ros2/rosbag2#2150"),
+    **dict.fromkeys(
+        (f"rosbag2_interfaces/srv/{name}"
+         for name in ("IsDiscoveryRunning", "Record", "Resume", "SplitBagfile", "StartDiscovery", "Stop", "StopDiscovery")),
+        _since("lyrical", "ros2/rosbag2#2248, #2330, #2357: rosbag2_interfaces/srv"),
+    ),
     **dict.fromkeys(
         (f"rosgraph_msgs/msg/{name}"
          for name in ("Action", "Graph", "InterfaceType", "Node", "QoSProfile", "Service", "Topic", "TypeHash")),
@@ -370,6 +388,12 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
          "--topic-types", "--topics"),
         *_since("jazzy", _BAGCLI),
     ),
+    "bag convert since lyrical": (("--input-options",), *_since("lyrical", "ros2/rosbag2#2325: ros2bag/verb/convert.py")),
+    "bag record since lyrical": (
+        ("--max-bag-files", "--max-cache-duration", "--repeat-all-transient-local", "--repeat-transient-local",
+         "--static-topics-path", "--stats_max_publishing_rate"),
+        *_since("lyrical", "ros2/rosbag2#2150, #2218, #2289, #2319, #2387, #2391: ros2bag/verb/record.py"),
+    ),
     "interface package": (("--only-actions", "--only-msgs", "--only-srvs"), *_since("jazzy", _CLI)),
     "multicast receive": (("--group", "--port"), *_since("jazzy", _CLI)),
     "multicast send": (("--group", "--port"), *_since("jazzy", _CLI)),
@@ -431,8 +455,11 @@ UNSETTLED: dict[str, str] = {
     "words for a wrong entry of an array (#996) are as seemed likely; topics that come after `--all` are not followed",
     "ros2 service call of Lyrical": "asks for a name although it was given (#1151, taken back by #1244): not imitated",
     "a package for Rust": "has no Cargo.lock (#1107): cargo asks the internet for it",
-    "bags of Lyrical": "lack the recorder's new services (rosbag2#2248), --max-bag-files (#2218), repeated transient-local "
-    "topics (#2387), --max-cache-duration (#2289), statistics of lost messages (#2150), the newer methods of its classes",
+    "bags of Lyrical": "lines of the recorder are those of recorder.cpp as of April 2026, without what it says of serialization "
+    "formats; --repeat-all-transient-local without a number keeps one message (#2391 says no more); actions are recorded by "
+    "their topics only (#1939, since Kilted)",
+    "message_filters": "has Chain, DeltaFilter, InputAligner, TimeSequencer and offsets in every distribution: most went back to "
+    "all of them (message_filters#238, #252, #283); where a time is missing, TimeSynchronizer still raises AttributeError",
     "launch of Lyrical": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
     "(rcl#1275), robot_state_publisher use_robot_description_topic (#234)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.graph.qos import POLICIES, Choice, Limit
 from day6_core.ros import differences
-from rosbag2_py._storage import Bound
+from rosbag2_py._storage import NEWER, Bound
 
 if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
@@ -56,6 +56,16 @@ class RecordOptions(Bound):
     start_paused: bool = False
     use_sim_time: bool = False
     disable_keyboard_controls: bool = False
+    input_serialization_format: str = field(default="", metadata=NEWER)
+    output_serialization_format: str = field(default="", metadata=NEWER)
+    static_topics_uri: str = field(default="", metadata=NEWER)
+    """A YAML file with topics and types that are recorded whether anybody publishes them or not."""
+    statistics_max_publishing_rate: float = field(default=1.0, metadata=NEWER)
+    """How often in a second lost messages are told at most; 0: never."""
+    repeat_transient_local_messages: dict[str, int] = field(default_factory=dict, metadata=NEWER)
+    """Topics whose last messages each new file begins with, and how many."""
+    repeat_all_transient_local_depth: int = field(default=0, metadata=NEWER)
+    """The same for all topics that somebody offers with transient local durability; 0: for none."""
 
     def __setattr__(self, name: str, value: object) -> None:
         known = name in _OLD_NAMES and differences.value("bag.options_have_old_names")

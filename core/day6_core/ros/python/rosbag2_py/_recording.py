@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
+import threading
 import time
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from rosbag2_interfaces.msg import WriteSplitEvent
-from rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot
 
 from day6_core.interfaces import type_name
 from day6_core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
 from rosbag2_py._console import Log, to_console
+from rosbag2_py._lost_messages import LostMessages
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._qos import from_rclpy
+from rosbag2_py._record_services import RecordServices
 from rosbag2_py._storage import ConverterOptions, StorageOptions, TopicMetadata
 from rosbag2_py._topic_filter import TopicFilter
 from rosbag2_py._writer import FLUSH_SECONDS, SequentialCompressionWriter, SequentialWriter
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from rclpy.node import Node
     from rclpy.subscription import MessageInfo, Subscription
     from rclpy.topic_endpoint_info import TopicEndpointInfo
@@ -44,7 +45,8 @@ class RecordingHost(Protocol):
 class Recording:
     """Records topics on `node`: call `start`, then `poll` at every polling interval, finally `stop`.
 
-    `start` raises RuntimeError if the bag can't be created. `keyboard`: whether keys can control it.
+    `start` raises RuntimeError if the bag can't be created. `keyboard`: whether keys can control it. Another thread than the
+    one that spins the node may call the methods.
     """
 
     def __init__(
@@ -68,8 +70,12 @@ class Recording:
         self._warned: set[str] = set()
         self.paused = options.start_paused
         self.recording = False
-        self._discovering = True
-        self._waits_for_clock = options.use_sim_time
+        self.discovering = False
+        self._waits_for_clock = False
+        self._lock = threading.RLock()
+        self._services: RecordServices | None = None
+        self._lost = LostMessages(node, options.statistics_max_publishing_rate)
+        self._newer: bool = value("bag.recorder_starts_again")
         if options.use_sim_time and options.is_discovery_disabled:
             raise RuntimeError(
                 "use_sim_time and is_discovery_disabled both set, but are incompatible settings. "
@@ -77,7 +83,9 @@ class Recording:
             )
         for name in ("topics", "exclude_topics", "services", "exclude_service_events"):
             setattr(options, name, [self._full(topic) for topic in getattr(options, name)])
-        self._filter = TopicFilter(options, node, self._log.warning)
+        self._repeated = {self._full(topic): depth for topic, depth in options.repeat_transient_local_messages.items()}
+        self._static = self._static_topics()
+        self._filter = TopicFilter(options, node, self._log.warning, self._static)
         if keyboard:
             self._log.info("Press SPACE for pausing/resuming")
         self._writer = self._make_writer(log)
@@ -86,6 +94,32 @@ class Recording:
         from rclpy.expand_topic_name import expand_topic_name
 
         return expand_topic_name(topic, self._node.get_name(), self._node.get_namespace())
+
+    def _static_topics(self) -> dict[str, str]:
+        """Return the types of the topics in the file of static ones; none, with an error, if something in it is wrong."""
+        path = self._options.static_topics_uri
+        if not path:
+            return {}
+        import yaml
+
+        self._log.info(f"Reading static topics from {path}")
+        key, found = "static_topics_and_types_list", {}
+        try:
+            content = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
+            if not isinstance(content, dict) or key not in content:
+                raise ValueError(f"Static topics YAML file must have top-level key '{key}'")
+            if not isinstance(content[key], list):
+                raise ValueError(f"Top-level key '{key}' must contain a list of 'topic_name, topic_type' pairs")
+            for pair in content[key]:
+                if not isinstance(pair, list) or len(pair) != 2:
+                    raise ValueError(f"not a 'topic_name, topic_type' pair: {pair}")
+                found[self._full(str(pair[0]))] = str(pair[1])
+        except (OSError, ValueError, yaml.YAMLError) as error:
+            self._log.error(f"Failed to read static topics list: {error}")
+            self._log.info("Cleared static topics list due to read failure.")
+            return {}
+        self._log.info(f"Read {len(found)} static topics")
+        return found
 
     def _make_writer(self, log: Log) -> SequentialWriter:
         options = self._options
@@ -96,67 +130,119 @@ class Recording:
 
     # -- start and stop ------------------------------------------------------------------------------------------------
 
-    def start(self) -> None:
-        """Create the bag and the services, and subscribe to the present topics."""
+    def offer(self) -> None:
+        """Create the services and event topics, once; `start` does it too."""
+        if self._host is None and self._services is None:
+            self._services = RecordServices(self._node, self, snapshot=self._storage.snapshot_mode)
+            self._splits = self._node.create_publisher(WriteSplitEvent, "events/write_split", 1)
+            self._lost.offer()
+            self._log.info("Event publisher thread: Starting")
+
+    def start(self, uri: str = "") -> None:
+        """Create the bag, in another place than the options' with `uri`, and the services; subscribe to the present topics."""
+        with self._lock:
+            self._start(uri)
+
+    def _start(self, uri: str) -> None:
+        options = self._options
+        if self._newer:
+            self._storage.uri = uri or self._storage.uri
+            if self._host is None:
+                self.offer()
+                self._log.info(f"Starting recording to '{self._storage.uri}'")
+                self._choose_free_folder()
         self._writer.open(self._storage, ConverterOptions("cdr", "cdr"))
         bag = self._writer._opened()
         if self._host is None:
             bag.on_split = self._on_split
         self.recording = True
-        if self._host is None:
-            self._offer_services(self._node)
-            self._log.info("Event publisher thread: Starting")
-        self._log.info("Listening for topics...")
-        if self._options.use_sim_time:
+        self.offer()
+        self._waits_for_clock = options.use_sim_time
+        only_static = self._static and not self._filter.selects_from_graph
+        self._flushed = time.monotonic()
+        if not (options.is_discovery_disabled or only_static):
+            self.discovering = True
+            if not self._newer:
+                self._log.info("Listening for topics...")
+        elif not self._newer:
+            self._log.info("Listening for topics...")
+        if options.use_sim_time:
             self._log.info("use_sim_time set, waiting for /clock before starting recording...")
         else:
             self._subscribe()
-        if self._options.is_discovery_disabled:
-            self._discovering = False
+        if self._newer and self.discovering:
+            self._log.info("Topics discovery started.")
+            self._log.info("Listening for topics...")
         waits = f"{value('bag.recorder_waits')}: Press SPACE to start."
         self._log.info(waits if self.paused else "Recording...")
-        self._flushed = time.monotonic()
 
-    def _offer_services(self, node: Node) -> None:
-        if self._storage.snapshot_mode:
-            node.create_service(Snapshot, "~/snapshot", self._snapshot)
-        if value("bag.recorder_can_pause"):
-            from rosbag2_interfaces.srv import SplitBagfile
-
-            node.create_service(SplitBagfile, "~/split_bagfile", self._split)
-            node.create_service(Pause, "~/pause", self._callback(self.pause))
-            node.create_service(Resume, "~/resume", self._callback(self.resume))
-            node.create_service(IsPaused, "~/is_paused", self._is_paused)
-        self._splits = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
+    def _choose_free_folder(self) -> None:
+        """Take the folder's name with (1), (2) … behind it if it exists, as the recorder of Lyrical."""
+        folder = self._storage.uri
+        number = 0
+        while Path(self._storage.uri).is_dir():
+            number += 1
+            self._storage.uri = f"{folder}({number})"
+        if number:
+            self._log.warning(f"Bag directory '{folder}' already exists.")
+            self._log.warning(f"Changing bag directory to '{self._storage.uri}'.")
 
     def poll(self) -> None:
-        """Look for new topics, and flush received messages to the disk."""
+        """Look for new topics, tell of lost messages, and flush received messages to the disk."""
+        with self._lock:
+            if self.recording:
+                self._poll()
+
+    def _poll(self) -> None:
         if self._waits_for_clock:
             if self._node.get_clock().now().nanoseconds == 0:
                 return
             self._waits_for_clock = False
             self._log.info("Sim time /clock found, starting recording.")
-        if self._discovering:
+        if self.discovering:
             self._discover()
+        self._lost.tell()
         if time.monotonic() - self._flushed > FLUSH_SECONDS:
             self._flushed = time.monotonic()
             self._writer.flush()
 
     def stop(self) -> None:
         """Finish the bag; a second call does nothing."""
-        if not self.recording:
-            return
+        with self._lock:
+            if self.recording:
+                self._stop()
+
+    def _stop(self) -> None:
         self.recording = False
-        if value("bag.recorder_logs_pause_at_end"):
-            self.pause()
-        self.paused = True
+        self.stop_discovery()
+        if not self._newer:
+            if value("bag.recorder_logs_pause_at_end"):
+                self.pause()
+            self.paused = True
         for subscription in self._subscriptions.values():
             self._node.destroy_subscription(subscription)
         self._subscriptions.clear()
         self._writer.close()
-        if self._host is None:
-            self._log.info("Event publisher thread: Exiting")
+        if self._services is not None:
+            self._services.forget()
+            if not self._newer:
+                self._log.info("Event publisher thread: Exiting")
         self._log.info("Recording stopped")
+        if warning := self._lost.report():
+            self._log.warning(warning)
+
+    def start_discovery(self) -> None:
+        """Look for new topics again."""
+        if not self.discovering:
+            self.discovering = True
+            self._log.info("Topics discovery started.")
+
+    def stop_discovery(self) -> None:
+        """Look for no more topics."""
+        if self.discovering:
+            self.discovering = False
+            if self._newer:
+                self._log.info("Topics discovery stopped.")
 
     # -- topics --------------------------------------------------------------------------------------------------------
 
@@ -165,8 +251,8 @@ class Recording:
             self._warn_of_new_qos(topic)
         self._subscribe()
         if self._options.topics and len(self._subscriptions) == len(self._options.topics):
-            self._discovering = False
             self._log.info("All requested topics are subscribed. Stopping discovery...")
+            self.stop_discovery()
 
     def _subscribe(self) -> None:
         for topic, kind in self._filter.wanted().items():
@@ -185,15 +271,28 @@ class Recording:
             type_description_hash=hashes.pop() if len(hashes) == 1 else "",
         )
         self._writer.create_topic(metadata)
+        depth = self._repetitions(topic, offers)
+        if depth:
+            self._writer._opened().repeat(topic, depth)
         write, clock = self._writer.write, self._node.get_clock()
         simulated, host = self._options.use_sim_time, self._host
 
+        services = self._services if self._newer else None
+
         def receive(data: bytes, info: MessageInfo) -> None:
+            with self._lock:
+                if self.recording:
+                    take(data, info)
+
+        def take(data: bytes, info: MessageInfo) -> None:
+            sent = info["source_timestamp"]
+            received = clock.now().nanoseconds if simulated else info["received_timestamp"]
+            if services is not None:
+                services.before(topic, sent, received)
             if self.paused:
                 return
-            received = clock.now().nanoseconds if simulated else info["received_timestamp"]
             try:
-                write(topic, data, received, info["source_timestamp"])
+                write(topic, data, received, sent)
             except OSError as error:
                 if host is None:
                     raise
@@ -201,19 +300,42 @@ class Recording:
             else:
                 if host is not None:
                     host.received(topic, received)
+                if services is not None:
+                    services.after(topic)
 
         self.types[topic] = metadata.type
 
         self._subscriptions[topic] = self._node.create_subscription(
-            kind, topic, receive, self._profile(topic, offers), raw=True
+            kind, topic, receive, self._profile(topic, offers), raw=True, **self._lost.events_of(topic)
         )
-        self._log.info(f"Subscribed to topic '{topic}'")
+        repeated = f" (repeat-transient-local, depth={depth})" if depth else ""
+        self._log.info(f"Subscribed to topic '{topic}'{repeated}")
+
+    def _repetitions(self, topic: str, offers: list[TopicEndpointInfo]) -> int:
+        """Return how many of a topic's last messages each new file begins with."""
+        chosen, depth = self._repeated, self._options.repeat_all_transient_local_depth
+        if topic not in chosen and depth:
+            if not offers:
+                self._log.warning(
+                    f"No publishers found for topic '{topic}', cannot determine if it is transient-local. "
+                    "Use --repeat-transient-local to explicitly specify this topic."
+                )
+            elif any(offer.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers):
+                chosen[topic] = depth
+        return chosen.get(topic, 0)
 
     def _profile(self, topic: str, offers: list[TopicEndpointInfo]) -> QoSProfile:
         """Return a profile compatible with every publisher (rosbag2_storage, adapt_request_to_offers)."""
         override = self._options.topic_qos_profile_overrides.get(topic)
+        repeated = topic in self._repeated
         if override is not None:
             self._log.info(f"Overriding subscription profile for {topic}")
+            if repeated and override.durability != DurabilityPolicy.TRANSIENT_LOCAL:
+                self._log.warning(
+                    f"Topic '{topic}' has a QoS profile override without transient_local durability, but "
+                    "repeat-transient-local is enabled. The QoS override takes precedence; repeat-transient-local will not "
+                    "work unless the override includes transient_local durability."
+                )
             return override
         profiles = [offer.qos_profile for offer in offers]
         reliable = [each for each in profiles if each.reliability == ReliabilityPolicy.RELIABLE]
@@ -231,6 +353,11 @@ class Recording:
                 "Previously-published latched messages will not be retrieved."
             )
         lasting = bool(profiles) and len(latched) == len(profiles)
+        if repeated and not lasting:
+            self._log.warning(
+                f"Overriding QoS durability to transient_local for topic '{topic}' because repeat-transient-local is enabled."
+            )
+            lasting = True
         return QoSProfile(
             depth=DEPTH,
             reliability=(
@@ -285,21 +412,12 @@ class Recording:
             event.node_name = name
         self._splits.publish(event)
 
-    def _callback(self, action: Callable[[], object]) -> Callable[[Any, Any], Any]:
-        def serve(request: Any, response: Any) -> Any:
-            action()
-            return response
+    def snapshot(self) -> bool:
+        """Write what is kept in memory; False where nothing is."""
+        with self._lock:
+            return self._writer.take_snapshot()
 
-        return serve
-
-    def _is_paused(self, request: Any, response: Any) -> Any:
-        response.paused = self.paused
-        return response
-
-    def _snapshot(self, request: Any, response: Any) -> Any:
-        response.success = self._writer.take_snapshot()
-        return response
-
-    def _split(self, request: Any, response: Any) -> Any:
-        self._writer.split_bagfile()
-        return response
+    def split(self) -> None:
+        """Continue in a new file."""
+        with self._lock:
+            self._writer.split_bagfile()

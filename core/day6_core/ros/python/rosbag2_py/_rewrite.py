@@ -25,10 +25,35 @@ AT_ONCE = 200
 """Messages after which `rewrite` lets other programs run."""
 
 
-def bag_rewrite(input_options: list[StorageOptions], output_config_file: str) -> None:
-    """Write the bags that the YAML file lists under 'output_bags'. Raises RuntimeError with the reason."""
-    for _ in rewrite(input_options, output_config_file, Path()):
+def bag_rewrite(
+    inputs: list[StorageOptions], output_config_file: str, newer_output_config_file: str | None = None
+) -> None:
+    """Write the bags that the YAML file lists under 'output_bags'. Raises RuntimeError with the reason.
+
+    Since Lyrical another file may list the bags to read, under 'input_bags': `bag_rewrite([], input_file, output_file)`.
+    """
+    if newer_output_config_file is not None:
+        input_file, output_config_file = output_config_file, newer_output_config_file
+        if not inputs and not input_file:
+            raise RuntimeError("Either input_options vector or input_config_file must be provided.")
+        if inputs and input_file:
+            raise RuntimeError(
+                "Exactly one input source must be provided: provide either input_options or input_config_file, but not both."
+            )
+        inputs = inputs or input_options(input_file, Path())
+    for _ in rewrite(inputs, output_config_file, Path()):
         pass
+
+
+def input_options(path: str, folder: Path) -> list[StorageOptions]:
+    """Return the bags that a YAML file lists under 'input_bags'; paths are relative to `folder`. Raises RuntimeError."""
+    bags = _listed(path, "input_bags")
+    for bag in bags:
+        if not bag.get("uri"):
+            raise RuntimeError("Input bag StorageOptions must specify a non-empty 'uri'.")
+        if not Path(folder, bag["uri"]).exists():
+            raise RuntimeError(f"Bag path '{bag['uri']}' does not exist!")
+    return [_storage(path, bag, "input") for bag in bags]
 
 
 def rewrite(
@@ -104,6 +129,10 @@ def _wanted(topic: TopicMetadata, options: RecordOptions) -> bool:
 
 
 def _outputs(path: str) -> list[tuple[StorageOptions, RecordOptions]]:
+    return [(_storage(path, bag, "output"), _record(bag)) for bag in _listed(path, "output_bags")]
+
+
+def _listed(path: str, key: str) -> list[dict[str, Any]]:
     import yaml
 
     try:
@@ -112,15 +141,15 @@ def _outputs(path: str) -> list[tuple[StorageOptions, RecordOptions]]:
         raise RuntimeError(f"{error.strerror}: {path}") from None
     except yaml.YAMLError as error:
         raise RuntimeError(f"{path}: {error}") from None
-    bags = content.get("output_bags") if isinstance(content, dict) else None
+    bags = content.get(key) if isinstance(content, dict) else None
     if not isinstance(bags, list) or not all(isinstance(bag, dict) for bag in bags):
-        raise RuntimeError(f"{path}: the top-level key 'output_bags' must hold a sequence of bags")
-    return [(_storage(path, bag), _record(bag)) for bag in bags]
+        raise RuntimeError(f"{path}: the top-level key '{key}' must hold a sequence of bags")
+    return bags
 
 
-def _storage(path: str, bag: dict[str, Any]) -> StorageOptions:
+def _storage(path: str, bag: dict[str, Any], what: str) -> StorageOptions:
     if "uri" not in bag:
-        raise RuntimeError(f"{path}: an output bag has no 'uri'")
+        raise RuntimeError(f"{path}: an {what} bag has no 'uri'")
     unknown = [key for key in bag if key not in _STORAGE | _RECORD | set(_OLD_NAMES)]
     if unknown:
         raise RuntimeError(f"{path}: unknown option '{unknown[0]}'")

@@ -50,14 +50,31 @@ def nanoseconds_of(value: Any) -> int:
     return int(found() if callable(found) else found)
 
 
+NEWER = {"newer": True}
+"""The metadata of fields that the options have since Lyrical."""
+
+
 class Bound:
     """Has only the fields of its class, as what pybind11 binds: a name that is misspelt is no silent success."""
 
+    _made = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_made", True)
+
     def __setattr__(self, name: str, value: object) -> None:
-        if name not in type(self).__dataclass_fields__ and not isinstance(getattr(type(self), name, None), property):  # type: ignore[attr-defined]
+        known = type(self).__dataclass_fields__.get(name)  # type: ignore[attr-defined]
+        if known is not None and self._made and known.metadata.get("newer") and not _has_newer_options():
+            known = None
+        if known is None and not isinstance(getattr(type(self), name, None), property):
             place = f"{type(self).__module__}.{type(self).__name__}".replace("_options", "_transport")
             raise AttributeError(f"'{place}' object has no attribute '{name}'")
         super().__setattr__(name, value)
+
+
+def _has_newer_options() -> bool:
+    found: bool = value("bag.newer_options")
+    return found
 
 
 @dataclass
@@ -75,6 +92,10 @@ class StorageOptions(Bound):
     start_time_ns: int = -1
     end_time_ns: int = -1
     custom_data: dict[str, str] = field(default_factory=dict)
+    max_bag_files: int = field(default=0, metadata=NEWER)
+    """After a split only so many files stay; 0: all."""
+    max_cache_duration: int = field(default=0, metadata=NEWER)
+    """Seconds that a snapshot has at most; 0: no limit."""
 
 
 @dataclass

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from day6_core.interfaces import get_interface
@@ -24,16 +24,35 @@ def is_service_event(topic: str, type_name: str) -> bool:
 class TopicFilter:
     """Selects topics of the graph. `warn(text)` is called once for each different text."""
 
-    def __init__(self, options: RecordOptions, node: Node, warn: Callable[[str], object]) -> None:
+    def __init__(
+        self,
+        options: RecordOptions,
+        node: Node,
+        warn: Callable[[str], object],
+        static: Mapping[str, str] | None = None,
+    ) -> None:
+        """`static`: topics with their types that are wanted whether they are in the graph or not."""
         self._options = options
+        self._static = static or {}
         self._node = node
         self._warn = warn
         self._warned: set[str] = set()
 
+    @property
+    def selects_from_graph(self) -> bool:
+        """Whether anything but static topics is recorded."""
+        options = self._options
+        chosen = (options.topics, options.topic_types, options.services, options.regex)
+        return options.all_topics or options.all_services or any(chosen)
+
     def wanted(self) -> dict[str, Any]:
         """Return the classes of the topics to record, by topic."""
         found = {}
-        for name, types in self._node.get_topic_names_and_types():
+        for name, type_name in self._static.items():
+            kind = self._class_of(name, type_name)
+            if kind is not None:
+                found[name] = kind
+        for name, types in self._node.get_topic_names_and_types() if self.selects_from_graph else ():
             if len(types) > 1:
                 if self._is_selected(name, types[0]):
                     self._warn_once(

@@ -6,7 +6,7 @@ import os
 import re
 import time
 import weakref
-from collections import deque
+from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -25,6 +25,7 @@ from rosbag2_py._files import (
     get_registered_writers,
     presets,
 )
+from rosbag2_py._kept_messages import SECOND, Kept, LastMessages, LastMoments
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import (
     BagMetadata,
@@ -37,6 +38,7 @@ from rosbag2_py._storage import (
     TopicInformation,
     TopicMetadata,
     get_default_storage_id,
+    nanoseconds_of,
 )
 
 __all__ = [
@@ -52,8 +54,6 @@ FLUSH_SECONDS = 1.0
 
 SLOWER_PER_PIECE = 0.001
 """Seconds that are added for each piece of a file, because each flush rewrites the index of all pieces."""
-
-SECOND = 1_000_000_000
 
 _TIME_AT_END = re.compile(r"_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d$")
 """What `ros2 bag record` adds to the name of a bag that was given none."""
@@ -140,10 +140,15 @@ class _Bag:
         self._check()
         self._pack = zstd_compress if compression.compression_mode else None
         self._source = LocalMessageDefinitionSource()
-        self._counts: dict[str, int] = {}
         self._files: list[FileInformation] = []
-        self._kept: deque[tuple[str, bytes, int, int]] = deque()
-        self._kept_size = 0
+        self._counts: list[Counter[str]] = []
+        """The messages in each file, by topic."""
+        self._begun = 0
+        """Files so far, with those that are deleted."""
+        self._kept = LastMoments(options.max_cache_size, options.max_cache_duration)
+        self._repeated = LastMessages()
+        self._latest = (0, 0)
+        """When the last message was received, and sent."""
         self._closed = False
         self._broken = False
         try:
@@ -183,11 +188,13 @@ class _Bag:
         from day6_core.ros.distribution import current
 
         self._distro = os.environ.get("ROS_DISTRO", current())
-        name = _file_name(self.folder.name, len(self._files)) + SUFFIXES[self.storage]
+        name = _file_name(self.folder.name, self._begun) + SUFFIXES[self.storage]
+        self._begun += 1
         self._path = self.folder / name
         preset = self.options.storage_preset_profile
         self._file: BagWriter = create_file(self._path, self.storage, preset, self._distro, self._log)
         self._files.append(FileInformation(name, BagTime(), Duration(), 0))
+        self._counts.append(Counter())
         for topic, definition in self.topics.values():
             self._file.create_topic(topic, definition)
         self._begin: int | None = None
@@ -200,6 +207,10 @@ class _Bag:
         before = self._path
         self._end_file()
         self._begin_file()
+        self._delete_oldest()
+        if not self.options.snapshot_mode:
+            for message in self._repeated.as_of(*self._latest):
+                self._put(message)
         self._write_metadata()
         if self.on_split is not None:
             self.on_split(str(before), str(self._path))
@@ -213,6 +224,24 @@ class _Bag:
             self._path.unlink()
             self._files[-1].path = packed.name
 
+    def _delete_oldest(self) -> None:
+        most = self.options.max_bag_files
+        while most and len(self._files) > most:
+            oldest = self._files[0]
+            path = self.folder / oldest.path
+            try:
+                size = path.stat().st_size
+                path.unlink()
+            except FileNotFoundError:
+                self._log("ERROR", "rosbag2_cpp", f"Oldest bagfile to delete not found: {path}")
+            except OSError as error:
+                self._log("ERROR", "rosbag2_cpp", f"Failed to delete oldest bagfile: {path}. Error: {error.strerror}")
+                return  # tried again at the next split
+            else:
+                span = nanoseconds_of(oldest.duration)
+                self._log("INFO", "rosbag2_cpp", f"Deleted oldest bagfile: {oldest.path} ({size} bytes, {span} ns)")
+            del self._files[0], self._counts[0]
+
     # -- messages ------------------------------------------------------------------------------------------------------
 
     def create_topic(self, topic: TopicMetadata, definition: MessageDefinition | None) -> None:
@@ -221,29 +250,41 @@ class _Bag:
             self.topics[topic.name] = (topic, text)
             self._file.create_topic(topic, text)
 
+    def repeat(self, topic: str, depth: int) -> None:
+        """Begin each new file with the last messages of a topic."""
+        self._repeated.add_topic(topic, depth)
+
     def write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
         if topic not in self.topics:
             raise RuntimeError(f"Topic '{topic}' has not been created yet! Call 'create_topic' first.")
+        message = Kept(topic, data, received_ns, sent_ns)
         if self.options.snapshot_mode:
-            self._keep(topic, data, received_ns, sent_ns)
+            self._kept.add(message)
         else:
-            self._write(topic, data, received_ns, sent_ns)
-
-    def _write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
-        with self._marking_broken():
             if self._is_full(received_ns):
-                self.split()
+                with self._marking_broken():
+                    self.split()
+            self._write(message)
+        self._repeated.add(message)
+        self._latest = received_ns, sent_ns
+
+    def _write(self, message: Kept) -> None:
+        self._put(message)
+        now = time.monotonic()
+        if now - self._flushed > FLUSH_SECONDS + SLOWER_PER_PIECE * self._file.pieces:
+            self.flush()
+
+    def _put(self, message: Kept) -> None:
+        topic, data, received_ns, sent_ns = message
+        with self._marking_broken():
             if self._pack is not None and self.compression.compression_mode == CompressionMode.MESSAGE:
                 data = self._pack(data, 1)
             self._file.write(topic, data, received_ns, sent_ns)
-        self._counts[topic] = self._counts.get(topic, 0) + 1
+        self._counts[-1][topic] += 1
         self._begin = received_ns if self._begin is None else min(self._begin, received_ns)
         self._last = max(self._last, received_ns)
         self._files[-1].message_count += 1
         self._dirty = True
-        now = time.monotonic()
-        if now - self._flushed > FLUSH_SECONDS + SLOWER_PER_PIECE * self._file.pieces:
-            self.flush()
 
     def _is_full(self, now_ns: int) -> bool:
         if self._begin is None:
@@ -251,18 +292,17 @@ class _Bag:
         size, seconds = self.options.max_bagfile_size, self.options.max_bagfile_duration
         return bool(size and self._file.size > size) or bool(seconds and now_ns - self._begin > seconds * SECOND)
 
-    def _keep(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
-        self._kept.append((topic, data, received_ns, sent_ns))
-        self._kept_size += len(data)
-        while self._kept_size > self.options.max_cache_size and len(self._kept) > 1:
-            self._kept_size -= len(self._kept.popleft()[1])
-
     def take_snapshot(self) -> bool:
         if not self.options.snapshot_mode:
             return False
-        kept, self._kept, self._kept_size = self._kept, deque(), 0
+        kept = self._kept.take()
+        first = min(kept, key=lambda each: each.received_ns, default=None)
+        if first is not None:
+            kept[:0] = self._repeated.as_of(first.received_ns, first.sent_ns, before=True)
         for message in kept:
-            self._write(*message)
+            if self._is_full(message.received_ns):
+                self.split()
+            self._write(message)
         self.flush()
         return True
 
@@ -298,6 +338,7 @@ class _Bag:
         written = [file for file in self._files if file.message_count]
         start = min((file.starting_time.nanoseconds for file in written), default=0)
         end = max((file.starting_time.nanoseconds + file.duration.nanoseconds for file in written), default=start)
+        counts = sum(self._counts, Counter())
         packed = self._closed and self._pack is not None
         mode = self.compression.compression_mode
         if self._pack is not None and mode == CompressionMode.MESSAGE:
@@ -310,7 +351,7 @@ class _Bag:
             starting_time=BagTime(start),
             message_count=sum(file.message_count for file in self._files),
             topics_with_message_count=[
-                TopicInformation(topic, self._counts.get(name, 0)) for name, (topic, _) in self.topics.items()
+                TopicInformation(topic, counts[name]) for name, (topic, _) in self.topics.items()
             ],
             compression_format=self.compression.compression_format if packed else "",
             compression_mode=mode.name if packed else "",

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.ros2.cli.completion import CompletionContext
 from day6_core.ros.ros2.cli.options import completed
+from day6_core.whole_file import open_at_once
 
 if TYPE_CHECKING:
     from rosbag2_py._console import Log
@@ -103,8 +104,28 @@ def set_log_level(node: Node, level: str) -> None:
 
 
 def path_of(parser: Any, text: str) -> str:
-    """Return a path resolved against the session's working directory."""
-    return str(Path(parser.session.cwd, text))
+    """Return a path resolved against the working directory: that of the session, or of the program that imported ros2bag."""
+    session = getattr(parser, "session", None)
+    return text if session is None else str(Path(session.cwd, text))
+
+
+def path_in(session: Session, text: str | None) -> str:
+    """Return a path resolved against the session's working directory, '' for none."""
+    return str(Path(session.cwd, text)) if text else ""
+
+
+def readable_file(parser: Any) -> Callable[[str], str]:
+    """Return the argparse type of a file that is read, in the words of argparse.FileType."""
+
+    def check(text: str) -> str:
+        try:
+            with open(path_of(parser, text), "rb", opener=open_at_once):
+                return text
+        except OSError as problem:
+            reason = f"[Errno {problem.errno}] {problem.strerror}: {text!r}"
+            raise ArgumentTypeError(f"can't open '{text}': {reason}") from None
+
+    return check
 
 
 def existing_path(parser: Any) -> Callable[[str], str]:
@@ -153,6 +174,7 @@ def add_qos_overrides(parser: ArgumentParser) -> None:
     """Add the file of QoS overrides."""
     parser.add_argument(
         "--qos-profile-overrides-path",
+        type=readable_file(parser),
         help="Path to a yaml file defining overrides of the QoS profile for specific topics.",
     )
 
@@ -169,9 +191,7 @@ def qos_overrides(session: Session, path: str | None) -> dict[str, QoSProfile]:
     try:
         return parse(yaml.safe_load(Path(session.cwd, path).read_text(encoding="utf-8")))
     except OSError as problem:
-        raise RuntimeError(
-            error(f"can't open '{path}': [Errno {problem.errno}] {problem.strerror}: '{path}'")
-        ) from None
+        raise RuntimeError(error(f"{problem.strerror}: {path}")) from None
     except (InvalidQoSProfileException, ValueError, TypeError, yaml.YAMLError) as problem:
         raise RuntimeError(error(str(problem))) from None
 

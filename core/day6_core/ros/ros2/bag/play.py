@@ -15,6 +15,7 @@ from day6_core.ros.ros2.bag._options import (
     not_negative_float,
     not_negative_int,
     positive_float,
+    readable_file,
     regular_expression,
 )
 from day6_core.ros.ros2.cli.completion import topic_names
@@ -120,6 +121,7 @@ def add_reading(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--storage-config-file",
+        type=readable_file(parser),
         help="Path to a yaml file defining storage specific configurations. Not used here.",
     )
     parser.add_argument(
