@@ -1,4 +1,4 @@
-"""`Recorder` and `Player` for users' programs: they block until the end or Ctrl-C."""
+"""`Recorder` and `Player` for users' programs: they block until the end or Ctrl-C. Since Lyrical they are `_controlled`'s."""
 
 from __future__ import annotations
 
@@ -6,18 +6,29 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from day6_core.ros.differences import value
 from rosbag2_py import also
-from rosbag2_py._options import PlayOptions, RecordOptions, ServiceRequestsSource
+from rosbag2_py._options import PlayOptions as PlayOptions
+from rosbag2_py._options import RecordOptions as RecordOptions
+from rosbag2_py._options import ServiceRequestsSource as ServiceRequestsSource
 from rosbag2_py._storage import StorageOptions
 
 if TYPE_CHECKING:
     from rclpy.node import Node
 
-__all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource"]
-
 _LONGEST_WAIT = 0.1
 
-__getattr__ = also("_transport")
+_find = also("_transport")
+
+
+def __getattr__(name: str) -> Any:
+    if name not in ("Player", "Recorder"):
+        return _find(name)
+    if value("bag.controlled_classes"):
+        from rosbag2_py import _controlled
+
+        return getattr(_controlled, name)
+    return BlockingPlayer if name == "Player" else BlockingRecorder
 
 
 class _Transport:
@@ -61,7 +72,7 @@ class _Transport:
             context.try_shutdown()
 
 
-class Recorder(_Transport):
+class BlockingRecorder(_Transport):
     """Records bags: `Recorder().record(storage_options, record_options)`."""
 
     def record(
@@ -97,7 +108,7 @@ class Recorder(_Transport):
                 recording.stop()
 
 
-class Player(_Transport):
+class BlockingPlayer(_Transport):
     """Plays bags: `Player().play(storage_options, play_options)`."""
 
     def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
@@ -138,3 +149,7 @@ class Player(_Transport):
             self._run(NODE_NAME, options.topic_remapping_options, begin)
         finally:
             reader.close()
+
+
+BlockingPlayer.__name__ = BlockingPlayer.__qualname__ = "Player"
+BlockingRecorder.__name__ = BlockingRecorder.__qualname__ = "Recorder"
