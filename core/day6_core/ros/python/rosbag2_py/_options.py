@@ -110,10 +110,11 @@ def qos_overrides(content: Any) -> dict[str, QoSProfile]:
     """Return the profiles of a loaded YAML file by topic. Raises ValueError or InvalidQoSProfileException."""
     if not isinstance(content, dict):
         raise ValueError("The QoS overrides must be a map from topics to profiles.")
-    return {str(topic): _override(profile) for topic, profile in content.items()}
+    return {str(topic): qos_profile_of(profile) for topic, profile in content.items()}
 
 
-def _override(profile: Any) -> QoSProfile:
+def qos_profile_of(profile: Any) -> QoSProfile:
+    """Return the profile of a map from policies to values. Raises ValueError or InvalidQoSProfileException."""
     from rclpy.qos import QoSProfile
 
     if not isinstance(profile, dict):
@@ -124,7 +125,7 @@ def _override(profile: Any) -> QoSProfile:
         if policy is None:
             raise ValueError(f"Unexpected key `{key}` for QoS profile.")
         if isinstance(policy, Limit):
-            values[key] = _duration(value)
+            values[key] = duration_of(value)
         elif isinstance(policy, Choice):
             values[key] = int(policy.values[value.upper()])
         elif value < 0:
