@@ -135,7 +135,8 @@ def qos_profile_of(profile: Any) -> QoSProfile:
     return QoSProfile(**values)
 
 
-def _duration(value: Any) -> Any:
+def duration_of(value: Any) -> Any:
+    """Return a rclpy Duration of {sec: …, nsec: …}, zero of nothing. Raises ValueError."""
     from rclpy.duration import Duration
 
     if not value:
