@@ -17,6 +17,8 @@ from day6_urdf import shipped_model
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from tests.robot.conftest import Machine
 
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -367,3 +369,31 @@ def test_ctrl_c_ends_it_as_a_cpp_node_ends(machine: Machine) -> None:
     machine.advance()
     assert running.program.status == 0
     assert running.errors.endswith("[INFO] [rclcpp]: signal_handler(SIGINT/SIGTERM)\n")
+
+
+@pytest.mark.parametrize("name", ("kilted", "lyrical"))
+def test_since_lyrical_the_description_may_come_from_the_topic(
+    machine: Machine, in_distribution: Callable[[str], None], name: str
+) -> None:
+    in_distribution(name)
+    running = machine.start(
+        "robot_state_publisher", "robot_state_publisher", "--ros-args", "-p", "use_robot_description_topic:=true"
+    )
+    machine.advance(0.1)
+    if name == "kilted":
+        assert running.program.status is not None and "robot_description parameter must not be empty" in running.errors
+        return
+    moving, fixed = machine.watch(TFMessage, "/tf"), machine.watch(TFMessage, "/tf_static", LATCHED)
+    publisher = machine.node.create_publisher(String, "robot_description", LATCHED)
+    machine.joint_states(["lift"], [0.5])
+    machine.advance(0.1)
+    assert running.errors == "" and moving == fixed == []
+    publisher.publish(String(data="<robot/>"))
+    machine.advance(0.1)
+    assert "Failed to parse new URDF: Unable to initialize urdf::model from robot description" in running.errors
+    publisher.publish(String(data=OTHER))
+    machine.advance(0.1)
+    assert frames(fixed) == [[("arm", "tip")]]
+    machine.joint_states(["lift"], [0.5])
+    machine.advance(0.1)
+    assert frames(moving) == [[("base", "arm")]]

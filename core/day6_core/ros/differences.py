@@ -110,6 +110,11 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "robot_state_publisher.names_segments": _in_humble(
         True, False, "ros/robot_state_publisher: setupURDF, branches humble and rolling (`Robot initialized`)"
     ),
+    "robot_state_publisher.listens": _since_lyrical(
+        False,
+        True,
+        "ros/robot_state_publisher#234 (3.5.3): use_robot_description_topic; #244 brought it to Kilted in September 2026",
+    ),
     "bag.storage": _in_humble(
         "sqlite3", "mcap", "ros2/rosbag2#1160 (Iron); Release-Iron-Irwini.rst of ros2_documentation"
     ),
@@ -461,7 +466,7 @@ UNSETTLED: dict[str, str] = {
     "message_filters": "has Chain, DeltaFilter, InputAligner, TimeSequencer and offsets in every distribution: most went back to "
     "all of them (message_filters#238, #252, #283); where a time is missing, TimeSynchronizer still raises AttributeError",
     "launch of Lyrical": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
-    "(rcl#1275), robot_state_publisher use_robot_description_topic (#234)",
+    "(rcl#1275)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
     "rclpy#1584): the words are in no source at hand",
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",

@@ -51,9 +51,12 @@ class DescriptionRefused(Exception):
 
 
 class RobotStatePublisher:
-    """The node; it does nothing before `start`. Raises CppException for parameters that crash the original."""
+    """The node; it does nothing before `start` or `wait`. Raises CppException for parameters that crash the original.
 
-    def __init__(self, node: Node, print_error: Callable[[str], None]) -> None:
+    `listens`: whether the description comes from the topic on which it is published otherwise.
+    """
+
+    def __init__(self, node: Node, print_error: Callable[[str], None], *, listens: bool = False) -> None:
         self._node = node
         self._print_error = print_error
         self._segments: Segments | None = None
@@ -67,7 +70,7 @@ class RobotStatePublisher:
         # These three and the subscription have the QoS, and the `qos_overrides.…` parameters, of tf2_ros and the original.
         self._tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100), qos_overriding_options=DYNAMIC_TF)
         self._tf_static = node.create_publisher(TFMessage, "/tf_static", _latched(), qos_overriding_options=STATIC_TF)
-        self._description = node.create_publisher(String, "robot_description", _latched())
+        self._description = None if listens else node.create_publisher(String, "robot_description", _latched())
 
     def start(self, description: str, report: Report) -> None:
         """Publish the description and the fixed transforms, then listen. Raises CppException."""
@@ -76,6 +79,19 @@ class RobotStatePublisher:
         except DescriptionRefused as error:
             raise CppException(str(error)) from error
         self._setup(description, robot)
+        self._listen()
+        self._publish_fixed()
+        self._node.add_on_set_parameters_callback(self._check_parameters)
+        events_qos = qos_profile_parameter_events
+        self._node.create_subscription(ParameterEvent, "/parameter_events", self._parameters_changed, events_qos)
+
+    def wait(self) -> None:
+        """Wait for descriptions on the topic, instead of `start`."""
+        self._node.create_subscription(String, "robot_description", lambda said: self._renew(said.data), _latched())
+        self._listen()
+        self._node.add_on_set_parameters_callback(self._check_parameters)
+
+    def _listen(self) -> None:
         node = self._node
         node.create_subscription(
             JointState,
@@ -84,10 +100,6 @@ class RobotStatePublisher:
             QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT),  # rclcpp::SensorDataQoS
             qos_overriding_options=QoSOverridingOptions.with_default_policies(),
         )
-        self._publish_fixed()
-        node.add_on_set_parameters_callback(self._check_parameters)
-        events_qos = qos_profile_parameter_events
-        node.create_subscription(ParameterEvent, "/parameter_events", self._parameters_changed, events_qos)
 
     def _accept(self, report: Report) -> Robot:
         """Print what the parsers print and return the robot. Raises Refused."""
@@ -120,7 +132,8 @@ class RobotStatePublisher:
 
     def _setup(self, description: str, robot: Robot) -> None:
         self._segments = Segments(robot)
-        self._description.publish(String(data=description))
+        if self._description is not None:
+            self._description.publish(String(data=description))
         log = self._node.get_logger()
         if value("robot_state_publisher.names_segments"):
             for name in sorted(link.name for link in robot.links):
@@ -136,6 +149,8 @@ class RobotStatePublisher:
         self._tf_static.publish(TFMessage(transforms=merged))
 
     def _joint_states(self, state: JointState) -> None:
+        if self._segments is None:
+            return  # no description has come yet
         names, positions = state.name, state.position
         if len(names) != len(positions):
             if len(positions) == 0:
@@ -153,7 +168,6 @@ class RobotStatePublisher:
         frequency = self._node.get_parameter("publish_frequency").value
         due = self._throttle.admits(names, stamp_ns, now_ns, frequency)
         if due or self._node.get_parameter("ignore_timestamp").value:
-            assert self._segments is not None
             transforms = self._segments.moving(names, positions)
             # Also when there is none: the original sends an empty message for joints it does not know.
             self._tf.publish(TFMessage(transforms=[self._stamped(item, state.header.stamp) for item in transforms]))
@@ -188,14 +202,16 @@ class RobotStatePublisher:
             return
         for parameter in event.changed_parameters:
             if parameter.name == "robot_description":
-                description = parameter.value.string_value
-                try:
-                    robot = self._accept(check_text(description))
-                except DescriptionRefused as error:
-                    self._node.get_logger().warning(f"Failed to parse new URDF: {error}")
-                else:
-                    self._setup(description, robot)
-                    self._publish_fixed()
+                self._renew(parameter.value.string_value)
+
+    def _renew(self, description: str) -> None:
+        try:
+            robot = self._accept(check_text(description))
+        except DescriptionRefused as error:
+            self._node.get_logger().warning(f"Failed to parse new URDF: {error}")
+        else:
+            self._setup(description, robot)
+            self._publish_fixed()
 
     def _now_ns(self) -> int:
         return int(self._node.get_clock().now().nanoseconds)
@@ -203,6 +219,12 @@ class RobotStatePublisher:
 
 def _latched() -> QoSProfile:
     return QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+def _listens(node: Node) -> bool:
+    return value("robot_state_publisher.listens") and bool(
+        node.declare_parameter("use_robot_description_topic", False).value
+    )
 
 
 def _description(session: Session, node: Node) -> tuple[str, int]:
@@ -246,9 +268,12 @@ async def _report(text: str, size: int) -> Report:
 
 async def main(session: Session) -> int:
     node = create_node(session, "robot_state_publisher")
-    description, size = _description(session, node)
-    publisher = RobotStatePublisher(node, session.print_error)
-    publisher.start(description, await _report(description, size))
+    if _listens(node):
+        RobotStatePublisher(node, session.print_error, listens=True).wait()
+    else:
+        description, size = _description(session, node)
+        publisher = RobotStatePublisher(node, session.print_error)
+        publisher.start(description, await _report(description, size))
     try:
         await session.spin(node)
     except STOPPED:
