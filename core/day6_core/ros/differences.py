@@ -133,8 +133,9 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "bag.info_names_distribution_and_services": _in_humble(
         False, True, "ros2/rosbag2: rosbag2_py/format_bag_metadata.cpp, branches humble and jazzy"
     ),
-    "bag.recorder_logs_pause_at_end": _in_humble(
-        False, True, "ros2/rosbag2: Recorder::stop in recorder.cpp, branches humble and jazzy"
+    "bag.recorder_logs_pause_at_end": (
+        {"humble": False, "jazzy": True, "lyrical": False},
+        "ros2/rosbag2: Recorder::stop in recorder.cpp, branches humble, jazzy and rolling (April 2026)",
     ),
     "bag.recorder_waits": _in_humble(
         "Waiting for recording", "Wait for recording", "ros2/rosbag2: recorder.cpp, branches humble and jazzy"

@@ -215,9 +215,9 @@ class Recording:
     def _stop(self) -> None:
         self.recording = False
         self.stop_discovery()
+        if value("bag.recorder_logs_pause_at_end"):
+            self.pause()
         if not self._newer:
-            if value("bag.recorder_logs_pause_at_end"):
-                self.pause()
             self.paused = True
         for subscription in self._subscriptions.values():
             self._node.destroy_subscription(subscription)

@@ -122,8 +122,9 @@ def readable_file(parser: Any) -> Callable[[str], str]:
             with open(path_of(parser, text), "rb", opener=open_at_once):
                 return text
         except OSError as problem:
-            reason = f"[Errno {problem.errno}] {problem.strerror}: {text!r}"
-            raise ArgumentTypeError(f"can't open '{text}': {reason}") from None
+            raise ArgumentTypeError(
+                f"can't open '{text}': [Errno {problem.errno}] {problem.strerror}: '{text}'"
+            ) from None
 
     return check
 
@@ -191,7 +192,9 @@ def qos_overrides(session: Session, path: str | None) -> dict[str, QoSProfile]:
     try:
         return parse(yaml.safe_load(Path(session.cwd, path).read_text(encoding="utf-8")))
     except OSError as problem:
-        raise RuntimeError(error(f"{problem.strerror}: {path}")) from None
+        raise RuntimeError(
+            error(f"can't open '{path}': [Errno {problem.errno}] {problem.strerror}: '{path}'")
+        ) from None
     except (InvalidQoSProfileException, ValueError, TypeError, yaml.YAMLError) as problem:
         raise RuntimeError(error(str(problem))) from None
 
