@@ -36,8 +36,11 @@ CONTAINERS = {"day6_core", "day6_core.ros"}
 BY_NAME = {
     "day6_core.interfaces.stubs": "what an editor's type checker imports",
     "day6_core.ros.executables": "day6-tui's own command line",
+    "day6_core.ros.ros2.extension_points": "a group of entry points is named as a module",
+    "day6_core.ros.ros2.extensions": "a group of entry points is named as a module",
     "day6_core.shell.outward.subshell": "day6-tui's own command line",
     "launch._entry_points": "what are entry points in ROS",
+    "rclpy": "says which module, imported by the program, brings rclpy.action along",
 }
 """Modules that may name a module of a higher layer in a string, and the reason."""
 _DOTTED_STRING = re.compile(r"""["']([A-Za-z_]\w*(?:\.\w+)+)["']""")

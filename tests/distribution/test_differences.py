@@ -179,7 +179,8 @@ PARTS = {
     "until grep -q 'arguments\\|Listening' refused.txt; do sleep 0.05; done; kill -INT %1; wait; cat refused.txt; "
     "ros2 bag play mine -s mcap > stored.txt 2>&1; cat stored.txt",
     "bandwidth": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & until ros2 topic list | grep -q chatter; do sleep 0.05; done; "
-    "{ ros2 topic bw /chatter /rosout 2>&1 | head -6; ros2 topic bw --all 2>&1 | head -6; ros2 topic hz -a 2>&1 | head -6; } "
+    "N=$(test $ROS_DISTRO = lyrical && echo 6 || echo 60); { ros2 topic bw /chatter /rosout 2>&1 | head -$N; "
+    "ros2 topic bw --all 2>&1 | head -$N; ros2 topic hz -a 2>&1 | head -$N; } "
     "| tr = _; "
     "kill %1; wait",
     "play": "ros2 bag play -r 100 mine 2>&1 | cat",

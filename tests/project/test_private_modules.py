@@ -19,6 +19,8 @@ FRIENDS = {
     ("day6_core.ros.ros2", "rosbag2_py"): "the public names are imported on first use, and so have no types",
     ("day6_core.ros.programs.rqt_bag", "rosbag2_py"): "the same; its index has no public name in ROS",
     ("day6_tui.commands", "rosbag2_py"): "the same: what makes tables of a bag has no public name in ROS",
+    ("ros2bag.api", "rosbag2_py"): "the same",
+    ("ros2bag.api", "day6_core.ros.ros2"): "the public names of what `ros2 bag` is made of",
     ("day6_core.session", "rclpy._day6.log_file"): "rclpy's public names are those of the real one, which has no such",
     ("launch_ros", "rclpy._rclpy_pybind11"): "its name in the real one, and what launch files catch",
     ("day6_core.ros.ros2", "launch._host"): "launch's public names are those of the real one",

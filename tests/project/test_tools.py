@@ -37,7 +37,7 @@ def imported() -> set[str]:
             elif isinstance(node, ast.ImportFrom) and node.module is not None and node.level == 0:
                 found.add(node.module)
     names = ours()
-    without_file = re.compile(r"\w+\.(msg|srv|action)\._")  # made when it is imported, as pickles name it
+    without_file = re.compile(r"\w+\.(msg|srv|action)\._|ros2\w+\.(verb|command)\.")  # made when they are imported
     return {module for module in found if module.partition(".")[0] in names and not without_file.match(module)}
 
 

@@ -305,7 +305,6 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
     "rclpy.client:Client.service_name": _since("jazzy", _RCLPY),
     "rclpy.context:Context.__enter__": _since("jazzy", _RCLPY),
     "rclpy.event_handler:QoSEventHandler": _until("kilted", _REMOVED),
-    "rclpy.exceptions:TimeSourceChangedError": _since("lyrical", "ros2/rclpy#1620: rclpy/experimental/async_clock.py"),
     "rclpy.executors:Executor.__enter__": _since("jazzy", _RCLPY),
     "rclpy.impl.rcutils_logger:RcutilsLogger.warn": _until("kilted", _REMOVED),
     "rclpy.logging:get_logger_level": _since("jazzy", _RCLPY),

@@ -59,7 +59,7 @@ TOOLS: dict[str, Ours] = {
     "dirname": Ours(),
     "egrep": Ours("ivncwxoqlrHhs", "", ("--color", "--color=auto"), fits=_plain_search),
     "fgrep": Ours("ivncxqlrHhs", "", ("--color", "--color=auto")),
-    "find": Ours(fits=lambda letters, operands: False),
+    "find": Ours(),
     "grep": Ours("ivncFEwxqlrHhs", "", ("--color", "--color=auto"), fits=_plain_search),
     "head": Ours("q", "nc"),
     "readlink": Ours("f"),

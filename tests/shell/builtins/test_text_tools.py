@@ -70,7 +70,7 @@ def test_the_usual_lines_cost_no_process(line: str) -> None:
         "sort -k2 x",
         "sort -rn x",
         "date -d now",
-        "find .",
+        "find . -type f",
         "grep -rL a .",
     ],
 )

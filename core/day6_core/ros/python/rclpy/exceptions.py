@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy._day6.incidental import also
-from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import InvalidHandle as InvalidHandle
 from rclpy._rclpy_pybind11 import TimerCancelledError as TimerCancelledError
 
@@ -141,6 +140,3 @@ class TimeSourceChangedError(Exception):
 
     def __init__(self) -> None:
         super().__init__("Time source changed")
-
-
-withdraw(__name__)

@@ -63,7 +63,7 @@ class AsyncClient(Generic[SrvRequestT, SrvResponseT]):
         if self._node._is_destroyed:
             raise RuntimeError("Calling a destroyed client is forbidden")
         loop = asyncio.get_running_loop()
-        answer: asyncio.Future[SrvResponseT] = loop.create_future()
+        answer: asyncio.Future[Any] = loop.create_future()
 
         def arrived(future: Future[SrvResponseT]) -> None:  # on the executor's thread
             loop.call_soon_threadsafe(lambda: None if answer.done() else answer.set_result(future.result()))
@@ -72,7 +72,8 @@ class AsyncClient(Generic[SrvRequestT, SrvResponseT]):
         sent.add_done_callback(arrived)
         self._node._pending.add(answer)
         try:
-            return await answer
+            response: SrvResponseT = await answer
+            return response
         finally:
             self._node._pending.discard(answer)
             self._client.remove_pending_request(sent)
