@@ -18,7 +18,11 @@ NOT_HERE = frozenset({"bag", "launch", "multicast", "run"})
 
 COMMANDS = [name for name in command_names() if name not in NOT_HERE]
 PAIRS = [(command, verb) for command in COMMANDS for verb in verb_names(command) or [""]]
-PAIRS = [pair for pair in PAIRS if pair not in (("pkg", "create"), ("doctor", "hello"), ("wtf", "hello"), ("daemon", "start"))]
+PAIRS = [
+    pair
+    for pair in PAIRS
+    if pair not in (("pkg", "create"), ("doctor", "hello"), ("wtf", "hello"), ("daemon", "start"))
+]
 
 WORDS = st.sampled_from(
     [
