@@ -19,7 +19,7 @@ from rosbag2_py._options import RecordOptions
 from rosbag2_py._qos import from_rclpy
 from rosbag2_py._record_services import RecordServices
 from rosbag2_py._storage import ConverterOptions, StorageOptions, TopicMetadata
-from rosbag2_py._topic_filter import TopicFilter
+from rosbag2_py._topic_filter import TopicFilter, read_static_topics
 from rosbag2_py._writer import FLUSH_SECONDS, SequentialCompressionWriter, SequentialWriter
 
 if TYPE_CHECKING:
@@ -84,7 +84,9 @@ class Recording:
         for name in ("topics", "exclude_topics", "services", "exclude_service_events"):
             setattr(options, name, [self._full(topic) for topic in getattr(options, name)])
         self._repeated = {self._full(topic): depth for topic, depth in options.repeat_transient_local_messages.items()}
-        self._static = self._static_topics()
+        self._static = {
+            self._full(topic): kind for topic, kind in read_static_topics(options.static_topics_uri, self._log).items()
+        }
         self._filter = TopicFilter(options, node, self._log.warning, self._static)
         if keyboard:
             self._log.info("Press SPACE for pausing/resuming")
@@ -94,32 +96,6 @@ class Recording:
         from rclpy.expand_topic_name import expand_topic_name
 
         return expand_topic_name(topic, self._node.get_name(), self._node.get_namespace())
-
-    def _static_topics(self) -> dict[str, str]:
-        """Return the types of the topics in the file of static ones; none, with an error, if something in it is wrong."""
-        path = self._options.static_topics_uri
-        if not path:
-            return {}
-        import yaml
-
-        self._log.info(f"Reading static topics from {path}")
-        key, found = "static_topics_and_types_list", {}
-        try:
-            content = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
-            if not isinstance(content, dict) or key not in content:
-                raise ValueError(f"Static topics YAML file must have top-level key '{key}'")
-            if not isinstance(content[key], list):
-                raise ValueError(f"Top-level key '{key}' must contain a list of 'topic_name, topic_type' pairs")
-            for pair in content[key]:
-                if not isinstance(pair, list) or len(pair) != 2:
-                    raise ValueError(f"not a 'topic_name, topic_type' pair: {pair}")
-                found[self._full(str(pair[0]))] = str(pair[1])
-        except (OSError, ValueError, yaml.YAMLError) as error:
-            self._log.error(f"Failed to read static topics list: {error}")
-            self._log.info("Cleared static topics list due to read failure.")
-            return {}
-        self._log.info(f"Read {len(found)} static topics")
-        return found
 
     def _make_writer(self, log: Log) -> SequentialWriter:
         options = self._options
@@ -160,11 +136,8 @@ class Recording:
         self._waits_for_clock = options.use_sim_time
         only_static = self._static and not self._filter.selects_from_graph
         self._flushed = time.monotonic()
-        if not (options.is_discovery_disabled or only_static):
-            self.discovering = True
-            if not self._newer:
-                self._log.info("Listening for topics...")
-        elif not self._newer:
+        self.discovering = not (options.is_discovery_disabled or only_static)
+        if not self._newer:
             self._log.info("Listening for topics...")
         if options.use_sim_time:
             self._log.info("use_sim_time set, waiting for /clock before starting recording...")

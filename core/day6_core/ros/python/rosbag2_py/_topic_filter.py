@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_core.interfaces import get_interface
@@ -11,6 +12,7 @@ from rosbag2_py._options import RecordOptions
 from rosbag2_py._storage import EVENT_SUFFIX
 
 if TYPE_CHECKING:
+    from rclpy.impl.rcutils_logger import RcutilsLogger
     from rclpy.node import Node
 
 HIDDEN = "Hidden topics are not recorded. Enable them with --include-hidden-topics"
@@ -109,6 +111,32 @@ class TopicFilter:
                 f"Reason: '{error}"
             )
             return None
+
+
+def read_static_topics(path: str, log: RcutilsLogger) -> dict[str, str]:
+    """Return topics and their types from a YAML file; none, with an error, if something in it is wrong."""
+    if not path:
+        return {}
+    import yaml
+
+    log.info(f"Reading static topics from {path}")
+    key, found = "static_topics_and_types_list", {}
+    try:
+        content = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
+        if not isinstance(content, dict) or key not in content:
+            raise ValueError(f"Static topics YAML file must have top-level key '{key}'")
+        if not isinstance(content[key], list):
+            raise ValueError(f"Top-level key '{key}' must contain a list of 'topic_name, topic_type' pairs")
+        for pair in content[key]:
+            if not isinstance(pair, list) or len(pair) != 2:
+                raise ValueError(f"not a 'topic_name, topic_type' pair: {pair}")
+            found[str(pair[0])] = str(pair[1])
+    except (OSError, ValueError, yaml.YAMLError) as error:
+        log.error(f"Failed to read static topics list: {error}")
+        log.info("Cleared static topics list due to read failure.")
+        return {}
+    log.info(f"Read {len(found)} static topics")
+    return found
 
 
 def _found(pattern: str, name: str) -> bool:

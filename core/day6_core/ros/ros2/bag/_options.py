@@ -202,3 +202,23 @@ def qos_overrides(session: Session, path: str | None) -> dict[str, QoSProfile]:
 def event_topics(services: list[str] | None) -> list[str]:
     """Return the service event topics of `services`."""
     return [f"{service}/_service_event" for service in services or ()]
+
+
+def repeated_topics(words: list[str]) -> dict[str, int]:
+    """Return how many messages of which topics are repeated: `/map=3`. Raises ValueError with ros2bag's text."""
+    found = {}
+    for word in words:
+        topic, equal, depth = word.partition("=")
+        start = f'Invalid value for --repeat-transient-local: "{word}".'
+        if not topic:
+            raise ValueError(f"{start} Topic name must not be empty.")
+        if equal and not depth:
+            raise ValueError(f"{start} Expected format <topic> or <topic>=<depth>.")
+        start = start.replace("value", "depth", 1)
+        try:
+            found[topic] = int(depth or 1)
+        except ValueError:
+            raise ValueError(f"{start} Depth must be a positive integer.") from None
+        if found[topic] <= 0:
+            raise ValueError(f"{start} Depth must be greater than 0.")
+    return found

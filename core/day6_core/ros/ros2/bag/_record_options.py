@@ -13,6 +13,7 @@ from day6_core.ros.ros2.bag._options import (
     error,
     readable_file,
     regular_expression,
+    repeated_topics,
     warning,
 )
 from day6_core.ros.ros2.cli.completion import message_types, service_names, topic_names
@@ -379,23 +380,3 @@ def _newer_refusal(args: Namespace) -> str | None:
     except ValueError as problem:
         return error(str(problem))
     return None
-
-
-def repeated_topics(words: list[str]) -> dict[str, int]:
-    """Return how many messages of which topics are repeated: `/map=3`. Raises ValueError with ros2bag's text."""
-    found = {}
-    for word in words:
-        topic, equal, depth = word.partition("=")
-        start = f'Invalid value for --repeat-transient-local: "{word}".'
-        if not topic:
-            raise ValueError(f"{start} Topic name must not be empty.")
-        if equal and not depth:
-            raise ValueError(f"{start} Expected format <topic> or <topic>=<depth>.")
-        start = start.replace("value", "depth", 1)
-        try:
-            found[topic] = int(depth or 1)
-        except ValueError:
-            raise ValueError(f"{start} Depth must be a positive integer.") from None
-        if found[topic] <= 0:
-            raise ValueError(f"{start} Depth must be greater than 0.")
-    return found

@@ -7,9 +7,17 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from day6_core.ros.ros2.bag._options import console, error, event_topics, path_in, qos_overrides, set_log_level
+from day6_core.ros.ros2.bag._options import (
+    console,
+    error,
+    event_topics,
+    path_in,
+    qos_overrides,
+    repeated_topics,
+    set_log_level,
+)
 from day6_core.ros.ros2.bag._record_options import add_arguments as add_arguments
-from day6_core.ros.ros2.bag._record_options import refusal, repeated_topics
+from day6_core.ros.ros2.bag._record_options import refusal
 from day6_core.session.streams import WriteError
 
 if TYPE_CHECKING:
