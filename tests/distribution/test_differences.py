@@ -185,7 +185,16 @@ PARTS = {
     "kill %1; wait",
     "play": "ros2 bag play -r 100 mine 2>&1 | cat",
     "write": "python3 writer.py; ros2 bag info written",
+    "capsule": "check_urdf capsule.urdf 2>&1",
 }
+
+CAPSULE = """\
+<robot name="pill" version="1.1">
+  <link name="a">
+    <visual><origin quat_xyzw="0 0 0 1"/><geometry><capsule radius="0.1" length="0.4"/></geometry></visual>
+  </link>
+</robot>
+"""
 
 
 @pytest.fixture(scope="module")
@@ -196,6 +205,7 @@ def played(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]
         home = tmp_path_factory.mktemp(name)
         (home / "program.py").write_text(PROGRAM, encoding="utf-8")
         (home / "writer.py").write_text(WRITER, encoding="utf-8")
+        (home / "capsule.urdf").write_text(CAPSULE, encoding="utf-8")
         (home / "names.json").write_text(json.dumps(list(RCLPY)), encoding="utf-8")
         parts = {"home": f"cd {home}", **PARTS, "rclpy": 'python3 program.py "$(cat names.json)"'}
         found[name] = sections(home, parts, ROS_DISTRO=name)
@@ -308,6 +318,14 @@ def test_humble_always_checks_fields(asked: dict[str, object], name: str) -> Non
     refused = "AssertionError: Invalid arguments passed to constructor: check_fields"
     assert asked["unchecked"] == (refused if name == "humble" else None)
     assert asked["slots"] == (["_data"] if name == "humble" else ["_data", "_check_fields"])
+
+
+@pytest.mark.process
+@pytest.mark.parametrize("name", PLAYED)
+def test_urdf_1_1_is_read_from_lyrical_on(played: dict[str, dict[str, str]], name: str) -> None:
+    said = played[name]["capsule"]
+    refused = "Invalid 'version' specified; only version 1.0 is currently supported"
+    assert (refused in said, "robot name is: pill" in said) == (name != "lyrical", name == "lyrical")
 
 
 @pytest.mark.process

@@ -213,7 +213,7 @@ def test_without_a_screen_a_description_that_takes_long_to_read_is_waited_for(
     machine: Machine, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     may_go_on = threading.Event()
-    monkeypatch.setattr(car_view, "load_robot", lambda text: may_go_on.wait(PATIENCE) and parse_robot(text))
+    monkeypatch.setattr(car_view, "load_robot", lambda *of: may_go_on.wait(PATIENCE) and parse_robot(*of))
     machine.publish_robot()
     running = machine.start("day6_bot", "car_view")
     machine.advance(5.0)

@@ -20,6 +20,8 @@ from day6_urdf.kinematics import Transform
 from tests.rviz2.rviz_walk import Walk, run, walking
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from tests.rviz2.rviz_machine import RVizMachine
 
 OFFER = "see the robot up close"
@@ -377,3 +379,18 @@ def test_a_click_on_that_line_leads_to_the_tree_and_f1_explains_it(machine: RViz
             assert at.pane.panel.properties.prop is machine.rviz.statuses.lines[0] and at.pane.on_panel
 
     run(walk())
+
+
+def test_a_capsule_is_a_cylinder_with_round_ends(machine: RVizMachine, in_distribution: Callable[[str], None]) -> None:
+    in_distribution("lyrical")
+    machine.open()
+    capsule = '<origin xyz="1 0 0"/><geometry><capsule radius="0.1" length="0.4"/></geometry>'
+    robot = f'<robot name="r" version="1.1"><link name="base_link"><visual>{capsule}</visual></link></robot>'
+    display = machine.robot(robot)
+    assert display.status("URDF")[0] == "Ok"
+    shapes = [(shape.kind, shape.size, shape.pose.xyz) for shape in machine.rviz.scene.shapes]
+    assert sorted(shapes) == [
+        ("cylinder", (0.2, 0.2, 0.4), (1.0, 0.0, 0.0)),
+        ("sphere", (0.2, 0.2, 0.2), (1.0, 0.0, -0.2)),
+        ("sphere", (0.2, 0.2, 0.2), (1.0, 0.0, 0.2)),
+    ]

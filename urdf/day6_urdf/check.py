@@ -1,5 +1,7 @@
 """Checks a robot description as urdfdom 4.0.1's parser does, with its messages, their order, and its tolerance.
 
+Where URDF 1.1 and 1.2 are read (`newest`), the messages about them are those of urdfdom 5.1 and 6.0.
+
 `check_text` returns the robot as plain data and everything the real parser would have written to stderr. check_urdf,
 urdf_to_graphviz and robot_state_publisher are built on it, so none of them needs yourdfpy. The numbers are line numbers in
 urdfdom's model.cpp. Only a text too large to read without a stall, for which urdfdom has no message, gets one of ours.
@@ -11,7 +13,7 @@ import os
 import re
 from dataclasses import replace
 
-from day6_urdf.diagnostics import Diagnostics, Refused
+from day6_urdf.diagnostics import OLDEST, Diagnostics, Refused, Version
 from day6_urdf.joint_reader import read_joint
 from day6_urdf.link_reader import read_link, read_material
 from day6_urdf.model import Joint, Link, Material, Robot
@@ -24,11 +26,14 @@ MAX_BYTES = 4_000_000
 _INTEGER = re.compile(r"[ \t\n\v\f\r]*([+-]?[0-9]+)")
 
 
-def check_text(text: str) -> Report:
-    """Check a robot description. Never raises; the report of a refused description has no robot."""
+def check_text(text: str, newest: Version = OLDEST) -> Report:
+    """Check a robot description by the rules of an urdfdom that reads URDF up to `newest`.
+
+    Never raises; the report of a refused description has no robot.
+    """
     if len(text) > MAX_BYTES:
         return too_large(len(text))
-    diagnostics = Diagnostics(text)
+    diagnostics = Diagnostics(text, newest)
     try:
         robot = _Model(diagnostics).read(text)
     except Refused:
@@ -36,13 +41,13 @@ def check_text(text: str) -> Report:
     return Report(robot, tuple(diagnostics.all))
 
 
-def check_file(path: str | os.PathLike[str]) -> Report:
+def check_file(path: str | os.PathLike[str], newest: Version = OLDEST) -> Report:
     """Check a file as check_urdf does: a missing or unreadable file counts as an empty description. Never raises."""
     try:
         text, size = read_description(path)
     except OSError:
         text, size = "", 0
-    return too_large(size) if size > MAX_BYTES else check_text(text)
+    return too_large(size) if size > MAX_BYTES else check_text(text, newest)
 
 
 def read_description(path: str | os.PathLike[str]) -> tuple[str, int]:
@@ -80,9 +85,10 @@ class _Model:
         name = root.attributes.get("name")
         if name is None:
             raise self._diagnostics.refuse("model", 119, "No name given for the robot.", root)
-        wrong = _version_error(root.attributes.get("version"))
-        if wrong:
-            raise self._diagnostics.refuse("model", 135, wrong, root)
+        try:
+            self._diagnostics.version = _version(root.attributes.get("version"), self._diagnostics.newest)
+        except ValueError as error:
+            raise self._diagnostics.refuse("model", 135, str(error), root) from None
         for element in root.all("material"):
             self._add_material(element)
         for element in root.all("link"):
@@ -181,25 +187,29 @@ def _joint_problem(joint: Joint, links: dict[str, Link]) -> str:
     return ""
 
 
-def _version_error(text: str | None) -> str:
-    """Return urdf_parser.h's error about <robot version="…">, empty for 1.0 and for a missing version."""
+def _version(text: str | None, newest: Version) -> Version:
+    """Return the version that <robot version="…"> names, 1.0 if there is none. Raises ValueError with urdf_parser.h's error."""
     if text is None:
-        return ""
+        return OLDEST
     fields = text.split(".")
     if fields[-1] == "":
         fields.pop()  # urdfdom's split returns nothing after the last separator
     if len(fields) != 2:
-        return "The version attribute should be in the form 'x.y'"
+        raise ValueError("The version attribute should be in the form 'x.y'")
     numbers = []
     for item in fields:
         if not item:
-            return "One of the fields of the version attribute is blank"
+            raise ValueError("One of the fields of the version attribute is blank")
         match = _INTEGER.match(item)
         if match is None:
-            return "Version attribute is not an integer"
+            raise ValueError("Version attribute is not an integer")
         if match.end() != len(item):
-            return "Extra characters after the version number"
+            raise ValueError("Extra characters after the version number")
         if int(match.group(1)) < 0:
-            return "Version number must be positive"
+            raise ValueError("Version number must be positive")
         numbers.append(int(match.group(1)))
-    return "" if numbers == [1, 0] else "Invalid 'version' specified; only version 1.0 is currently supported"
+    version = numbers[0], numbers[1]
+    if OLDEST <= version <= newest:
+        return version
+    supported = "only version 1.0 is" if newest == OLDEST else f"versions 1.0 to {newest[0]}.{newest[1]} are"
+    raise ValueError(f"Invalid 'version' specified; {supported} currently supported")

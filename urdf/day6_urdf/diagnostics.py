@@ -7,16 +7,28 @@ from day6_urdf.report import Diagnostic
 from day6_urdf.values import PoseError, to_pose
 from day6_urdf.xmlreader import Element, Lines
 
+Version = tuple[int, int]
+OLDEST: Version = (1, 0)
+QUATERNIONS = CAPSULES = (1, 1)
+"""Where `quat_xyzw` and <capsule> begin (urdfdom#235, #238)."""
+WIDER_LIMITS = (1, 2)
+"""Where acceleration, deceleration and jerk begin, and limits may be left out (urdfdom#212, #249)."""
+
 
 class Refused(Exception):
     """An element cannot be used; the reason is among the diagnostics."""
 
 
 class Diagnostics:
-    """The messages so far, in order. `file` is the source file in urdfdom of a message ('model', 'link', 'joint')."""
+    """The messages so far, in order. `file` is the source file in urdfdom of a message ('model', 'link', 'joint').
 
-    def __init__(self, text: str) -> None:
+    `newest` is the version of URDF that this urdfdom reads, `version` that of the description.
+    """
+
+    def __init__(self, text: str, newest: Version = OLDEST) -> None:
         self._lines = Lines(text)
+        self.newest = newest
+        self.version = OLDEST
         self.all: list[Diagnostic] = []
 
     def error(self, file: str, source_line: int, text: str, element: Element | None = None, offset: int = -1) -> None:
@@ -38,8 +50,11 @@ class Diagnostics:
         Raises:
             Refused: the element is malformed.
         """
+        if "quat_xyzw" in element.attributes and self.version < QUATERNIONS <= self.newest:
+            text = "Ignoring quat_xyzw attribute requiring URDF version 1.1 since specified version is 1.0."
+            self.warning("pose", 113, text, element)
         try:
-            return to_pose(element)
+            return to_pose(element, quaternions=self.version >= QUATERNIONS)
         except PoseError as error:
             raise self.refuse("pose", error.source_line, str(error), element) from error
 

@@ -170,6 +170,26 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
         'a cylinder needs length="…" and radius="…"',
         '圆柱要写 length="…" 和 radius="…"',
     ),
+    (
+        r"Capsule shape must have both",
+        'a capsule needs length="…" (without its round ends) and radius="…"',
+        '胶囊要写 length="…"（不算两头的半球）和 radius="…"',
+    ),
+    (
+        r"Both rpy and quat_xyzw",
+        "an <origin> takes either rpy or quat_xyzw, not both",
+        "<origin> 里 rpy 和 quat_xyzw 只能写一个",
+    ),
+    (
+        r"Ignoring (capsule|quat_xyzw|acceleration|deceleration|jerk) attribute",
+        '{0} is read from URDF 1.1 or 1.2 on: write <robot name="…" version="1.2">',
+        '{0} 是 URDF 1.1 或 1.2 才有的：写 <robot name="…" version="1.2">',
+    ),
+    (
+        r"joint \[(.*)\]: limit has no (effort|velocity)",
+        'the <limit> of joint {0} needs {1}="…"',
+        '关节 {0} 的 <limit> 要写 {1}="…"',
+    ),
     (r"Sphere shape must have a radius", 'a sphere needs radius="…"', '球要写 radius="…"'),
     (r"Box shape has no size", 'a box needs size="length width height"', '长方体要写 size="长 宽 高"'),
     (

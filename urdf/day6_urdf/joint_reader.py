@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from functools import partial
 from typing import TypeVar
 
-from day6_urdf.diagnostics import Diagnostics, Refused
+from day6_urdf.diagnostics import WIDER_LIMITS, Diagnostics, Refused
 from day6_urdf.model import JOINT_TYPES, Calibration, Dynamics, Joint, Limit, Mimic, Pose, Safety, Vector
 from day6_urdf.values import ParseError, to_double, to_vector
 from day6_urdf.xmlreader import Element
@@ -32,7 +34,8 @@ def read_joint(element: Element, diagnostics: Diagnostics) -> Joint:
     if kind not in JOINT_TYPES:
         raise diagnostics.refuse("joint", 420, f"Joint [{name}] has no known type [{kind}]", element)
     axis = _read_axis(element, name, diagnostics) if kind not in ("floating", "fixed") else (0.0, 0.0, 0.0)
-    limit = _part(element, "limit", _read_limit, diagnostics, 454, f"Could not parse limit element for joint [{name}]")
+    read_limit = partial(_read_limit, joint=name, kind=kind)
+    limit = _part(element, "limit", read_limit, diagnostics, 454, f"Could not parse limit element for joint [{name}]")
     if limit is None and kind == "revolute":
         text = f"Joint [{name}] is of type REVOLUTE but it does not specify limits"
         raise diagnostics.refuse("joint", 461, text, element)
@@ -111,12 +114,44 @@ def _part(
         raise diagnostics.refuse("joint", source_line, text, child) from None
 
 
-def _read_limit(element: Element, diagnostics: Diagnostics) -> Limit:
-    lower = _number(element, "lower", 112, diagnostics)
-    upper = _number(element, "upper", 128, diagnostics)
-    effort = _required(element, "effort", 144, diagnostics, 136, "joint limit: no effort")
-    velocity = _required(element, "velocity", 160, diagnostics, 152, "joint limit: no velocity")
-    return Limit(lower, upper, effort, velocity)
+def _read_limit(element: Element, diagnostics: Diagnostics, joint: str, kind: str) -> Limit:
+    wider = diagnostics.version >= WIDER_LIMITS
+    whose = f"joint [{joint}]: " if diagnostics.newest >= WIDER_LIMITS else ""
+    given = element.attributes
+    lower = _number(element, "lower", 112, diagnostics, -math.inf if wider else 0.0, whose)
+    upper = _number(element, "upper", 128, diagnostics, math.inf if wider else 0.0, whose)
+    if wider and kind in ("revolute", "prismatic") and not {"lower", "upper"} <= given.keys():
+        text = f"{whose}revolute and prismatic joints must have both lower and upper position limits specified"
+        raise diagnostics.refuse("joint", 128, f"{text} in URDF version 1.2 or later", element)
+    if wider and upper < lower:
+        text = f"upper position limit ({upper:f}) cannot be smaller than lower position limit ({lower:f})"
+        raise diagnostics.refuse("joint", 128, f"{whose}{text}", element)
+    numbers = {}
+    for name, missing_line, source_line in (("effort", 136, 144), ("velocity", 152, 160)):
+        if name not in given and not wider:
+            text = f"{whose}limit has no {name}" if whose else f"joint limit: no {name}"
+            raise diagnostics.refuse("joint", missing_line, text, element)
+        numbers[name] = _limit(element, name, source_line, diagnostics, math.inf, whose)
+    farther: dict[str, float] = {}
+    for name in ("acceleration", "deceleration", "jerk"):
+        if name in given and not wider and whose:
+            major, minor = diagnostics.version
+            text = f"Required atleast URDF version 1.2, but the specified version is {major}.{minor}."
+            diagnostics.warning("joint", 160, f"{whose}Ignoring {name} attribute. {text}", element)
+        default = farther["acceleration"] if name == "deceleration" else math.inf
+        farther[name] = _limit(element, name, 160, diagnostics, default, whose) if wider else math.inf
+    return Limit(lower, upper, **numbers, **farther)
+
+
+def _limit(
+    element: Element, name: str, source_line: int, diagnostics: Diagnostics, default: float, whose: str
+) -> float:
+    """A limit that URDF 1.2 wants not to be negative."""
+    value = _number(element, name, source_line, diagnostics, default, whose)
+    if value < 0 and diagnostics.version >= WIDER_LIMITS:
+        text = f"{whose}{name} value ({element.attributes[name]}) is negative"
+        raise diagnostics.refuse("joint", source_line, text, element)
+    return value
 
 
 def _read_safety(element: Element, diagnostics: Diagnostics) -> Safety:
@@ -151,7 +186,9 @@ def _read_dynamics(element: Element, diagnostics: Diagnostics) -> Dynamics:
     return Dynamics(damping, friction)
 
 
-def _number(element: Element, name: str, source_line: int, diagnostics: Diagnostics, default: float = 0.0) -> float:
+def _number(
+    element: Element, name: str, source_line: int, diagnostics: Diagnostics, default: float = 0.0, whose: str = ""
+) -> float:
     text = element.attributes.get(name)
     if text is None:
         return default
@@ -159,7 +196,7 @@ def _number(element: Element, name: str, source_line: int, diagnostics: Diagnost
         return to_double(text)
     except ParseError as error:
         raise diagnostics.refuse(
-            "joint", source_line, f"{name} value ({text}) is not a valid float", element
+            "joint", source_line, f"{whose}{name} value ({text}) is not a valid float", element
         ) from error
 
 

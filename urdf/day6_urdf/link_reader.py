@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from day6_urdf.diagnostics import Diagnostics, Refused
+from day6_urdf.diagnostics import CAPSULES, Diagnostics, Refused
 from day6_urdf.model import (
     Box,
+    Capsule,
     Collision,
     Cylinder,
     Geometry,
@@ -110,7 +111,7 @@ def _read_geometry(element: Element | None, diagnostics: Diagnostics) -> Geometr
         raise diagnostics.refuse("link", 227, "Geometry tag contains no child element.", element)
     shape = element.children[0]
     reader = _SHAPES.get(shape.tag)
-    if reader is None:
+    if reader is None or (reader is _read_capsule and diagnostics.newest < CAPSULES):
         raise diagnostics.refuse("link", 262, f"Unknown geometry type '{shape.tag}'", shape)
     return reader(shape, diagnostics)
 
@@ -134,6 +135,17 @@ def _read_cylinder(shape: Element, diagnostics: Diagnostics) -> Cylinder:
     return Cylinder(_number(shape, "radius", 182, diagnostics), length)
 
 
+def _read_capsule(shape: Element, diagnostics: Diagnostics) -> Capsule:
+    if diagnostics.version < CAPSULES:
+        text = "Ignoring capsule attribute minimum required version URDF version 1.1 since specified version is 1.0."
+        diagnostics.warning("link", 297, text, shape)
+        raise Refused(text)
+    if "length" not in shape.attributes or "radius" not in shape.attributes:
+        raise diagnostics.refuse("link", 227, "Capsule shape must have both length and radius attributes", shape)
+    length = _number(shape, "length", 236, diagnostics)
+    return Capsule(_number(shape, "radius", 245, diagnostics), length)
+
+
 def _read_mesh(shape: Element, diagnostics: Diagnostics) -> Mesh:
     if "filename" not in shape.attributes:
         raise diagnostics.refuse("link", 196, "Mesh must contain a filename attribute", shape)
@@ -148,6 +160,7 @@ def _read_mesh(shape: Element, diagnostics: Diagnostics) -> Mesh:
 _SHAPES: dict[str, Callable[[Element, Diagnostics], Geometry]] = {
     "sphere": _read_sphere,
     "box": _read_box,
+    "capsule": _read_capsule,
     "cylinder": _read_cylinder,
     "mesh": _read_mesh,
 }

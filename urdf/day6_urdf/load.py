@@ -12,6 +12,7 @@ import os
 from pathlib import Path
 
 from day6_urdf.check import MAX_BYTES, check_text, read_description, too_large
+from day6_urdf.diagnostics import OLDEST, Version
 from day6_urdf.model import Robot
 from day6_urdf.report import Diagnostic, Report
 from day6_urdf.xmlreader import read_xml, write_xml
@@ -27,16 +28,16 @@ class RobotError(Exception):
         self.diagnostics = diagnostics
 
 
-def parse_robot(source: str | os.PathLike[str]) -> Robot:
+def parse_robot(source: str | os.PathLike[str], newest: Version = OLDEST) -> Robot:
     """Return the robot of a description (text with a `<` in it) or of a file, read by our own parser.
 
     Raises:
         RobotError: the description is refused, or the file cannot be read.
     """
-    return _robot(_check(source)[1])
+    return _robot(_check(source, newest)[1])
 
 
-def load_robot(source: str | os.PathLike[str]) -> Robot:
+def load_robot(source: str | os.PathLike[str], newest: Version = OLDEST) -> Robot:
     """Return the robot of a description (text with a `<` in it) or of a file, read by yourdfpy.
 
     The description is checked first, and passed to yourdfpy without comments, entities and document type, which make its parser
@@ -46,11 +47,14 @@ def load_robot(source: str | os.PathLike[str]) -> Robot:
     Raises:
         RobotError: the description is refused, or the file cannot be read.
     """
-    text, report = _check(source)
+    text, report = _check(source, newest)
     checked = _robot(report)
     from day6_urdf import yourdfpy_robot
 
-    plain = write_xml([element for element in read_xml(text) if element.tag == "robot"][:1])
+    elements = [element for element in read_xml(text) if element.tag == "robot"][:1]
+    if elements[0].attributes.get("version", "1.0") != "1.0":
+        return checked  # it knows neither quaternions nor capsules
+    plain = write_xml(elements)
     try:
         return yourdfpy_robot.robot_of(yourdfpy_robot.load(plain))
     except Exception as error:
@@ -65,9 +69,9 @@ def _robot(report: Report) -> Robot:
     return report.robot
 
 
-def _check(source: str | os.PathLike[str]) -> tuple[str, Report]:
+def _check(source: str | os.PathLike[str], newest: Version) -> tuple[str, Report]:
     if isinstance(source, str) and ("<" in source or not source.strip()):
-        return source, check_text(source)
+        return source, check_text(source, newest)
     path = Path(source)
     try:
         text, size = read_description(path)
@@ -76,4 +80,4 @@ def _check(source: str | os.PathLike[str]) -> tuple[str, Report]:
         return "", Report(None, (missing,))
     except OSError as error:
         return "", Report(None, (Diagnostic("Error", f"File {path} cannot be read: {error.strerror}"),))
-    return text, too_large(size) if size > MAX_BYTES else check_text(text)
+    return text, too_large(size) if size > MAX_BYTES else check_text(text, newest)

@@ -17,6 +17,13 @@ MOVING_TYPES = ("revolute", "continuous", "prismatic")
 """Joints with a single position, which robot_state_publisher moves."""
 
 
+def unit(rotation: Quaternion) -> Quaternion:
+    """Return the unit quaternion of the same rotation; zeros are none (urdf_model/pose.h)."""
+    x, y, z, w = rotation
+    norm = math.sqrt(x * x + y * y + z * z + w * w)
+    return (x / norm, y / norm, z / norm, w / norm) if norm > 0 else (0.0, 0.0, 0.0, 1.0)
+
+
 def quaternion_from_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
     """Return the unit quaternion of fixed-axis roll, pitch, yaw (radians), as urdfdom computes it (urdf_model/pose.h)."""
     sr, cr = math.sin(roll / 2), math.cos(roll / 2)
@@ -26,8 +33,7 @@ def quaternion_from_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
     y = cr * sp * cy + sr * cp * sy
     z = cr * cp * sy - sr * sp * cy
     w = cr * cp * cy + sr * sp * sy
-    norm = math.sqrt(x * x + y * y + z * z + w * w)
-    return (x / norm, y / norm, z / norm, w / norm) if norm > 0 else (0.0, 0.0, 0.0, 1.0)
+    return unit((x, y, z, w))
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +94,15 @@ class Mesh:
     scale: Vector = (1.0, 1.0, 1.0)
 
 
-Geometry = Box | Cylinder | Sphere | Mesh
+@dataclass(frozen=True, slots=True)
+class Capsule:
+    """A cylinder along z with half a sphere at either end (URDF 1.1): radius, and length without the ends, in metres."""
+
+    radius: float
+    length: float
+
+
+Geometry = Box | Capsule | Cylinder | Sphere | Mesh
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,12 +155,18 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Limits of a joint: position in radians or metres, effort in N m or N, velocity in rad/s or m/s."""
+    """Limits of a joint: position in radians or metres, effort in N m or N, velocity in rad/s or m/s.
+
+    Since URDF 1.2 also acceleration and deceleration (rad/s² or m/s²) and jerk (rad/s³ or m/s³).
+    """
 
     lower: float = 0.0
     upper: float = 0.0
     effort: float = 0.0
     velocity: float = 0.0
+    acceleration: float = math.inf
+    deceleration: float = math.inf
+    jerk: float = math.inf
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 
-from day6_urdf.model import Pose, Vector
+from day6_urdf.model import Pose, Quaternion, Vector, unit
 from day6_urdf.xmlreader import Element
 
 # The texts `stream >> double` of libstdc++ reads completely: no nan, inf or hexadecimal; space is allowed before, not after.
@@ -41,6 +41,18 @@ def to_vector(text: str) -> Vector:
     return numbers[0], numbers[1], numbers[2]
 
 
+def to_quaternion(text: str) -> Quaternion:
+    """Parse x, y, z and w; the result has length 1.
+
+    Raises:
+        ParseError: there are not exactly four numbers.
+    """
+    numbers = _split(text, "vector value")
+    if len(numbers) != 4:
+        raise ParseError(f"Parser found {len(numbers)} elements but 4 expected while parsing vector [{text}]")
+    return unit((numbers[0], numbers[1], numbers[2], numbers[3]))
+
+
 def to_color(text: str) -> tuple[float, float, float, float]:
     """Parse red, green, blue and alpha, each 0..1. A wrong count gives opaque black, as in urdfdom.
 
@@ -53,19 +65,27 @@ def to_color(text: str) -> tuple[float, float, float, float]:
     return numbers[0], numbers[1], numbers[2], numbers[3]
 
 
-def to_pose(element: Element) -> Pose:
-    """Return the pose of an <origin>: metres, and fixed-axis roll, pitch, yaw in radians.
+def to_pose(element: Element, *, quaternions: bool = False) -> Pose:
+    """Return the pose of an <origin>: metres, and fixed-axis roll, pitch, yaw in radians, or a quaternion if those are read.
 
     Raises:
         PoseError: an attribute is malformed.
     """
     xyz: Vector = (0.0, 0.0, 0.0)
     rpy: Vector = (0.0, 0.0, 0.0)
+    quaternion = element.attributes.get("quat_xyzw") if quaternions else None
     if "xyz" in element.attributes:
         try:
             xyz = to_vector(element.attributes["xyz"])
         except ParseError as error:
             raise PoseError(str(error), 104) from error
+    if quaternion is not None and "rpy" in element.attributes:
+        raise PoseError("Both rpy and quat_xyzw orientations are defined. Use either one or the other.", 116)
+    if quaternion is not None:
+        try:
+            return Pose(xyz, to_quaternion(quaternion))
+        except ParseError as error:
+            raise PoseError(str(error), 136) from error
     if "rpy" in element.attributes:
         try:
             rpy = to_vector(element.attributes["rpy"])

@@ -72,6 +72,11 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
         "ros2/rosidl_python: setters as later than #243 generated: an array.array is kept, a tuple becomes a list (before: array "
         "copied, tuple kept)",
     ),
+    "urdf.newest": _since_lyrical(
+        (1, 0),
+        (1, 2),
+        "ros/urdfdom#235, #238 (5.1: quat_xyzw, capsule), #212, #249 (6.0: limits); Humble, Jazzy and Kilted have 3.0 and 4.0",
+    ),
     "messages.have_hashes": _in_humble(
         False, True, "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported"
     ),
@@ -444,6 +449,7 @@ KEPT: dict[str, str] = {
         "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
         "`with node`, `ros2 action echo`; the action tutorials use example_interfaces; there is nav_msgs/msg/Goals"
     ),
+    "capsules": "of URDF 1.1 are drawn by rviz2, too, which leaves them out in Lyrical (ros2/rviz#1734)",
     "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0, so a learner's mistake is told at its "
     "line; numeric arrays take what they take there (`[0, 1.5]`)",
     "the choice of a name": "is our own list and not fzf (#1151), which may be missing; without a terminal both refuse",
@@ -469,6 +475,9 @@ UNSETTLED: dict[str, str] = {
     "(rcl#1275)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
     "rclpy#1584): the words are in no source at hand",
+    "urdfdom of Lyrical": "the numbers of lines in its messages are those of urdfdom 4.0.1 and 5.1; that URDF 1.2 refuses sizes "
+    "that aren't positive (urdfdom#242) isn't done, its words are in no source at hand; the words about its limits are those of "
+    "a fork of the author of #212",
     "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
     "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",

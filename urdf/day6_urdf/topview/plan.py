@@ -11,6 +11,7 @@ from day6_urdf.kinematics import Transform, compose, inverse, link_transforms, m
 from day6_urdf.model import (
     MOVING_TYPES,
     Box,
+    Capsule,
     Collision,
     Cylinder,
     Joint,
@@ -164,7 +165,7 @@ def _bodies(link: str, visual: Visual, mesh_points: MeshPoints) -> Iterator[Body
     shape, origin, colour = visual.geometry, visual.origin, _colour(visual)
     if isinstance(shape, Sphere):
         yield Body(link, "caster", (origin.xyz,), shape.radius, colour)
-    elif isinstance(shape, Cylinder) and abs(rotate(origin.rotation, (0.0, 0.0, 1.0))[2]) > 0.9:
+    elif isinstance(shape, Cylinder | Capsule) and abs(rotate(origin.rotation, (0.0, 0.0, 1.0))[2]) > 0.9:
         yield Body(link, "body", (origin.xyz,), shape.radius, colour)
     elif isinstance(shape, Mesh):
         points = [_scaled(point, shape.scale) for point in mesh_points(shape.filename)]
@@ -173,9 +174,14 @@ def _bodies(link: str, visual: Visual, mesh_points: MeshPoints) -> Iterator[Body
             link, "body", tuple(compose(origin, Pose(point)).xyz for point in points) or (origin.xyz,), 0.0, colour
         )
     else:
-        size = shape.size if isinstance(shape, Box) else (2 * shape.radius, 2 * shape.radius, shape.length)
+        size = shape.size if isinstance(shape, Box) else (2 * shape.radius, 2 * shape.radius, overall_length(shape))
         corners = [_scaled(signs, size) for signs in product((-0.5, 0.5), repeat=3)]
         yield Body(link, "body", tuple(compose(origin, Pose(corner)).xyz for corner in corners), 0.0, colour)
+
+
+def overall_length(shape: Capsule | Cylinder) -> float:
+    """Return how long it is, a capsule with its ends (metres)."""
+    return shape.length + (2 * shape.radius if isinstance(shape, Capsule) else 0.0)
 
 
 def _scaled(point: Sequence[float], scale: Vector) -> Vector:

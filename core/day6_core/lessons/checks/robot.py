@@ -32,7 +32,7 @@ def urdf(
     axis: str = "",
     xyz: str = "",
 ) -> Verdict:
-    from day6_urdf.check import check_text
+    from day6_core.ros.robot_check import check_robot
 
     wanted = Say("urdf", path=file)
     try:
@@ -41,7 +41,7 @@ def urdf(
         return Verdict(False, wanted, Say("file.unread", path=file, reason=error))
     if text is None:
         return Verdict(False, wanted, Say("file.saw_none", path=file))
-    report = check_text(text)
+    report = check_robot(text)
     robot = report.robot
     if robot is None:
         reason = report.diagnostics[0].text.strip() if report.diagnostics else "?"
@@ -89,7 +89,7 @@ def _joint_has(joint: Joint, what: str, value: str) -> tuple[bool, str]:
 
 @check("description", names=("topic",))
 def description(live: Live, joints: list[str] | None = None, topic: str = "/robot_description") -> Verdict:
-    from day6_urdf.check import check_text
+    from day6_core.ros.robot_check import check_robot
     from day6_urdf.model import MOVING_TYPES
 
     wanted = Say("description.joints", names=tuple(joints)) if joints else Say("description")
@@ -97,7 +97,7 @@ def description(live: Live, joints: list[str] | None = None, topic: str = "/robo
     last = heard.since(heard.count - 1) if heard.count else []
     if not last or not live.publishers(topic):
         return Verdict(False, wanted, Say("description.saw_none"))
-    report = check_text(str(getattr(last[-1][1], "data", "")))
+    report = check_robot(str(getattr(last[-1][1], "data", "")))
     if report.robot is None:
         return Verdict(False, wanted, Say("urdf.saw", reason=report.diagnostics[0].text if report.diagnostics else "?"))
     there = tuple(each.name for each in report.robot.joints if each.type in MOVING_TYPES or each.name in (joints or ()))

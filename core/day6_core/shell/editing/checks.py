@@ -92,9 +92,9 @@ def _urdf(text: str) -> Problem | None:
     broken = _xml(text)
     if broken is not None:
         return broken
-    from day6_urdf.check import check_text
+    from day6_core.ros.robot_check import check_robot
 
-    for diagnostic in check_text(text).diagnostics:
+    for diagnostic in check_robot(text).diagnostics:
         if diagnostic.level == "Error":
             return Problem(max(1, diagnostic.line), max(1, diagnostic.column), diagnostic.text)
     return None

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from day6_core.ros.programs._robot_files import are_of_this_machine, share_folders
 from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.day6_bot.model import CarModel
+from day6_core.ros.robot_check import newest_urdf
 from day6_core.session.task import Signal
 from day6_core.session.threads import in_thread
 from day6_urdf.load import RobotError, load_robot
@@ -74,7 +75,7 @@ async def _read_descriptions(session: Session, model: CarModel, arrived: Signal)
 
 def _read(text: str, share_of: Callable[[str], str], trusted: bool) -> tuple[TopPlan | None, str]:
     try:
-        robot = load_robot(text)
+        robot = load_robot(text, newest_urdf())
     except RobotError as error:
         return None, str(error)
     if robot.loop:

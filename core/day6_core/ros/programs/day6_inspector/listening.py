@@ -13,8 +13,8 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from day6_core.ros.programs.day6_inspector.facts import RobotFacts
+from day6_core.ros.robot_check import check_robot
 from day6_urdf.advice import first_mistake, low_body, uneven_wheels
-from day6_urdf.check import check_text
 from day6_urdf.model import MOVING_TYPES
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
@@ -105,7 +105,7 @@ class Listening:
                     frames[frame] = now
 
     def _on_description(self, message: String) -> None:
-        checked = check_text(message.data)
+        checked = check_robot(message.data)
         robot = checked.robot
         if robot is None:
             self.joints, self.robot = (

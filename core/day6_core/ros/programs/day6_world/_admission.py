@@ -8,7 +8,7 @@ from typing import Any
 
 from day6_core.ros.programs.day6_world._drive import Drive
 from day6_core.ros.programs.remark import Remark
-from day6_urdf.model import Robot
+from day6_urdf.model import Limit, Robot
 
 
 class AdmissionStatus(Remark):
@@ -56,7 +56,9 @@ def warnings(robot: Robot, drive: Drive) -> list[AdmissionStatus]:
 
 
 def _finite(part: Any) -> bool:
-    """Whether all numbers of a link or joint are finite."""
+    """Whether all numbers of a link or joint are finite; a limit that was left out is not (URDF 1.2)."""
+    if isinstance(part, Limit):
+        return not any(math.isnan(getattr(part, item.name)) for item in fields(part))
     if isinstance(part, float):
         return math.isfinite(part)
     if isinstance(part, tuple):

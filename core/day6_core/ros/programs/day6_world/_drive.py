@@ -118,6 +118,6 @@ def find_drive(robot: Robot, left: Sequence[str] = (), right: Sequence[str] = ()
 
 def _driven(robot: Robot, wheel: Wheel, x: float, y: float, hx: float) -> DrivenWheel:
     limit = wheel.joint.limit
-    fastest = limit.velocity if limit is not None and limit.velocity > 0 else FASTEST
+    fastest = limit.velocity if limit is not None and 0 < limit.velocity < math.inf else FASTEST
     grips = bool(robot.link(wheel.joint.child).collisions)
     return DrivenWheel(wheel.joint.name, x, y, wheel.radius, 1.0 if hx >= 0 else -1.0, min(fastest, FASTEST), grips)

@@ -14,8 +14,8 @@ from day6_core.ros.programs.day6_world._drive import Drive
 from day6_core.ros.programs.day6_world.scenery import Scenery
 from day6_core.ros.programs.day6_world.shapes import Outline, RayCaster, distance, overlap
 from day6_urdf.kinematics import Transform, compose, link_transforms, rotate
-from day6_urdf.model import Box, Collision, Cylinder, Pose, Robot, Sphere
-from day6_urdf.topview.plan import hull
+from day6_urdf.model import Box, Capsule, Collision, Cylinder, Pose, Robot, Sphere
+from day6_urdf.topview.plan import hull, overall_length
 
 STEP = 0.02
 """Seconds of one step: 50 a second."""
@@ -224,10 +224,10 @@ def _shape(collision: Collision, at: Transform) -> Outline | None:
         return Outline((at.xyz[:2],), shape.radius)
     if isinstance(shape, Box):
         size = shape.size
-    elif isinstance(shape, Cylinder):
+    elif isinstance(shape, Cylinder | Capsule):
         if abs(rotate(at.rotation, (0.0, 0.0, 1.0))[2]) > 0.99:
             return Outline((at.xyz[:2],), shape.radius)
-        size = (2 * shape.radius, 2 * shape.radius, shape.length)
+        size = (2 * shape.radius, 2 * shape.radius, overall_length(shape))
     else:
         return None  # a mesh: its size is in another file
     corners = (Pose((x * size[0], y * size[1], z * size[2])) for x, y, z in product((-0.5, 0.5), repeat=3))

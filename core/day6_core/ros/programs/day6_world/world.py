@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 from day6_core.ros.programs.day6_world._simulation import STEP
 from day6_core.ros.programs.day6_world._world_node import WorldNode
 from day6_core.ros.programs.day6_world.scenery import Scenery, SceneryError, read_scenery, shipped_worlds
+from day6_core.ros.robot_check import check_robot
 from day6_core.session.task import Signal
 from day6_core.session.threads import in_thread
-from day6_urdf.check import MAX_BYTES, check_text, read_description, too_large
+from day6_urdf.check import MAX_BYTES, read_description, too_large
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -92,7 +93,7 @@ async def _read_descriptions(session: Session, world: WorldNode, described: Sign
 
 def _read(text: str) -> tuple[Robot | None, str]:
     """Return the robot (None if it is refused) and what was wrong with its description."""
-    report = check_text(text)
+    report = check_robot(text)
     robot, errors = report.robot, [diagnostic.text for diagnostic in report.diagnostics if diagnostic.level == "Error"]
     if robot is not None and robot.loop:
         return None, f"the links form a loop: {' -> '.join(robot.loop)}"

@@ -20,8 +20,9 @@ from day6_core.ros.differences import value
 from day6_core.ros.programs.rclcpp import STOPPED, CppException, create_node, log_interrupt
 from day6_core.ros.programs.rclcpp.qos import DYNAMIC_TF, STATIC_TF
 from day6_core.ros.programs.robot_state_publisher._segments import FrameTransform, Segments, StaticFrames, Throttle
+from day6_core.ros.robot_check import check_robot
 from day6_core.session.threads import in_thread
-from day6_urdf.check import MAX_BYTES, check_text, read_description, too_large
+from day6_urdf.check import MAX_BYTES, read_description, too_large
 from day6_urdf.model import Robot
 from rclpy.qos import (
     DurabilityPolicy,
@@ -189,7 +190,7 @@ class RobotStatePublisher:
                 if not parameter.value:
                     return SetParametersResult(successful=False, reason="Empty URDF is not allowed")
                 try:
-                    self._accept(check_text(parameter.value))
+                    self._accept(check_robot(parameter.value))
                 except DescriptionRefused as error:
                     self._node.get_logger().warning(str(error))
                     return SetParametersResult(successful=False, reason=str(error))
@@ -202,6 +203,7 @@ class RobotStatePublisher:
             return
         for parameter in event.changed_parameters:
             if parameter.name == "robot_description":
+<<<<<<< HEAD
                 self._renew(parameter.value.string_value)
 
     def _renew(self, description: str) -> None:
@@ -212,6 +214,16 @@ class RobotStatePublisher:
         else:
             self._setup(description, robot)
             self._publish_fixed()
+=======
+                description = parameter.value.string_value
+                try:
+                    robot = self._accept(check_robot(description))
+                except DescriptionRefused as error:
+                    self._node.get_logger().warning(f"Failed to parse new URDF: {error}")
+                else:
+                    self._setup(description, robot)
+                    self._publish_fixed()
+>>>>>>> f61faec4 (urdf: 1.1 and 1.2 where Lyrical reads them: capsules, quaternions, limits)
 
     def _now_ns(self) -> int:
         return int(self._node.get_clock().now().nanoseconds)
@@ -263,7 +275,7 @@ def _description_in_file(session: Session, node: Node) -> tuple[str, int]:
 async def _report(text: str, size: int) -> Report:
     if size > MAX_BYTES:
         return too_large(size)
-    return check_text(text) if size <= SHORT else await in_thread(lambda: check_text(text))
+    return check_robot(text) if size <= SHORT else await in_thread(lambda: check_robot(text))
 
 
 async def main(session: Session) -> int:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from day6_core.language import language_of
+from day6_core.ros.robot_check import check_robot
 from day6_core.session.session import Session
-from day6_urdf import Robot, check_text
+from day6_urdf import Robot
 from day6_urdf.advice import advice_of
 from day6_urdf.check import MAX_BYTES, read_description, too_large
 from day6_urdf.explain import hint_of, hints_wanted
@@ -37,7 +38,7 @@ async def read_robot(session: Session, path: str, hints: bool) -> Robot | None:
             text, size = read_description(session.cwd / path)
         except OSError:
             text = ""  # as the real ones: a file that is not there is an empty description
-    report = too_large(size) if size > MAX_BYTES else check_text(text)
+    report = too_large(size) if size > MAX_BYTES else check_robot(text)
     session.stderr.write(report.text)
     if report.robot is None:
         session.print_error("ERROR: Model Parsing the xml failed")

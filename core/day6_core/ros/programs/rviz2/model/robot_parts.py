@@ -8,9 +8,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from day6_core.ros.programs.rviz2.model.scene import BOX, CYLINDER, SPHERE, Colour
+from day6_core.ros.robot_check import newest_urdf
 from day6_urdf.kinematics import IDENTITY, Transform, compose
 from day6_urdf.load import RobotError, parse_robot
-from day6_urdf.model import Box, Cylinder, Inertial, Link, Mesh, Robot, Sphere, Vector
+from day6_urdf.model import Box, Capsule, Cylinder, Inertial, Link, Mesh, Robot, Sphere, Vector
 
 RED: Colour = (1.0, 0.0, 0.0, 1.0)
 """Of a link without material (RVIZ/ShadedRed), of masses and inertias."""
@@ -71,7 +72,7 @@ def read_robot(text: str, read_mesh: MeshReader) -> RobotParts:
     """Read a description and load its meshes. Takes long: call it in a thread."""
     try:
         # Our own parser: the same robot as yourdfpy's, without the 20 MB and the half second that library takes.
-        robot = parse_robot(text if "<" in text else f"<{text}")
+        robot = parse_robot(text if "<" in text else f"<{text}", newest_urdf())
     except RobotError as error:
         return RobotParts(problem=str(error))
     if robot.loop:
@@ -119,6 +120,13 @@ def _add(
     elif isinstance(geometry, Cylinder):
         size = (2 * geometry.radius, 2 * geometry.radius, geometry.length)
         part = RobotPart(CYLINDER, pose, size, colour, turns)
+    elif isinstance(geometry, Capsule):
+        # RViz of Lyrical draws none (ros2/rviz#1734).
+        width = 2 * geometry.radius
+        for along in (-geometry.length / 2, geometry.length / 2):
+            end = compose(pose, Transform((0.0, 0.0, along)))
+            into.append(RobotPart(SPHERE, end, (width,) * 3, colour))
+        part = RobotPart(CYLINDER, pose, (width, width, geometry.length), colour, turns)
     elif isinstance(geometry, Mesh) and geometry.filename:
         try:
             mesh = read_mesh(geometry.filename)

@@ -86,9 +86,9 @@ class EffortDisplay(FilteredDisplay):
         self._described, self._heard = None, ""
 
     def _take_robot(self, message: Any) -> None:
-        from day6_urdf.check import check_text
+        from day6_core.ros.robot_check import check_robot
 
-        self._robot = check_text(message.data).robot
+        self._robot = check_robot(message.data).robot
         self._shown.clear()
         self.joints.children = []
         if self._robot is None:
