@@ -203,27 +203,16 @@ class RobotStatePublisher:
             return
         for parameter in event.changed_parameters:
             if parameter.name == "robot_description":
-<<<<<<< HEAD
                 self._renew(parameter.value.string_value)
 
     def _renew(self, description: str) -> None:
         try:
-            robot = self._accept(check_text(description))
+            robot = self._accept(check_robot(description))
         except DescriptionRefused as error:
             self._node.get_logger().warning(f"Failed to parse new URDF: {error}")
         else:
             self._setup(description, robot)
             self._publish_fixed()
-=======
-                description = parameter.value.string_value
-                try:
-                    robot = self._accept(check_robot(description))
-                except DescriptionRefused as error:
-                    self._node.get_logger().warning(f"Failed to parse new URDF: {error}")
-                else:
-                    self._setup(description, robot)
-                    self._publish_fixed()
->>>>>>> f61faec4 (urdf: 1.1 and 1.2 where Lyrical reads them: capsules, quaternions, limits)
 
     def _now_ns(self) -> int:
         return int(self._node.get_clock().now().nanoseconds)
