@@ -62,10 +62,6 @@ REASONS = {
     ): "for xacro, in a process with limits; tests/workspace/test_xacro_limits",
     ("day6_core/shell/editing/checks.py", "xml"): "expat only says what is no XML; entity definitions are refused",
     ("day6_core/shell/editing/checks.py", "compile"): "finds mistakes in the text of an editor; nothing is run",
-    (
-        "day6_core/ros/programs/joint_state_publisher/other_formats.py",
-        "xml",
-    ): "names the type of what plain_xml has read",
     ("day6_core/plain_xml.py", "xml"): "a document type is refused; tried in tests/rviz2 and tests/workspace",
     ("day6_core/workspace/sourcing.py", "exec"): "two lines of our own with the name of a package, which was checked",
     ("day6_core/ros/ros2/pkg/xml.py", "xml"): "expat opens nothing and stops entities that grow; tried below",
