@@ -441,6 +441,23 @@ install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
     assert (workshop.workspace / "install/day6_camera/share/day6_camera/launch/up.launch.py").is_file()
 
 
+def test_a_left_out_component_is_listed_and_its_container_says_why_it_is_not_there(workshop: Workshop) -> None:
+    lists = "add_library(parts SHARED parts.cpp)\nrclcpp_components_register_nodes(parts day6::Arm day6::Leg)\n"
+    package(workshop, "day6_parts", lists, {})
+    mine = "add_library(t SHARED t.cpp)\nrclcpp_components_register_node(t PLUGIN composition::Talker EXECUTABLE t)"
+    package(workshop, "composition", mine, {})
+    assert workshop.run("colcon build").status == 0
+    shell = workshop.terminal()
+    workshop.run("source install/setup.bash", shell)
+    assert "day6_parts\n  day6::Arm\n  day6::Leg\n" in workshop.run("ros2 component types", shell).out
+    said = workshop.run("ros2 component standalone day6_parts day6::Leg", shell)
+    assert "lib/libparts.so is C++, and day6-tui runs no C++" in said.out + said.err
+    running = workshop.start("ros2 component standalone composition composition::Talker", shell)
+    workshop.wait(lambda: "Hello World: 1" in running.err.text + running.out.text)
+    running.program.interrupt()
+    workshop.wait(lambda: running.program.status is not None)
+
+
 def test_what_the_build_of_cmake_would_make_is_not_missed_by_install(workshop: Workshop) -> None:
     lists = """\
 add_custom_command(OUTPUT made.yaml COMMAND python3 make.py)

@@ -213,9 +213,9 @@ TEXTS = {
         "class {type} isn't here: it gives Navigation2 a goal; rviz_default_plugins/SetGoal publishes one on /goal_pose; "
         "it stays in the file"
     ),
-    "rviz.missing.nav2": "class {type} isn't here: this {kind} is part of Navigation2; it stays in the file",
-    "rviz.missing.moveit": "class {type} isn't here: this {kind} is part of MoveIt; it stays in the file",
-    "rviz.missing.slam_toolbox": "class {type} isn't here: this {kind} is part of slam_toolbox; it stays in the file",
+    "rviz.missing.nav2": "class {type} isn't here: it is part of Navigation2; it stays in the file",
+    "rviz.missing.moveit": "class {type} isn't here: it is part of MoveIt; it stays in the file",
+    "rviz.missing.slam_toolbox": "class {type} isn't here: it is part of slam_toolbox; it stays in the file",
     "rviz.missing.imu": (
         "class {type} isn't here: it comes with the package rviz_imu_plugin and shows an Imu as axes or a box; it stays in "
         "the file"
@@ -225,6 +225,6 @@ TEXTS = {
         "the file"
     ),
     "rviz.missing.ros1": "class {type} isn't here: the file is from ROS 1; it stays in the file",
-    "rviz.missing.misspelt": "class {type} isn't here: {package} has no {kind} of that name; it stays in the file",
+    "rviz.missing.misspelt": "class {type} isn't here: {package} has nothing of that name; it stays in the file",
     "rviz.missing.plugin": "class {type} isn't here: it comes with the package {package}; it stays in the file",
 }

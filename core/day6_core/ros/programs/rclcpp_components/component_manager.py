@@ -88,8 +88,7 @@ class ComponentManager:
         return response
 
     def _class(self, package: str, plugin: str) -> type[Component]:
-        prefix, lines = self._resource(package)
-        files = dict(line.split(";", 1) for line in lines if ";" in line)
+        prefix, files = self._resource(package, plugin)
         if plugin not in files:
             self.node.get_logger().error(
                 f"Failed to find class with the requested plugin name '{plugin}' in the loaded library"
@@ -111,12 +110,17 @@ class ComponentManager:
         logger.info(f"Instantiate class: rclcpp_components::NodeFactoryTemplate<{plugin}>")
         return kind
 
-    def _resource(self, package: str) -> tuple[str, list[str]]:
+    def _resource(self, package: str, plugin: str) -> tuple[str, dict[str, str]]:
+        """Return where a package lists its components, and their libraries; ours counts before one whose C++ was left out."""
+        found: list[tuple[str, dict[str, str]]] = []
         for prefix in get_search_paths(self.session.env):
             file = Path(prefix) / _RESOURCES / package
             if package and file.is_file():
-                return prefix, file.read_text(encoding="utf-8").splitlines()
-        raise LoadError("Could not find requested resource in ament index")
+                lines = file.read_text(encoding="utf-8").splitlines()
+                found.append((prefix, dict(line.split(";", 1) for line in lines if ";" in line)))
+        if not found:
+            raise LoadError("Could not find requested resource in ament index")
+        return next((each for each in found if each[0] == BUILT_IN_PREFIX and plugin in each[1]), found[0])
 
     def _instance(self, kind: type[Component], request: Any) -> tuple[Node, Component]:
         rules = list(request.remap_rules)
