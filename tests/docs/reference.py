@@ -16,7 +16,8 @@ from day6_core.language import said
 from day6_core.lessons.command import WRITING
 from day6_core.places import PLACES
 from day6_core.variables import GROUPS, VARIABLES
-from day6_core.workspace.options import BEFORE_VERB, OPTIONS, Treated, options_of
+from day6_core.workspace.option import Option, Treated
+from day6_core.workspace.options import BEFORE_VERB, OPTIONS, options_of
 from day6_tui.actions import ACTIONS
 from day6_tui.commands.desktop import build_parser
 from day6_tui.commands.table import commands
@@ -219,7 +220,7 @@ def colcon(language: str) -> Iterator[str]:
     yield f"# {word('colcon', language)}\n"
     yield MADE
     yield f"{word('colcon.intro', language)}\n"
-    rows = {}
+    rows: dict[str, tuple[Option, list[str]]] = {}
     for verb in ("", *OPTIONS):
         for option in options_of(verb) if verb else BEFORE_VERB.options:
             rows.setdefault(option.name, (option, []))[1].append(f"colcon {verb}".strip())

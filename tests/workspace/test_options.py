@@ -16,7 +16,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.workspace.options import BEFORE_VERB, OPTIONS, Option, Treated, cmake_definitions, options_of
+from day6_core.workspace.option import Option, Treated, cmake_definitions
+from day6_core.workspace.options import BEFORE_VERB, OPTIONS, options_of
 from tests.workspace.workshop import Workshop, edit
 
 RECORDED = Path(__file__).with_name("colcon_options.json")

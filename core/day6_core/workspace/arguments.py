@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 from day6_core.session.argument_parser import HelpFormatter, SessionParser, terminal_width
 from day6_core.workspace.defaults import default_values
 from day6_core.workspace.events import LOG_LEVELS
-from day6_core.workspace.options import BEFORE_VERB, META, OPTIONS, Group, Treated, options_of
+from day6_core.workspace.option import Group, Treated
+from day6_core.workspace.options import BEFORE_VERB, META, OPTIONS, options_of
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session

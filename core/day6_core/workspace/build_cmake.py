@@ -27,7 +27,7 @@ from day6_core.workspace.interface_packages import EXPORTS, InterfacePackages, e
 from day6_core.workspace.jobs import Work
 from day6_core.workspace.left_out import LeftOut, write_note
 from day6_core.workspace.left_out import left_out as find_left_out
-from day6_core.workspace.options import cmake_definitions
+from day6_core.workspace.option import cmake_definitions
 from day6_core.workspace.packages import Package
 from day6_core.workspace.settings import BuildSettings
 from day6_core.workspace.setup_scripts import write_hook, write_package_scripts

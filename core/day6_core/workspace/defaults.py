@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from day6_core.workspace.options import Option, options_of
+from day6_core.workspace.option import Option
+from day6_core.workspace.options import options_of
 
 _LOGGER = "colcon.colcon_defaults.argument_parser.defaults"
 _WORKSPACE_FILE = "colcon_defaults.yaml"
