@@ -21,10 +21,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.conformance.rclpy_suite import read_report
+from tests.conformance.upstream.__main__ import read_report
 
-HERE = Path(__file__).parent
-TESTS = HERE.parent
+TESTS = Path(__file__).parents[1]
 
 
 @dataclass(frozen=True)
@@ -113,19 +112,20 @@ def _outcomes(file: str) -> dict[str, str]:
 
 def names() -> Iterator[tuple[str, str]]:
     """Yield the row of rclpy's public names."""
-    told = _output("names.py")
+    told = _output("names")
     found = re.search(r"(\d+) differences in (\d+) names", told)
     yield "public names of rclpy 9.1.2", f"{int(found[2]) - int(found[1]):,} of {int(found[2]):,}" if found else told
 
 
 def with_sources(options: list[str], real: str, colcon: str | None) -> Iterator[tuple[str, str]]:
     """Yield the rows that need checkouts."""
-    told = _output("rclpy_suite.py", *options)
-    yield "rclpy's own test suite", _found(r"rclpy's own test suite: (.*)", told)
-    told = _output("strangers.py", *options, "--real", real)
+    told = _output("upstream", *options)
+    for suite, passed in re.findall(r"^\| (\w+) \| \w+ \| (.*) \|$", told, re.MULTILINE):
+        yield f"{suite}'s own tests", passed
+    told = _output("strangers", *options, "--real", real)
     equal = _found(r"(\d+ of \d+ scenarios)", told)
     yield f"strangers' programs from {_found(r'from (.*)$', told)}, run in both", equal
-    told = _output("strangers_built.py", *options, *(["--real", colcon] if colcon else []))
+    told = _output("strangers_built", *options, *(["--real", colcon] if colcon else []))
     built = _found(r"(\d+ repositories, \d+ packages), built", told)
     yield f"{built}, built plain and linked: sources changed", _found(r"(\d+) sources changed", told)
     if colcon:
@@ -133,8 +133,8 @@ def with_sources(options: list[str], real: str, colcon: str | None) -> Iterator[
 
 
 def _output(script: str, *arguments: str) -> str:
-    command = [sys.executable, str(HERE / script), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8").stdout
+    command = [sys.executable, "-m", f"tests.conformance.{script}", *arguments]
+    return subprocess.run(command, cwd=TESTS.parent, capture_output=True, text=True, encoding="utf-8").stdout
 
 
 def _found(pattern: str, text: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -12,23 +13,23 @@ import pytest
 
 from tests.conformance.checkouts import Missing, extract
 from tests.conformance.played import Outcome
-from tests.conformance.rclpy_suite import INPUTS as SUITE
-from tests.conformance.rclpy_suite import read_report, summary
 from tests.conformance.score import ROWS, TESTS, Row, counted
 from tests.conformance.strangers import INPUTS as STRANGERS
 from tests.conformance.strangers import difference, programs, same_course
 from tests.conformance.strangers_built import packages
+from tests.conformance.upstream.__main__ import INPUTS as SUITES
+from tests.conformance.upstream.__main__ import prepared, read_report, summary, variables
 
 COMMIT = re.compile(r"[0-9a-f]{40}")
 
 
 def test_every_input_is_a_repository_at_a_commit() -> None:
-    suite, strangers = (json.loads(path.read_text(encoding="utf-8")) for path in (SUITE, STRANGERS))
-    inputs = [suite, *strangers["repositories"]]
+    strangers, *suites = (json.loads(path.read_text(encoding="utf-8")) for path in (STRANGERS, *SUITES.values()))
+    inputs = [*suites, *strangers["repositories"]]
     assert [each["repository"] for each in inputs if not COMMIT.fullmatch(each["commit"])] == []
-    names = [each["repository"] for each in inputs]
+    names = [each["repository"] for each in strangers["repositories"]]
     assert len(names) == len(set(names)) and len(names) > 30
-    assert all(suite["expected"].values()) and all(strangers["known"].values())
+    assert all(strangers["known"].values()) and all(reason for suite in suites for reason in suite["expected"].values())
 
 
 # -- checkouts ---------------------------------------------------------------------------------------------------------
@@ -73,7 +74,7 @@ def test_a_repository_or_commit_that_is_not_there_is_told(checkout: tuple[Path, 
         extract("somebody/things", "0" * 40, sources, tmp_path / "out")
 
 
-# -- rclpy's own tests -------------------------------------------------------------------------------------------------
+# -- upstream's own tests ----------------------------------------------------------------------------------------------
 
 REPORT = """<testsuites><testsuite>
 <testcase classname="test.test_x.TestX" name="test_good"/>
@@ -95,11 +96,45 @@ def test_a_test_whose_teardown_fails_failed() -> None:
 
 def test_only_what_is_expected_may_fail_and_what_is_expected_must() -> None:
     assert summary({"a": "passed", "b": "failed"}, {}, {"b": "why"}) == (
-        ["-- b: why", "rclpy's own test suite: 1 of 2"],
+        ["-- b: why", "rclpy's own tests: 1 of 2"],
         True,
     )
     assert summary({"a": "failed"}, {}, {})[1] is False
     assert summary({"a": "passed"}, {}, {"a": "why"})[1] is False
+
+
+def test_a_suite_is_prepared_as_its_data_say(tmp_path: Path) -> None:
+    tree = tmp_path / "tree"
+    for name in (
+        "pkg/test/test_a.py",
+        "pkg/test/sub/b_test.py",
+        "pkg/test/test_flake8.py",
+        "pkg/test/__init__.py",
+        "msgs/A.msg",
+    ):
+        (tree / name).parent.mkdir(parents=True, exist_ok=True)
+        (tree / name).touch()
+    inputs = {
+        "tests": ["pkg/test"],
+        "remove": ["pkg/test/__init__.py"],
+        "files": {"shim/a.py": "A = 1\n"},
+        "path": ["msgs"],
+        "install": {"share/msgs": "msgs"},
+        "env": {"WHERE": "msgs", "CHECKS": "0"},
+    }
+    place = tmp_path / "place"
+    files = list(prepared(inputs, tree, place, ""))
+    assert [(str(file.relative_to(place).as_posix()), folder) for folder, file in files] == [
+        ("pkg/test/sub/b_test.py", place / "pkg"),
+        ("pkg/test/test_a.py", place / "pkg"),
+    ]
+    assert (place / "pkg" / "shim" / "a.py").read_text(encoding="utf-8") == "A = 1\n"
+    assert not (place / "pkg" / "test" / "__init__.py").exists()
+    env = variables(inputs, tree, tmp_path / "prefix", {"PYTHONPATH": "before"})
+    assert env["WHERE"] == str(tree / "msgs") and env["CHECKS"] == "0"
+    assert env["PYTHONPATH"] == os.pathsep.join([str(tree / "msgs"), "before"])
+    assert (tmp_path / "prefix/share/ament_index/resource_index/packages/msgs").is_file()
+    assert (tmp_path / "prefix/share/msgs/A.msg").is_file()
 
 
 # -- strangers ---------------------------------------------------------------------------------------------------------
