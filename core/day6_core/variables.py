@@ -303,6 +303,27 @@ VARIABLES = (
     ),
     Variable("COLCON_LOG_PATH", "ros", ("As `colcon --log-base`.", "同 `colcon --log-base`。"), ("`log`", "`log`")),
     Variable(
+        "COLCON_LOG_LEVEL",
+        "ros",
+        (
+            "As `colcon --log-level`: `error` hides colcon's warnings.",
+            "同 `colcon --log-level`：`error` 不显示 colcon 的警告。",
+        ),
+        ("`warning`", "`warning`"),
+    ),
+    Variable(
+        "COLCON_HOME",
+        "ros",
+        ("The folder with colcon's `defaults.yaml`.", "colcon 的 `defaults.yaml` 所在的文件夹。"),
+        ("`~/.colcon`", "`~/.colcon`"),
+    ),
+    Variable(
+        "COLCON_DEFAULTS_FILE",
+        "ros",
+        ("The file with default values of colcon's options.", "写有 colcon 选项默认值的文件。"),
+        ("`defaults.yaml` in `COLCON_HOME`", "`COLCON_HOME` 里的 `defaults.yaml`"),
+    ),
+    Variable(
         "OVERRIDE_LAUNCH_PROCESS_OUTPUT",
         "ros",
         ("Where launch writes what processes print, as in ROS.", "launch 把进程的输出写到哪里，与 ROS 相同。"),
