@@ -158,7 +158,8 @@ def _dot(planned: list[Planned], args: Namespace) -> list[str]:
 def _dot_nodes(nodes: list[Planned], args: Namespace) -> Iterator[str]:
     """Yield the packages, with `--dot-cluster` in a frame for each folder."""
     folders = [os.path.dirname(each.package.path) for each in nodes]
-    common = os.path.commonpath(folders) if args.dot_cluster and folders else ""
+    one_drive = len({os.path.splitdrive(folder)[0] for folder in folders}) == 1
+    common = os.path.commonpath(folders) if args.dot_cluster and one_drive else ""
     clusters: dict[str, list[Planned]] = {}
     for each, folder in zip(nodes, folders, strict=True):
         clusters.setdefault(Path(os.path.relpath(folder, common)).as_posix() if common else ".", []).append(each)
