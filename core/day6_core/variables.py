@@ -286,21 +286,6 @@ VARIABLES = (
         ),
         ("`parallel`", "`parallel`"),
     ),
-    Variable(
-        "COLCON_DEFAULTS_FILE",
-        "ros",
-        ("The file with colcon's default options.", "保存 colcon 默认选项的文件。"),
-        ("`defaults.yaml` in `COLCON_HOME`", "`COLCON_HOME` 里的 `defaults.yaml`"),
-    ),
-    Variable(
-        "COLCON_HOME",
-        "ros",
-        ("The folder of colcon's own files.", "colcon 自己的文件夹。"),
-        ("`~/.colcon`", "`~/.colcon`"),
-    ),
-    Variable(
-        "COLCON_LOG_LEVEL", "ros", ("As `colcon --log-level`.", "同 `colcon --log-level`。"), ("`warning`", "`warning`")
-    ),
     Variable("COLCON_LOG_PATH", "ros", ("As `colcon --log-base`.", "同 `colcon --log-base`。"), ("`log`", "`log`")),
     Variable(
         "COLCON_LOG_LEVEL",
