@@ -23,6 +23,7 @@ find d -name "*.py" -exec echo {} \; ; find d -print0 | xargs -0 -n1 echo | sort
 echo hello > d/a.txt; grep -r --include=*.txt hello d; grep -L hello d/a.txt d/e/b.py; grep -oE '[a-z]+' d/a.txt
 printf 'a,b,c\n' | cut -d, -f2-; echo abc | tr a-z A-Z; tail -n +2 d/a.txt; diff <(echo a) <(echo b); echo $?
 sed -n '/hel/,$p' d/a.txt; sed 's/\(h\)\(e\)/\2\1/' d/a.txt; sed '1i top' d/a.txt; basename -s .txt d/a.txt
+printf 'd/a.txt\nd/e/b.py\n' | while read f; do sed -E 's/(h)(e)/\2\1/' "$f"; echo "$f"; done; seq 100000 | sort -V | head -1
 sort nofile; grep x nofile; sed p nofile; echo $?
 """
 

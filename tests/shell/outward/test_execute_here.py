@@ -161,7 +161,7 @@ def test_a_process_is_prepared_before_the_program_takes_its_place(
     launch_process.main()
     assert done["program"] == ("/bin/prog", ["prog", "a", "b"]) and done["nice"] == 7
     assert dict(done["signals"]) == dict.fromkeys(
-        (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP), signal.SIG_DFL
+        (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE), signal.SIG_DFL
     )
     assert done["terminal"] == ([(0, termios.TIOCSCTTY, 0)] if mode == "tty" else [])
     assert done["limits"].pop(resource.RLIMIT_CORE) == (0, 9)

@@ -85,7 +85,10 @@ def test_a_process_is_launched_with_its_terminal_priority_and_limit(
     monkeypatch.setattr(resource, "getrlimit", limits.__getitem__)
     monkeypatch.setattr(resource, "setrlimit", limits.__setitem__)
     launch_process.main()
-    ended = [(number, signal.SIG_DFL) for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP)]
+    ended = [
+        (number, signal.SIG_DFL)
+        for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE)
+    ]
     terminal = [(0, termios.TIOCSCTTY, 0)] if mode == "tty" else []
     assert done == [*ended, *terminal, ("nice", 10), ("/bin/prog", ["prog", "a", "b"])]
     assert limits[resource.RLIMIT_CORE] == (0, 7)

@@ -14,7 +14,7 @@ def main() -> None:
     if sys.platform == "win32":
         raise NotImplementedError("processes are started without this there")
     mode, nice, memory, program, *argv = sys.argv[1:]
-    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE):
         signal.signal(number, signal.SIG_DFL)
     if mode == "tty":
         import fcntl
