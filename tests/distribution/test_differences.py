@@ -14,6 +14,7 @@ from day6_core.ros import differences
 from day6_core.ros.differences import (
     EXECUTABLES,
     INTERFACES,
+    LAUNCH,
     LAUNCH_FILES,
     OPTIONS,
     PACKAGES,
@@ -46,6 +47,8 @@ RELEASES = {
 
 PLAYED = NAMES[:-1]
 """Rolling has what Lyrical has: `test_rolling_goes_on_from_lyrical`."""
+
+NAMED = {**RCLPY, **{key: row for key, row in LAUNCH.items() if ":" in key}}
 
 PROGRAM = """
 import json, sys, warnings
@@ -206,7 +209,7 @@ def played(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]
         (home / "program.py").write_text(PROGRAM, encoding="utf-8")
         (home / "writer.py").write_text(WRITER, encoding="utf-8")
         (home / "capsule.urdf").write_text(CAPSULE, encoding="utf-8")
-        (home / "names.json").write_text(json.dumps(list(RCLPY)), encoding="utf-8")
+        (home / "names.json").write_text(json.dumps(list(NAMED)), encoding="utf-8")
         parts = {"home": f"cd {home}", **PARTS, "rclpy": 'python3 program.py "$(cat names.json)"'}
         found[name] = sections(home, parts, ROS_DISTRO=name)
     return found
@@ -221,14 +224,14 @@ def asked(played: dict[str, dict[str, str]], name: str) -> dict[str, object]:
 
 
 def test_every_row_names_its_source() -> None:
-    for table in (VALUES, PACKAGES, INTERFACES, TEXTS, RCLPY, LAUNCH_FILES, EXECUTABLES, VERBS, OPTIONS):
+    for table in (VALUES, PACKAGES, INTERFACES, TEXTS, RCLPY, LAUNCH, LAUNCH_FILES, EXECUTABLES, VERBS, OPTIONS):
         for key, row in table.items():
             assert len(row[-1]) > 10 and (any(mark in row[-1] for mark in ("/", "REP", "rosbags"))), key
 
 
 def test_rolling_goes_on_from_lyrical() -> None:
     assert not [key for key, (row, _) in VALUES.items() if "rolling" in row]
-    for table in (PACKAGES, INTERFACES, TEXTS, RCLPY, EXECUTABLES, VERBS, OPTIONS):
+    for table in (PACKAGES, INTERFACES, TEXTS, RCLPY, LAUNCH, EXECUTABLES, VERBS, OPTIONS):
         assert not [key for key, row in table.items() if ("lyrical" in row[-2]) != ("rolling" in row[-2])]
 
 
@@ -305,8 +308,8 @@ def test_hashes_and_descriptions_of_types_came_after_humble(played: dict[str, di
 
 @pytest.mark.process
 @pytest.mark.parametrize("name", PLAYED)
-def test_rclpy_has_the_names_of_its_distribution(asked: dict[str, object], name: str) -> None:
-    assert asked["rclpy"] == {key: name in there for key, (there, _) in RCLPY.items()}
+def test_rclpy_and_launch_have_the_names_of_its_distribution(asked: dict[str, object], name: str) -> None:
+    assert asked["rclpy"] == {key: name in there for key, (there, _) in NAMED.items()}
     assert asked["manager"] == asked["event"] == (name != "humble")
     assert ("/asked/get_type_description" in str(asked["services"])) == (name != "humble")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 import sys
 from collections.abc import Callable
@@ -37,6 +38,7 @@ from launch.event_handlers import (
 from launch.events import Shutdown as ShutdownEvent
 from launch.events import matches_action
 from launch.events.process import ShutdownProcess
+from launch.frontend.parser import Parser
 from launch.launch_description_source import LaunchDescriptionSource
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import EnvironmentVariable, LaunchConfiguration, LocalSubstitution
@@ -71,6 +73,58 @@ def test_conditions_decide_what_is_executed(launch_these: Callable[..., Any]) ->
         LogInfo(msg="real", condition=UnlessCondition(LaunchConfiguration("sim"))),
     )
     assert said(result.lines) == ["sim"]
+
+
+TAGS = (
+    '<log message="old"/>',
+    '<log level="warning" message="warn"/>',
+    '<log_debug message="debug"/>',
+    '<log_error message="error"/>',
+    '<log_info message="info"/>',
+    '<bool_arg name="sim" default="False"/>',
+    '<bool_arg name="sim" default="maybe"/>',
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        (
+            "kilted",
+            [
+                "[INFO] [launch.user]: old",
+                "Unexpected attribute(s) found in `log`: {'level'}",
+                *(f"Unrecognized entity of the type: log_{level}" for level in ("debug", "error", "info")),
+                *["Unrecognized entity of the type: bool_arg"] * 2,
+            ],
+        ),
+        (
+            "lyrical",
+            [
+                "[INFO] [launch.user]: old",
+                "[WARNING] [launch.user]: warn",
+                "",
+                "[ERROR] [launch.user]: error",
+                "[INFO] [launch.user]: info",
+                "",
+                "Valid options are: ['true', 'false', 'True', 'False', 'TRUE', 'FALSE']",
+            ],
+        ),
+    ],
+)
+@pytest.mark.filterwarnings("ignore:The action log now expects")
+def test_lyrical_logs_with_levels_and_has_boolean_arguments(
+    launch_these: Callable[..., Any], in_distribution: Callable[[str], None], name: str, expected: list[str]
+) -> None:
+    in_distribution(name)
+    for tag, said_there in zip(TAGS, expected, strict=True):
+        root, parser = Parser.load(io.StringIO(f"<launch>{tag}</launch>"))
+        try:
+            lines = launch_these(*parser.parse_description(root).entities).lines
+        except (RuntimeError, ValueError) as error:
+            lines = [str(error)]
+        assert said_there in "".join(lines), tag
+        assert said_there or not lines, tag
 
 
 def test_a_group_keeps_its_settings_to_itself(launch_these: Callable[..., Any]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ from launch.conditions import (
     LaunchConfigurationNotEquals,
     UnlessCondition,
 )
-from launch.frontend.parse_substitution import parse_substitution
+from launch.frontend.parse_substitution import VisitError, parse_substitution
 from launch.substitutions import (
     AllSubstitution,
     AndSubstitution,
@@ -87,6 +88,31 @@ ROBOT = LaunchConfiguration("robot")
 )
 def test_a_substitution_gives_its_text(context: LaunchContext, substitution: Any, text: str) -> None:
     assert substitution.perform(context) == text
+
+
+@pytest.mark.parametrize(
+    ("text", "performed"),
+    [
+        ("$(string-join . https://docs ros org)", "https://docs.ros.org"),
+        ("$(string-join ', ' a $(var robot)s)", "a, bots"),
+        (
+            "/$(path-join opt ros lyrical $(string-join . setup bash))",
+            os.path.join("/opt", "ros", "lyrical", "setup.bash"),
+        ),
+        ("$(string-join .)", TypeError),
+        ("$(path-join)", TypeError),
+    ],
+)
+@pytest.mark.parametrize("name", ["kilted", "lyrical"])
+def test_lyrical_joins_in_launch_files(
+    context: LaunchContext, in_distribution: Callable[[str], None], name: str, text: str, performed: Any
+) -> None:
+    in_distribution(name)
+    if name == "lyrical" and isinstance(performed, str):
+        assert perform_substitutions(context, parse_substitution(text)) == performed
+    else:
+        with pytest.raises(VisitError, match="Unknown substitution" if name == "kilted" else "expects at least"):
+            parse_substitution(text)
 
 
 @pytest.mark.parametrize(

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from rclpy._day6.parameter_files import ParameterTextError, assigned_value
 from rclpy.context import Context
 from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
 from rclpy.node import Node
@@ -95,6 +97,35 @@ def test_a_value_on_the_command_line_is_read_as_yaml_in_c(world: Any, text: str,
     found = parameters_by(world, ["-p", f"x:={text}"])
     assert found == {"x": value}
     assert type(found["x"]) is type(value)
+
+
+@pytest.mark.parametrize("name", ["kilted", "lyrical"])
+@pytest.mark.parametrize(
+    ("text", "plain", "tagged"),
+    [
+        ("!!str true", "true", "true"),
+        ("!!bool yes", True, True),
+        ('!!bool "yes"', "yes", True),
+        ("!!int 0", 0, 0),
+        ("!!float 10", 10, 10.0),
+        ("[!!float 1, 2.5]", None, [1.0, 2.5]),
+        ("!!seq [10, 0, -10]", [10, 0, -10], [10, 0, -10]),
+        ("!!int yes", True, None),
+        ("!!float word", "word", None),
+        ("!thing 5", 5, 5),
+    ],
+)
+def test_tags_say_the_type_of_a_value_in_lyrical(
+    in_distribution: Callable[[str], None], name: str, text: str, plain: Any, tagged: Any
+) -> None:
+    in_distribution(name)
+    expected = tagged if name == "lyrical" else plain
+    if expected is None:
+        with pytest.raises(ParameterTextError):
+            assigned_value(text)
+    else:
+        assert assigned_value(text) == expected
+        assert type(assigned_value(text)) is type(expected)
 
 
 @pytest.mark.parametrize("text", [".nan", "nan"])

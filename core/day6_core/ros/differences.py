@@ -197,6 +197,11 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "pkg.create_rust": _since_lyrical(
         False, True, "ros2/ros2cli#1107 (0.40.3): ros2pkg/verb/create.py, resource/ament_cargo"
     ),
+    "parameters.yaml_tags": _since_lyrical(
+        ("str",),
+        ("str", "bool", "int", "float"),
+        "ros2/rcl#999, #1275: rcl_yaml_param_parser/src/parse.c; Release-Lyrical-Luth.rst of ros2_documentation",
+    ),
     "rqt_robot_steering.stamped": (
         {"humble": False, "lyrical": True},
         "ros-visualization/rqt_robot_steering#18 (1.0.1: what is not kept is not the text 'true') and #28 (4.0.2, Rolling)",
@@ -328,6 +333,22 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
     "rclpy.subscription:Subscription.get_publisher_count": _since("jazzy", _RCLPY),
 }
 """`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
+
+LAUNCH: dict[str, tuple[tuple[str, ...], str]] = {
+    **dict.fromkeys(
+        (*(f"launch.actions:{name}" for name in ("Log", "LogDebug", "LogError", "LogWarning")),
+         *(f"action log_{name}" for name in ("debug", "error", "info", "warning"))),
+        _since("lyrical", "ros2/launch#866: launch/actions/log.py"),
+    ),
+    **dict.fromkeys(
+        ("launch.actions:DeclareBooleanLaunchArgument", "action bool_arg"),
+        _since("lyrical", "ros2/launch#944: launch/actions/declare_boolean_launch_argument.py"),
+    ),
+    "substitution string-join": _since("lyrical", "ros2/launch#857: launch/substitutions/string_join_substitution.py"),
+    "substitution path-join": _since("lyrical", "ros2/launch#943: launch/substitutions/path_join_substitution.py"),
+}  # fmt: skip
+"""`module:name` of launch, or `action` or `substitution` and its name in XML and YAML launch files -> (the distributions that
+have it, the source)."""
 
 _DEMOS = "ros2/demos: setup.py of demo_nodes_py and CMakeLists.txt of demo_nodes_cpp, branches humble and jazzy"
 
@@ -471,7 +492,7 @@ UNSETTLED: dict[str, str] = {
     "their topics only (#1939, since Kilted)",
     "message_filters": "has Chain, DeltaFilter, InputAligner, TimeSequencer and offsets in every distribution: most went back to "
     "all of them (message_filters#238, #252, #283); where a time is missing, TimeSynchronizer still raises AttributeError",
-    "launch of Lyrical": "lacks levels of log (launch#866), string-join and path-join (#857, #943); rcl lacks YAML's tags "
+    "YAML's tags in Lyrical": "what rcl says of a value that does not fit its tag (`!!int yes`) is in no source at hand "
     "(rcl#1275)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
     "rclpy#1584): the words are in no source at hand",
@@ -518,11 +539,17 @@ def path_of(interface: str, share: str) -> str:
 
 
 def lacking(module: str) -> list[str]:
-    """Return the names of a module of rclpy that this distribution lacks, like 'Node.wait_for_node'."""
+    """Return the names of a module of rclpy or launch that this distribution lacks, like 'Node.wait_for_node'."""
     mine = current()
+    table = LAUNCH if module.startswith("launch") else RCLPY
     return [
-        key.partition(":")[2] for key, (there, _) in RCLPY.items() if mine not in there and key.startswith(f"{module}:")
+        key.partition(":")[2] for key, (there, _) in table.items() if mine not in there and key.startswith(f"{module}:")
     ]
+
+
+def in_launch(key: str) -> bool:
+    """Return whether launch has a name, an action or a substitution here, like 'action bool_arg'."""
+    return key not in LAUNCH or current() in LAUNCH[key][0]
 
 
 def has_verb(words: str) -> bool:

@@ -4,8 +4,8 @@
 
 A SUITE is a JSON file beside this one (default: all of them). FOLDER holds checkouts of the repositories (see `checkouts.py`;
 `--clone` fetches what is missing). `--real` runs the files on that interpreter's packages too, `--only` chooses files by a part
-of their names. What looks only at how the sources are written (linters) is left out. The status is 0 when exactly the tests fail
-that are expected to. A suite says:
+of their names. What looks only at how the sources are written (linters) is left out. The status is 0 when exactly the tests
+fail that are expected to. A suite says:
 
     repository, commit   where the tests are
     tests                folders of tests; each is run beside the folder, away from the sources
@@ -16,7 +16,7 @@ that are expected to. A suite says:
     path, install        folders to import from; path in a prefix -> path in the checkout, as its build installs it
     env                  variables; a value that is a path in the checkout becomes that path
     link                 true: processes see each other
-    tries                how often a file with a failing test runs at most (timers are measured by the wall); passed once, passed
+    tries                how often a file with a failing test runs at most, where timers go by the wall: passed once, passed
 """
 
 from __future__ import annotations

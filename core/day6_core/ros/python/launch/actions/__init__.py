@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from day6_core.ros import differences
 from launch.actions.append_environment_variable import AppendEnvironmentVariable
+from launch.actions.declare_boolean_launch_argument import DeclareBooleanLaunchArgument
 from launch.actions.declare_launch_argument import DeclareLaunchArgument
 from launch.actions.emit_event import EmitEvent
 from launch.actions.execute_local import ExecuteLocal
 from launch.actions.execute_process import ExecuteProcess
 from launch.actions.group_action import GroupAction
 from launch.actions.include_launch_description import IncludeLaunchDescription
-from launch.actions.log_info import LogInfo
+from launch.actions.log import Log, LogDebug, LogError, LogInfo, LogWarning
 from launch.actions.opaque_coroutine import OpaqueCoroutine
 from launch.actions.opaque_function import OpaqueFunction
 from launch.actions.pop_environment import PopEnvironment
@@ -29,13 +31,18 @@ from launch.actions.unset_launch_configuration import UnsetLaunchConfiguration
 
 __all__ = [
     "AppendEnvironmentVariable",
+    "DeclareBooleanLaunchArgument",
     "DeclareLaunchArgument",
     "EmitEvent",
     "ExecuteLocal",
     "ExecuteProcess",
     "GroupAction",
     "IncludeLaunchDescription",
+    "Log",
+    "LogDebug",
+    "LogError",
     "LogInfo",
+    "LogWarning",
     "OpaqueCoroutine",
     "OpaqueFunction",
     "PopEnvironment",
@@ -53,3 +60,7 @@ __all__ = [
     "UnsetEnvironmentVariable",
     "UnsetLaunchConfiguration",
 ]
+
+for _name in differences.lacking(__name__):
+    del globals()[_name]
+    __all__.remove(_name)

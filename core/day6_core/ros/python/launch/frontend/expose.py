@@ -7,6 +7,8 @@ import inspect
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from day6_core.ros import differences
+
 if TYPE_CHECKING:
     from launch.action import Action
     from launch.frontend.entity import Entity
@@ -21,7 +23,7 @@ substitution_parse_methods: dict[str, Callable[..., Any]] = {}
 
 def instantiate_action(entity: Entity, parser: Parser) -> Action:
     """Create the action of a tag. Raises RuntimeError for an unknown tag."""
-    if entity.type_name not in action_parse_methods:
+    if entity.type_name not in action_parse_methods or not differences.in_launch(f"action {entity.type_name}"):
         raise RuntimeError(f"Unrecognized entity of the type: {entity.type_name}")
     kind, keywords = action_parse_methods[entity.type_name](entity, parser)
     action: Action = kind(**keywords)
@@ -30,7 +32,7 @@ def instantiate_action(entity: Entity, parser: Parser) -> Action:
 
 def instantiate_substitution(type_name: str, args: Sequence[Any] | None = None) -> Substitution:
     """Create the substitution `$(type_name args…)`. Raises RuntimeError for an unknown one."""
-    if type_name not in substitution_parse_methods:
+    if type_name not in substitution_parse_methods or not differences.in_launch(f"substitution {type_name}"):
         raise RuntimeError(f"Unknown substitution: {type_name}")
     kind, keywords = substitution_parse_methods[type_name](args or [])
     # `any` and `all` take their operands one by one.

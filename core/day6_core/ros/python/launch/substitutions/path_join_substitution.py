@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
+from launch.frontend.expose import expose_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 
+@expose_substitution("path-join")
 class PathJoinSubstitution(Substitution):
     """`os.path.join` of the parts, which may each consist of several substitutions; `path / part` adds one."""
 
@@ -22,6 +24,12 @@ class PathJoinSubstitution(Substitution):
         super().__init__()
         parts = [part if isinstance(part, Iterable) else [part] for part in substitutions]
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in parts]
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[Any, dict[str, Any]]:
+        if not data:
+            raise TypeError("path-join substitution expects at least 1 path component")
+        return cls, {"substitutions": data}
 
     @property
     def substitutions(self) -> list[list[Substitution]]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
+from launch.frontend.expose import expose_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 
+@expose_substitution("string-join")
 class StringJoinSubstitution(Substitution):
     """The parts, which may each consist of several substitutions, with `delimiter` between them."""
 
@@ -21,6 +23,12 @@ class StringJoinSubstitution(Substitution):
         super().__init__()
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[Any, dict[str, Any]]:
+        if len(data) < 2:
+            raise TypeError("string-join substitution expects at least 2 arguments: 1 delimiter + at least 1 component")
+        return cls, {"delimiter": data[0], "substitutions": data[1:]}
 
     @property
     def substitutions(self) -> list[list[Substitution]]:

@@ -116,9 +116,28 @@ def _scalar(event: Any) -> Any:
     """Return a scalar's value; ParameterTextError if it has none."""
     if event.value == "" and event.style not in ("'", '"'):
         raise ParameterTextError(f"No value at line {event.start_mark.line + 1}", 258)
-    if event.style is not None or event.tag == "tag:yaml.org,2002:str":
+    if event.tag is not None:
+        from day6_core.ros import differences
+
+        kind = event.tag.removeprefix("tag:yaml.org,2002:")
+        if kind in differences.value("parameters.yaml_tags"):
+            return _tagged(event, kind)
+    return event.value if event.style is not None else plain_value(event.value)
+
+
+def _tagged(event: Any, kind: str) -> Any:
+    """Return the value of a scalar whose tag says its type; ParameterTextError if it is of another one."""
+    if kind == "str":
         return event.value
-    return plain_value(event.value)
+    value = plain_value(event.value)
+    if kind == "float" and type(value) is int:
+        value = float(value)
+    if type(value).__name__ != kind:
+        line = event.start_mark.line + 1
+        raise ParameterTextError(
+            f"Value '{event.value}' does not have the type of its tag '!!{kind}' at line {line}", 258
+        )
+    return value
 
 
 def _type_word(value: Any) -> str:
