@@ -146,7 +146,7 @@ def test_a_class_that_is_not_here_says_so_in_one_line_and_keeps_its_words(world:
     words = (
         "nav2_amcl",
         "rviz_default_plugins/Grid",
-        "no display of that name",
+        "nothing of that name",
         "rviz_satellite",
         "SetGoal",
         "Navigation2",
