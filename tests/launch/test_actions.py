@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import io
 import re
 import sys
@@ -9,7 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from launch import LaunchDescription
+from launch import LaunchContext, LaunchDescription, LaunchService
 from launch.actions import (
     AppendEnvironmentVariable,
     DeclareLaunchArgument,
@@ -42,6 +43,10 @@ from launch.frontend.parser import Parser
 from launch.launch_description_source import LaunchDescriptionSource
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import EnvironmentVariable, LaunchConfiguration, LocalSubstitution
+from launch_ros.actions.load_composable_nodes import get_composable_node_load_request
+from launch_ros.descriptions import ComposableNode
+
+from rclpy.parameter import Parameter
 
 USER = "[INFO] [launch.user]: "
 
@@ -377,3 +382,35 @@ def test_a_launch_file_sees_its_own_place(launch_these: Callable[..., Any], tmp_
     )
     include = IncludeLaunchDescription(PythonLaunchDescriptionSource(str(tmp_path / "a.launch.py")))
     assert said(launch_these(include).lines) == [str(tmp_path), str(tmp_path / "a.launch.py")]
+
+
+def test_a_shutdown_may_be_awaited_while_the_launch_runs() -> None:
+    async def play() -> tuple[int, list[Any]]:
+        service = LaunchService()
+        task = asyncio.ensure_future(service.run_async(shutdown_when_idle=False))
+        while service.context.asyncio_loop is None:
+            await asyncio.sleep(0.01)
+        found = [service.task is task, service.event_loop is asyncio.get_running_loop()]
+        found.append(await asyncio.ensure_future(service.shutdown()))
+        status = await task
+        return status, [*found, service.task, service.event_loop, service.shutdown()]
+
+    assert asyncio.run(play()) == (0, [True, True, None, None, None, None])
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("a: 1\nb: {c: x}", {"a": 1, "b.c": "x"}),
+        ("/**: {ros__parameters: {a: 1}}\n/ns/n: {ros__parameters: {b: 2}}", {"a": 1, "b": 2}),
+        ("ns: {n: {ros__parameters: {b: 2}}, other: {ros__parameters: {b: 3}}}", {"b": 2}),
+        ("other: {ros__parameters: {b: 3}}", {}),
+        ("", {}),
+    ],
+)
+def test_a_component_is_given_what_a_file_has_for_it(tmp_path: Any, text: str, values: dict[str, Any]) -> None:
+    file = tmp_path / "p.yaml"
+    file.write_text(text, encoding="utf-8")
+    node = ComposableNode(package="p", plugin="q", name="n", namespace="ns", parameters=[str(file)])
+    request = get_composable_node_load_request(node, LaunchContext())
+    assert {each.name: Parameter.from_parameter_msg(each).value for each in request.parameters} == values

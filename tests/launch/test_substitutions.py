@@ -99,6 +99,7 @@ def test_a_substitution_gives_its_text(context: LaunchContext, substitution: Any
             "/$(path-join opt ros lyrical $(string-join . setup bash))",
             os.path.join("/opt", "ros", "lyrical", "setup.bash"),
         ),
+        ("$(path-join a \"$(string-join - 'b' c)\")", os.path.join("a", "'b'-c")),
         ("$(string-join .)", TypeError),
         ("$(path-join)", TypeError),
     ],
@@ -123,6 +124,8 @@ def test_lyrical_joins_in_launch_files(
         (FileContent("/no/such/file"), "File not found: /no/such/file"),
         (FindExecutable(name="no_such_program"), "executable 'no_such_program' not found on the PATH"),
         (ThisLaunchFileDir(), "ThisLaunchFileDir used outside of a launch file (in a script)"),
+        (AnySubstitution("true", "maybe"), "Cannot convert value 'maybe' to '<class 'bool'>'"),
+        (AllSubstitution("false", "maybe"), "Cannot convert value 'maybe' to '<class 'bool'>'"),
         (NotSubstitution("maybe"), "Cannot convert value 'maybe' to '<class 'bool'>'"),
         pytest.param(
             Command("python3 -c 'import sys; sys.exit(2)'"), "executed command failed", marks=pytest.mark.process
@@ -226,3 +229,9 @@ def test_conditions_compare_launch_configurations(context: LaunchContext) -> Non
     assert LaunchConfigurationEquals("missing", None).evaluate(context)
     assert not LaunchConfigurationEquals("missing", "x").evaluate(context)
     assert LaunchConfigurationNotEquals("robot", "cat").evaluate(context)
+
+
+def test_no_modules_in_an_expression_means_none(context: LaunchContext) -> None:
+    assert perform_substitutions(context, parse_substitution('$(eval "1 + 1" "")')) == "2"
+    with pytest.raises(NameError):
+        perform_substitutions(context, parse_substitution('$(eval "ceil(1.3)" "")'))

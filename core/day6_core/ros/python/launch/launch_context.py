@@ -17,6 +17,13 @@ if TYPE_CHECKING:
     from launch._host import HostConnection
 
 
+class EventQueue(deque[Event]):
+    """The events to come; tests of launch files use the names that an asyncio.Queue has."""
+
+    qsize = deque.__len__
+    get_nowait = deque.popleft
+
+
 class Locals:
     """`context.locals`: values from event handlers and includes, as read-only attributes."""
 
@@ -41,7 +48,7 @@ class LaunchContext:
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
         self.__argv = argv if argv is not None else []
         self.__noninteractive = noninteractive
-        self._event_queue: deque[Event] = deque()
+        self._event_queue = EventQueue()
         self._event_handlers: deque[BaseEventHandler] = deque()
         self._completion_futures: list[Future] = []
         self.__globals: dict[str, Any] = {}

@@ -15,7 +15,7 @@ class LaunchDescriptionEntity:
 
     def describe(self) -> str:
         """Return the text that `ros2 launch --print` shows."""
-        return self.__repr__()
+        raise NotImplementedError(f"{type(self).__name__} has no description")
 
     def describe_sub_entities(self) -> Sequence[LaunchDescriptionEntity]:
         """Return the entities that a visit always returns."""

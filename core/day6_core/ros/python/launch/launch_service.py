@@ -7,7 +7,7 @@ import signal
 import threading
 import traceback
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Coroutine, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -35,6 +35,23 @@ AFTERMATH = 1.0
 """How long events may go on causing events once everything else has ended; beyond that it counts as endless."""
 
 
+class _Done(Coroutine[Any, Any, None]):
+    """What `shutdown` returns: it may be awaited, or left, because the shutdown is under way already."""
+
+    def send(self, value: Any) -> Any:
+        raise StopIteration
+
+    def throw(self, *error: Any) -> Any:
+        raise error[0]
+
+    def close(self) -> None:
+        return
+
+    def __await__(self) -> Generator[Any, Any, None]:
+        return
+        yield
+
+
 class _Cancelled(BaseException):
     """The launch must stop at once. No `except Exception` of a launch file catches this."""
 
@@ -57,14 +74,23 @@ class LaunchService:
         """Calls from signal handlers; they come before events, which may never come to an end."""
         self.__watchdog: SignalWatchdog | None = None
         self.__aftermath: float | None = None
+        self.__task: Any = None
+        self.__outer: Any = None
+        """The task of `run_async` and the asyncio loop that it runs in."""
+
+    @property
+    def task(self) -> Any:
+        """The asyncio task that runs this, None while there is none."""
+        return self.__task
 
     @property
     def context(self) -> LaunchContext:
         return self.__context
 
     @property
-    def event_loop(self) -> Loop | None:
-        return self.__loop if self.__running else None
+    def event_loop(self) -> Any:
+        """The asyncio loop of `run_async`, or the launch's own one of `run`; None while it doesn't run."""
+        return self.__outer or (self.__loop if self.__running else None)
 
     def _run_programs_with(self, host: HostConnection | None) -> None:
         """Let the host that started this launch run our programs. Call it before `run`."""
@@ -78,10 +104,15 @@ class LaunchService:
         """Queue a launch description to be visited. May be called from any thread."""
         self.emit_event(IncludeLaunchDescription(launch_description))
 
-    def shutdown(self, force_sync: bool = False) -> None:
-        """Shut the launched system down; no effect unless it runs. May be called from any thread."""
-        if self.__running:
-            self.__loop.call_soon(self._shutdown, "LaunchService.shutdown() called", False)
+    def shutdown(self, force_sync: bool = False) -> Coroutine[Any, Any, None] | None:
+        """Shut the launched system down; no effect unless it runs. May be called from any thread.
+
+        While it runs, and without `force_sync`, this returns something to await, as real launch does.
+        """
+        if not self.__running:
+            return None
+        self.__loop.call_soon(self._shutdown, "LaunchService.shutdown() called", False)
+        return None if force_sync else _Done()
 
     # -- running -------------------------------------------------------------------------------------------------------
 
@@ -96,7 +127,12 @@ class LaunchService:
         """Like `run`, for a program with an asyncio loop: runs in a thread and leaves Ctrl-C to the program."""
         import asyncio
 
-        return await asyncio.get_running_loop().run_in_executor(None, self.__run, shutdown_when_idle)
+        self.__task, self.__outer = asyncio.current_task(), asyncio.get_running_loop()
+        try:
+            status: int = await self.__outer.run_in_executor(None, self.__run, shutdown_when_idle)
+            return status
+        finally:
+            self.__task = self.__outer = None
 
     def __run(self, shutdown_when_idle: bool) -> int:
         if self.__running:
@@ -139,7 +175,7 @@ class LaunchService:
         queue = self.__context._event_queue
         while self.__signal_calls:
             self.__signal_calls.popleft()()
-        if self.__is_idle():
+        if self._is_idle():
             if self.__shutting_down:
                 return self.__loop.run_next(wait=False)
             if shutdown_when_idle and not self.__loop.run_next(wait=False):
@@ -161,7 +197,7 @@ class LaunchService:
         self.__aftermath = self.__aftermath or now
         return now - self.__aftermath > AFTERMATH
 
-    def __is_idle(self) -> bool:
+    def _is_idle(self) -> bool:
         self.__pending = [pair for pair in self.__pending if not self.__ended(pair[1])]
         futures = self.__context._completion_futures
         self.__context._completion_futures = [future for future in futures if not self.__ended(future)]

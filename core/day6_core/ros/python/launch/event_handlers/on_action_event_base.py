@@ -58,9 +58,9 @@ class OnActionEventBase(BaseEventHandler):
         if not isinstance(event, self.__target_event_cls):
             return False
         wanted, action = self.__action_matcher, getattr(event, "action", None)
-        if isinstance(wanted, self.__target_action_cls):
-            return action is wanted
-        return wanted is None or bool(wanted(action))
+        if callable(wanted):
+            return bool(wanted(action))
+        return wanted is None or action is wanted
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         super().handle(event, context)

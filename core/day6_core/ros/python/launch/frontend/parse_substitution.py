@@ -1,7 +1,8 @@
 r"""Parses texts with substitutions, from XML and YAML launch files and parameter files: `$(find-pkg-share demo)/config`.
 
 `$(name ARGUMENT ARGUMENT)`; an argument ends at a space or a closing bracket unless it is quoted with ' or ", and may contain
-substitutions. A backslash escapes the next character. A `$` without a bracket after it is a plain `$`.
+substitutions (in whose arguments quotes are plain). A backslash escapes the next character. A `$` without a bracket after it
+is a plain `$`.
 """
 
 from __future__ import annotations
@@ -84,6 +85,8 @@ class _Reader:
     def __init__(self, text: str) -> None:
         self.text = text
         self.at = 0
+        self.quote = ""
+        """The quote that the reader is within."""
 
     def template(self, quote: str) -> list[Substitution]:
         """Read up to the closing quote (with '': to the end)."""
@@ -123,15 +126,17 @@ class _Reader:
 
     def _argument(self) -> list[Substitution]:
         quote = self._here()
-        if quote and quote in "'\"":
+        if quote and quote in "'\"" and not self.quote:
             self.at += 1
+            self.quote = quote
             parts = self.template(quote)
+            self.quote = ""
             if self._here() != quote:
                 raise self._problem(quote)
             self.at += 1
             return parts or _plain(" ")[:0]
         parts, plain = [], ""
-        while self.at < len(self.text) and self._here() not in " )":
+        while self.at < len(self.text) and self._here() not in f" ){self.quote}":
             if self._at_substitution():
                 parts += _plain(plain)
                 plain = ""

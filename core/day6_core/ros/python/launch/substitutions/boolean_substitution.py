@@ -110,15 +110,17 @@ class _Several(Substitution):
 
 @expose_substitution("any")
 class AnySubstitution(_Several):
-    """`$(any …)`: 'true' if one of them is true."""
+    """`$(any …)`: 'true' if one of them is true; a value that is neither is refused, wherever it stands."""
 
     def perform(self, context: LaunchContext) -> str:
-        return str(any(truth(context, each) for each in self.args)).lower()
+        truths = [truth(context, each) for each in self.args]
+        return str(any(truths)).lower()
 
 
 @expose_substitution("all")
 class AllSubstitution(_Several):
-    """`$(all …)`: 'true' if all of them are true."""
+    """`$(all …)`: 'true' if all of them are true; a value that is neither is refused, wherever it stands."""
 
     def perform(self, context: LaunchContext) -> str:
-        return str(all(truth(context, each) for each in self.args)).lower()
+        truths = [truth(context, each) for each in self.args]
+        return str(all(truths)).lower()

@@ -39,7 +39,7 @@ class PythonExpression(Substitution):
         keywords: dict[str, Any] = {"expression": data[0]}
         if len(data) == 2:
             names = "".join(part.perform(None) for part in data[1])
-            keywords["python_modules"] = [name.strip() for name in names.split(",")]
+            keywords["python_modules"] = [name.strip() for name in names.split(",") if name.strip()]
         return cls, keywords
 
     @property

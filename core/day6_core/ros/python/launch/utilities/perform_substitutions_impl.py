@@ -13,4 +13,4 @@ if TYPE_CHECKING:
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
     """Return their texts, concatenated. Raises SubstitutionFailure if one has no text."""
-    return "".join([context.perform_substitution(each) for each in subs])
+    return "".join([each.perform(context) for each in subs])

@@ -33,12 +33,17 @@ def is_typing_list(data_type: Any) -> bool:
     return data_type is List or getattr(data_type, "__origin__", None) is list  # noqa: UP006
 
 
+def is_valid_scalar_type(data_type: Any) -> bool:
+    """Return whether it is one of `ScalarTypesTuple`."""
+    return data_type in ScalarTypesTuple
+
+
 def extract_type(data_type: Any) -> tuple[type, bool]:
     """Return the scalar type and whether a list of it is meant. Raises ValueError for any other type."""
     members = getattr(data_type, "__args__", None)
     is_list = is_typing_list(data_type) and bool(members)
     scalar = members[0] if is_list and members else data_type
-    if scalar not in ScalarTypesTuple:
+    if not is_valid_scalar_type(scalar):
         raise ValueError(f"Unrecognized data type: {data_type}")
     return scalar, is_list
 

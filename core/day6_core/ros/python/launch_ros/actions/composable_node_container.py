@@ -35,7 +35,7 @@ class ComposableNodeContainer(Node):
         **kwargs: Any,
     ) -> None:
         super().__init__(name=name, namespace=namespace, **kwargs)
-        self.__descriptions = list(composable_node_descriptions or ())
+        self.__composable_node_descriptions = list(composable_node_descriptions or ())
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser, ignore: Iterable[str] = ()) -> tuple[Any, dict[str, Any]]:
@@ -46,7 +46,11 @@ class ComposableNodeContainer(Node):
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         from launch_ros.actions.load_composable_nodes import LoadComposableNodes
 
-        wanted = [each for each in self.__descriptions if (test := each.condition()) is None or test.evaluate(context)]
+        wanted = [
+            each
+            for each in self.__composable_node_descriptions
+            if (test := each.condition()) is None or test.evaluate(context)
+        ]
         following = list(super().execute(context) or ())
         if wanted:
             following.append(LoadComposableNodes(composable_node_descriptions=wanted, target_container=self))

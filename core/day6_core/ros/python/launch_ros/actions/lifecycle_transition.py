@@ -9,6 +9,7 @@ import launch.logging
 from launch.action import Action
 from launch.actions.emit_event import EmitEvent
 from launch.actions.opaque_function import OpaqueFunction
+from launch.actions.register_event_handler import RegisterEventHandler
 from launch.event_handler import BaseEventHandler, EventHandler
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType
@@ -55,9 +56,10 @@ class LifecycleTransition(Action):
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         transitions = [_number(perform_substitutions(context, each)) for each in self.__ids]
-        return [self.__begin(context, perform_substitutions(context, name), transitions) for name in self.__names]
+        names = [perform_substitutions(context, name) for name in self.__names]
+        return [action for name in names for action in self.__begin(name, transitions)]
 
-    def __begin(self, context: LaunchContext, name: str, transitions: list[int]) -> EmitEvent:
+    def __begin(self, name: str, transitions: list[int]) -> list[Action]:
         full_name = name if name.startswith("/") else f"/{name}"
         changes = [
             EmitEvent(event=ChangeState(lifecycle_node_matcher=matches_node_name(name), transition_id=each))
@@ -79,9 +81,8 @@ class LifecycleTransition(Action):
         handlers.append(
             EventHandler(matcher=_reaches(full_name, None, "errorprocessing"), entities=[failed], handle_once=True)
         )
-        for handler in handlers:
-            context.register_event_handler(handler)
-        return changes[0]
+        first, *others = map(RegisterEventHandler, handlers)
+        return [first, changes[0], *others]
 
 
 def _number(text: str) -> int:

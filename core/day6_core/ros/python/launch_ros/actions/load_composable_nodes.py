@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
@@ -19,13 +19,9 @@ from launch_ros.actions.composable_node_container import ComposableNodeContainer
 from launch_ros.descriptions.composable_node import ComposableNode
 from launch_ros.parameter_descriptions import Parameter
 from launch_ros.ros_adapters import get_ros_node
-from launch_ros.utilities import (
-    add_node_name,
-    evaluate_parameters,
-    get_node_name_count,
-    make_namespace_absolute,
-    prefix_namespace,
-)
+from launch_ros.utilities import add_node_name, get_node_name_count, make_namespace_absolute, prefix_namespace
+from launch_ros.utilities.evaluate_parameters import evaluate_parameter_dict, evaluate_parameters
+from launch_ros.utilities.normalize_parameters import normalize_parameter_dict
 
 if TYPE_CHECKING:
     from launch.frontend.parser import Parser
@@ -52,8 +48,12 @@ class LoadComposableNodes(Action):
         types = [*SomeSubstitutionsType_types_tuple, ComposableNodeContainer]
         ensure_argument_type(target_container, types, "target_container", "LoadComposableNodes")
         super().__init__(**kwargs)
-        self.__descriptions = composable_node_descriptions
-        self.__target = target_container
+        self.__composable_node_descriptions = composable_node_descriptions
+        self.__target_container = (
+            target_container
+            if isinstance(target_container, ComposableNodeContainer)
+            else normalize_to_list_of_substitutions(target_container)
+        )
         self.__client: Any = None
         self.__container = ""
         self.__logger = launch.logging.get_logger(__name__)
@@ -68,13 +68,14 @@ class LoadComposableNodes(Action):
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         from composition_interfaces.srv import LoadNode
 
-        if isinstance(self.__target, ComposableNodeContainer):
-            self.__container = self.__target.node_name
+        if isinstance(self.__target_container, ComposableNodeContainer):
+            self.__container = self.__target_container.node_name
         else:
-            self.__container = perform_substitutions(context, normalize_to_list_of_substitutions(self.__target))
+            self.__container = perform_substitutions(context, self.__target_container)
         self.__client = get_ros_node(context).create_client(LoadNode, f"{self.__container}/_container/load_node")
         # Now, because the scope of a group may end before the container responds.
-        requests = [_request(each, context) for each in self.__descriptions if _is_wanted(each, context)]
+        wanted = [get_composable_node_load_request(each, context) for each in self.__composable_node_descriptions]
+        requests = [each for each in wanted if each is not None]
         if requests:
             future = context.asyncio_loop.run_in_executor(None, self.__load_all, requests, context)
             context.add_completion_future(future)
@@ -82,12 +83,12 @@ class LoadComposableNodes(Action):
 
     def __load_all(self, requests: list[Any], context: LaunchContext) -> None:
         """Load the components one after the other; runs in a thread."""
-        from rclpy._rclpy_pybind11 import InvalidHandle
+        from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 
         try:
             for request in requests:
                 self.__load(request, context)
-        except InvalidHandle:
+        except (InvalidHandle, RCLError):
             if not context.is_shutdown:  # the end of the launch destroys its node
                 raise
 
@@ -128,14 +129,17 @@ class LoadComposableNodes(Action):
         self.__logger.info(f"Loaded node '{response.full_node_name}' in container '{self.__container}'")
 
 
-def _is_wanted(description: ComposableNode, context: LaunchContext) -> bool:
-    condition = description.condition()
-    return condition is None or condition.evaluate(context)
+def get_composable_node_load_request(composable_node_description: ComposableNode, context: LaunchContext) -> Any:
+    """Return the service request for a component: its own settings, and those of SetParameter, SetRemap, namespaces.
 
-
-def _request(description: ComposableNode, context: LaunchContext) -> Any:
-    """Return the service request for a component: its own settings, and those of SetParameter, SetRemap, namespaces."""
+    None if its condition isn't met.
+    """
     from composition_interfaces.srv import LoadNode
+
+    description = composable_node_description
+    condition = description.condition()
+    if condition is not None and not condition.evaluate(context):
+        return None
 
     def text(parts: list[Substitution] | None) -> str | None:
         return None if parts is None else perform_substitutions(context, parts)
@@ -161,12 +165,11 @@ def _request(description: ComposableNode, context: LaunchContext) -> Any:
 
 
 def _messages(context: LaunchContext, settings: Sequence[Any], request: Any) -> list[Any]:
-    """Return evaluated parameters (dicts, `Parameter`s, the node's sections of files) as messages."""
+    """Return evaluated parameters (dicts, `Parameter`s, the node's sections of files) as messages, in their order."""
     from rclpy.parameter import Parameter as RosParameter
-    from rclpy.parameter import parameter_dict_from_yaml_file
 
-    found: dict[str, Any] = {}
-    node = f"{request.node_namespace.rstrip('/')}/{request.node_name}"
+    found: list[Any] = []
+    node = f"{request.node_namespace}/{request.node_name}".strip("/")
     for each in settings:
         values: Mapping[str, Any]
         if isinstance(each, Mapping):
@@ -174,9 +177,28 @@ def _messages(context: LaunchContext, settings: Sequence[Any], request: Any) -> 
         elif isinstance(each, Parameter):
             values = dict([each.evaluate(context)])
         else:
-            found.update(parameter_dict_from_yaml_file(str(each), True, target_nodes=[node]))
-            continue
+            values = _of_file(context, str(each), node)
         for name, value in values.items():
             plain = list(value) if isinstance(value, tuple) else value
-            found[name] = RosParameter(name, value=plain).to_parameter_msg()
-    return list(found.values())
+            found.append(RosParameter(name, value=plain).to_parameter_msg())
+    return found
+
+
+def _of_file(context: LaunchContext, path: str, node: str) -> dict[str, Any]:
+    """Return what a parameter file has for a component: for all nodes, then for it; without nodes in it, all of it."""
+    import yaml
+
+    with open(path, encoding="utf-8") as file:
+        values = yaml.safe_load(file) or {}
+    sections = dict(_sections(values, ()))
+    if sections:
+        values = {**sections.get("**", {}), **sections.get(node, {})}
+    return evaluate_parameter_dict(context, normalize_parameter_dict(values))
+
+
+def _sections(values: Mapping[Any, Any], names: tuple[str, ...]) -> Iterator[tuple[str, Mapping[Any, Any]]]:
+    for key, value in values.items():
+        if key == "ros__parameters":
+            yield "/".join(names), value
+        elif isinstance(value, Mapping):
+            yield from _sections(value, (*names, str(key).lstrip("/")))

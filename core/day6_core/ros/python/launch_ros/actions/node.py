@@ -91,6 +91,7 @@ class Node(ExecuteProcess):
         self.__remappings = list(normalize_remap_rules(remappings or ()))
         self.__expanded_name = self.UNSPECIFIED_NODE_NAME
         self.__expanded_namespace = self.UNSPECIFIED_NODE_NAMESPACE
+        self.__expanded_parameter_arguments: list[tuple[str, bool]] = []
         self.__expanded_remappings: list[tuple[str, str]] | None = None
         self.__final_name: str | None = None
         self.__performed = False
@@ -215,7 +216,11 @@ class Node(ExecuteProcess):
             )
             raise
         self.__final_name = prefix_namespace(self.__expanded_namespace, self.__expanded_name)
-        for words in (*self.__global_parameters(context), *self.__own_parameters(context), *self.__remaps(context)):
+        self.__expanded_parameter_arguments = [*self.__global_parameters(context), *self.__own_parameters(context)]
+        options = [
+            ("--params-file" if is_file else "-p", text) for text, is_file in self.__expanded_parameter_arguments
+        ]
+        for words in (*options, *(("-r", rule) for rule in self.__remaps(context))):
             self.cmd.extend(normalize_to_list_of_substitutions(word) for word in words)
 
     def __expand_names(self, context: LaunchContext) -> None:
@@ -236,22 +241,23 @@ class Node(ExecuteProcess):
             self.cmd.extend([[TextSubstitution(text="-r")], [LocalSubstitution("ros_specific_arguments['ns']")]])
             validate_namespace(namespace)
 
-    def __global_parameters(self, context: LaunchContext) -> Iterable[list[str]]:
+    def __global_parameters(self, context: LaunchContext) -> Iterable[tuple[str, bool]]:
+        """Yield texts `name:=value` and paths of files, and whether it is a file."""
         for each in context.launch_configurations.get("global_params", []):
             if isinstance(each, tuple):
-                yield ["-p", f"{each[0]}:={_argument(each[1])}"]
+                yield f"{each[0]}:={_argument(each[1])}", False
             else:
-                yield ["--params-file", os.path.abspath(each)]
+                yield os.path.abspath(each), True
 
-    def __own_parameters(self, context: LaunchContext) -> Iterable[list[str]]:
+    def __own_parameters(self, context: LaunchContext) -> Iterable[tuple[str, bool]]:
         for each in evaluate_parameters(context, self.__parameters):
             if isinstance(each, Parameter):
                 name, value = each.evaluate(context)
-                yield ["-p", f"{name}:={_argument(value)}"]
+                yield f"{name}:={_argument(value)}", False
                 continue
             path = str(each) if isinstance(each, pathlib.Path) else self.__parameter_file(each)
             if os.path.isfile(path):
-                yield ["--params-file", path]
+                yield path, True
             else:
                 launch.logging.get_logger(__name__).warning(f"Parameter file path is not a file: {path}")
 
@@ -265,13 +271,13 @@ class Node(ExecuteProcess):
         _to_remove.append(file.name)
         return file.name
 
-    def __remaps(self, context: LaunchContext) -> Iterable[list[str]]:
+    def __remaps(self, context: LaunchContext) -> Iterable[str]:
         everywhere = context.launch_configurations.get("ros_remaps", [])
         own = [tuple(perform_substitutions(context, side) for side in rule) for rule in self.__remappings]
         if everywhere or own:
             self.__expanded_remappings = [*everywhere, *((source, target) for source, target in own)]
         for source, target in self.__expanded_remappings or ():
-            yield ["-r", f"{source}:={target}"]
+            yield f"{source}:={target}"
 
 
 def _nested(params: Iterable[Entity], parser: Parser) -> dict[Any, Any]:

@@ -22,11 +22,18 @@ class ROSTimer(TimerAction):
         node = get_ros_node(context)
         loop: Any = context.asyncio_loop
         timer = Timer(lambda: self._fire(context))
-        ros_timer: Any = None
 
-        def fire() -> None:
-            ros_timer.cancel()
-            loop.call_soon_threadsafe(timer.fire)
+        def begin() -> None:
+            """Begin to count when the whole description has been visited: a `SetUseSimTime` may come after the timer."""
+            if context.is_shutdown:
+                return
+            ros_timer: Any = None
 
-        ros_timer = node.create_timer(seconds, fire, clock=node.get_clock())
+            def fire() -> None:
+                ros_timer.cancel()
+                loop.call_soon_threadsafe(timer.fire)
+
+            ros_timer = node.create_timer(seconds, fire, clock=node.get_clock())
+
+        loop.call_soon(begin)
         return timer
