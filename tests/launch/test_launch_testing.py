@@ -118,6 +118,13 @@ def test_a_launch_test_passes_and_reports_its_cases(tmp_path: Path) -> None:
 
 
 @pytest.mark.process
+def test_ros2_test_runs_a_launch_test(tmp_path: Path) -> None:
+    done = run(tmp_path, "day6_tui", "ros2", "test", write(tmp_path, GOOD))
+    assert done.returncode == 0, done.stdout
+    assert "ROS_DOMAIN_ID" in done.stdout and "test_output (test_it.TestIt" in done.stdout
+
+
+@pytest.mark.process
 def test_a_failing_launch_test_says_why_and_shuts_its_launch_down(tmp_path: Path) -> None:
     done = launch_test(tmp_path, write(tmp_path, BAD))
     assert done.returncode == 1
