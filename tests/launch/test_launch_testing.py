@@ -465,3 +465,74 @@ def test_a_test_is_tried_again_until_it_succeeds() -> None:
         TestIt(name).run(result)
         outcomes[name] = (result.wasSuccessful(), len(result.failures))
     assert outcomes == {"test_third_time": (True, 0), "test_never": (False, 1)} and len(tries) == 3
+
+
+PLAIN = """
+import launch, launch_pytest, pytest, sys
+from launch_pytest import tools
+from launch.actions import ExecuteProcess
+
+@pytest.fixture(scope="module")
+def program():
+    return ExecuteProcess(cmd=[sys.executable, "-c", "print('ready', flush=True); import time; time.sleep(60)"], cached_output=True)
+
+@launch_pytest.fixture(scope="module")
+def launched(program):
+    return launch.LaunchDescription([program])
+
+@pytest.mark.launch(fixture=launched, shutdown=True)
+def test_after(program):
+    assert program.return_code is not None
+
+@pytest.mark.launch(fixture=launched)
+async def test_coroutine(program, launch_context):
+    assert await tools.wait_for_start(launch_context, program, timeout=20)
+
+@pytest.mark.launch(fixture=launched)
+def test_function(program, launch_context):
+    def is_ready(text):
+        assert "ready" in text
+    tools.assert_output_sync(launch_context, program, is_ready, timeout=20)
+    assert not tools.wait_for_output_sync(launch_context, program, lambda text: "never" in text, timeout=0.01)
+    assert program.return_code is None
+
+@pytest.mark.launch(fixture=launched)
+def test_two_parts(program):
+    assert program.return_code is None
+    yield
+    assert program.return_code is not None
+
+@pytest.mark.launch(fixture=launched)
+async def test_twice():
+    yield
+    yield
+
+@pytest.mark.launch(fixture=launched)
+def test_wrong():
+    assert not "so it is reported"
+    yield
+
+@pytest.mark.launch
+def test_without_fixture():
+    pass
+"""
+
+
+@pytest.mark.process
+def test_launch_pytest_runs_tests_beside_and_after_a_launch(tmp_path: Path) -> None:
+    (tmp_path / "test_it.py").write_text(PLAIN, encoding="utf-8")
+    done = pytest_on(tmp_path, "-vv", "test_it.py")
+    ran = [tuple(line.split()[:2]) for line in done.stdout.splitlines() if line.startswith("test_it.py::")]
+    assert [(test.partition("::")[2], outcome) for test, outcome in ran] == [
+        ("test_coroutine", "PASSED"),
+        ("test_function", "PASSED"),
+        ("test_two_parts", "PASSED"),
+        ("test_twice", "PASSED"),
+        ("test_wrong", "FAILED"),
+        ("test_after", "PASSED"),
+        ("test_two_parts[shutdown_test]", "PASSED"),
+        ("test_twice[shutdown_test]", "FAILED"),
+        ("test_wrong[shutdown_test]", "SKIPPED"),
+        ("test_without_fixture", "SKIPPED"),
+    ], done.stdout
+    assert "an async gen function must stop iteration after yielding once" in done.stdout
