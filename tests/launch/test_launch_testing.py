@@ -472,9 +472,11 @@ import launch, launch_pytest, pytest, sys
 from launch_pytest import tools
 from launch.actions import ExecuteProcess
 
+SCRIPT = "import time; print('ready', flush=True); time.sleep(60)"
+
 @pytest.fixture(scope="module")
 def program():
-    return ExecuteProcess(cmd=[sys.executable, "-c", "print('ready', flush=True); import time; time.sleep(60)"], cached_output=True)
+    return ExecuteProcess(cmd=[sys.executable, "-c", SCRIPT], cached_output=True)
 
 @launch_pytest.fixture(scope="module")
 def launched(program):

@@ -137,12 +137,21 @@ def pytest_pycollect_makeitem(collector: Any, name: str, obj: Any) -> list[pytes
     pytest.mark.usefixtures(options.name, "launch_service", "event_loop")(obj)
     items: list[pytest.Item] = list(collector._genfunctions(name, obj))
     if options.scope != "function" and _is_in_two_parts(obj):
-        others = list(collector._genfunctions(name, obj))
-        for item, other in zip(items, others, strict=True):
-            other.name = f"{other.name}[shutdown_test]"
-            other.stash[_FIRST] = item
-        items += others
+        items += [_second_part(collector, item) for item in items]
     return items
+
+
+def _second_part(collector: Any, first: Any) -> pytest.Item:
+    """Return the test that is the part of a generator behind its `yield`."""
+    item = pytest.Function.from_parent(
+        collector,
+        name=f"{first.name}[shutdown_test]",
+        callspec=getattr(first, "callspec", None),
+        fixtureinfo=first._fixtureinfo,
+        originalname=first.originalname,
+    )
+    item.stash[_FIRST] = first
+    return item
 
 
 @pytest.hookimpl(trylast=True)
