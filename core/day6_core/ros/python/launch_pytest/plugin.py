@@ -148,7 +148,7 @@ def _second_part(collector: Any, first: Any) -> pytest.Item:
         name=f"{first.name}[shutdown_test]",
         callspec=getattr(first, "callspec", None),
         fixtureinfo=first._fixtureinfo,
-        originalname=first.originalname,
+        callobj=first.obj,
     )
     item.stash[_FIRST] = first
     return item
