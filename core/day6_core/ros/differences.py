@@ -494,6 +494,7 @@ UNSETTLED: dict[str, str] = {
     "all of them (message_filters#238, #252, #283); where a time is missing, TimeSynchronizer still raises AttributeError",
     "YAML's tags in Lyrical": "what rcl says of a value that does not fit its tag (`!!int yes`) is in no source at hand "
     "(rcl#1275)",
+    "ros2 launch of Lyrical": "lacks the names of its log files (launch_ros#461)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
     "rclpy#1584): the words are in no source at hand",
     "urdfdom of Lyrical": "the numbers of lines in its messages are those of urdfdom 4.0.1 and 5.1; that URDF 1.2 refuses sizes "
