@@ -24,6 +24,7 @@ FRIENDS = {
     ("day6_core.session", "rclpy._day6.log_file"): "rclpy's public names are those of the real one, which has no such",
     ("launch_ros", "rclpy._rclpy_pybind11"): "its name in the real one, and what launch files catch",
     ("day6_core.ros.ros2", "launch._host"): "launch's public names are those of the real one",
+    ("launch_pytest", "launch_testing.loader"): "the real one's public names have no such",
     ("launch_ros", "launch._loop"): "launch's public names are those of the real one",
     ("day6_core.ros.programs.tf2_ros", "tf2_py._rotation"): "the C++ library tf2, which has no Python names",
     (

@@ -106,13 +106,19 @@ def _kinds(name: str, shell: Shell) -> list[tuple[str, str]]:
     return found
 
 
-async def type_(session: Session) -> int:
-    """`type [-atpPf] NAME …`."""
-    shell = shell_of(session)
+def _flags_and_names(session: Session) -> tuple[str, list[str]]:
+    """The letters of the options in front, and the words behind them."""
     words = session.argv[1:]
     flags = ""
     while words and words[0].startswith("-") and len(words[0]) > 1:
         flags += words.pop(0)[1:]
+    return flags, words
+
+
+async def type_(session: Session) -> int:
+    """`type [-atpPf] NAME …`."""
+    shell = shell_of(session)
+    flags, words = _flags_and_names(session)
     status = 0
     for name in words:
         kinds = [each for each in _kinds(name, shell) if not ("f" in flags and each[0] == "function")]
@@ -138,10 +144,7 @@ async def command(session: Session) -> int:
     from day6_core.shell.commands import find_command
 
     shell = shell_of(session)
-    words = session.argv[1:]
-    flags = ""
-    while words and words[0].startswith("-") and len(words[0]) > 1:
-        flags += words.pop(0)[1:]
+    flags, words = _flags_and_names(session)
     if not words:
         return 0
     if not set(flags) & set("vV"):

@@ -30,7 +30,6 @@ async def read(session: Session) -> int:
         return 2
     stdin = _input(session, options.get("u"))
     if stdin is None:
-        complain_as_shell(session, f"{options['u']}: invalid file descriptor: Bad file descriptor")
         return 1
     for name in [*names, *([options["a"]] if "a" in options else [])]:
         if split_target(f"{name}=") is None:
@@ -58,11 +57,15 @@ async def read(session: Session) -> int:
 
 
 def _input(session: Session, descriptor: str | None) -> InputStream | None:
+    """What `-u` names, standard input without it; None, with a complaint, for what can't be read."""
     if descriptor is None:
         return session.stdin
     streams = shell_of(session).all_streams(session)
     stream = streams.table.get(int(descriptor)) if descriptor.isdigit() else None
-    return stream if isinstance(stream, InputStream) else None
+    if isinstance(stream, InputStream):
+        return stream
+    complain_as_shell(session, f"{descriptor}: invalid file descriptor: Bad file descriptor")
+    return None
 
 
 async def _within(session: Session, seconds: float, work: Callable[[], Awaitable[bool]]) -> bool | None:
@@ -204,7 +207,6 @@ async def mapfile(session: Session) -> int:
         return 1
     stdin = _input(session, options.get("u"))
     if stdin is None:
-        complain_as_shell(session, f"{options['u']}: invalid file descriptor: Bad file descriptor")
         return 1
     name = names[0] if names else "MAPFILE"
     end = (options["d"][:1] or "\0") if "d" in options else "\n"

@@ -10,7 +10,7 @@ from day6_core.session.task import let_others_run
 from day6_core.shell.language import syntax
 from day6_core.shell.language.arithmetic import ArithmeticProblem
 from day6_core.shell.language.conditional import holds
-from day6_core.shell.language.control_flow import LoopControl
+from day6_core.shell.language.control_flow import run_body
 from day6_core.shell.language.expansion import (
     ExpansionProblem,
     UnboundProblem,
@@ -157,15 +157,7 @@ async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Arithm
         elif await _holds(shell, command.condition, streams) == command.until:
             break
         await let_others_run()
-        shell.loops += 1
-        try:
-            status = await shell.run_tree(command.body, streams)
-        except LoopControl as control:
-            if control.levels > 1:
-                raise LoopControl(control.levels - 1, control.again) from None
-            status = 0
-            if not control.again:
-                break
-        finally:
-            shell.loops -= 1
+        status, goes_on = await run_body(shell, command.body, streams)
+        if not goes_on:
+            break
     shell.status = status

@@ -1,6 +1,13 @@
-"""The exceptions that end a command line early: `exit`, `break`, `continue`, `return`, words without a value and Ctrl-C."""
+"""A loop's body, and the exceptions that end a line early: `exit`, `break`, `continue`, `return`, an unset word and Ctrl-C."""
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_core.shell.language.interpreter import Shell
+    from day6_core.shell.language.redirection import Streams
+    from day6_core.shell.language.syntax import Sequence
 
 
 class ExitShell(Exception):
@@ -34,3 +41,16 @@ class ReturnFromSource(Exception):
 
 class Interrupted(Exception):
     """A foreground command was ended by Ctrl-C: the rest of the line is not run."""
+
+
+async def run_body(shell: Shell, body: Sequence, streams: Streams) -> tuple[int, bool]:
+    """Run the body of a loop once; return its status, and whether the loop goes on. Raises LoopControl for a loop around it."""
+    shell.loops += 1
+    try:
+        return await shell.run_tree(body, streams), True
+    except LoopControl as control:
+        if control.levels > 1:
+            raise LoopControl(control.levels - 1, control.again) from None
+        return 0, control.again
+    finally:
+        shell.loops -= 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_core.shell.language import syntax
-from day6_core.shell.language.control_flow import LoopControl
+from day6_core.shell.language.control_flow import run_body
 from day6_core.shell.language.redirection import Streams
 
 if TYPE_CHECKING:
@@ -30,17 +30,9 @@ async def run_select(shell: Shell, command: syntax.For, words: list[str], stream
             continue
         number = int(reply) if reply.strip().isdigit() else 0
         shell.variables[command.name] = words[number - 1] if 1 <= number <= len(words) else ""
-        shell.loops += 1
-        try:
-            status = await shell.run_tree(command.body, streams)
-        except LoopControl as control:
-            if control.levels > 1:
-                raise LoopControl(control.levels - 1, control.again) from None
-            status = 0
-            if not control.again:
-                break
-        finally:
-            shell.loops -= 1
+        status, goes_on = await run_body(shell, command.body, streams)
+        if not goes_on:
+            break
         shown = not shell.variables.get("REPLY")
     shell.status = status
 

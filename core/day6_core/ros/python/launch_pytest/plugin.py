@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import inspect
 from collections import defaultdict
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -83,16 +83,9 @@ def _description(result: Any, place: str) -> LaunchDescription:
 def _ready_action(description: LaunchDescription) -> ReadyToTest:
     """Return the action that starts the tests; it is added at the end if there is none. Raises RuntimeError for several."""
     from launch_testing.actions import ReadyToTest
+    from launch_testing.loader import _ready_actions
 
-    def within(entities: Any) -> Iterator[ReadyToTest]:
-        for entity in entities:
-            if isinstance(entity, ReadyToTest):
-                yield entity
-            yield from within(entity.describe_sub_entities())
-            for _, conditional in entity.describe_conditional_sub_entities():
-                yield from within(conditional)
-
-    found = list(within(description.entities))
+    found = list(_ready_actions(description.entities))
     if len(found) > 1:
         raise RuntimeError(
             "launch_pytest fixtures must return a LaunchDescription containing only one ReadyToTest action"

@@ -149,6 +149,11 @@ def add_bag_path(parser: ArgumentParser, *, required: bool = True, storage: bool
     if not storage:
         parser.set_defaults(storage="")
         return
+    add_storage(parser)
+
+
+def add_storage(parser: ArgumentParser) -> None:
+    """Add the storage format of a bag to read."""
     parser.add_argument(
         "-s",
         "--storage",

@@ -351,7 +351,7 @@ class RViz:
         type_name = type_of(class_id)
         if type_name is not None:
             return display_class(type_name)(self, name)
-        missing = missing_class(class_id, "display")
+        missing = missing_class(class_id)
         self.log_missing(missing)
         return FailedDisplay(self, name, class_id, missing)
 
@@ -501,7 +501,7 @@ class RViz:
                 self.views.add(SavedView(entry))
         load_expanded(self.root, config.get("Panels"))
         for class_id in missing_panels(config.get("Panels")):
-            self.log_missing(missing_class(class_id, "panel"))
+            self.log_missing(missing_class(class_id))
         self.modified = False
         self.loaded += 1
         self.tree_changed()

@@ -24,10 +24,10 @@ KNOWN = {
 """How a class begins, the longest first -> the text `rviz.missing.<…>`."""
 
 
-def missing_class(class_id: str, kind: str) -> Remark:
-    """That a class isn't here; `kind` is 'display', 'tool' or 'panel'."""
+def missing_class(class_id: str) -> Remark:
+    """That the class of a display, tool or panel isn't here."""
     key = next((key for begin, key in KNOWN.items() if class_id.startswith(begin)), "plugin")
     package, _, name = class_id.partition("/")
     if key == "ros1" and name in (*TYPES, *TOOLS):
         key = "ros1_same"
-    return Remark.of("error", f"rviz.missing.{key}", type=class_id, package=package or "?", name=name, kind=kind)
+    return Remark.of("error", f"rviz.missing.{key}", type=class_id, package=package or "?", name=name)

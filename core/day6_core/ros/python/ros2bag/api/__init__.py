@@ -10,7 +10,7 @@ from rosbag2_py._options import duration_of as dict_to_duration
 from rosbag2_py._options import qos_overrides as convert_yaml_to_qos_profile
 from rosbag2_py._options import qos_profile_of as interpret_dict_as_qos_profile
 
-from day6_core.ros.ros2.bag._options import STORAGES
+from day6_core.ros.ros2.bag._options import add_storage
 from day6_core.ros.ros2.bag._options import error as print_error
 from day6_core.ros.ros2.bag._options import event_topics as convert_service_to_service_event_topic
 from day6_core.ros.ros2.bag._options import not_negative_float as check_not_negative_float
@@ -61,10 +61,4 @@ def check_path_exists(value: Any) -> str:
 def add_standard_reader_args(parser: ArgumentParser) -> None:
     """Add the bag to open and its storage."""
     parser.add_argument("bag_path", type=check_path_exists, help="Bag to open")
-    parser.add_argument(
-        "-s",
-        "--storage",
-        default="",
-        choices=STORAGES,
-        help="Storage implementation of bag. By default attempts to detect automatically - use this argument to override.",
-    )
+    add_storage(parser)

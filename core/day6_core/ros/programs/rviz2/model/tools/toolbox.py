@@ -55,7 +55,7 @@ class Toolbox:
         type_name = class_id.removeprefix(PACKAGE)
         if class_id.startswith(PACKAGE) and type_name in TYPES:
             return tool_class(type_name)(self._rviz)
-        missing = missing_class(class_id, "tool")
+        missing = missing_class(class_id)
         self._rviz.log_missing(missing)
         return FailedTool(self._rviz, class_id, missing)
 
