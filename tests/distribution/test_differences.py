@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import json
 import re
 from collections.abc import Callable
@@ -25,9 +27,13 @@ from day6_core.ros.differences import (
 )
 from day6_core.ros.distribution import NAMES
 from tests.ros2.ros2_machine import Machine
+from tests.support.other_distribution import DECIDED_AT_IMPORT
 from tests.support.short_folder import make_short_folder
 
 from .command import day6, sections, started, wait_for
+
+ASKING = {name for name, _ in inspect.getmembers(differences, inspect.isfunction) if not name.startswith("_")}
+"""What `differences` is asked with."""
 
 LAUNCHED = (
     "composition composition_demo_launch.py",
@@ -595,3 +601,27 @@ def test_texts_that_humble_has(played: dict[str, dict[str, str]], name: str) -> 
 
 def test_what_is_deliberately_another_is_said() -> None:
     assert differences.KEPT and all(differences.KEPT.values())
+
+
+def _asks_at_import(body: list[ast.stmt]) -> bool:
+    """Return whether statements of a module, but not of its functions, call something of `differences`."""
+    waiting: list[ast.AST] = list(body)
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
+            continue
+        if isinstance(part, ast.Call) and ast.unparse(part.func).removeprefix("differences.") in ASKING:
+            return True
+        waiting.extend(ast.iter_child_nodes(part))
+    return False
+
+
+def test_it_is_known_which_modules_keep_the_distribution_they_were_imported_in() -> None:
+    core = Path(differences.__file__).parents[1]
+    asking = set()
+    for path in core.rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        if ("differences import" in text or "import differences" in text) and _asks_at_import(ast.parse(text).body):
+            root = core / "ros" / "python" if core / "ros" / "python" in path.parents else core.parent
+            asking.add(".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__"))
+    assert asking == set(DECIDED_AT_IMPORT)

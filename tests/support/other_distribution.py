@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable
 
 import pytest
@@ -9,17 +10,33 @@ import pytest
 from day6_core.interfaces import registry, type_hash
 from day6_core.ros import distribution
 
+DECIDED_AT_IMPORT = (
+    "day6_core.interfaces.checks",
+    "day6_core.ros.programs.day6_inspector.rules",
+    "day6_core.ros.programs.demo_messages",
+    "day6_core.ros.programs.fibonacci_interface",
+    "day6_core.ros.programs.turtlesim_interfaces",
+    "launch.actions",
+    "rclpy",
+    "rclpy._day6.own_services",
+    "rclpy.qos",
+    "rosbag2_py._storage",
+)
+"""The modules that ask for the distribution while they are imported (`tests/distribution` compares it with them)."""
+
 
 @pytest.fixture
 def in_distribution(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], None]:
     """Return what makes this process one of a distribution until the test ends.
 
-    A process has one distribution and keeps each class of an interface that it has made. The classes are made first,
-    so that no test of this process, which may come in any order, meets one of the other distribution.
+    A process has one distribution and keeps each class of an interface that it has made, and each module that it has imported.
+    They are made first, so that no test of this process, which may come in any order, meets one of the other distribution.
     """
     for package in registry.packages():
         for name in registry.interface_names(package):
             type_hash(registry.find_class(f"{package}/{name}"))
+    for module in DECIDED_AT_IMPORT:
+        importlib.import_module(module)
 
     def enter(name: str) -> None:
         monkeypatch.setattr(distribution, "_current", name)
