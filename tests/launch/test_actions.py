@@ -7,9 +7,11 @@ import io
 import re
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 from launch import LaunchContext, LaunchDescription, LaunchService
 from launch.actions import (
     AppendEnvironmentVariable,
@@ -43,9 +45,11 @@ from launch.frontend.parser import Parser
 from launch.launch_description_source import LaunchDescriptionSource
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import EnvironmentVariable, LaunchConfiguration, LocalSubstitution
+from launch_ros.actions import Node
 from launch_ros.actions.load_composable_nodes import get_composable_node_load_request
 from launch_ros.descriptions import ComposableNode
 
+from rclpy._day6.parameter_files import read_parameter_file
 from rclpy.parameter import Parameter
 
 USER = "[INFO] [launch.user]: "
@@ -69,6 +73,25 @@ def test_actions_are_executed_in_their_order(launch_these: Callable[..., Any]) -
         LogInfo(msg="one"), OpaqueFunction(function=lambda context: [LogInfo(msg="two")]), LogInfo(msg="3")
     )
     assert (result.status, said(result.lines)) == (0, ["one", "two", "3"])
+
+
+@pytest.mark.parametrize("name", ["mine", "mine.log"])
+def test_the_log_file_has_the_name_that_was_asked_for(
+    launch_these: Callable[..., Any], tmp_path: Path, name: str
+) -> None:
+    assert launch_these(LogInfo(msg="one"), log_file_name=name).status == 0
+    (file,) = (tmp_path / "log" / "latest").iterdir()
+    assert file.name == "mine.log" and "one" in file.read_text(encoding="utf-8")
+
+
+def test_the_file_of_a_dict_of_parameters_is_the_real_one() -> None:
+    """A list in it is tagged, which the programs that read it don't mind."""
+    node: Any = Node(executable="x", name="a", namespace="b", parameters=[{"x": {"y": [1, 2]}}])
+    node._perform_substitutions(LaunchContext())
+    ((path, is_file),) = node._Node__expanded_parameter_arguments
+    text = Path(path).read_text(encoding="utf-8")
+    assert is_file and yaml.load(text, yaml.FullLoader) == {"/b/a": {"ros__parameters": {"x.y": (1, 2)}}}
+    assert read_parameter_file(path) == {"/b/a": {"x.y": [1, 2]}}
 
 
 def test_conditions_decide_what_is_executed(launch_these: Callable[..., Any]) -> None:

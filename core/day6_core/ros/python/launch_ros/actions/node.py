@@ -265,9 +265,9 @@ class Node(ExecuteProcess):
         import yaml
 
         node = self.node_name if self.is_node_name_fully_specified() else "/**"
-        values = {name: list(value) if isinstance(value, tuple) else value for name, value in parameters.items()}
+        content = {node: {"ros__parameters": dict(parameters)}}
         with tempfile.NamedTemporaryFile("w", prefix="launch_params_", delete=False, encoding="utf-8") as file:
-            yaml.safe_dump({node: {"ros__parameters": values}}, file, default_flow_style=False, allow_unicode=True)
+            yaml.dump(content, file, default_flow_style=False, allow_unicode=True)  # lists get `!!python/tuple`, as there
         _to_remove.append(file.name)
         return file.name
 
