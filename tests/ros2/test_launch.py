@@ -62,6 +62,7 @@ def test_a_file_is_launched_with_its_arguments(machine, processes):
         "argv": ["x:=1", "y:=2", "x:=3"],
         "arguments": [["y", "2"], ["x", "3"]],
         "debug": False,
+        "log_file_name": None,
         "noninteractive": False,
         "show": "",
         "guarded": False,
@@ -88,6 +89,13 @@ def test_options_are_handed_on(machine, processes, options, told):
     (machine.cwd / "a.launch.py").touch()
     assert machine.ros2("launch", *options, "a.launch.py").status == 0
     assert {name: processes.told[name] for name in told} == told
+
+
+def test_the_log_file_gets_a_name_since_lyrical(machine, processes, in_distribution):
+    in_distribution("lyrical")
+    (machine.cwd / "a.launch.py").touch()
+    assert machine.ros2("launch", "-f", "mine", "a.launch.py").status == 0
+    assert processes.told["log_file_name"] == "mine"
 
 
 def test_all_output_is_asked_for_by_a_variable(machine, processes):

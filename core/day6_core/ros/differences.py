@@ -453,6 +453,7 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
     "action send_goal since kilted": (
         ("--timeout",), *_since("kilted", "ros2/ros2cli#1067 (#1068 in Kilted 0.38.1): ros2action/verb/send_goal.py")
     ),
+    "launch since lyrical": (("--log-file-name",), *_since("lyrical", "ros2/launch_ros#461: ros2launch/command/launch.py; ros2/launch#861")),
     "service call since lyrical": (
         ("--timeout",), *_since("lyrical", "ros2/ros2cli#1185; #1244 quotes its usage in Lyrical")
     ),
@@ -463,7 +464,7 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
            *((f"component {each}", "--timeout") for each in ("list", "load", "unload")),
        )},
 }  # fmt: skip
-"""Verb of `ros2`, where it has several rows with ` since NAME` -> (options, the distributions that have them, the source)."""
+"""Verb or command of `ros2`, where it has several rows with ` since NAME` -> (options, the distributions that have them, the source)."""
 
 KEPT: dict[str, str] = {
     "rclpy and ros2 of Jazzy": (
@@ -494,7 +495,7 @@ UNSETTLED: dict[str, str] = {
     "all of them (message_filters#238, #252, #283); where a time is missing, TimeSynchronizer still raises AttributeError",
     "YAML's tags in Lyrical": "what rcl says of a value that does not fit its tag (`!!int yes`) is in no source at hand "
     "(rcl#1275)",
-    "ros2 launch of Lyrical": "lacks the names of its log files (launch_ros#461)",
+    "ros2 launch --log-file-name": "the words of its help are those of the change as it was proposed (launch_ros#461)",
     "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
     "rclpy#1584): the words are in no source at hand",
     "urdfdom of Lyrical": "the numbers of lines in its messages are those of urdfdom 4.0.1 and 5.1; that URDF 1.2 refuses sizes "

@@ -59,8 +59,17 @@ class _Cancelled(BaseException):
 class LaunchService:
     """One launched system. Use: `include_launch_description`, then `run`, which returns the exit status."""
 
-    def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False) -> None:
+    def __init__(
+        self,
+        *,
+        argv: Iterable[str] | None = None,
+        noninteractive: bool = False,
+        debug: bool = False,
+        log_file_name: str | None = None,
+    ) -> None:
         launch.logging.launch_config.level = logging.DEBUG if debug else logging.INFO
+        if log_file_name is not None:
+            launch.logging.launch_config.file_name = f"{log_file_name.removesuffix('.log')}.log"
         self.__logger = launch.logging.get_logger("launch")
         self.__context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self.__context.register_event_handler(OnIncludeLaunchDescription())

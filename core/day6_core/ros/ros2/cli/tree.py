@@ -86,6 +86,7 @@ def _complete_command(parser: SessionParser, command: str, verb: str | None) -> 
     module: Any = load(command)
     if hasattr(module, "add_arguments"):
         module.add_arguments(parser)
+        _remove(parser, lacking_options(command))
     if hasattr(module, "main"):
         parser.set_defaults(run=module.main)
     verbs = verb_names(command)

@@ -42,6 +42,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         action="store_true",
         help="Put the launch system in debug mode, provides more verbose output.",
     )
+    parser.add_argument("-f", "--log-file-name", help="Name of the logging file")
     group = parser.add_mutually_exclusive_group()
     group.add_argument(
         "-p",
@@ -104,6 +105,7 @@ async def main(session: Session, args: Namespace) -> int:
         "argv": arguments,
         "arguments": [] if show else list(parsed_arguments(arguments).items()),
         "debug": args.debug,
+        "log_file_name": args.log_file_name,
         "noninteractive": args.noninteractive,
         "show": show,
         "guarded": isinstance(session.stdout, RealOutput),

@@ -1,4 +1,4 @@
-"""The logs of a launch: the screen, `launch.log` in a folder per launch, files of single processes.
+"""The logs of a launch: the screen, `launch.log` (or `--log-file-name`) in a folder per launch, files of single processes.
 
 The folder is `<date>-<host>-<pid>` below ROS_LOG_DIR, or ROS_HOME/log, or ~/.ros/log; `latest` beside it points to the newest.
 """
@@ -36,6 +36,7 @@ class LaunchConfig:
         """Reset folder, handlers and formats."""
         self._log_dir: str | None = None
         self._factory: Callable[..., logging.Handler] | None = None
+        self.file_name = "launch.log"
         self.file_handlers: dict[str, Any] = {}
         self.screen_handler: Any = None
         self.screen_formatter: logging.Formatter | None = None
@@ -102,12 +103,13 @@ class LaunchConfig:
             self.screen_handler.setFormatter(self.screen_formatter)
         return self.screen_handler
 
-    def get_log_file_path(self, file_name: str = "launch.log") -> str:
-        """Return the path of a log file in the launch's folder."""
-        return os.path.join(self.log_dir, file_name)
+    def get_log_file_path(self, file_name: str | None = None) -> str:
+        """Return the path of a log file in the launch's folder, by default that of the launch itself."""
+        return os.path.join(self.log_dir, file_name or self.file_name)
 
-    def get_log_file_handler(self, file_name: str = "launch.log") -> Any:
-        """Return the handler of a log file in the launch's folder."""
+    def get_log_file_handler(self, file_name: str | None = None) -> Any:
+        """Return the handler of a log file in the launch's folder, by default that of the launch itself."""
+        file_name = file_name or self.file_name
         if file_name not in self.file_handlers:
             handler = self.log_handler_factory(self.get_log_file_path(file_name), encoding="utf-8")
             handler.setFormatter(self.file_formatter)

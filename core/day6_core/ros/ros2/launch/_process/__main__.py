@@ -39,7 +39,7 @@ def _become_a_ros_program() -> None:
 
 
 def _launch(options: dict[str, Any]) -> int:
-    """Launch, print or list the arguments of `path`. Options: path, arguments, debug, noninteractive, show, guarded, terminals.
+    """Launch, print or list the arguments of `path`, with the options that `ros2 launch` hands on.
 
         `terminals` are the names of the terminals that the starting process can open. `guarded` is for the user's own terminal,
     which isn't an emulation of ours: it gets coloured lines and nothing else.
@@ -69,7 +69,12 @@ def _launch(options: dict[str, Any]) -> int:
         noninteractive = options["noninteractive"] or not sys.stdin.isatty()
     except (AttributeError, ValueError):
         noninteractive = True
-    service = LaunchService(argv=options["argv"], noninteractive=noninteractive, debug=options["debug"])
+    service = LaunchService(
+        argv=options["argv"],
+        noninteractive=noninteractive,
+        debug=options["debug"],
+        log_file_name=options["log_file_name"],
+    )
     service._run_programs_with(host)
     source = AnyLaunchDescriptionSource(path)
     include = IncludeLaunchDescription(source, launch_arguments=[(name, value) for name, value in options["arguments"]])
