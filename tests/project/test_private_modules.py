@@ -24,6 +24,11 @@ FRIENDS = {
     ("day6_core.session", "rclpy._day6.log_file"): "rclpy's public names are those of the real one, which has no such",
     ("launch_ros", "rclpy._rclpy_pybind11"): "its name in the real one, and what launch files catch",
     ("day6_core.ros.ros2", "launch._host"): "launch's public names are those of the real one",
+    ("day6_core.ros.ros2.launch", "launch_ros.actions.load_composable_nodes"): "the same",
+    (
+        "day6_core.ros.ros2.launch",
+        "rclpy._",
+    ): "the plan of a launch asks what a program makes of its arguments, as rcl does",
     ("launch_pytest", "launch_testing.loader"): "the real one's public names have no such",
     ("launch_ros", "launch._loop"): "launch's public names are those of the real one",
     ("day6_core.ros.programs.tf2_ros", "tf2_py._rotation"): "the C++ library tf2, which has no Python names",

@@ -453,7 +453,9 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
     "action send_goal since kilted": (
         ("--timeout",), *_since("kilted", "ros2/ros2cli#1067 (#1068 in Kilted 0.38.1): ros2action/verb/send_goal.py")
     ),
-    "launch since lyrical": (("--log-file-name",), *_since("lyrical", "ros2/launch_ros#461: ros2launch/command/launch.py; ros2/launch#861")),
+    "launch since lyrical": (
+        ("--log-file-name",), *_since("lyrical", "ros2/launch_ros#461: ros2launch/command/launch.py; ros2/launch#861")
+    ),
     "service call since lyrical": (
         ("--timeout",), *_since("lyrical", "ros2/ros2cli#1185; #1244 quotes its usage in Lyrical")
     ),
@@ -464,7 +466,8 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
            *((f"component {each}", "--timeout") for each in ("list", "load", "unload")),
        )},
 }  # fmt: skip
-"""Verb or command of `ros2`, where it has several rows with ` since NAME` -> (options, the distributions that have them, the source)."""
+"""Verb or command of `ros2`, where it has several rows with ` since NAME` -> (options, the distributions that have them, the
+source)."""
 
 KEPT: dict[str, str] = {
     "rclpy and ros2 of Jazzy": (

@@ -77,6 +77,7 @@ _OWN = (
     Command("why", "programs", "day6_tui.commands.why"),
     Command("cast", "programs", "day6_tui.cast.command"),
     Command("bag-csv", "programs", "day6_tui.commands.bag_csv"),
+    Command("launch-plan", "programs", "day6_tui.commands.launch_plan"),
     Command("ros2", "ros", _ROS, "ros2"),
     Command("colcon", "ros", _ROS, "colcon"),
     Command("help", "own", "day6_tui.commands.help"),

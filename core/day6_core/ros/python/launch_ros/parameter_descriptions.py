@@ -89,6 +89,8 @@ class ParameterFile:
         self.__allow_substs = normalize_typed_substitution(allow_substs, bool)
         self.__evaluated: Path | None = None
         self.__is_copy = False
+        self._given = ""
+        """The path of the file itself, once it is known; `param_file` may be a copy with its substitutions performed."""
 
     @property
     def param_file(self) -> Any:
@@ -108,6 +110,7 @@ class ParameterFile:
             if isinstance(file, list):
                 file = perform_substitutions(context, file)
             path = Path(os.fsdecode(file))
+            self._given = str(path)
             if perform_typed_substitution(context, self.__allow_substs, bool):
                 path = _substituted(context, path)
                 self.__is_copy = True

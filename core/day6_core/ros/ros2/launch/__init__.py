@@ -11,7 +11,7 @@ import json
 import os
 import sys
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -92,7 +92,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> int:
-    path, arguments = _path_and_words(session, args)
+    path, arguments = launch_file(
+        session.cwd, session.env, args.package_name, args.launch_file_name, args.launch_arguments
+    )
     if args.launch_prefix is None and args.launch_prefix_filter is not None:
         raise RuntimeError("--launch-prefix must be specified if --launch-prefix-filter is provided")
     if args.launch_prefix:
@@ -140,23 +142,24 @@ def _become_python(session: Session, words: list[str], env: dict[str, str]) -> N
     os.execve(sys.executable, [sys.executable, *words], env)
 
 
-def _path_and_words(session: Session, args: Namespace) -> tuple[str, list[str]]:
-    """Return the launch file's path (relative to the session's folder if so given) and the words of its arguments."""
-    words = list(args.launch_arguments)
-    if (session.cwd / args.package_name).is_file():
-        if args.launch_file_name is not None:
-            words.insert(0, args.launch_file_name)
-        return args.package_name, words
+def launch_file(
+    folder: Path, env: Mapping[str, str], package: str, name: str | None, words: Iterable[str]
+) -> tuple[str, list[str]]:
+    """Return the path (relative to the folder if so given) and the arguments of a launch file that a command names.
+
+    It is that of a package, or at a path in place of the package, and then the name is an argument, too. Raises RuntimeError.
+    """
+    if (folder / package).is_file():
+        return package, [*([] if name is None else [name]), *words]
     from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
 
     try:
-        share = get_package_share_directory(args.package_name, environment=session.env)
+        share = get_package_share_directory(package, environment=env)
     except PackageNotFoundError as error:
-        raise RuntimeError(f"Package '{args.package_name}' not found: {error}") from None
-    name, package = args.launch_file_name, args.package_name
+        raise RuntimeError(f"Package '{package}' not found: {error}") from None
     found = [
-        os.path.join(folder, file)
-        for folder, _, files in os.walk(share)
+        os.path.join(below, file)
+        for below, _, files in os.walk(share)
         for file in sorted(files)
         if differences.launch_file(package, file) == name
     ]
@@ -169,7 +172,7 @@ def _path_and_words(session: Session, args: Namespace) -> tuple[str, list[str]]:
         raise RuntimeError(
             f"file '{name}' was found more than once in the share directory of package '{package}': [{listed}]"
         )
-    return found[0], words
+    return found[0], list(words)
 
 
 def parsed_arguments(words: list[str]) -> dict[str, str]:

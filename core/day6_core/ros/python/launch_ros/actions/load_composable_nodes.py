@@ -154,21 +154,29 @@ def get_composable_node_load_request(composable_node_description: ComposableNode
     everywhere = context.launch_configurations.get("ros_remaps") or []
     own = [tuple(perform_substitutions(context, side) for side in rule) for rule in description.remappings or ()]
     request.remap_rules = [f"{source}:={target}" for source, target in (*everywhere, *own)]
-    common = context.launch_configurations.get("global_params") or []
-    settings = [{each[0]: each[1]} if isinstance(each, tuple) else each for each in common]
-    settings += evaluate_parameters(context, description.parameters or ())
-    request.parameters = _messages(context, settings, request)
+    request.parameters = _messages(context, _settings(context, description), request)
     request.extra_arguments = _messages(
         context, evaluate_parameters(context, description.extra_arguments or ()), request
     )
     return request
 
 
+def _settings(context: LaunchContext, description: ComposableNode) -> list[Any]:
+    common = context.launch_configurations.get("global_params") or []
+    settings = [{each[0]: each[1]} if isinstance(each, tuple) else each for each in common]
+    return [*settings, *evaluate_parameters(context, description.parameters or ())]
+
+
 def _messages(context: LaunchContext, settings: Sequence[Any], request: Any) -> list[Any]:
     """Return evaluated parameters (dicts, `Parameter`s, the node's sections of files) as messages, in their order."""
     from rclpy.parameter import Parameter as RosParameter
 
-    found: list[Any] = []
+    values = _values(context, settings, request)
+    return [RosParameter(name, value=value).to_parameter_msg() for name, value, _ in values]
+
+
+def _values(context: LaunchContext, settings: Sequence[Any], request: Any) -> Iterator[tuple[str, Any, str]]:
+    """Yield name, value, and the file that it is from ('' for the launch file itself)."""
     node = f"{request.node_namespace}/{request.node_name}".strip("/")
     for each in settings:
         values: Mapping[str, Any]
@@ -178,10 +186,17 @@ def _messages(context: LaunchContext, settings: Sequence[Any], request: Any) -> 
             values = dict([each.evaluate(context)])
         else:
             values = _of_file(context, str(each), node)
+        source = "" if isinstance(each, (Mapping, Parameter)) else str(each)
         for name, value in values.items():
-            plain = list(value) if isinstance(value, tuple) else value
-            found.append(RosParameter(name, value=plain).to_parameter_msg())
-    return found
+            yield name, list(value) if isinstance(value, tuple) else value, source
+
+
+def _sourced_parameters(
+    context: LaunchContext, description: ComposableNode, request: Any
+) -> dict[str, tuple[Any, str]]:
+    """Return the parameters of a request: name -> the value that wins, and the file that it is from."""
+    values = _values(context, _settings(context, description), request)
+    return {name: (value, source) for name, value, source in values}
 
 
 def _of_file(context: LaunchContext, path: str, node: str) -> dict[str, Any]:

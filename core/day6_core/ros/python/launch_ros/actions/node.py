@@ -172,13 +172,18 @@ class Node(ExecuteProcess):
     def expanded_node_namespace(self) -> str:
         return self.__expanded_namespace
 
+    def _parameter_source(self, path: str) -> str:
+        """Return the file whose parameters those at a path are: '' for values of the launch file, written there for the node."""
+        files = (each for each in self.__parameters if isinstance(each, ParameterFile) and str(each.param_file) == path)
+        return "" if path in _to_remove else next((each._given or path for each in files), path)
+
     @property
     def expanded_remapping_rules(self) -> list[tuple[str, str]] | None:
         return self.__expanded_remappings
 
     # -- executing -----------------------------------------------------------------------------------------------------
 
-    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
+    def prepare(self, context: LaunchContext) -> None:
         self._perform_substitutions(context)
         own: dict[str, str] = {}
         if self.__node_name is not None:
@@ -186,6 +191,9 @@ class Node(ExecuteProcess):
         if self.__expanded_namespace != "":
             own["ns"] = f"__ns:={self.__expanded_namespace}"
         context.extend_locals({"ros_specific_arguments": own})
+        super().prepare(context)
+
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         try:
             result = super().execute(context)
         except LeftOut as error:  # a real ROS 2 would run it, so what is beside it runs
@@ -267,7 +275,9 @@ class Node(ExecuteProcess):
         node = self.node_name if self.is_node_name_fully_specified() else "/**"
         content = {node: {"ros__parameters": dict(parameters)}}
         with tempfile.NamedTemporaryFile("w", prefix="launch_params_", delete=False, encoding="utf-8") as file:
-            yaml.dump(content, file, default_flow_style=False, allow_unicode=True)  # lists get `!!python/tuple`, as there
+            yaml.dump(
+                content, file, default_flow_style=False, allow_unicode=True
+            )  # lists get `!!python/tuple`, as there
         _to_remove.append(file.name)
         return file.name
 

@@ -56,6 +56,10 @@ def _launch(options: dict[str, Any]) -> int:
     from launch.launch_description_sources import AnyLaunchDescriptionSource
 
     path = options["path"]
+    if options["show"] == "plan":
+        from day6_core.ros.ros2.launch._plan import show_plan
+
+        return show_plan(options)
     if options["show"]:
         from launch.invalid_launch_file_error import InvalidLaunchFileError
 
