@@ -253,6 +253,24 @@ def test_topics_to_record_are_put_behind_their_option_where_it_is_needed(
     )
 
 
+@pytest.mark.parametrize(
+    ("typed", "right"),
+    [
+        ("/a --on-change", "ros2 topic echo /a --csv | uniq"),
+        (
+            "--csv /a std_msgs/msg/Int32 --field data --on-changes",
+            "ros2 topic echo /a std_msgs/msg/Int32 --field data --csv | uniq",
+        ),
+        ("/a --on-chance", ""),
+    ],
+)
+def test_who_wants_changes_only_gets_a_line_that_shows_them(typed: str, right: str) -> None:
+    match = card_for(f"ros2: error: unrecognized arguments: {typed.split()[-1]}")
+    assert match is not None
+    shown = explain(match, scene_of(match, HERE, command=f"ros2 topic echo {typed}"), "en")
+    assert shown.next == right and ("uniq" in shown.here) == bool(right)
+
+
 def test_nobody_says_to_know_a_cause_that_was_not_found(tmp_path: Path) -> None:
     around = Surroundings({"HOME": str(tmp_path), "ROS_DISTRO": "jazzy"}, tmp_path)
     match = card_for("Package 'zzqy' not found")

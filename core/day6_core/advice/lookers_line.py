@@ -73,6 +73,20 @@ def bag_topics(scene: Situation) -> Found | None:
 
 
 @looker
+def on_change(scene: Situation) -> Found | None:
+    """`ros2 topic echo /a --on-change`: a wish that the real command has no option for."""
+    words = scene.words()
+    asked = {word for word in words if word.partition("=")[0] in _ON_CHANGE}
+    if words[:3] != ["ros2", "topic", "echo"] or not asked:
+        return None
+    rest = [word for word in words if word not in {*asked, "--csv"}]
+    return found("echo.on_change", f"{shlex.join([*rest, '--csv'])} | uniq")
+
+
+_ON_CHANGE = ("--on-change", "--on-changed", "--on-changes", "--only-changes", "--changes")
+
+
+@looker
 def runnable(scene: Situation) -> Found | None:
     """`ros2 run` with one name only: a program without its package, or a package without its program."""
     words = scene.words()

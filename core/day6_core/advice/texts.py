@@ -575,6 +575,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "since Lyrical, the topics to record come after --topics",
         "从 Lyrical 起，要录的话题写在 --topics 后面",
     ),
+    "echo.on_change": (
+        "echo has no such option; with --csv each message is one line, and uniq leaves out those that repeat the one before",
+        "echo 没有这样的选项；用 --csv 每条消息占一行，uniq 会去掉和上一行相同的",
+    ),
     "path.near": ("there is no {name}, but there is {near}", "没有 {name}，不过有 {near}"),
     "path.elsewhere": ("{name} is not in this folder, but here: {place}", "{name} 不在这个文件夹里，它在 {place}"),
     "command.python": (

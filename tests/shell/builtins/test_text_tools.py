@@ -77,3 +77,21 @@ def test_the_usual_lines_cost_no_process(line: str) -> None:
 )
 def test_what_ours_might_do_in_another_way_is_the_machines(line: str) -> None:
     assert not is_exactly_ours(shlex.split(line))
+
+
+@pytest.mark.parametrize(
+    ("line", "shown"),
+    [
+        ("topics() { echo 1; echo 1; echo 2; sleep 100; }; topics | uniq", "1\n2\n"),
+        (
+            "ros2 topic pub -r 5 /a std_msgs/msg/Int32 '{data: 7}' > /dev/null &"
+            "ros2 topic echo --csv /a std_msgs/msg/Int32 | uniq",
+            "7\n",
+        ),
+    ],
+)
+def test_uniq_shows_a_line_when_it_comes(machine: Any, line: str, shown: str) -> None:
+    """What has changed is of use now, not when it changes again."""
+    program = machine.start(line)
+    machine.go(3)
+    assert (machine.out.text, program.status) == (shown, None)

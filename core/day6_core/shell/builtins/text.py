@@ -349,9 +349,16 @@ async def uniq(session: Session) -> int:
     problems: list[str] = []
     previous: str | None = None
     count = 0
+    at_once = not options
+    """Nothing depends on how often a line comes: it is shown when it comes, as behind `ros2 topic echo --csv /a |`."""
 
     def show() -> None:
-        if previous is not None and not ("d" in options and count < 2) and not ("u" in options and count > 1):
+        if (
+            previous is not None
+            and not at_once
+            and not ("d" in options and count < 2)
+            and not ("u" in options and count > 1)
+        ):
             session.print(f"{count:>7} {previous}" if "c" in options else previous)
 
     async for _, line in lines_of(session, names, problems):
@@ -361,5 +368,7 @@ async def uniq(session: Session) -> int:
         else:
             show()
             previous, count = text, 1
+            if at_once:
+                session.print(text)
     show()
     return 1 if problems else 0
