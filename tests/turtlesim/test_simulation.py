@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from day6_core.ros.programs.turtlesim.model import CENTRE, KINDS, Simulation
+from collections.abc import Callable
+
+import pytest
+
+from day6_core.ros.distribution import NAMES
+from day6_core.ros.programs.turtlesim.model import CENTRE, Simulation, kinds
 
 TICK_NS = 16_000_000
 
@@ -90,4 +95,14 @@ def test_a_scene_is_a_new_one_only_when_the_picture_changed() -> None:
     world.tick(3 * TICK_NS)
     assert world.scene is not still
     assert still.turtles[0].x == 5.544444561004639
-    assert world.scene.turtles[0].kind == KINDS[-1]
+    assert world.scene.turtles[0].kind == "rolling"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_distribution_has_a_picture_more(name: str, in_distribution: Callable[[str], None]) -> None:
+    in_distribution(name)
+    newest = "lyrical" if name == "rolling" else name
+    assert kinds()[-2:] == (newest, "rolling")
+    count = {"humble": 9, "jazzy": 11, "kilted": 12, "lyrical": 13}[newest]
+    world = Simulation(lambda choices: choices - 2 if choices == count else 0)
+    assert world.create("a", 0.0, 0.0, 0.0, 0).kind == newest

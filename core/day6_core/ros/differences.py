@@ -35,6 +35,10 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "turtlesim.holonomic": _in_humble(
         False, True, "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling"
     ),
+    "turtlesim.newest_picture": (
+        {name: name for name in NAMES[:-1]},
+        "ros/ros_tutorials#167 (#168 in Jazzy 1.8.3), #196 (#197 in Lyrical 1.10.9): turtle_frame.cpp, as #148 for Iron",
+    ),
     "turtlesim.keys_in_help": _in_humble(
         "GBVCDERTFQ",
         "gbvcdertfq",
@@ -474,6 +478,7 @@ KEPT: dict[str, str] = {
         "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
         "`with node`, `ros2 action echo`; the action tutorials use example_interfaces; there is nav_msgs/msg/Goals"
     ),
+    "pictures of turtles": "are chosen as there, one more in each distribution, but windows draw all turtles alike",
     "capsules": "of URDF 1.1 are drawn by rviz2, too, which leaves them out in Lyrical (ros2/rviz#1734)",
     "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0, so a learner's mistake is told at its "
     "line; numeric arrays take what they take there (`[0, 1.5]`)",
@@ -511,7 +516,6 @@ UNSETTLED: dict[str, str] = {
     "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",
     "words of help": "of options that all have are Kilted's",
     "ros2 doctor --exclude-packages": "is there in Humble too",
-    "pictures of turtles": "one more in each distribution; windows here draw all turtles alike",
     "rqt_robot_steering before Lyrical": "its restore_settings is known from #18 only, not after #23 (1.0.2 to 3.0.0): as in #18",
     "depth of a Humble turtlesim's topics": "7 as later (ros_tutorials#161) in place of 1: no tool shows it",
 }

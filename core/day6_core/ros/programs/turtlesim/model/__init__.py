@@ -6,11 +6,11 @@ Time comes in as nanoseconds and goes on in steps of 16 ms. `Simulation` is what
 from day6_core.ros.programs.turtlesim.model.simulation import (
     CENTRE,
     DEFAULT_BACKGROUND,
-    KINDS,
     Simulation,
     TurtleScene,
     TurtleTopics,
     TurtleView,
+    kinds,
 )
 from day6_core.ros.programs.turtlesim.model.square import Square
 from day6_core.ros.programs.turtlesim.model.trail import PIXELS_PER_METRE, SIZE, Segment, Trail
@@ -29,7 +29,6 @@ __all__ = [
     "CENTRE",
     "DEFAULT_BACKGROUND",
     "HEIGHT",
-    "KINDS",
     "PIXELS_PER_METRE",
     "SIZE",
     "TICK",
@@ -46,4 +45,5 @@ __all__ = [
     "TurtleTopics",
     "TurtleView",
     "float32",
+    "kinds",
 ]

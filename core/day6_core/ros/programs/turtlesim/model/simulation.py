@@ -8,23 +8,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+from day6_core.ros import differences
 from day6_core.ros.programs.turtlesim.model.trail import Trail
 from day6_core.ros.programs.turtlesim.model.turtle import HEIGHT, WIDTH, Turtle, TurtleStep
 
-KINDS = (
-    "ardent",
-    "bouncy",
-    "crystal",
-    "dashing",
-    "eloquent",
-    "foxy",
-    "galactic",
-    "humble",
-    "iron",
-    "jazzy",
-    "rolling",
+_PICTURES = (
+    *("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy"),
+    *("galactic", "humble", "iron", "jazzy", "kilted", "lyrical"),
 )
-"""The pictures a turtle can wear, one per ROS distribution."""
+
+
+def kinds() -> tuple[str, ...]:
+    """Return the pictures a turtle can wear: one for each distribution up to this one, and Rolling's."""
+    newest = _PICTURES.index(differences.value("turtlesim.newest_picture"))
+    return (*_PICTURES[: newest + 1], "rolling")
+
 
 DEFAULT_BACKGROUND = (0x45, 0x56, 0xFF)
 
@@ -89,7 +87,8 @@ class Simulation:
 
     def create(self, name: str, x: float, y: float, theta: float, now: int) -> Turtle:
         """Return a new turtle, not yet in the world, in a picked picture, at the pose (metres, radians)."""
-        return Turtle(name, x, y, theta, kind=KINDS[self._choose(len(KINDS))], now=now)
+        pictures = kinds()
+        return Turtle(name, x, y, theta, kind=pictures[self._choose(len(pictures))], now=now)
 
     def add(self, turtle: Turtle) -> None:
         """Put the turtle, whose name must be free, into the world."""
