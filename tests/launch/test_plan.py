@@ -142,6 +142,19 @@ def test_functions_are_called_and_what_they_return_is_told() -> None:
     assert node["name"] == "/me"
 
 
+def test_states_and_prefixes_of_nodes_are_told() -> None:
+    node, transitions, behind, event = items("""
+        LifecycleNode(package="lifecycle", executable="lifecycle_talker", name="t", namespace="", autostart=True),
+        LifecycleTransition(lifecycle_node_names=["t", "u"], transition_ids=[1, "3"]),
+        talker(name="b", prefix="nice -n 5", arguments=["x"]),
+        RegisterEventHandler(__import__("launch").EventHandler(matcher=lambda event: True, entities=[EmitEvent(
+            event=__import__("launch").events.Shutdown(reason="r"))])),
+    """)
+    assert (node["lifecycle"], behind["prefix"], behind["arguments"]) == ("active", ["nice", "-n", "5"], ["x"])
+    assert (transitions["nodes"], transitions["steps"]) == (["t", "u"], ["configure", "activate"])
+    assert (event["when"], event["reason"]) == ([{"wait": "event", "text": ""}], "r")
+
+
 WAITING = """
     SetEnvironmentVariable("COLOUR", "red"),
     GroupAction([PushROSNamespace("scoped"), TimerAction(period=1.5, actions=[talker(name="later")])]),

@@ -79,15 +79,14 @@ def test_what_ours_might_do_in_another_way_is_the_machines(line: str) -> None:
     assert not is_exactly_ours(shlex.split(line))
 
 
+TOPIC = "/a std_msgs/msg/Int32"
+
+
 @pytest.mark.parametrize(
     ("line", "shown"),
     [
         ("topics() { echo 1; echo 1; echo 2; sleep 100; }; topics | uniq", "1\n2\n"),
-        (
-            "ros2 topic pub -r 5 /a std_msgs/msg/Int32 '{data: 7}' > /dev/null &"
-            "ros2 topic echo --csv /a std_msgs/msg/Int32 | uniq",
-            "7\n",
-        ),
+        (f"ros2 topic pub -r 5 {TOPIC} '{{data: 7}}' > /dev/null & ros2 topic echo --csv {TOPIC} | uniq", "7\n"),
     ],
 )
 def test_uniq_shows_a_line_when_it_comes(machine: Any, line: str, shown: str) -> None:

@@ -33,6 +33,7 @@ from launch.utilities.type_utils import perform_typed_substitution
 from launch_ros.actions import (
     ComposableNodeContainer,
     LifecycleNode,
+    LifecycleTransition,
     LoadComposableNodes,
     Node,
     ROSTimer,
@@ -40,6 +41,7 @@ from launch_ros.actions import (
 )
 from launch_ros.actions.load_composable_nodes import _sourced_parameters, get_composable_node_load_request
 from launch_ros.descriptions import ComposableNode
+from launch_ros.events.lifecycle import ChangeState
 from launch_ros.substitutions.executable_in_package import LeftOut
 
 from day6_core.ros.ros2.launch._plan_node import node_facts
@@ -176,7 +178,7 @@ class Planner:
     def _handler(self, entity: RegisterEventHandler) -> None:
         entity.visit(self.context)
         handler: Any = entity.event_handler
-        text, entities = handler.describe()
+        _, entities = handler.describe()
         wait = next((_EVENTS[kind.__name__] for kind in type(handler).__mro__ if kind.__name__ in _EVENTS), "event")
         trigger: Facts = {"wait": wait}
         target = getattr(handler, "_OnActionEventBase__action_matcher", None)
@@ -186,9 +188,19 @@ class Planner:
         elif target is not None:
             trigger["of"] = ""  # a function chooses, or it hasn't been visited
         if wait == "event":
-            trigger["text"] = text
+            trigger["text"] = handler.matcher_description or ""
         at_end = getattr(handler, "_OnShutdown__on_shutdown", None)
         self._wait(trigger, at_end or entities or handler.handle, entity)
+
+    def _transitions(self, entity: Any) -> None:
+        def texts(many: Any) -> list[str]:
+            return [perform_substitutions(self.context, each) for each in many]
+
+        numbers = texts(entity._LifecycleTransition__ids)
+        steps = [
+            ChangeState.valid_transitions.get(int(each), each).removeprefix("TRANSITION_").lower() for each in numbers
+        ]
+        self._add("transitions", nodes=texts(entity._LifecycleTransition__names), steps=steps)
 
     def _event(self, entity: EmitEvent) -> None:
         reason = getattr(entity.event, "reason", None)
@@ -226,7 +238,10 @@ class Planner:
         for key, given in (("package", entity.node_package), ("executable", entity.node_executable)):
             if given is not None:
                 item[key] = perform_substitutions(self.context, normalize_to_list_of_substitutions(given))
-        item |= node_facts(entity, item["command"])
+        before = len(item["command"]) - len(entity.process_description.cmd)
+        if before:
+            item["prefix"] = item["command"][:before]
+        item |= node_facts(entity, item["command"][before:])
         if isinstance(entity, LifecycleNode):
             item["lifecycle"] = "active" if entity.node_autostart else "unconfigured"
         return item
@@ -281,6 +296,7 @@ _PLANS: tuple[tuple[type, Callable[[Planner, Any], Any]], ...] = (
     (OpaqueCoroutine, Planner._coroutine),
     (TimerAction, Planner._timer),
     (RegisterEventHandler, Planner._handler),
+    (LifecycleTransition, Planner._transitions),
     (EmitEvent, Planner._event),
     (LogInfo, Planner._nothing),
     (SetUseSimTime, Planner._nothing),

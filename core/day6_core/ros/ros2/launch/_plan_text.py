@@ -57,7 +57,7 @@ class _Lines:
             return self._text(f"timer.{trigger['clock']}", seconds=f"{trigger['seconds']:g}")
         who = trigger.get("of")
         name = self._text("anyone") if who is None else who or self._text("someone")
-        return self._text(f"wait.{trigger['wait']}", name=name, text=trigger.get("text", ""))
+        return self._text(f"wait.{trigger['wait']}", name=name, text=trigger.get("text") or self._text("other_event"))
 
     def _item(self, item: dict[str, Any]) -> Iterator[str]:
         kind = item["kind"]
@@ -76,6 +76,9 @@ class _Lines:
             yield from _wrapped(
                 _INDENT, self._text("cannot_start", what=", ".join(item["entities"]), why=item["error"])
             )
+        elif kind == "transitions":
+            nodes, steps = ", ".join(item["nodes"]), ", ".join(item["steps"])
+            yield from _wrapped(_INDENT, self._text("transitions", nodes=nodes, steps=steps))
         elif kind == "event":
             reason = f" ({item['reason']})" if "reason" in item else ""
             ends = item["event"] == "launch.events.Shutdown"
@@ -91,6 +94,8 @@ class _Lines:
         yield from _wrapped(_INDENT, self._text("container" if "components" in item else "node", name=name))
         program = " ".join(item[key] for key in ("package", "executable") if key in item)
         yield from self._row(2 * _INDENT, "program", f"{program}  ({item['process']})")
+        if "prefix" in item:
+            yield from self._row(2 * _INDENT, "prefix", shlex.join(item["prefix"]))
         if "lifecycle" in item:
             yield from self._row(2 * _INDENT, "state", item["lifecycle"])
         if "refused" in item:
