@@ -16,11 +16,21 @@ def build_parser(language: str = "en") -> CommandParser:
     """The options of `day6-tui launch-plan`, and what it takes."""
     parser = command_parser("launch-plan", language)
     texts, add = parser.texts, parser.add_argument
-    add("target", metavar="PACKAGE", help=texts("cli.launch-plan.target"))
+    add("target", metavar="PACKAGE", known=packages, help=texts("cli.launch-plan.target"))
     add("file", metavar="FILE", nargs="?", help=texts("cli.launch-plan.launch_file_of"))
     add("arguments", metavar="NAME:=VALUE", nargs="*", default=[], help=texts("cli.launch-plan.words"))
     add("--json", action="store_true", help=texts("cli.launch-plan.json"))
     return parser
+
+
+def packages() -> list[str]:
+    """Return the names of packages, for Tab."""
+    from day6_core.ros.environment import activate
+
+    activate()
+    from ament_index_python.packages import get_packages_with_prefixes
+
+    return sorted(get_packages_with_prefixes())
 
 
 def main(words: list[str]) -> int:
