@@ -27,6 +27,8 @@ def _since_lyrical(usual: Any, new: Any, source: str) -> tuple[dict[str, Any], s
     return {"humble": usual, "lyrical": new}, source
 
 
+_SPINNING = "ros2/rclpy#1510 (10.0.1): executors.py; by later updates in Kilted (9.1.5, #1578) and Jazzy (7.1.9, #1576), see KEPT"
+
 VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "turtlesim.interfaces": (
         {"humble": "turtlesim", "kilted": "turtlesim_msgs"},
@@ -57,6 +59,11 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
         False,
         True,
         "ros2/rclpy#1456: Node.declare_parameters raises TypeError; its words are taken to be those of the warning",
+    ),
+    "parameters.refusals_are_logged": _since_lyrical(
+        False,
+        True,
+        "ros2/rclpy#1584, ros2/rclcpp#3037: parameter services warn on the node that refuses; see UNSETTLED",
     ),
     "rclpy.async_node": _since_lyrical(False, True, "ros2/rclpy#1620: rclpy/experimental/async_node.py"),
     "rclpy.deprecated_names": _since_lyrical(
@@ -214,6 +221,20 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
         {"humble": False, "lyrical": True},
         "ros-visualization/rqt_robot_steering#28 (4.0.2, Rolling); before it asks for undeclared ones, '~default_topic'",
     ),
+    "action.execute_callback_is_optional": _since_lyrical(
+        False,
+        True,
+        "ros2/rclpy#1219 (10.0.2): action/server.py; by later updates in Kilted (9.1.4) and Jazzy (7.1.8), see KEPT",
+    ),
+    "action.feedback_only_while_executing": _since_lyrical(
+        False, True, "ros2/rclpy#1639 (10.0.8); ros2/rclcpp#3283: not while canceling either"
+    ),
+    "lifecycle.events_are_filled": _since_lyrical(
+        False,
+        True,
+        "ros2/rcl_interfaces#185 (stamp), ros2/rcl#1269, ros2/rclpy#1528: stamp and transition; ros2/launch_ros#495",
+    ),
+    "executor.refuses_second_spin": _since_lyrical(False, True, _SPINNING),
     "action.root_node": (
         {"humble": "/", "kilted": "//", "lyrical": "/"},
         "ros2/ros2cli#926, #1049 (#1052 in Humble 0.18.13, #1051 in Jazzy 0.32.5); Kilted as it was recorded",
@@ -312,6 +333,9 @@ TEXTS: dict[str, tuple[tuple[str, ...], str]] = {
 
 _RCLPY = "ros2/rclpy: branches humble and jazzy"
 _REMOVED = "ros2/rclpy#1456 (Lyrical: what was deprecated is removed)"
+_SERVICE_INFO = "ros2/rclpy#1307 (10.0.2)"
+_ACTION_GRAPH = "ros2/rclpy#1574 (10.0.4)"
+_SETTERS = "ros2/rclpy#1496 (10.0.1)"
 
 RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
     "rclpy:try_shutdown": _since("jazzy", "ros2/rclpy#1302 (after Jazzy, see KEPT)"),
@@ -335,7 +359,17 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
     "rclpy.service:Service.service_name": _since("jazzy", _RCLPY),
     "rclpy.time:Time.to_datetime": _since("lyrical", "ros2/rclpy#1443: rclpy/time.py"),
     "rclpy.subscription:Subscription.get_publisher_count": _since("jazzy", _RCLPY),
-}
+    "rclpy.executors:Executor.is_spinning": _since("lyrical", _SPINNING),
+    "rclpy.subscription:Subscription.is_cft_supported": _since("lyrical", "ros2/rclpy#1618"),
+    "rclpy.action._server_goal:ServerGoalHandle.executing": _since("lyrical", "ros2/rclpy#1219: action/server.py"),
+    **{f"rclpy.node:Node.get_{each}_info_by_service": _since("lyrical", _SERVICE_INFO) for each in ("clients", "servers")},
+    **{f"rclpy.node:Node.get_action_{each}": _since("lyrical", _ACTION_GRAPH)
+       for each in ("names_and_types", "client_names_and_types_by_node", "server_names_and_types_by_node")},
+    **{f"rclpy._day6.endpoint_handles:{kind}Handle.{verb}_on_new_{what}_callback": _since("lyrical", _SETTERS)
+       for kind, what in (("Subscription", "message"), ("Service", "request"), ("Client", "response"))
+       for verb in ("set", "clear")},
+    **{f"rclpy.timer:_TimerHandle.{verb}_on_reset_callback": _since("lyrical", _SETTERS) for verb in ("set", "clear")},
+}  # fmt: skip
 """`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
 
 LAUNCH: dict[str, tuple[tuple[str, ...], str]] = {
@@ -479,6 +513,8 @@ KEPT: dict[str, str] = {
         "`with node`, `ros2 action echo`; the action tutorials use example_interfaces; there is nav_msgs/msg/Goals"
     ),
     "pictures of turtles": "are chosen as there, one more in each distribution, but windows draw all turtles alike",
+    "updates of rclpy": "after 9.1.2 of Kilted aren't told in Jazzy and Kilted: is_spinning and no second spin (#1576, #1578), "
+    "ActionServer without execute_callback (#1556, #1557)",
     "capsules": "of URDF 1.1 are drawn by rviz2, too, which leaves them out in Lyrical (ros2/rviz#1734)",
     "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0, so a learner's mistake is told at its "
     "line; numeric arrays take what they take there (`[0, 1.5]`)",
@@ -489,8 +525,8 @@ KEPT: dict[str, str] = {
 
 UNSETTLED: dict[str, str] = {
     "Rolling": "is Lyrical, from which it goes on: what came after May 2026 isn't told apart",
-    "rclpy of Lyrical": "lacks get_servers_info_by_service and its sister (#1307), the graph of actions "
-    "in Node (#1574), is_spinning (#1510)",
+    "feedback in Lyrical": "of a goal that isn't executing is dropped with a warning (rclpy#1639), whose words are in no source "
+    "at hand",
     "ros2 of Lyrical": "has the words of its own sources where those could be read; what a command says after --timeout or "
     "--service-timeout (#1185), which of its verbs choose and how they ask (#1151), a `---` after each of several fields (#964), "
     "words for a wrong entry of an array (#996) are as seemed likely; topics that come after `--all` are not followed",
@@ -504,8 +540,13 @@ UNSETTLED: dict[str, str] = {
     "YAML's tags in Lyrical": "what rcl says of a value that does not fit its tag (`!!int yes`) is in no source at hand "
     "(rcl#1275)",
     "ros2 launch --log-file-name": "the words of its help are those of the change as it was proposed (launch_ros#461)",
-    "a refused parameter": "is told to who asked; since February 2026 its node warns too, in every distribution (rclcpp#3037, "
-    "rclpy#1584): the words are in no source at hand",
+    "a refused parameter": "makes its node warn in Lyrical (rclcpp#3037, rclpy#1584; by later updates in every distribution, "
+    "where only who asked is told): the words are in no source at hand",
+    "a transition's stamp": "is the time of the node's clock (rcl#1269 says no more of it)",
+    "clients and servers in Lyrical": "have two GIDs and QoS profiles each, as with rmw_fastrtps; with no_mangle (rclpy#1307) "
+    "none are found",
+    "actions without execute_callback": "are as in #1219 of April 2024: `executing()`, results of `succeed`, `abort` and "
+    "`canceled`, the warning of a server that does nothing",
     "urdfdom of Lyrical": "the numbers of lines in its messages are those of urdfdom 4.0.1 and 5.1; that URDF 1.2 refuses sizes "
     "that aren't positive (urdfdom#242) isn't done, its words are in no source at hand; the words about its limits are those of "
     "a fork of the author of #212",
@@ -513,7 +554,8 @@ UNSETTLED: dict[str, str] = {
     "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
     "launch files of other names in Humble": "are found under them by ros2 launch; `ls` of share shows the later names",
     "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
-    "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",
+    "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too, and "
+    "endpoint_info before Lyrical",
     "words of help": "of options that all have are Kilted's",
     "ros2 doctor --exclude-packages": "is there in Humble too",
     "rqt_robot_steering before Lyrical": "its restore_settings is known from #18 only, not after #23 (1.0.2 to 3.0.0): as in #18",

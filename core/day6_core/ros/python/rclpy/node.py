@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     from rclpy._day6.parameter_declarations import ParameterTuple
     from rclpy._day6.parameter_store import OnSetCallback, PostSetCallback, PreSetCallback
     from rclpy._day6.typing_names import ServiceType
+    from rclpy.endpoint_info import ServiceEndpointInfo
     from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
     from rclpy.executors import Executor
     from rclpy.guard_condition import GuardConditionCallbackType
@@ -804,6 +805,26 @@ class Node:
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """Return the subscriptions of a topic: node, type, GID, QoS."""
         return self._rclpy_graph.get_subscriptions_info_by_topic(topic_name, no_mangle)
+
+    def get_clients_info_by_service(self, service_name: str, no_mangle: bool = False) -> list[ServiceEndpointInfo]:
+        """Return the clients of a service: node, type, GIDs, QoS."""
+        return self._rclpy_graph.get_clients_info_by_service(service_name, no_mangle)
+
+    def get_servers_info_by_service(self, service_name: str, no_mangle: bool = False) -> list[ServiceEndpointInfo]:
+        """Return the servers of a service: node, type, GIDs, QoS."""
+        return self._rclpy_graph.get_servers_info_by_service(service_name, no_mangle)
+
+    def get_action_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions a node is a client of; RCLError if it is unknown."""
+        return self._rclpy_graph.get_action_client_names_and_types_by_node(node_name, node_namespace)
+
+    def get_action_server_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions a node serves; RCLError if it is unknown."""
+        return self._rclpy_graph.get_action_server_names_and_types_by_node(node_name, node_namespace)
+
+    def get_action_names_and_types(self) -> NamesAndTypes:
+        """Return all actions with their types."""
+        return self._rclpy_graph.get_action_names_and_types()
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Block until a node exists, at most `timeout` seconds; returns whether it does."""

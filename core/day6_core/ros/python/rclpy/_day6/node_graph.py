@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, Any
 from day6_core.graph import Endpoint, EndpointKind, Graph
 from day6_core.graph import Node as GraphNode
 from day6_core.graph import names as graph_names
+from rclpy._day6.handles import rules_for
 from rclpy._day6.resolve import raise_for_topic
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
 from rclpy.expand_topic_name import expand_topic_name
 
 if TYPE_CHECKING:
     from rclpy._day6.handles import NodeHandle
+    from rclpy.endpoint_info import ServiceEndpointInfo
     from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 NamesAndTypes = list[tuple[str, list[str]]]
@@ -74,6 +76,31 @@ class NodeGraph:
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Return the services a node is a client of; raises as `get_publisher_names_and_types_by_node`."""
         return self._by_node(EndpointKind.CLIENT, "client", node_name, node_namespace)
+
+    # -- actions, which are known by their feedback topics, as in rcl_action --------------------------------------------
+
+    def _actions_by_node(self, kind: EndpointKind, what: str, name: str, namespace: str) -> NamesAndTypes:
+        failed = f"Failed to get action {what} names and type"
+        self._handle.check_valid(failed)
+        nodes = self._graph.find_nodes(name, namespace)
+        if not nodes:
+            raise RCLError(f"{failed}: error not set")
+        found: dict[str, list[str]] = {}
+        for node in nodes:
+            found.update(self._graph.names_and_types_by_node(node, kind))
+        return _actions(sorted(found.items()))
+
+    def get_action_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions a node is a client of. RCLError if there is no such node."""
+        return self._actions_by_node(EndpointKind.SUBSCRIPTION, "client", node_name, node_namespace)
+
+    def get_action_server_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions a node serves. RCLError if there is no such node."""
+        return self._actions_by_node(EndpointKind.PUBLISHER, "server", node_name, node_namespace)
+
+    def get_action_names_and_types(self) -> NamesAndTypes:
+        """Return all actions with their types."""
+        return _actions(self.get_topic_names_and_types())
 
     # -- of all --------------------------------------------------------------------------------------------------------
 
@@ -165,12 +192,24 @@ class NodeGraph:
         """Return the subscriptions of a topic: node, type, GID, QoS."""
         return self._infos(topic_name, no_mangle, EndpointKind.SUBSCRIPTION, "subscriptions")
 
-    def _endpoints_of_service(self, service: str) -> tuple[list[Endpoint], list[Endpoint]]:
-        """Return the clients and the servers of a service."""
-        clients, servers = (
-            self._graph.endpoints(kind, topic=service) for kind in (EndpointKind.CLIENT, EndpointKind.SERVICE)
-        )
-        return list(clients), list(servers)
+    def _service_infos(self, name: str, no_mangle: bool, kind: EndpointKind, what: str) -> list[ServiceEndpointInfo]:
+        handle = self._handle
+        handle.check()
+        service = ""
+        if not no_mangle:
+            service = expand_topic_name(name, handle.name, handle.namespace)
+            raise_for_topic(graph_names.flaw_of_full_topic_name(service), service, is_service=True)
+            service = graph_names.remap_topic(service, handle.name, handle.namespace, rules_for(handle.rules, True))
+        handle.check_valid(f"Failed to get information by service for {what}")
+        return [_service_info(endpoint) for endpoint in self._graph.endpoints(kind, topic=service)]
+
+    def get_clients_info_by_service(self, service_name: str, no_mangle: bool = False) -> list[ServiceEndpointInfo]:
+        """Return the clients of a service: node, type, GIDs, QoS."""
+        return self._service_infos(service_name, no_mangle, EndpointKind.CLIENT, "clients")
+
+    def get_servers_info_by_service(self, service_name: str, no_mangle: bool = False) -> list[ServiceEndpointInfo]:
+        """Return the servers of a service: node, type, GIDs, QoS."""
+        return self._service_infos(service_name, no_mangle, EndpointKind.SERVICE, "servers")
 
     # -- waiting -------------------------------------------------------------------------------------------------------
 
@@ -182,6 +221,18 @@ class NodeGraph:
         if timeout <= 0:
             return False
         return self._handle.context._wait_for_graph(lambda: name in self.get_fully_qualified_node_names(), timeout)
+
+
+_FEEDBACK = "/_action/feedback"
+_MESSAGE = "_FeedbackMessage"
+
+
+def _actions(topics: NamesAndTypes) -> NamesAndTypes:
+    return [
+        (name.removesuffix(_FEEDBACK), [each.removesuffix(_MESSAGE) for each in types])
+        for name, types in topics
+        if name.endswith(_FEEDBACK)
+    ]
 
 
 def _mangled(topics: NamesAndTypes) -> NamesAndTypes:
@@ -218,6 +269,30 @@ def _info(endpoint: Endpoint) -> TopicEndpointInfo:
         ),
         endpoint_gid=list(endpoint.gid.ljust(_GID_LENGTH, b"\0")),
         qos_profile=QoSProfile._from_graph(endpoint.qos, known_history=False),
+    )
+
+
+_LAST_OF_GID = (4, 3)
+"""The last number of the GIDs of a reader and a writer in Fast DDS, where a client or server has one of each."""
+
+
+def _service_info(endpoint: Endpoint) -> ServiceEndpointInfo:
+    from rclpy.endpoint_info import EndpointTypeEnum, ServiceEndpointInfo
+    from rclpy.qos import QoSProfile
+
+    gid = endpoint.gid.ljust(_GID_LENGTH, b"\0")
+    own = (*gid[:12], *gid[13:])
+    profile = QoSProfile._from_graph(endpoint.qos, known_history=True)
+    is_client = endpoint.kind == EndpointKind.CLIENT
+    return ServiceEndpointInfo(
+        node_name=endpoint.node.name,
+        node_namespace=endpoint.node.namespace,
+        service_type=endpoint.type_name,
+        service_type_hash=_type_hash(endpoint.type_hash),
+        qos_profiles=[profile, profile],
+        endpoint_gids=[[*own, last] for last in _LAST_OF_GID],
+        endpoint_type=EndpointTypeEnum.CLIENT if is_client else EndpointTypeEnum.SERVER,
+        endpoint_count=len(_LAST_OF_GID),
     )
 
 
