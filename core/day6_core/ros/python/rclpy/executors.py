@@ -75,7 +75,8 @@ class SingleThreadedExecutor(Executor):
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Run one callback, or wait for one until `timeout_sec` (None or negative: for ever, 0: not at all)."""
-        self._spin_once_impl(timeout_sec)
+        with self._spinning:
+            self._spin_once_impl(timeout_sec)
 
     def _spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None
@@ -147,7 +148,8 @@ class MultiThreadedExecutor(Executor):
 
         Then raises the exception of an earlier callback: as in real rclpy it stays hidden until the next callback is due.
         """
-        self._spin_once_impl(timeout_sec)
+        with self._spinning:
+            self._spin_once_impl(timeout_sec)
 
     def _spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None

@@ -15,6 +15,7 @@ from rclpy._day6.executor_timeouts import (
     TimeoutObject,
     nanoseconds,
 )
+from rclpy._day6.one_spin import OneSpin
 from rclpy._day6.rounds import ExecutorRounds
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
@@ -36,6 +37,7 @@ class Executor(ExecutorRounds):
 
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__(context)
+        self._spinning = OneSpin()
         self._context._executors.add(self)
         self._context.on_shutdown(self.wake)
 
@@ -193,10 +195,27 @@ class Executor(ExecutorRounds):
         while True:
             yield self.wait_for_ready_callbacks(timeout_sec, nodes, condition)
 
+    @property
+    def is_spinning(self) -> bool:
+        """Whether one of the functions that spin runs callbacks or waits for them."""
+        return self._spinning.locked()
+
+    def _spin_once_impl(
+        self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = NEVER_TRUE
+    ) -> None:
+        raise NotImplementedError
+
     def spin(self) -> None:
-        """Run callbacks until the executor or its context is shut down."""
-        while self._context._valid and not self._is_shutdown:
-            self.spin_once()
+        """Run callbacks until the executor or its context is shut down.
+
+        Raises:
+            RuntimeError: since Lyrical, if it spins already; so do the other functions that spin.
+        """
+        # Since Lyrical it doesn't call a `spin_once` that a derived class has.
+        step = self._spin_once_impl if self._spinning.alone else self.spin_once
+        with self._spinning:
+            while self._context._valid and not self._is_shutdown:
+                step()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Run one callback, or wait for one until `timeout_sec` (None or negative: for ever, 0: not at all)."""
@@ -207,13 +226,14 @@ class Executor(ExecutorRounds):
         self._wake_when_done(future)
         end = None if timeout_sec is None or timeout_sec < 0 else self._steady_ns() + int(timeout_sec * S_TO_NS)
         left = TimeoutObject(-1.0 if timeout_sec is None else timeout_sec)
-        while self._context._valid and not future.done() and not future.cancelled() and not self._is_shutdown:
-            self._spin_once_until_future_complete(future, left)
-            if end is not None:
-                now = self._steady_ns()
-                if now >= end:
-                    return
-                left.timeout = (end - now) / S_TO_NS
+        with self._spinning:
+            while self._context._valid and not future.done() and not future.cancelled() and not self._is_shutdown:
+                self._spin_once_until_future_complete(future, left)
+                if end is not None:
+                    now = self._steady_ns()
+                    if now >= end:
+                        return
+                    left.timeout = (end - now) / S_TO_NS
 
     def _wake_when_done(self, future: Future[Any]) -> None:
         # Real rclpy wakes by a done callback, which then runs as a task and counts as one `spin_once`.
@@ -225,7 +245,8 @@ class Executor(ExecutorRounds):
     ) -> None:
         """Run one callback, unless `future` is done before that."""
         self._wake_when_done(future)
-        self._spin_once_until_future_complete(future, timeout_sec)
+        with self._spinning:
+            self._spin_once_until_future_complete(future, timeout_sec)
 
     def _spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None

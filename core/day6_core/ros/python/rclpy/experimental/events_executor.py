@@ -30,15 +30,16 @@ class _EventsExecutor(SingleThreadedExecutor):
         end = None if timeout_sec is None or timeout_sec < 0 else self._steady_ns() + int(timeout_sec * S_TO_NS)
         self._wake_when_done(future)
         left = TimeoutObject(-1.0)
-        while self._context._valid and not future.done() and not future.cancelled() and not self._is_shutdown:
-            if self._run_ready():
-                continue
-            if end is not None:
-                now = self._steady_ns()
-                if now >= end:
-                    return
-                left.timeout = (end - now) / S_TO_NS
-            self._spin_once_until_future_complete(future, left)
+        with self._spinning:
+            while self._context._valid and not future.done() and not future.cancelled() and not self._is_shutdown:
+                if self._run_ready():
+                    continue
+                if end is not None:
+                    now = self._steady_ns()
+                    if now >= end:
+                        return
+                    left.timeout = (end - now) / S_TO_NS
+                self._spin_once_until_future_complete(future, left)
 
 
 def EventsExecutor(*, context: Context | None = None) -> Executor:
