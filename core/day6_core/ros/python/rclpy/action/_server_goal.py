@@ -7,8 +7,10 @@ from collections.abc import Awaitable, Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Generic, Literal
 
+from day6_core.ros.differences import value
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import GoalEvent
-from rclpy.action._protocol import ABORTED, ACCEPTED, CANCELED, CANCELING, SUCCEEDED, UNKNOWN, next_state
+from rclpy.action._protocol import ABORTED, ACCEPTED, CANCELED, CANCELING, EXECUTING, SUCCEEDED, UNKNOWN, next_state
 from rclpy.type_support import FeedbackT, GoalT, ResultT
 
 if TYPE_CHECKING:
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     ]
 
 
+_ENDS = {GoalEvent.SUCCEED: "succeed", GoalEvent.ABORT: "abort", GoalEvent.CANCELED: "canceled"}
 _TERMINAL = (SUCCEEDED, CANCELED, ABORTED)
 
 
@@ -60,6 +63,8 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         self._state = ACCEPTED
         self._destroyed = False
         self._ended_ns: int | None = None
+        self._returns_result = False
+        """Whether a callback executes the goal, which returns its result."""
         self._lock = threading.Lock()
 
     def __eq__(self, other: object) -> bool:
@@ -95,6 +100,15 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         """The state of the goal (action_msgs/msg/GoalStatus)."""
         return UNKNOWN if self._destroyed else self._state
 
+    def _end(self, event: GoalEvent, response: ResultT | None) -> None:
+        if response is not None and not value("action.execute_callback_is_optional"):
+            raise TypeError(f"ServerGoalHandle.{_ENDS[event]}() takes 1 positional argument but 2 were given")
+        self._update_state(event)
+        if response is None and not self._returns_result:
+            response = self._action_server.action_type.Result()
+        if response is not None:
+            self._action_server._set_result(self, response)
+
     def _update_state(self, event: GoalEvent) -> None:
         with self._lock:
             if self._destroyed:
@@ -111,24 +125,36 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
             self._update_state(GoalEvent.EXECUTE)
         self._action_server.notify_execute(self, execute_callback)
 
+    def executing(self) -> None:
+        """Set the goal to executing, without a callback that executes it. RCLError in a state where that is impossible."""
+        self._update_state(GoalEvent.EXECUTE)
+
     def publish_feedback(self, feedback: FeedbackT) -> None:
-        """Send feedback; TypeError for anything that isn't feedback of the action."""
+        """Send feedback; in newer distributions only while the goal is executing, else warn.
+
+        Raises:
+            TypeError: for anything that isn't feedback of the action.
+        """
         if not isinstance(feedback, self._action_server.action_type.Feedback):
             raise TypeError
-        if not self._destroyed:
-            self._action_server._publish_feedback(self.goal_id, feedback)
+        if self._destroyed:
+            return
+        if self._state != EXECUTING and value("action.feedback_only_while_executing"):
+            self._action_server._logger.warning("publish_feedback() has no effect: the goal is not executing")
+            return
+        self._action_server._publish_feedback(self.goal_id, feedback)
 
-    def succeed(self) -> None:
-        """Set the goal to succeeded. RCLError in a state where that is impossible."""
-        self._update_state(GoalEvent.SUCCEED)
+    def succeed(self, response: ResultT | None = None) -> None:
+        """Set the goal to succeeded, with a result unless a callback returns it. RCLError in a state where that is impossible."""
+        self._end(GoalEvent.SUCCEED, response)
 
-    def abort(self) -> None:
-        """Set the goal to aborted. RCLError in a state where that is impossible."""
-        self._update_state(GoalEvent.ABORT)
+    def abort(self, response: ResultT | None = None) -> None:
+        """Set the goal to aborted, with a result unless a callback returns it. RCLError in a state where that is impossible."""
+        self._end(GoalEvent.ABORT, response)
 
-    def canceled(self) -> None:
-        """Set the goal to canceled. RCLError unless canceling was requested and accepted."""
-        self._update_state(GoalEvent.CANCELED)
+    def canceled(self, response: ResultT | None = None) -> None:
+        """Set the goal to canceled, with a result unless a callback returns it. RCLError unless canceling was accepted."""
+        self._end(GoalEvent.CANCELED, response)
 
     def destroy(self) -> None:
         """Make the handle unusable."""
@@ -148,3 +174,6 @@ def default_goal_callback(goal_request: object) -> Literal[GoalResponse.ACCEPT]:
 def default_cancel_callback(cancel_request: object) -> Literal[CancelResponse.REJECT]:
     """Reject every request to cancel."""
     return CancelResponse.REJECT
+
+
+withdraw(__name__)

@@ -7,6 +7,7 @@ import traceback
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, cast
 
+from day6_core.ros.differences import value
 from rclpy._day6.entity import NOTHING
 from rclpy._day6.incidental import also
 from rclpy._rclpy_pybind11 import GoalEvent as GoalEvent
@@ -72,9 +73,9 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
     """Serves an action.
 
     `execute_callback(goal_handle)` runs as a task of the executor and returns the result, after calling `succeed`, `abort` or
-    `canceled` of the handle. `goal_callback(goal)` accepts or rejects goals, `handle_accepted_callback(goal_handle)` decides
-    when they are executed, `cancel_callback(goal_handle)` accepts or rejects requests to cancel. Results are kept
-    `result_timeout` seconds.
+    `canceled` of the handle. Without it (since Lyrical), one of those is called later, from anywhere, and given the result.
+    `goal_callback(goal)` accepts or rejects goals, `handle_accepted_callback(goal_handle)` decides when they are executed,
+    `cancel_callback(goal_handle)` accepts or rejects requests to cancel. Results are kept `result_timeout` seconds.
 
     Raises:
         TypeError: for a callback that isn't callable.
@@ -86,7 +87,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         node: Node,
         action_type: type[ActionType[GoalT, ResultT, FeedbackT]],
         action_name: str,
-        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT],
+        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] | None = None,
         *,
         callback_group: CallbackGroup | None = None,
         goal_callback: GoalCallback[GoalT] | None = default_goal_callback,
@@ -101,6 +102,8 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: int = 10,
     ) -> None:
+        if execute_callback is None and not value("action.execute_callback_is_optional"):
+            raise TypeError("ActionServer.__init__() missing 1 required positional argument: 'execute_callback'")
         super().__init__(node.default_callback_group if callback_group is None else callback_group)
         self._lock = threading.Lock()
         self.register_handle_accepted_callback(handle_accepted_callback)
@@ -132,6 +135,8 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
             autostart=False,
         )
         self._logger = node.get_logger().get_child("action_server")
+        if execute_callback is None and handle_accepted_callback is default_handle_accepted_callback:
+            self._logger.warning("Not handling nor executing the goal, this server will do nothing")
         for service in (self._goal_service, self._cancel_service, self._result_service):
             service.on_ready = self._notify
         node.add_waitable(self)
@@ -230,8 +235,12 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
             self._logger.warning(f"Goal state not set, assuming aborted. Goal ID: {goal_uuid}")
             goal_handle.abort()
         self._logger.debug(f"Goal with ID {goal_uuid} finished with state {goal_handle.status}")
-        future = self._result_futures.get(bytes(goal_uuid))
-        if future is not None:
+        self._set_result(goal_handle, result)
+
+    def _set_result(self, goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], result: object) -> None:
+        """Answer, now and later, who asks for the result of a goal; only the first result counts."""
+        future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
+        if future is not None and not future.done():
             scope = self._scope
             future._set_executor(None if scope is None else scope.executor)
             future.set_result((goal_handle.status, result))
@@ -360,9 +369,10 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] | None,
     ) -> None:
         """Execute a goal as a task of the node's executor."""
-        executor = self._node.executor
-        if executor is not None:
-            executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
+        executor, callback = self._node.executor, execute_callback or self._execute_callback
+        if executor is not None and callback is not None:
+            goal_handle._returns_result = True
+            executor.create_task(self._execute_goal, callback, goal_handle)
 
     # -- callbacks -----------------------------------------------------------------------------------------------------
 
@@ -380,13 +390,13 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         """Set the function that accepts or rejects requests to cancel; None: reject all."""
         self._cancel_callback = cancel_callback or default_cancel_callback
 
-    def register_execute_callback(self, execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT]) -> None:
-        """Set the function that executes goals.
+    def register_execute_callback(self, execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] | None) -> None:
+        """Set the function that executes goals; None: none does.
 
         Raises:
             TypeError: if it isn't callable.
         """
-        if not callable(execute_callback):
+        if execute_callback is not None and not callable(execute_callback):
             raise TypeError("Failed to register goal execution callback: not callable")
         self._execute_callback = execute_callback
 
