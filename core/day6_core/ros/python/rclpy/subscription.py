@@ -147,6 +147,11 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
         )
 
     @property
+    def is_cft_supported(self) -> bool:
+        """Whether the middleware can filter by content: always."""
+        return self._handle.is_cft_supported()
+
+    @property
     def is_cft_enabled(self) -> bool:
         """Whether a content filter is active."""
         return self._handle.is_cft_enabled()

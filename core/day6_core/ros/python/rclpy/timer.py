@@ -12,6 +12,7 @@ from rclpy._day6.callables import is_coroutine_function, lacks_self
 from rclpy._day6.entity import NOTHING, TIMER, Entity
 from rclpy._day6.incidental import also
 from rclpy._day6.time_base import wait_interruptibly
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError, TimerCancelledError
 from rclpy.clock import Clock, ROSClock
 from rclpy.clock_type import ClockType
@@ -265,6 +266,8 @@ class Timer(Entity):
         self._last = self._base_now()
         self._next = self._last + self._period
         self._schedule()
+        if self._handle._on_reset is not None:
+            self._handle._on_reset(1)
 
     def time_since_last_call(self) -> int:
         """Return nanoseconds since the last call (since creation before the first one)."""
@@ -292,6 +295,7 @@ class _TimerHandle(Destroyable):
     """The handle of a timer. A program can make one with the handles of a clock and a context, and call it itself."""
 
     _timer: weakref.ReferenceType[Timer]
+    _on_reset: Callable[[int], object] | None = None
 
     def __init__(self, clock: Any, context: Any, period_nsec: int, autostart: bool) -> None:
         timer = Timer(None, None, period_nsec, clock._clock(), context=context._context(), autostart=autostart)
@@ -348,6 +352,15 @@ class _TimerHandle(Destroyable):
     def reset_timer(self) -> None:
         """Restart the period."""
         self._entity().reset()
+
+    def set_on_reset_callback(self, callback: Callable[[int], object]) -> None:
+        """Call `callback(1)` at each reset."""
+        self._entity()
+        self._on_reset = callback
+
+    def clear_on_reset_callback(self) -> None:
+        """Stop calling it."""
+        self._on_reset = None
 
     def get_timer_period(self) -> int:
         """Return the period in nanoseconds."""
@@ -415,3 +428,6 @@ class Rate:
             if self._is_shutdown:
                 self.destroy()
                 raise ROSInterruptException
+
+
+withdraw(__name__)

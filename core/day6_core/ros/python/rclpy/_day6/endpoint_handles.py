@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.graph import RequestId
 from rclpy._day6.handles import EndpointHandle, NodeHandle
+from rclpy._day6.withdrawn import withdraw
 from rclpy._rclpy_pybind11 import RCLError
 
 if TYPE_CHECKING:
@@ -136,6 +137,14 @@ class SubscriptionHandle(EndpointHandle):
             message = serialize_message(message) if raw else deserialize_message(message, self._msg_type)
         return message, self.info(sample)
 
+    def set_on_new_message_callback(self, callback: Callable[[int], object]) -> None:
+        """Call `callback(number)` for messages that arrive, on the thread that receives them, and for those that wait."""
+        self._call_on_ready(callback)
+
+    def clear_on_new_message_callback(self) -> None:
+        """Stop calling it."""
+        self._call_on_ready(None)
+
     def take_at_once(self, callback: Callable[[Any], object]) -> None:
         """Hand every message to `callback` on the thread that receives it, as C++ programs can have it; no executor does.
 
@@ -160,6 +169,11 @@ class SubscriptionHandle(EndpointHandle):
         self.check()
         count: int = self._endpoint.publisher_count
         return count
+
+    def is_cft_supported(self) -> bool:
+        """Return True: every subscription can filter by content."""
+        self.check()
+        return True
 
     def is_cft_enabled(self) -> bool:
         """Return whether a content filter is active."""
@@ -236,6 +250,14 @@ class ServiceHandle(EndpointHandle):
         now = self._endpoint.node.graph.now_ns()
         return request, ServiceInfo(now, now, request_id)
 
+    def set_on_new_request_callback(self, callback: Callable[[int], object]) -> None:
+        """Call `callback(number)` for requests that arrive, on the thread that receives them, and for those that wait."""
+        self._call_on_ready(callback)
+
+    def clear_on_new_request_callback(self) -> None:
+        """Stop calling it."""
+        self._call_on_ready(None)
+
     def service_send_response(self, pyresponse: Any, header: RequestId) -> None:
         """Send the response to a request."""
         self.check()
@@ -271,8 +293,19 @@ class ClientHandle(EndpointHandle):
         now = self._endpoint.node.graph.now_ns()
         return ServiceInfo(now, now, RequestId(self._endpoint.gid, number)), response
 
+    def set_on_new_response_callback(self, callback: Callable[[int], object]) -> None:
+        """Call `callback(number)` for responses that arrive, on the thread that receives them, and for those that wait."""
+        self._call_on_ready(callback)
+
+    def clear_on_new_response_callback(self) -> None:
+        """Stop calling it."""
+        self._call_on_ready(None)
+
     def service_server_is_available(self) -> bool:
         """Return whether the service has a server."""
         self.check()
         ready: bool = self._endpoint.service_is_ready()
         return ready
+
+
+withdraw(__name__)

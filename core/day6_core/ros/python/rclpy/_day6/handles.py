@@ -9,6 +9,8 @@ from day6_core.graph import Node as GraphNode
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from day6_core.graph.names import RemapRule
     from rclpy._day6.entity import Scope
     from rclpy.context import Context
@@ -193,6 +195,32 @@ class EndpointHandle(Destroyable):
         return endpoint.topic
 
     service_name = name = property(get_topic_name)
+
+    _before_callback: tuple[Any] | None = None
+    """What the endpoint called when it was ready before a program's own callback was set."""
+
+    def _call_on_ready(self, callback: Callable[[int], object] | None) -> None:
+        """Call `callback(number)` for what arrives as well, at once for what waits already; None ends that."""
+        endpoint = self._endpoint
+        if self._before_callback is not None:
+            endpoint.on_ready = self._before_callback[0]
+            self._before_callback = None
+        if callback is None:
+            return
+        self.check()
+        if not callable(callback):
+            raise TypeError(f"callback should be a callable, got {type(callback)}")
+        before = endpoint.on_ready
+        self._before_callback = (before,)
+
+        def on_ready(ready: object) -> None:
+            if before is not None:
+                before(ready)
+            callback(1)
+
+        endpoint.on_ready = on_ready
+        if endpoint.queue:
+            callback(len(endpoint.queue))
 
     def destroy_when_not_in_use(self) -> None:
         """Take the endpoint out of the graph."""
