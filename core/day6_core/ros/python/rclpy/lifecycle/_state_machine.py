@@ -59,9 +59,9 @@ TRANSITIONS = (
 
 
 class StateMachine:
-    """The state of one node; `on_transition(start, goal)` is called for every transition made."""
+    """The state of one node; `on_transition(transition)` is called for every transition made."""
 
-    def __init__(self, settings: LoggingSettings, on_transition: Callable[[int, int], None]) -> None:
+    def __init__(self, settings: LoggingSettings, on_transition: Callable[[Transition], None]) -> None:
         self.initialized = True
         self._state = 1
         self._settings = settings
@@ -122,4 +122,4 @@ class StateMachine:
             )
         self._state = transition.goal
         if publish_update:
-            self._on_transition(transition.start, transition.goal)
+            self._on_transition(transition)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from day6_core.ros.differences import value
 from rclpy._day6.incidental import also
 from rclpy._day6.lost_errors import remember
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.lifecycle._state_machine import STATES, StateMachine
+from rclpy.lifecycle._state_machine import STATES, StateMachine, Transition
 from rclpy.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
 from rclpy.lifecycle.publisher import LifecyclePublisher
 from rclpy.node import Node
@@ -96,14 +97,19 @@ class LifecycleNodeMixin(ManagedEntity):
         node._rclpy_entities.hide(publisher)
         self._event_publisher = publisher
 
-    def _announce(self, start: int, goal: int) -> None:
+    def _announce(self, transition: Transition) -> None:
         publisher = self._event_publisher
         if publisher is not None and publisher._has_subscribers():
-            from lifecycle_msgs.msg import State, TransitionEvent
+            from lifecycle_msgs import msg
 
-            event = TransitionEvent(
-                start_state=State(id=start, label=STATES[start]), goal_state=State(id=goal, label=STATES[goal])
+            event = msg.TransitionEvent(
+                start_state=msg.State(id=transition.start, label=STATES[transition.start]),
+                goal_state=msg.State(id=transition.goal, label=STATES[transition.goal]),
             )
+            if value("lifecycle.events_are_filled"):
+                node: Any = self
+                event.stamp = node.get_clock().now().to_msg()
+                event.transition = msg.Transition(id=transition.id, label=transition.label)
             publisher.publish(event)
 
     # -- transitions ---------------------------------------------------------------------------------------------------

@@ -32,6 +32,11 @@ class StateTransition(Event):
         return int(self.__msg.timestamp)
 
     @property
+    def stamp(self) -> Any:
+        """The time, which the message has since Lyrical in place of `timestamp` (ros2/launch_ros#495)."""
+        return self.__msg.stamp
+
+    @property
     def transition(self) -> str:
         return str(self.__msg.transition.label)
 
