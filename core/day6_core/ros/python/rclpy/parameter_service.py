@@ -5,6 +5,7 @@ from __future__ import annotations
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from day6_core.ros.differences import value
 from rclpy._day6.own_services import PARAMETER_SERVICES
 from rclpy.exceptions import ParameterNotDeclaredException, ParameterUninitializedException
 from rclpy.parameter import Parameter
@@ -94,7 +95,12 @@ class ParameterService:
     def _set(self, parameters: list[Parameter[Any]]) -> Any:
         from rcl_interfaces.msg import SetParametersResult
 
+        node = self._get_node()
         try:
-            return self._get_node().set_parameters_atomically(parameters)
+            result = node.set_parameters_atomically(parameters)
         except ParameterNotDeclaredException as error:
-            return SetParametersResult(successful=False, reason=str(error))
+            result = SetParametersResult(successful=False, reason=str(error))
+        if not result.successful and value("parameters.refusals_are_logged"):
+            names = ", ".join(each.name for each in parameters)
+            node.get_logger().warning(f"Failed to set parameter '{names}': {result.reason}")
+        return result
