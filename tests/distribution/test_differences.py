@@ -64,6 +64,8 @@ from rclpy.node import Node
 from rclpy.qos import HistoryPolicy
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
+from lifecycle_msgs.msg import TransitionEvent
+from rclpy.lifecycle import LifecycleNode
 import example_interfaces.srv as srv
 from example_interfaces.srv import AddTwoInts
 
@@ -91,6 +93,18 @@ def set_to(value):
     except AssertionError as error:
         return [f"{each.category.__name__}: {each.message}" for each in told], type(joints.name).__name__, str(error)
 
+def transition():
+    heard = []
+    life = LifecycleNode("life")
+    node.create_subscription(TransitionEvent, "/life/transition_event", heard.append, 10)
+    life.trigger_configure()
+    while not heard:
+        rclpy.spin_once(node)
+    fields = heard[0].get_fields_and_field_types()
+    stamp = heard[0].stamp.sec if "stamp" in fields else heard[0].timestamp
+    life.destroy_node()
+    return list(fields)[0], stamp > 0, heard[0].transition.id, heard[0].transition.label
+
 manager = rclpy.init()
 node = Node("asked")
 print(json.dumps({
@@ -106,6 +120,7 @@ print(json.dumps({
     "old_policy": said(lambda: HistoryPolicy.RMW_QOS_POLICY_HISTORY_KEEP_LAST),
     "qos_event": said(lambda: import_module("rclpy.qos_event")),
     "event": hasattr(AddTwoInts, "Event") and "AddTwoInts_Event" in srv.__all__,
+    "transition": transition(),
 }))
 """
 
@@ -597,6 +612,13 @@ def test_texts_that_humble_has(played: dict[str, dict[str, str]], name: str) -> 
     lines = [line.partition("[robot_state_publisher]: ")[2] for line in played[name]["segments"].splitlines()]
     said = [line for line in lines if line and "backwards compatibility" not in line]
     assert said == (["got segment a", "got segment b"] if humble else ["Robot initialized"])
+
+
+@pytest.mark.process
+@pytest.mark.parametrize("name", PLAYED)
+def test_a_transition_is_told_with_its_time_since_lyrical(asked: dict[str, object], name: str) -> None:
+    new = name == "lyrical"
+    assert asked["transition"] == (["stamp", True, 1, "configure"] if new else ["timestamp", False, 0, ""])
 
 
 def test_what_is_deliberately_another_is_said() -> None:
