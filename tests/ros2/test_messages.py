@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import hashlib
 import sys
 from types import ModuleType
 
 import pytest
 from geometry_msgs.msg import PointStamped, Polygon, PoseWithCovariance, Twist
+from rosidl_parser.definition import NamespacedType, UnboundedSequence
 from rosidl_runtime_py import (
     get_interface_path,
     get_interfaces,
@@ -16,9 +18,12 @@ from rosidl_runtime_py import (
     message_to_yaml,
     set_message_fields,
 )
+from rosidl_runtime_py.convert import _convert_value
+from rosidl_runtime_py.import_message import import_message_from_namespaced_type
 from rosidl_runtime_py.utilities import get_action, get_interface, get_message, get_service
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool, Float64, Int32, Int32MultiArray, String, UInt8MultiArray
+from test_msgs import message_fixtures, service_fixtures
 
 
 def test_yaml_is_nested_unfolded_and_unicode():
@@ -185,6 +190,7 @@ def test_the_lists_of_interfaces_leave_parts_of_services_out():
         ("std_msgs/../x", r"Must not contain '\.\.'"),
         ("nope/msg/X", "Unknown package 'nope'"),
         ("std_msgs/msg/Strng", "Could not find the interface '.*Strng.idl'"),
+        ("std_msgs/msg/String.idl", "Could not find the interface '.*/String.idl'"),
     ],
 )
 def test_paths_of_definitions_that_are_not_there(name, error):
@@ -198,3 +204,50 @@ def test_another_thread_may_just_be_importing_numpy(monkeypatch: pytest.MonkeyPa
     message = JointState()
     set_message_fields(message, {"name": ["wheel"], "position": [0.5]})
     assert message_to_ordereddict(message)["position"] == [0.5]
+
+
+def test_values_are_converted_and_shortened_as_real_tools_do():
+    assert _convert_value({1: ("123", b"456", 7)}, truncate_length=2) == {1: ("12...", "45...", "...")}
+    assert _convert_value(True) is True
+
+
+def test_an_array_of_a_type_finds_its_class_with_a_warning():
+    kind = NamespacedType(["std_msgs", "msg"], "String")
+    with pytest.warns(DeprecationWarning, match="please pass a NamespacedType object directly"):
+        assert import_message_from_namespaced_type(UnboundedSequence(kind)) is String
+    assert import_message_from_namespaced_type(kind) is String
+
+
+_FIXTURES = {
+    "Builtins": "3e69d05a8eeb",
+    "Empty": "e9bdd07b6bd3",
+    "BasicTypes": "a9fc7a7b694c",
+    "Constants": "1e4e0cce5b33",
+    "Defaults": "d74433611e24",
+    "Strings": "1c1f3cc45b81",
+    "Nested": "5e850a73d6a1",
+    "Arrays": "8b8378d3fac5",
+    "BoundedPlainSequences": "02276bc47848",
+    "BoundedSequences": "45fb7134f26f",
+    "UnboundedSequences": "9630f09cd6f5",
+    "MultiNested": "deb5b23b9009",
+    "WStrings": "06db4ec4e53a",
+}
+_SERVICE_FIXTURES = {
+    "Arrays": "3a7a8e1db75c",
+    "BasicTypes": "7ed3d59e406d",
+    "Empty": "e8455d98f3d6",
+}
+"""The beginning of the SHA-1 of what real Kilted's fixtures look like as text."""
+
+
+def test_the_fixtures_of_test_msgs_are_the_real_ones():
+    def begin(value: object) -> str:
+        return hashlib.sha1(repr(value).encode()).hexdigest()[:12]
+
+    assert {name: begin(message_fixtures.get_test_msg(name)) for name in _FIXTURES} == _FIXTURES
+    assert {name: begin(service_fixtures.get_test_srv(name)) for name in _SERVICE_FIXTURES} == _SERVICE_FIXTURES
+    assert [message_fixtures.int_from_uint(value, 8) for value in (0, 127, 128, 255, 700)] == [0, 127, -128, -1, -68]
+    for find in (message_fixtures.get_test_msg, service_fixtures.get_test_srv):
+        with pytest.raises(NotImplementedError):
+            find("Nothing")

@@ -61,6 +61,18 @@ def message_to_ordereddict(
     return _ordered(msg, _Limits(truncate_length, no_arr, no_str))
 
 
+def _convert_value(
+    value: Any,
+    *,
+    field_type: Any = None,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
+) -> Any:
+    # Programs by others use it, though its name is private.
+    return _plain(value, _Limits(truncate_length, no_arr, no_str), field_type)
+
+
 def get_message_slot_types(msg: Any) -> OrderedDict[str, Any]:
     """Return `{field: type}` of a message, the types as `rosidl_parser.definition` describes them."""
     return OrderedDict(_fields(msg))

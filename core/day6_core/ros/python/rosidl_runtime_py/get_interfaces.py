@@ -58,8 +58,9 @@ def get_interface_path(interface_name: str, environment: Environment = None) -> 
     if prefix is None:
         raise LookupError(f"Unknown package '{parts[0]}'")
     if prefix == BUILT_IN_PREFIX and len(parts) == 3:
-        own = Path(path_of("/".join((*parts[:2], parts[2].removesuffix(f".{parts[1]}"))), str(Path(prefix, "share"))))
-        if own.is_file() and has_interface("/".join((*parts[:2], own.stem))):
+        stem, _, suffix = parts[2].partition(".")
+        own = Path(path_of("/".join((*parts[:2], stem)), str(Path(prefix, "share"))))
+        if suffix in ("", parts[1]) and own.is_file() and has_interface("/".join((*parts[:2], stem))):
             return str(own)
         raise LookupError(f"Could not find the interface '{own.with_suffix('.idl')}'")
     path = Path(prefix, "share", *parts)
