@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 from std_msgs.msg import String
 from test_msgs.msg import Arrays, BasicTypes, Nested, Strings
 
+import rclpy.logging
+from rclpy._day6.logging_settings import PROCESS
 from rclpy.event_handler import (
     PublisherEventCallbacks,
     QoSPublisherEventType,
     QoSSubscriptionEventType,
     SubscriptionEventCallbacks,
+    _warn,
 )
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.subscription_content_filter_options import ContentFilterOptions
@@ -98,6 +102,14 @@ def test_what_does_not_fit_is_logged_by_default(world: Any) -> None:
         f"New subscription discovered on topic 't', requesting incompatible QoS. No messages will be sent to it. {end}",
     ]
     assert all(line.startswith("[WARN]") for line in world.log)
+
+
+def test_a_logger_of_the_program_is_told_by_the_method_that_real_rclpy_calls(monkeypatch: pytest.MonkeyPatch) -> None:
+    logger = Mock(spec=["get_child", "warn"])
+    logger.get_child.return_value = logger
+    monkeypatch.setattr(rclpy.logging, "_root_logger", logger)
+    _warn(Mock(get_logger=lambda: Mock(_settings=PROCESS)), "text")
+    logger.warn.assert_called_once_with("text")
 
 
 def test_nothing_is_logged_where_the_program_does_not_want_it(world: Any) -> None:

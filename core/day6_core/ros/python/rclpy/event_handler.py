@@ -349,7 +349,8 @@ def _warn(parent: EndpointHandle, text: str) -> None:
     if logger._settings is PROCESS:
         # By name, as real rclpy does it: programs replace the root logger to catch these.
         logger = get_logger(logger.name)
-    logger.warning(text)
+    # So does real rclpy: `warn` until it was taken away, and programs replace that one.
+    (logger.warn if hasattr(logger, "warn") else logger.warning)(text)
 
 
 def _qos_warning(parent: Any, text: str) -> Callable[[QoSRequestedIncompatibleQoSInfo], None]:
