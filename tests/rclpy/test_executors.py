@@ -349,6 +349,29 @@ class Ear(Waitable[Any]):
         self.heard.extend(taken_data)
 
 
+class GuardEar(Waitable[Any]):
+    """Calls a function when its guard condition was triggered."""
+
+    def __init__(self, node: Node, callback: Any) -> None:
+        super().__init__(node.default_callback_group)
+        self.guard = low_level.GuardCondition(node.context.handle)
+        self.trigger = self.guard.trigger_guard_condition
+        self.callback = callback
+        node.add_waitable(self)
+
+    def add_to_wait_set(self, wait_set: Any) -> None:
+        self.index = wait_set.add_guard_condition(self.guard)
+
+    def is_ready(self, wait_set: Any) -> bool:
+        return bool(wait_set.is_ready("guard_condition", self.index))
+
+    def take_data(self) -> Any:
+        pass
+
+    async def execute(self, taken_data: Any) -> None:
+        self.callback()
+
+
 SHORT = {"subscription": "subs", "timer": "timers", "service": "services", "client": "clients"}
 
 
@@ -380,6 +403,38 @@ def test_a_waitable_waits_for_handles(world: Any) -> None:
     assert ear not in node.waitables
     with pytest.raises(ValueError):
         node.remove_waitable(ear)
+
+
+@pytest.mark.parametrize("spinner", [SingleThreadedExecutor, EventsExecutor])
+@pytest.mark.parametrize("kind", ["waitable", "guard condition"])
+def test_what_is_removed_by_a_callback_that_was_ready_with_it_does_not_run(world: Any, kind: str, spinner: Any) -> None:
+    node, heard = Node("n", context=world.context), []
+
+    def made(name: str, and_then: Any = None) -> Any:
+        def callback() -> None:
+            heard.append(name)
+            if and_then is not None:
+                and_then()
+
+        guard = node.create_guard_condition(callback) if kind != "waitable" else GuardEar(node, callback)
+        guard.trigger()
+        return guard
+
+    remove = node.remove_waitable if kind == "waitable" else node.destroy_guard_condition
+    made("first", lambda: remove(second))
+    second = made("second")
+    remove(made("gone before the first wait"))
+    executor = spinner(context=world.context)
+    executor.add_node(node)
+    for _ in range(4):
+        executor.spin_once(timeout_sec=0)
+    assert heard == ["first"]
+    if kind == "waitable":
+        node.add_waitable(second)
+        executor.spin_once(timeout_sec=0)
+        assert heard == ["first", "second"]
+    executor.shutdown()
+    node.destroy_node()
 
 
 def test_a_service_is_answered_by_hand(world: Any) -> None:

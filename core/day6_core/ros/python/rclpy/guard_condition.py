@@ -111,3 +111,4 @@ class GuardCondition(Entity):
     def destroy(self) -> None:
         """Make the guard condition unusable; prefer `Node.destroy_guard_condition`."""
         self._handle.destroy_when_not_in_use()
+        self._leave()

@@ -85,6 +85,12 @@ class Waitable(Entity, Generic[T]):
             self.add_to_wait_set(self._wait_set)
             self._notify()
 
+    def _leave(self) -> None:
+        super()._leave()
+        if self._wait_set is not None:
+            self._wait_set._leave()
+            self._wait_set = None
+
     def _process(self) -> Any:
         self._queued = False
         wait_set = self._wait_set

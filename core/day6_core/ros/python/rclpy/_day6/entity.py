@@ -79,6 +79,10 @@ class Entity:
         if self._pending():
             self._notify()
 
+    def _leave(self) -> None:
+        """Leave the node: what was announced and not yet processed isn't processed any more."""
+        self._scope = None
+
     def _notify(self, _endpoint: object = None) -> None:
         """Announce that there is work to do."""
         scope = self._scope

@@ -101,6 +101,8 @@ class NodeEntities:
     def remove_waitable(self, waitable: Waitable[Any]) -> None:
         """Remove a waitable; ValueError if the node doesn't have it."""
         self.waitables.remove(waitable)
+        if isinstance(waitable, Waitable):
+            waitable._leave()
         self.wake_executor()
 
     def wake_executor(self) -> None:

@@ -115,6 +115,14 @@ class WaitSet(Destroyable):
         handle._endpoint.on_event = self._announce
         return index
 
+    def _leave(self) -> None:
+        """Stop announcing timers: the waitable leaves its node."""
+        for alarm in self._alarms:
+            if alarm._scope is not None:
+                alarm._scope.timed.remove(alarm)
+            alarm._leave()
+        self._alarms = []
+
     def clear_entities(self) -> None:
         """Remove all entities."""
         for members in self._members.values():
