@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from threading import Event, Thread
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -10,8 +11,10 @@ from std_msgs.msg import Int32, String
 from std_srvs.srv import SetBool, Trigger
 from test_msgs.action import Fibonacci
 
+from rclpy.context import Context
 from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle
+from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.serialization import deserialize_message, serialize_message
 from rclpy.service_introspection import ServiceIntrospectionState
@@ -45,6 +48,32 @@ def test_a_raw_subscription_gets_bytes(world: Any) -> None:
     (data,) = heard
     assert isinstance(data, bytes)
     assert deserialize_message(data, String).data == "x"
+
+
+@pytest.mark.parametrize("sender", ["this program", "another program of this process", "another process"])
+def test_bytes_of_other_programs_are_filled_as_fast_dds_does(world: Any, sender: str) -> None:
+    heard: list[bytes] = []
+    node = world.node("n")
+    subscription = node.create_subscription(String, "t", heard.append, 50, raw=True)
+    context = Context._for_session(world.graph, world.time, env={}) if sender.startswith("another program") else None
+    other = node if context is None else Node("o", context=context)
+    publisher = other.create_publisher(String, "t", 50)
+    origin = None if sender != "another process" else world.graph.create_node("o", origin=object())
+    for length in (0, 1, 2, 3, 4, 5, 6, 7, 8, 65_314, 65_316):
+        message = String(data="x" * length)
+        if origin is None:
+            publisher.publish(message)
+        else:  # as the link does it
+            far = SimpleNamespace(origin=origin.origin, node=origin, qos=subscription._endpoint.qos, gid=bytes(16))
+            subscription._endpoint.receive((serialize_message(message), 1, 1, far))
+    world.settle()
+    # What real rclpy 9.1.2 was seen to receive, in the same process and from another one.
+    own, others = [9, 10, 11, 12, 13, 14, 15, 16, 17], [12, 12, 12, 12, 16, 16, 16, 16, 20]
+    expected = [*own, 65_323, 65_325] if sender == "this program" else [*others, 65_324, 65_325]
+    assert [len(each) for each in heard] == expected
+    assert [len(deserialize_message(each, String).data) for each in heard[:9]] == list(range(9))
+    if context is not None:
+        context.shutdown()
 
 
 @pytest.mark.parametrize("wrong", ["text", 5, None, Int32(), String])

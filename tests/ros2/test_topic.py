@@ -163,7 +163,7 @@ def test_with_a_type_echo_waits_for_the_publisher_to_come(machine):
     [
         (["--field", "data"], "hi 0\n---\n"),
         (["--csv"], "hi 0\n"),
-        (["--raw"], "b'\\x00\\x01\\x00\\x00\\x05\\x00\\x00\\x00hi 0\\x00'\n---\n"),
+        (["--raw"], "b'\\x00\\x01\\x00\\x00\\x05\\x00\\x00\\x00hi 0\\x00\\x00\\x00\\x00'\n---\n"),
         (["--clear"], "\x1b[H\x1b[2J\ndata: hi 0\n---\n"),
         (["--filter", "m.data.endswith('3')"], "data: hi 3\n---\n"),
         (["-l", "1"], "data: h...\n---\n"),
@@ -360,8 +360,8 @@ def test_bw_counts_the_bytes_of_the_wire(machine):
     bw = machine.start("topic", "bw", "/chatter")
     bw.step(1.05)
     first, second = bw.stdout.splitlines()[1:3]
-    assert first == "130 B/s from 9 messages"
-    assert second == "\tMessage size mean: 13 B min: 13 B max: 13 B"
+    assert first == "160 B/s from 9 messages"
+    assert second == "\tMessage size mean: 16 B min: 16 B max: 16 B"
     bw.interrupt()
     assert bw.status == 2
 

@@ -137,9 +137,17 @@ class Graph:
 
         return remove
 
-    def create_node(self, name: str, namespace: str = "/", *, enclave: str = "/", origin: object | None = None) -> Node:
+    def create_node(
+        self,
+        name: str,
+        namespace: str = "/",
+        *,
+        enclave: str = "/",
+        origin: object | None = None,
+        program: object | None = None,
+    ) -> Node:
         """Add a node. Names are not checked (rclpy validates and remaps them first); several nodes may share a name."""
-        node = Node(self, name, namespace, enclave, origin)
+        node = Node(self, name, namespace, enclave, origin, program)
         with self._changing():
             if node.is_observer:
                 self._observers = (*self._observers, node)

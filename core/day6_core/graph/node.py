@@ -16,12 +16,22 @@ if TYPE_CHECKING:
 class Node:
     """A node: a name, a namespace and its endpoints. The `create_*` methods take full names."""
 
-    def __init__(self, graph: Graph, name: str, namespace: str, enclave: str, origin: object | None) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        name: str,
+        namespace: str,
+        enclave: str,
+        origin: object | None,
+        program: object | None = None,
+    ) -> None:
         self.graph = graph
         self.name = name
         self.namespace = namespace
         self.enclave = enclave
         self.origin = origin
+        self.program = program
+        """Stands for the program that made it, where several run in this process; None where this process is the program."""
         self.entity_id = graph.next_entity_id()
         self.endpoints: tuple[Endpoint, ...] = ()
         self.destroyed = False

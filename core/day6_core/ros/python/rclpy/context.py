@@ -75,6 +75,7 @@ class Context:
         self._executors: weakref.WeakSet[Executor] = weakref.WeakSet()
         self._end_watchers: list[_Callback] = []
         self._graph: Graph | None = None
+        self._program: object | None = None
         self._domain_id = 0
         self._arguments: RosArguments | None = None
         self._topic_types: dict[str, list[Any]] = {}
@@ -104,6 +105,7 @@ class Context:
         """
         context = cls()
         context._graph = graph
+        context._program = object()
         context._time = time_source
         context._uses_link = False
         context._logging = LoggingSettings(time_source, env)

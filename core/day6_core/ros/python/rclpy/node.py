@@ -218,7 +218,7 @@ class Node:
         assert context._graph is not None
         context._join_link()
         enclave = context._arguments.enclave if context._arguments is not None else "/"
-        graph_node = context._graph.create_node(node_name, namespace, enclave=enclave)
+        graph_node = context._graph.create_node(node_name, namespace, enclave=enclave, program=context._program)
         self._logger = self._rclpy_logger._of_node(full_name[1:].replace("/", "."), context._logging)
         self.__node = NodeHandle(context, graph_node, rules, self._logger, Scope())
         return {name: Parameter(name, value=value) for name, value in values.items()}

@@ -108,11 +108,7 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
         return self._call_specially(sample)
 
     def _call_specially(self, sample: Any) -> Any:
-        message = sample[0]
-        if self.raw and not isinstance(message, bytes):
-            from rclpy.serialization import serialize_message
-
-            message = serialize_message(message)
+        message = self._handle.raw(sample) if self.raw else sample[0]
         if self._callback_type is Subscription.CallbackType.WithMessageInfo:
             result = self._callback(message, self._handle.info(sample))
         else:
