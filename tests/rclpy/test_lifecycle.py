@@ -168,6 +168,18 @@ def test_a_transition_is_asked_for_by_number_or_label(
     assert asker.state() == after
 
 
+def test_an_unknown_label_is_warned_of_and_an_unknown_number_an_error_too(world: Any) -> None:
+    Recorder(world)
+    asker = Asker(world)
+    for number, label in ((99, ""), (1, "nonsense")):
+        asker.ask(srv.ChangeState, "change_state", transition=Transition(id=number, label=label))
+    assert [line.rstrip().partition("] [")[2].partition("] [")[2] for line in world.log] == [
+        "rcl_lifecycle]: No transition matching 99 found for current state unconfigured",
+        "life]: Unable to start transition 99 from current state (1, 'unconfigured')",
+        "rcl_lifecycle]: No transition matching nonsense found for current state unconfigured",
+    ]
+
+
 def test_a_request_that_fails_says_so(world: Any) -> None:
     Recorder(world, {"configure": FAILURE})
     response = Asker(world).ask(srv.ChangeState, "change_state", transition=Transition(id=1))

@@ -33,6 +33,25 @@ def test_only_what_is_possible_now_is_listed(machine, talker):
     )
 
 
+def test_a_transition_that_cannot_be_is_told_in_the_words_of_rclcpp(machine, talker):
+    for transition in ("{id: 2}", "{label: nonsense}"):
+        called = machine.ros2(
+            "service",
+            "call",
+            "/lc_talker/change_state",
+            "lifecycle_msgs/srv/ChangeState",
+            f"{{transition: {transition}}}",
+        )
+        assert "ChangeState_Response(success=False)" in called.stdout
+    said = [line.partition("] ")[2].partition("] ")[2] for line in talker.stderr.text.splitlines()]
+    assert said == [
+        "[rcl_lifecycle]: No transition matching 2 found for current state unconfigured",
+        "[lc_talker]: Unable to start transition 2 from current state unconfigured: "
+        "Transition is not registered., at ./src/rcl_lifecycle.c:355",
+        "[rcl_lifecycle]: No transition matching nonsense found for current state unconfigured",
+    ]
+
+
 def test_an_inactive_talker_is_not_heard(machine, talker):
     machine.ros2("lifecycle", "set", "/lc_talker", "configure")
     echo = machine.start("topic", "echo", "/lifecycle_chatter", "std_msgs/msg/String")

@@ -24,6 +24,9 @@ class CppLifecycleNode(LifecycleNodeMixin, CppNode):
         CppNode.__init__(self, name, **keywords)
         LifecycleNodeMixin.__init__(self)
 
+    def _reason(self, state: int, label: str) -> str:
+        return f"{label}: Transition is not registered., at ./src/rcl_lifecycle.c:355"
+
     def warn_unless_finalized(self, session: Session) -> None:
         """Print what the destructor of a node says that was not shut down by a transition."""
         from day6_core.ros.programs.rclcpp import log

@@ -97,6 +97,7 @@ class StateMachine:
         for each in TRANSITIONS:
             if each.start == self._state and each.label == label:
                 return each.id
+        self._warn(label)
         raise RCLError("Failed to get transition from label: error not set")
 
     def trigger_transition_by_id(self, transition_id: int, publish_update: bool) -> None:
@@ -110,12 +111,15 @@ class StateMachine:
     def _possible(self) -> list[Transition]:
         return [each for each in TRANSITIONS if each.start == self._state]
 
+    def _warn(self, wanted: int | str) -> None:
+        text = f"No transition matching {wanted} found for current state {STATES[self._state]}"
+        self._settings.emit(30, "rcl_lifecycle", text, "", "", 0)
+
     def _make(self, transition: Transition | None, wanted: int | str, publish_update: bool) -> None:
         if transition is None:
-            text = f"No transition matching {wanted} found for current state {STATES[self._state]}"
             # For a transition given by label, rcl_lifecycle logs it twice.
             for _ in range(2 if isinstance(wanted, str) else 1):
-                self._settings.emit(30, "rcl_lifecycle", text, "", "", 0)
+                self._warn(wanted)
             raise RCLError(
                 "Failed to trigger lifecycle state machine transition: Transition is not registered., "
                 "at /project/src/rcl_lifecycle.c:355"

@@ -149,13 +149,17 @@ class LifecycleNodeMixin(ManagedEntity):
         try:
             machine.trigger_transition_by_id(transition_id, True)
         except RCLError:
-            logger.error(f"Unable to start transition {transition_id} from current state {machine.current_state}")
+            logger.error(f"Unable to start transition {transition_id} from current state {self._reason(number, label)}")
             return TransitionCallbackReturn.ERROR
         outcome = self._execute_callback(before)
         machine.trigger_transition_by_label(outcome.to_label(), True)
         if outcome == TransitionCallbackReturn.ERROR:
             machine.trigger_transition_by_label(self._execute_callback(before).to_label(), True)
         return outcome
+
+    def _reason(self, state: int, label: str) -> str:
+        """Return what is logged of the state that a transition isn't possible from."""
+        return str((state, label))
 
     def _execute_callback(self, before: LifecycleState) -> TransitionCallbackReturn:
         callback = self._callbacks.get(self._state_machine.current_state[0])
