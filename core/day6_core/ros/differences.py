@@ -530,6 +530,7 @@ UNSETTLED: dict[str, str] = {
     "ros2 of Lyrical": "has the words of its own sources where those could be read; what a command says after --timeout or "
     "--service-timeout (#1185), which of its verbs choose and how they ask (#1151), a `---` after each of several fields (#964), "
     "words for a wrong entry of an array (#996) are as seemed likely; topics that come after `--all` are not followed",
+    "raw messages": "are filled up to four bytes, and over 65,324 bytes are not, as measured in Kilted; older Fast DDS wasn't",
     "ros2 service call of Lyrical": "asks for a name although it was given (#1151, taken back by #1244): not imitated",
     "a package for Rust": "has no Cargo.lock (#1107): cargo asks the internet for it",
     "bags of Lyrical": "lines of the recorder are those of recorder.cpp as of April 2026, without what it says of serialization "
