@@ -44,10 +44,10 @@ def test_a_transition_that_cannot_be_is_told_in_the_words_of_rclcpp(machine, tal
         )
         assert "ChangeState_Response(success=False)" in called.stdout
     said = [line.partition("] ")[2].partition("] ")[2] for line in talker.stderr.text.splitlines()]
+    reason = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
     assert said == [
         "[rcl_lifecycle]: No transition matching 2 found for current state unconfigured",
-        "[lc_talker]: Unable to start transition 2 from current state unconfigured: "
-        "Transition is not registered., at ./src/rcl_lifecycle.c:355",
+        f"[lc_talker]: Unable to start transition 2 from current state unconfigured: {reason}",
         "[rcl_lifecycle]: No transition matching nonsense found for current state unconfigured",
     ]
 
