@@ -10,6 +10,8 @@ import pytest
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 
+import rclpy
+from day6_core.ros.environment import activate
 from day6_urdf import shipped_model
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
@@ -246,3 +248,25 @@ def test_it_explains_itself(machine: SteppedMachine) -> None:
     assert running.program.status == 0
     assert running.output.startswith("usage: joint_state_publisher [-h] [description_file]\n")
     assert start(machine, "a", "b").program.status == 2
+
+
+def test_a_program_that_imports_the_node_reads_and_moves_its_joints(arm: str) -> None:
+    activate()
+    from joint_state_publisher.joint_state_publisher import JointStatePublisher
+
+    with rclpy.init(args=["--ros-args", "-p", "publish_default_velocities:=true"]):
+        node = JointStatePublisher(arm)
+        free = node.free_joints
+        assert node.joint_list == ["turn", "bend", "far", "slide", "soft", "stiff", "follows", "follows_it"]
+        assert list(free) == node.joint_list[:6]
+        assert free["far"] == {"min": 1.0, "max": 2.0, "zero": 1.5, "position": 1.5, "velocity": 0.0}
+        assert free["turn"]["continuous"] and "effort" not in free["turn"]
+        assert node.dependent_joints["follows"] == {"parent": "bend", "factor": 2.0, "offset": 0.1}
+        seen: list[JointState] = []
+        node.create_subscription(JointState, "joint_states", seen.append, 10)
+        free["far"]["position"] = 1.25
+        with pytest.raises(KeyError):
+            free["far"]["speed"] = 1.0
+        while not seen:
+            rclpy.spin_once(node)
+        assert positions(seen[0])["far"] == 1.25

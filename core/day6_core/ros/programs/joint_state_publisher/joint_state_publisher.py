@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_core.ros.programs.joint_state_publisher.other_formats import DescriptionError
-from day6_core.ros.programs.joint_state_publisher.publisher import JointStatePublisher
+from day6_core.ros.programs.joint_state_publisher.publisher import NAME, OPTIONS, JointStatePublisher
 from day6_core.session.argument_parser import ParserExit, SessionParser
 from day6_urdf.check import MAX_BYTES, read_description, too_large
 from rclpy.utilities import remove_ros_args
@@ -23,7 +23,7 @@ def make_publisher(session: Session, argument: str, about: str) -> JointStatePub
         text, size = (None, 0) if file is None else read_description(session.cwd / file)
         if size > MAX_BYTES:
             raise DescriptionError(str(too_large(size).diagnostics[0].text))
-        return JointStatePublisher(session, text)
+        return JointStatePublisher(session.create_node(NAME, **OPTIONS), text)
     except ParserExit as end:
         return end.status
     except OSError as error:

@@ -20,8 +20,10 @@ from day6_core.ros.programs.joint_state_publisher.other_formats import Descripti
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 if TYPE_CHECKING:
-    from day6_core.session.session import Session
+    from rclpy.node import Node
 
+NAME = "joint_state_publisher"
+OPTIONS = {"automatically_declare_parameters_from_overrides": True}
 _PARAMETERS: tuple[tuple[str, Any, int], ...] = (
     ("publish_default_efforts", False, ParameterType.PARAMETER_BOOL),
     ("publish_default_positions", True, ParameterType.PARAMETER_BOOL),
@@ -35,7 +37,7 @@ _PARAMETERS: tuple[tuple[str, Any, int], ...] = (
 
 
 class JointStatePublisher:
-    """The node `joint_state_publisher` and its joints.
+    """What the node `joint_state_publisher` does, and its joints. NAME and OPTIONS say how the node is made.
 
     `description` is a URDF's text from the command line, or None. Raises DescriptionError for a description or a
     parameter that cannot be used. Parameters `zeros.JOINT` and `dependent_joints.JOINT.{parent,factor,offset}` have no
@@ -43,10 +45,8 @@ class JointStatePublisher:
     documentation says; version 2.4.0 itself reads it and forgets it as soon as it has a description.
     """
 
-    def __init__(self, session: Session, description: str | None) -> None:
-        self.node = node = session.create_node(
-            "joint_state_publisher", automatically_declare_parameters_from_overrides=True
-        )
+    def __init__(self, node: Node, description: str | None) -> None:
+        self.node = node
         for name, default, kind in _PARAMETERS:
             if not node.has_parameter(name):
                 node.declare_parameter(name, default, ParameterDescriptor(type=kind))

@@ -1,0 +1,1 @@
+"""What programs import of joint_state_publisher."""
