@@ -9,7 +9,7 @@ fail that are expected to. A suite says:
 
     repository, commit   where the tests are
     tests                folders of tests; each is run beside the folder, away from the sources
-    expected             test -> why it fails here
+    expected             test -> why it fails here; a test is FILE::NAME, of several folders FOLDER/FILE::NAME
     names                patterns of files of tests (default: those of pytest)
     distro               the distribution to run under (default: as anywhere)
     files, remove        texts of files to write beside the tests; files of the checkout that go
@@ -46,17 +46,18 @@ Outcomes = dict[str, str]
 """Test -> "passed", "failed" or "skipped"."""
 
 
-def run(python: str, files: Iterable[tuple[Path, Path]], env: Mapping[str, str], tries: int = 1) -> Outcomes:
+def run(python: str, files: Iterable[tuple[Path, Path]], env: Mapping[str, str], inputs: Mapping[str, Any]) -> Outcomes:
     """Run test files, each given with the folder to run it in, in processes of their own."""
     outcomes: Outcomes = {}
     for folder, file in files:
+        owner = f"{folder.name}/" if len(inputs["tests"]) > 1 else ""
         here = _run_file(python, folder, file, env)
-        for _ in range(tries - 1):
+        for _ in range(inputs.get("tries", 1) - 1):
             if "failed" in here.values():
                 again = _run_file(python, folder, file, env)
                 here = {test: again.get(test, one) if one == "failed" else one for test, one in here.items()}
-        outcomes |= here
-        print(f"   {file.relative_to(folder)}: {_counted(here.values())}", flush=True)
+        outcomes |= {f"{owner}{test}": outcome for test, outcome in here.items()}
+        print(f"   {owner}{file.relative_to(folder)}: {_counted(here.values())}", flush=True)
     return outcomes
 
 
@@ -64,10 +65,12 @@ def _run_file(python: str, folder: Path, file: Path, env: Mapping[str, str]) -> 
     report = folder / f"{file.stem}.xml"
     report.unlink(missing_ok=True)
     path = str(file.relative_to(folder))
-    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--junit-xml={report}", path]
+    options = [env.get("PYTEST_ADDOPTS", ""), "-q", "-p", "no:cacheprovider", f"--junit-xml={report}", path]
+    where = {**env, "PYTEST_ADDOPTS": " ".join(options)}  # as colcon: some tests parse the command line
     quiet = subprocess.DEVNULL
+    command = [python, "-m", "pytest"]
     try:
-        subprocess.run(command, cwd=folder, env=env, timeout=LONGEST_S, stdin=quiet, stdout=quiet, stderr=quiet)
+        subprocess.run(command, cwd=folder, env=where, timeout=LONGEST_S, stdin=quiet, stdout=quiet, stderr=quiet)
     except subprocess.TimeoutExpired:
         return {f"{file.name}::(the file)": "failed"}
     if not report.is_file():
@@ -155,12 +158,11 @@ def play(suite: str, inputs: Mapping[str, Any], chosen: argparse.Namespace) -> t
         outer |= {"ROS_DOMAIN_ID": domain, "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
         distro = {"ROS_DISTRO": inputs["distro"]} if "distro" in inputs else {}
         here = {**_environment({**outer, **distro}), "DAY6_LINK": "on" if inputs.get("link") else "off"}
-        tries = inputs.get("tries", 1)
-        ours = run(sys.executable, files, variables(inputs, tree, at / "prefix", here), tries)
+        ours = run(sys.executable, files, variables(inputs, tree, at / "prefix", here), inputs)
         if not chosen.real:
             return ours, {}
         print("   the real one:")
-        return ours, run(chosen.real, files, variables(inputs, tree, at / "real", outer), tries)
+        return ours, run(chosen.real, files, variables(inputs, tree, at / "real", outer), inputs)
 
 
 def _environment(base: Mapping[str, str]) -> dict[str, str]:
