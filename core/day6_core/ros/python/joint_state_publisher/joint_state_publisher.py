@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from argparse import ArgumentParser
 from collections.abc import Callable, Iterator, MutableMapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -90,9 +91,7 @@ def main() -> None:
     parser = ArgumentParser()
     parser.add_argument("description_file", help="Robot description file to use", nargs="?", default=None)
     node = JointStatePublisher(parser.parse_args(remove_ros_args(args=sys.argv)[1:]).description_file)
-    try:
+    with suppress(KeyboardInterrupt):
         rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
     node.destroy_node()
     rclpy.try_shutdown()
