@@ -5,12 +5,16 @@ from __future__ import annotations
 import re
 
 import pytest
+import yaml
+from example_interfaces.action import Fibonacci
 from rosbag2_interfaces.srv import IsPaused, Pause, Resume
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Int32
 
 from day6_core.ros.distribution import NAMES
+from rclpy.action import ActionServer
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from rclpy.service_introspection import ServiceIntrospectionState
 from tests.ros2.bag_commands import call, counter, information, lines, record
 from tests.support.stepped_keyboard import Keyboard
 
@@ -202,3 +206,92 @@ def test_simulated_time_is_the_time_of_the_recording(machine):
     machine.node("simulator", clock)
     record(machine, "--topics", "/count", "--use-sim-time", seconds=1.0)
     assert 100 <= information(machine)["starting_time"]["nanoseconds_since_epoch"] / 1e9 < 120
+
+
+# -- actions -----------------------------------------------------------------------------------------------------------
+
+
+def counting_action(name="count_up", *, told=False):
+    """A node with an action server that tells of its goals on the event topics, if `told`."""
+
+    def build(node):
+        node.server = ActionServer(node, Fibonacci, name, lambda goal: Fibonacci.Result())
+        if told:
+            node.server.configure_introspection(
+                node.get_clock(), QoSProfile(depth=10), ServiceIntrospectionState.METADATA
+            )
+
+    return build
+
+
+def topics_in(bag):
+    if not bag.is_dir():
+        return []
+    content = yaml.safe_load((bag / "metadata.yaml").read_text(encoding="utf-8"))
+    return sorted(
+        each["topic_metadata"]["name"] for each in content["rosbag2_bagfile_information"]["topics_with_message_count"]
+    )
+
+
+REGEX = "[ERROR] [ros2bag]: --exclude-regex argument requires either"
+OF_COUNT_UP = [f"/count_up/_action/{end}" for end in ("feedback", "status")]
+EVENTS = [f"/count_up/_action/{end}/_service_event" for end in ("cancel_goal", "get_result", "send_goal")]
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["--actions", "/count_up"], sorted([*OF_COUNT_UP, *EVENTS])),
+        (["--all-actions", "--exclude-actions", "/other"], sorted([*OF_COUNT_UP, *EVENTS])),
+        (["--all-actions", "--exclude-regex", "o.her"], sorted([*OF_COUNT_UP, *EVENTS])),
+        (["-e", "^/count_"], sorted([*OF_COUNT_UP, *EVENTS])),
+        (["--all", "--exclude-actions", "/count_up", "/other"], ["/rosout"]),
+        (["--all-topics"], ["/rosout"]),
+        (["--all-services"], []),
+    ],
+)
+def test_since_kilted_the_topics_of_actions_are_recorded_by_the_names_of_actions(
+    machine, in_distribution, words, expected
+):
+    in_distribution("kilted")
+    machine.node("server", counting_action(told=True))
+    machine.node("another", counting_action("other"))
+    record(machine, *words, seconds=0.5)
+    names = topics_in(machine.cwd / "bag")
+    assert [name for name in names if name not in ("/parameter_events", "/events/write_split")] == expected
+
+
+def test_before_kilted_there_is_no_such_option(machine, in_distribution):
+    in_distribution("jazzy")
+    assert "unrecognized arguments: --all-actions" in machine.ros2("bag", "record", "--all-actions").stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["--all-topics", "--exclude-actions", "/a"],
+         "[ERROR] [ros2bag]: --exclude-actions argument requires either --all, --all-actions or --regex"),
+        (["--all-actions", "--actions", "/a"], "[WARN] [ros2bag]: --all or --all-actions will override --actions"),
+        (["--all-actions", "-e", "x"],
+         "[WARN] [ros2bag]: --all, --all-topics --all-services or --all-actions will override --regex"),
+        (["--topics", "/t", "--exclude-regex", "x"],
+         f"{REGEX} --all, --all-topics, --topic-types, --all-services, --all-actions or --regex"),
+    ],
+)  # fmt: skip
+def test_since_kilted_options_of_actions_contradict_others(machine, in_distribution, words, text):
+    in_distribution("kilted")
+    (machine.cwd / "there").mkdir()
+    result = machine.ros2("bag", "record", "-o", "there", *words)
+    assert text in (result.stdout + result.stderr).splitlines()
+
+
+def test_since_kilted_convert_chooses_actions_too(machine, in_distribution):
+    in_distribution("kilted")
+    machine.node("server", counting_action())
+    record(machine, "--all-actions", seconds=0.5)
+    for name, chosen in (("with", "all_actions: true"), ("without", "all_topics: true")):
+        out = machine.cwd / f"{name}.yaml"
+        out.write_text(f"output_bags:\n- uri: {name}\n  {chosen}\n", encoding="utf-8")
+        assert machine.ros2("bag", "convert", "-i", "bag", "-o", out.name).status == 0
+    assert topics_in(machine.cwd / "with") == OF_COUNT_UP
+    assert topics_in(machine.cwd / "without") == []

@@ -170,6 +170,10 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
         {"humble": "taken", "kilted": "deprecated", "lyrical": "removed"},
         "ros2/rosbag2#1632: ros2bag/verb/record.py, branches jazzy (takes --topics, does not warn) and rolling; #2328 (Lyrical)",
     ),
+    "bag.records_actions": (
+        {"humble": False, "kilted": True},
+        "ros2/rosbag2#1939: ros2bag/verb/record.py and rosbag2_cpp/action_utils.cpp, since Kilted",
+    ),
     "bag.play_takes_storage": _since_lyrical(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
     "bag.recorder_starts_again": _since_lyrical(
         False, True, "ros2/rosbag2#2248, #2330, #2357: ~/record, ~/stop, discovery, times; recorder.cpp of Lyrical"
@@ -458,6 +462,10 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
         *_since("jazzy", _BAGCLI),
     ),
     "bag convert since lyrical": (("--input-options",), *_since("lyrical", "ros2/rosbag2#2325: ros2bag/verb/convert.py")),
+    "bag record since kilted": (
+        ("--actions", "--all-actions", "--exclude-actions"),
+        *_since("kilted", "ros2/rosbag2#1939: ros2bag/verb/record.py"),
+    ),
     "bag record since lyrical": (
         ("--max-bag-files", "--max-cache-duration", "--repeat-all-transient-local", "--repeat-transient-local",
          "--static-topics-path", "--stats_max_publishing_rate"),
@@ -533,9 +541,10 @@ UNSETTLED: dict[str, str] = {
     "raw messages": "are filled up to four bytes, and over 65,324 bytes are not, as measured in Kilted; older Fast DDS wasn't",
     "ros2 service call of Lyrical": "asks for a name although it was given (#1151, taken back by #1244): not imitated",
     "a package for Rust": "has no Cargo.lock (#1107): cargo asks the internet for it",
+    "actions in bags": "are chosen as services are: how topic_filter.cpp of Kilted (rosbag2#1939) weighs --actions against "
+    "other options is in no source at hand; ros2 bag play and ros2 bag info take an action's topics for ordinary ones",
     "bags of Lyrical": "lines of the recorder are those of recorder.cpp as of April 2026, without what it says of serialization "
-    "formats; --repeat-all-transient-local without a number keeps one message (#2391 says no more); actions are recorded by "
-    "their topics only (#1939, since Kilted)",
+    "formats; --repeat-all-transient-local without a number keeps one message (#2391 says no more)",
     "message_filters": "has Chain, DeltaFilter, InputAligner, TimeSequencer and offsets in every distribution: most went back to "
     "all of them (message_filters#238, #252, #283); where a time is missing, TimeSynchronizer still raises AttributeError",
     "YAML's tags in Lyrical": "what rcl says of a value that does not fit its tag (`!!int yes`) is in no source at hand "

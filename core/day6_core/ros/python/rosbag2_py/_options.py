@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.graph.qos import POLICIES, Choice, Limit
 from day6_core.ros import differences
-from rosbag2_py._storage import NEWER, Bound
+from rosbag2_py._storage import ACTIONS, NEWER, Bound
 
 if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
@@ -32,10 +32,12 @@ class RecordOptions(Bound):
 
     all_topics: bool = False
     all_services: bool = False
+    all_actions: bool = field(default=False, metadata=ACTIONS)
     is_discovery_disabled: bool = False
     topics: list[str] = field(default_factory=list)
     topic_types: list[str] = field(default_factory=list)
     services: list[str] = field(default_factory=list)
+    actions: list[str] = field(default_factory=list, metadata=ACTIONS)
     rmw_serialization_format: str = ""
     topic_polling_interval: timedelta = timedelta(milliseconds=100)
     regex: str = ""
@@ -43,6 +45,7 @@ class RecordOptions(Bound):
     exclude_topics: list[str] = field(default_factory=list)
     exclude_topic_types: list[str] = field(default_factory=list)
     exclude_service_events: list[str] = field(default_factory=list)
+    exclude_actions: list[str] = field(default_factory=list, metadata=ACTIONS)
     node_prefix: str = ""
     compression_mode: str = "NONE"
     compression_format: str = ""

@@ -81,7 +81,8 @@ class Recording:
                 "use_sim_time and is_discovery_disabled both set, but are incompatible settings. "
                 "The /clock topic needs to be discovered to record with sim time."
             )
-        for name in ("topics", "exclude_topics", "services", "exclude_service_events"):
+        actions = ("actions", "exclude_actions") if value("bag.records_actions") else ()
+        for name in ("topics", "exclude_topics", "services", "exclude_service_events", *actions):
             setattr(options, name, [self._full(topic) for topic in getattr(options, name)])
         self._repeated = {self._full(topic): depth for topic, depth in options.repeat_transient_local_messages.items()}
         self._static = {

@@ -14,7 +14,7 @@ from rosbag2_py._options import RecordOptions
 from rosbag2_py._playing import _messages
 from rosbag2_py._reader import SequentialReader
 from rosbag2_py._storage import ConverterOptions, MessageDefinition, StorageOptions, TopicMetadata
-from rosbag2_py._topic_filter import is_service_event
+from rosbag2_py._topic_filter import action_of, is_action_selected, is_service_event
 from rosbag2_py._writer import SequentialCompressionWriter, SequentialWriter
 
 _STORAGE = {each.name for each in fields(StorageOptions)}
@@ -115,6 +115,8 @@ def _wanted(topic: TopicMetadata, options: RecordOptions) -> bool:
     from day6_core.user_pattern import user_pattern
 
     name = topic.name
+    if action := action_of(name, topic.type):
+        return is_action_selected(action, options)
     if options.exclude_regex and user_pattern(options.exclude_regex).search(name):
         return False
     if is_service_event(name, topic.type):
@@ -156,7 +158,7 @@ def _storage(path: str, bag: dict[str, Any], what: str) -> StorageOptions:
     return StorageOptions(**{key: value for key, value in bag.items() if key in _STORAGE and value is not None})
 
 
-_OLD_NAMES = {"all": ("all_topics", "all_services"), "exclude": ("exclude_regex",)}
+_OLD_NAMES = {"all": ("all_topics", "all_services", "all_actions"), "exclude": ("exclude_regex",)}
 """Names in older files (Humble)."""
 
 

@@ -50,8 +50,9 @@ def nanoseconds_of(value: Any) -> int:
     return int(found() if callable(found) else found)
 
 
-NEWER = {"newer": True}
-"""The metadata of fields that the options have since Lyrical."""
+NEWER = {"if": "bag.newer_options"}
+ACTIONS = {"if": "bag.records_actions"}
+"""The metadata of fields that the options have only where that is so (differences.py)."""
 
 
 class Bound:
@@ -64,7 +65,7 @@ class Bound:
 
     def __setattr__(self, name: str, value: object) -> None:
         known = type(self).__dataclass_fields__.get(name)  # type: ignore[attr-defined]
-        if known is not None and self._made and known.metadata.get("newer") and not _has_newer_options():
+        if known is not None and self._made and "if" in known.metadata and not _is_so(known.metadata["if"]):
             known = None
         if known is None and not isinstance(getattr(type(self), name, None), property):
             place = f"{type(self).__module__}.{type(self).__name__}".replace("_options", "_transport")
@@ -72,8 +73,8 @@ class Bound:
         super().__setattr__(name, value)
 
 
-def _has_newer_options() -> bool:
-    found: bool = value("bag.newer_options")
+def _is_so(condition: str) -> bool:
+    found: bool = value(condition)
     return found
 
 

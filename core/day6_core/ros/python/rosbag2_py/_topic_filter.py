@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_core.interfaces import get_interface
+from day6_core.ros.differences import value
 from day6_core.user_pattern import user_pattern
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._storage import EVENT_SUFFIX
@@ -18,9 +19,35 @@ if TYPE_CHECKING:
 HIDDEN = "Hidden topics are not recorded. Enable them with --include-hidden-topics"
 
 
+_OF_ACTIONS = {
+    "/_action/send_goal/_service_event": ("/action/", "_SendGoal_Event"),
+    "/_action/cancel_goal/_service_event": ("action_msgs/srv/", "CancelGoal_Event"),
+    "/_action/get_result/_service_event": ("/action/", "_GetResult_Event"),
+    "/_action/feedback": ("/action/", "_FeedbackMessage"),
+    "/_action/status": ("action_msgs/msg/", "GoalStatusArray"),
+}
+"""How an action's topics end, what is in the names of their types, and how those end (rosbag2_cpp/action_utils.cpp)."""
+
+
+def action_of(topic: str, type_name: str) -> str:
+    """Return the action of which this is a topic, "" for other topics, and where actions aren't told from them."""
+    if not value("bag.records_actions"):
+        return ""
+    for ending, (within, last) in _OF_ACTIONS.items():
+        if topic.endswith(ending) and within in type_name and type_name.endswith(last):
+            return topic.removesuffix(ending)
+    return ""
+
+
 def is_service_event(topic: str, type_name: str) -> bool:
     """Return whether a topic carries the events of a service."""
     return topic.endswith(EVENT_SUFFIX) and "/srv/" in type_name and type_name.endswith("_Event")
+
+
+def is_action_selected(action: str, options: RecordOptions) -> bool:
+    """Return whether the topics of an action are recorded, hidden though they are."""
+    named = options.all_actions or action in options.actions or _found(options.regex, action)
+    return named and action not in options.exclude_actions and not _found(options.exclude_regex, action)
 
 
 class TopicFilter:
@@ -44,8 +71,8 @@ class TopicFilter:
     def selects_from_graph(self) -> bool:
         """Whether anything but static topics is recorded."""
         options = self._options
-        chosen = (options.topics, options.topic_types, options.services, options.regex)
-        return options.all_topics or options.all_services or any(chosen)
+        chosen = (options.topics, options.topic_types, options.services, options.actions, options.regex)
+        return options.all_topics or options.all_services or options.all_actions or any(chosen)
 
     def wanted(self) -> dict[str, Any]:
         """Return the classes of the topics to record, by topic."""
@@ -72,6 +99,8 @@ class TopicFilter:
             self._warn(text)
 
     def _is_selected(self, name: str, type_name: str) -> bool:
+        if action := action_of(name, type_name):
+            return is_action_selected(action, self._options)
         return self._service(name) if is_service_event(name, type_name) else self._topic(name, type_name)
 
     def _topic(self, name: str, type_name: str) -> bool:

@@ -16,7 +16,7 @@ from day6_core.ros.ros2.bag._options import (
     repeated_topics,
     warning,
 )
-from day6_core.ros.ros2.cli.completion import message_types, service_names, topic_names
+from day6_core.ros.ros2.cli.completion import action_names, message_types, service_names, topic_names
 from day6_core.ros.ros2.cli.options import completed
 
 _WORKS_ON_TOP = "Works on top of --all, --all-topics, --topics or --regex."
@@ -70,6 +70,12 @@ def _add_topics(parser: ArgumentParser) -> None:
     )
     completed(
         parser.add_argument(
+            "--actions", metavar="ActionName", nargs="+", help="Space-delimited list of actions to record."
+        ),
+        action_names,
+    )
+    completed(
+        parser.add_argument(
             "--topic-types",
             nargs="+",
             default=[],
@@ -78,11 +84,13 @@ def _add_topics(parser: ArgumentParser) -> None:
         ),
         message_types,
     )
-    parser.add_argument(
-        "-a", "--all", action="store_true", help="Record all topics and services (Exclude hidden topic)."
-    )
+    kinds = "topics, services and actions" if value("bag.records_actions") else "topics and services"
+    parser.add_argument("-a", "--all", action="store_true", help=f"Record all {kinds} (Exclude hidden topic).")
     parser.add_argument("--all-topics", action="store_true", help="Record all topics (Exclude hidden topic).")
     parser.add_argument("--all-services", action="store_true", help="Record all services via service event topics.")
+    parser.add_argument(
+        "--all-actions", action="store_true", help="Record all actions via internal topics and service event topics."
+    )
     parser.add_argument(
         "-e",
         "--regex",
@@ -123,6 +131,16 @@ def _add_topics(parser: ArgumentParser) -> None:
             "--regex.",
         ),
         service_names,
+    )
+    completed(
+        parser.add_argument(
+            "--exclude-actions",
+            metavar="ActionName",
+            nargs="+",
+            help="Space-delimited list of actions not being recorded. Works on top of --all, --all-actions, --actions or "
+            "--regex.",
+        ),
+        action_names,
     )
 
 
@@ -324,7 +342,7 @@ def refusal(args: Namespace, exists: bool, say: Callable[[str], object]) -> str 
     if not any(
         (
             *(args.all, args.all_topics, args.all_services, args.services, args.topics, args.topic_types, args.regex),
-            args.static_topics_path,
+            *(args.all_actions, args.actions, args.static_topics_path),
         )
     ):
         static = ", --static-topics-path" if value("bag.newer_options") else ""
@@ -333,24 +351,27 @@ def refusal(args: Namespace, exists: bool, say: Callable[[str], object]) -> str 
             f"--topic-types{static} or --regex"
         )
     some = args.all or args.all_topics or args.topic_types or args.regex
-    if args.exclude_regex and not (some or args.all_services):
-        return error(
-            "--exclude-regex argument requires either --all, --all-topics, --topic-types, --all-services or --regex"
-        )
+    actions = value("bag.records_actions")
+    if args.exclude_regex and not (some or args.all_services or args.all_actions):
+        every = "--all, --all-topics, --topic-types, --all-services"
+        return error(f"--exclude-regex argument requires either {every}{', --all-actions' * actions} or --regex")
     if args.exclude_topics and not some:
         return error("--exclude-topics argument requires either --all, --all-topics, --topic-types or --regex")
     if args.exclude_topic_types and not some:
         return error("--exclude-topic-types argument requires either --all, --all-topics or --regex")
     if args.exclude_services and not (args.all or args.all_services or args.regex):
         return error("--exclude-services argument requires either --all, --all-services or --regex")
+    if args.exclude_actions and not (args.all or args.all_actions or args.regex):
+        return error("--exclude-actions argument requires either --all, --all-actions or --regex")
     for stronger, weaker in (
-        (("all", "all_services"), "services"),
-        (("all", "all_topics"), "topics"),
-        (("all", "all_topics", "all_services"), "regex"),
+        ("--all or --all-services", "services"),
+        ("--all or --all-topics", "topics"),
+        ("--all or --all-actions", "actions"),
+        (f"--all, --all-topics{' --all-services or --all-actions' if actions else ' or --all-services'}", "regex"),
     ):
-        if any(getattr(args, each) for each in stronger) and getattr(args, weaker):
-            *first, last = [f"--{each.replace('_', '-')}" for each in stronger]
-            say(warning(f"{', '.join(first)} or {last} will override --{weaker}"))
+        named = [word[2:].replace("-", "_") for word in stronger.replace(",", "").split() if word != "or"]
+        if any(getattr(args, each) for each in named) and getattr(args, weaker):
+            say(warning(f"{stronger} will override --{weaker}"))
     if exists:
         return error(f"Output folder '{args.output}' already exists.")
     if args.use_sim_time and args.no_discovery:
