@@ -22,8 +22,8 @@ _LONGEST_WAIT = 0.1
 """Seconds between looks at what a thread waits for, so that Ctrl-C is heard."""
 
 
-def _deprecated(what: str, instead: str) -> None:
-    warnings.warn(f"{what} is deprecated. {instead}", DeprecationWarning, stacklevel=3)
+def _deprecated(what: str, instead: str, *, frames: int = 1) -> None:
+    warnings.warn(f"{what} is deprecated. {instead}", DeprecationWarning, stacklevel=2 + frames)
 
 
 class _Spun:
@@ -92,6 +92,18 @@ class _Controlled:
     _spun: _Spun | None = None
     _what = ""
     _kind = ""
+    _before: type[Any]
+    """The class that does what it did before Lyrical."""
+
+    def _open(self, storage_options: Any, log_level: str) -> Any:
+        """Return the bags, None if it is used as before Lyrical: then its first argument is the log level, if any."""
+        if storage_options is not None and not isinstance(storage_options, str):
+            self._old = self._before(log_level)
+            return storage_options
+        how = f"{self._what}({'' if storage_options is None else 'log_level'})"
+        _deprecated(how, "Use the constructor with full configuration parameters instead.", frames=2)
+        self._old = self._before(storage_options or log_level)
+        return None
 
     def _node(self) -> _Spun:
         if self._spun is None:
@@ -117,7 +129,7 @@ class _Controlled:
 class Player(_Controlled):
     """Plays bags: `Player(storage_options, play_options)`, then `start_spin`, `play`, and what comes in between."""
 
-    _what, _kind = "Player", "play"
+    _what, _kind, _before = "Player", "play", before.BlockingPlayer
 
     def __init__(
         self,
@@ -127,14 +139,11 @@ class Player(_Controlled):
         node_name: str = "rosbag2_player",
     ) -> None:
         """Raise RuntimeError for a bag that can't be read."""
-        if isinstance(storage_options, str) or storage_options is None:
-            how = "Player()" if storage_options is None else "Player(log_level)"
-            _deprecated(how, "Use the constructor with full configuration parameters instead.")
-            self._old = before.BlockingPlayer(storage_options or log_level)
+        given = self._open(storage_options, log_level)
+        if given is None:
             return
-        self._old = before.BlockingPlayer(log_level)
         options = play_options or PlayOptions()
-        bags = storage_options if isinstance(storage_options, list) else [storage_options]
+        bags = given if isinstance(given, list) else [given]
         self._lock = threading.RLock()
         self._woken = threading.Event()
         self._started = threading.Event()
@@ -299,7 +308,7 @@ class _Current:
 class Recorder(_Controlled):
     """Records bags: `Recorder(storage_options, record_options)`, then `start_spin`, `record`, `stop`, `stop_spin`."""
 
-    _what, _kind = "Recorder", "record"
+    _what, _kind, _before = "Recorder", "record", before.BlockingRecorder
 
     def __init__(
         self,
@@ -309,19 +318,16 @@ class Recorder(_Controlled):
         node_name: str = "rosbag2_recorder",
     ) -> None:
         """Raise RuntimeError for options that contradict each other."""
-        if isinstance(storage_options, str) or storage_options is None:
-            how = "Recorder()" if storage_options is None else "Recorder(log_level)"
-            _deprecated(how, "Use the constructor with full configuration parameters instead.")
-            self._old = before.BlockingRecorder(storage_options or log_level)
+        bag = self._open(storage_options, log_level)
+        if bag is None:
             return
         from rclpy.parameter import Parameter
         from rosbag2_py._recording import Recording
 
-        self._old = before.BlockingRecorder(log_level)
         options = record_options or RecordOptions()
         simulated: list[Parameter[bool]] = [Parameter("use_sim_time", value=options.use_sim_time)]
         self._spun = _Spun(log_level, node_name, [], parameter_overrides=simulated)
-        self._recording = Recording(self._spun.node, storage_options, options, keyboard=False)
+        self._recording = Recording(self._spun.node, bag, options, keyboard=False)
         self._recording.offer()
         seconds = max(nanoseconds_of(options.topic_polling_interval) / 1e9, 0.001)
         self._spun.node.create_timer(seconds, self._recording.poll)
