@@ -363,15 +363,20 @@ def refusal(args: Namespace, exists: bool, say: Callable[[str], object]) -> str 
         return error("--exclude-services argument requires either --all, --all-services or --regex")
     if args.exclude_actions and not (args.all or args.all_actions or args.regex):
         return error("--exclude-actions argument requires either --all, --all-actions or --regex")
-    for stronger, weaker in (
-        ("--all or --all-services", "services"),
-        ("--all or --all-topics", "topics"),
-        ("--all or --all-actions", "actions"),
-        (f"--all, --all-topics{' --all-services or --all-actions' if actions else ' or --all-services'}", "regex"),
+    all_of_them = (
+        ("--all, --all-topics --all-services", "--all-actions")
+        if actions
+        else ("--all, --all-topics", "--all-services")
+    )
+    for first, last, weaker in (
+        ("--all", "--all-services", "services"),
+        ("--all", "--all-topics", "topics"),
+        ("--all", "--all-actions", "actions"),
+        (*all_of_them, "regex"),
     ):
-        named = [word[2:].replace("-", "_") for word in stronger.replace(",", "").split() if word != "or"]
+        named = [word[2:].replace("-", "_") for word in (*first.replace(",", "").split(), last)]
         if any(getattr(args, each) for each in named) and getattr(args, weaker):
-            say(warning(f"{stronger} will override --{weaker}"))
+            say(warning(f"{first} or {last} will override --{weaker}"))
     if exists:
         return error(f"Output folder '{args.output}' already exists.")
     if args.use_sim_time and args.no_discovery:
