@@ -1,19 +1,21 @@
 """The only module that uses yourdfpy: it imports it lightly and converts its robot to our plain data.
 
-A plain `import yourdfpy` takes about a second and 100 MB, because trimesh tries scipy, networkx and a dozen others, none of
-which is needed to read a URDF. While it is imported here they are hidden, which trimesh is written to survive: a third of the
-time and memory. It still takes some tenths of a second, so a program calls this from a thread.
+A plain `import yourdfpy` takes about a second and 100 MB, because of trimesh with scipy, networkx and a dozen others. To read a
+URDF takes its module `transformations` only, so nothing else of it is executed until somebody asks for it: a fifth of the time
+and memory. It still takes some tenths of a second, so a program calls this from a thread.
 """
 
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import io
 import logging
 import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -43,65 +45,111 @@ from day6_urdf.model import (
 if TYPE_CHECKING:
     import yourdfpy
 
-# Optional imports of trimesh that a robot does not need. Not among them: `collada` (DAE meshes) and `lxml` (yourdfpy).
-_OPTIONAL = (
-    "scipy",
-    "networkx",
-    "PIL",
-    "shapely",
-    "httpx",
-    "jsonschema",
-    "rtree",
-    "embreex",
-    "manifold3d",
-    "mapbox_earcut",
-    "svg",
-    "charset_normalizer",
-    "colorlog",
-    "vhacdx",
-)
-_lock = threading.Lock()
+_lock = threading.RLock()
 _log = logging.getLogger(__name__)
 
 
-class _Hiding:
-    """A finder of modules that does not find some of them in one thread: others may need them at that moment."""
+class _Later:
+    """A generator of random numbers that is made when it is used first."""
 
-    def __init__(self, finder: Any, names: tuple[str, ...]) -> None:
-        self.finder = finder
-        self._names = names
-        self._thread = threading.get_ident()
+    def __init__(self, *seed: Any) -> None:
+        self._seed = seed
 
-    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
-        if name in self._names and threading.get_ident() == self._thread:
-            return None
-        return self.finder.find_spec(name, path, target)
+    @cached_property
+    def _made(self) -> Any:
+        import numpy
+
+        return numpy.random.default_rng(*self._seed)
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(self.finder, name)
+        return getattr(self._made, name)
 
 
 @contextmanager
-def _hidden(names: tuple[str, ...]) -> Iterator[None]:
-    """Make `import NAME` fail in this thread for modules that are not loaded yet, inside the `with` block only."""
-    sys.meta_path[:] = [_Hiding(finder, names) for finder in sys.meta_path]
+def _few_names_of_random() -> Iterator[None]:
+    """Let numpy.random, which takes 7 MB together with OpenSSL, have only what trimesh needs while it is imported.
+
+    Those are classes of its annotations, and a generator that it may use later. Any other name brings the real module, in
+    every thread.
+    """
+    import numpy
+
+    name, annotated = "numpy.random", ("BitGenerator", "Generator", "SeedSequence")
+    if name in sys.modules:
+        yield
+        return
+    stand_in = ModuleType(name)
+
+    def leave() -> None:
+        if sys.modules.get(name) is stand_in:
+            del sys.modules[name]
+        if vars(numpy).get("random") is stand_in:
+            del numpy.random
+
+    def real(wanted: str) -> Any:
+        if wanted.startswith("__"):  # the import system looks what kind of module it is
+            raise AttributeError(wanted)
+        leave()
+        return getattr(importlib.import_module(name), wanted)
+
+    vars(stand_in).update({each: type(each, (), {}) for each in annotated}, default_rng=_Later, __getattr__=real)
+    sys.modules[name] = stand_in
+    vars(numpy)["random"] = stand_in
     try:
         yield
     finally:
-        sys.meta_path[:] = [finder.finder if isinstance(finder, _Hiding) else finder for finder in sys.meta_path]
+        leave()
+
+
+@contextmanager
+def _without_trimesh() -> Iterator[None]:
+    """Let trimesh be a package whose modules can be imported, but not itself: 10 MB that only its scenes and meshes need.
+
+    Whatever is asked of it later brings it whole.
+    """
+    spec = importlib.util.find_spec("trimesh")
+    loader = spec.loader if spec is not None else None
+    if "trimesh" in sys.modules or spec is None or loader is None:
+        yield
+        return
+    package = importlib.util.module_from_spec(spec)
+    annotated = {each: type(each, (), {}) for each in ("Scene", "Trimesh")}
+
+    def leave() -> None:
+        for each in annotated:
+            vars(package).pop(each, None)
+
+    def whole(wanted: str) -> Any:
+        if wanted.startswith("__"):  # the import system looks what kind of module it is
+            raise AttributeError(wanted)
+        with _lock:
+            if vars(package).pop("__getattr__", None):
+                leave()
+                loader.exec_module(package)
+        return getattr(package, wanted)
+
+    vars(package).update(annotated, __getattr__=whole)
+    sys.modules["trimesh"] = package
+    try:
+        yield
+    except BaseException:
+        del sys.modules["trimesh"]
+        raise
+    finally:
+        leave()
 
 
 def module() -> ModuleType:
     """Return yourdfpy, imported on the first call. Callable from any thread."""
     with _lock:
-        # With scipy hidden trimesh logs tracebacks to stderr, which would garble a full-screen terminal program.
+        # Where something is missing trimesh logs tracebacks to stderr, which would garble a full-screen terminal program.
         for name in ("trimesh", "yourdfpy"):
             logging.getLogger(name).setLevel(logging.CRITICAL)
         loaded = sys.modules.get("yourdfpy")
         if loaded is not None:
             return loaded
         try:
-            with _hidden(_OPTIONAL):
+            with _without_trimesh(), _few_names_of_random():
                 return importlib.import_module("yourdfpy")
         except Exception as error:  # this trimesh needs them after all: slower and larger, but correct
             _log.info("yourdfpy did not import lightly (%s), importing it in full", error)
