@@ -14,6 +14,7 @@ fail that are expected to. A suite says:
     distro               the distribution to run under (default: as anywhere)
     files, remove        texts of files to write beside the tests; files of the checkout that go
     path, install        folders to import from; path in a prefix -> path in the checkout, as its build installs it
+    programs             path in the prefix -> text of a Python program, for one that their build makes of C++
     env                  variables; a value that is a path in the checkout becomes that path
     link                 true: processes see each other
     tries                how often a file with a failing test runs at most, where timers go by the wall: passed once, passed
@@ -140,6 +141,11 @@ def variables(inputs: Mapping[str, Any], tree: Path, prefix: Path, base: Mapping
     for name, source in inputs.get("install", {}).items():
         (index / Path(name).parts[1]).touch()
         shutil.copytree(tree / source, prefix / name)
+    for name, text in inputs.get("programs", {}).items():
+        program = prefix / name
+        program.parent.mkdir(parents=True, exist_ok=True)
+        program.write_text(f"#!{sys.executable}\n{text}", encoding="utf-8")
+        program.chmod(0o755)
     given = {key: str(tree / text) if (tree / text).exists() else text for key, text in inputs.get("env", {}).items()}
     paths = {"PYTHONPATH": [str(tree / each) for each in inputs.get("path", ())], "AMENT_PREFIX_PATH": [str(prefix)]}
     joined = {key: os.pathsep.join([*own, *filter(None, [base.get(key)])]) for key, own in paths.items()}
