@@ -45,7 +45,8 @@ from day6_tui.bars.key_line import KeyLine
 from day6_tui.bars.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.bars.top_line import TopLine
 from day6_tui.classes.pupil import Classroom
-from day6_tui.distribution_choice import SETTING
+from day6_tui.distribution_choice import SETTING, start_again
+from day6_tui.features.distributions import Distributions
 from day6_tui.features.detachment import Detachment
 from day6_tui.features.explaining import Explaining
 from day6_tui.features.guidance import Guidance
@@ -194,6 +195,7 @@ class Day6App(TerminalApp):
         self.classroom = Classroom(self, self._tell, is_possible=self.detachment.is_possible or is_pupil)
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(parts, self, detach, class_link.joined if class_link is not None else lambda: 0)
+        self.distributions = Distributions(parts, self.leaving, self.session, self._remember, self.exit, options)
         self.recording = Recording(parts, self, looks, self.leaving.asks)
         self.actions = self._make_actions()
         top = TopLine(
@@ -231,7 +233,7 @@ class Day6App(TerminalApp):
                 "detach": self.detachment.detach,
                 "language": self.looks.next_language,
                 "theme": self.choose_theme,
-                "distro": self.choose_distribution,
+                "distro": self.distributions.choose,
                 "glyphs": lambda: self.notices.show(self.looks.next_glyphs()),
                 "letters": lambda: self.notices.show(self.look.texts("help.action.letters"), NOTICE_SECONDS),
                 "motion": self.looks.toggle_motion,
@@ -410,18 +412,6 @@ class Day6App(TerminalApp):
         if self.looks.has_choice:
             self.desktop.open_overlay(self.looks.theme_menu(partial(self._remember, "theme")))
 
-    def choose_distribution(self) -> None:
-        """Offer the distributions of ROS 2, and remember the choice for the next start: here programs have messages by now."""
-        from day6_tui.overlays.menu import Menu, MenuEntry
-
-        def take(name: str) -> None:
-            if self._remember(SETTING, name) and name != distribution.current():
-                self.notices.show(self.look.texts("distro.next_start", name=name), NOTICE_SECONDS)
-
-        entries = [MenuEntry(name.capitalize(), f"/opt/ros/{name}", partial(take, name)) for name in distribution.NAMES]
-        present = distribution.NAMES.index(distribution.current())
-        self.desktop.open_overlay(Menu(self.look, "distro.title", entries, chosen=present))
-
     def _remember(self, setting: str, value: str) -> bool:
         """Keep a choice; returns whether that could be done."""
         try:
@@ -475,6 +465,7 @@ class Day6App(TerminalApp):
             self.terminals.follow_desk()
             self.lessons.follow()
             self.arranging.follow()
+            self.distributions.follow()
         again = self.session.advance()
         again = self.scenes.advance(now) or again
         self.recording.advance()
@@ -634,6 +625,7 @@ def run(options: Options) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
     keep_heap_small()
     keep_log_off_the_screen()
+    environ = dict(os.environ)
     try:
         app = Day6App(options)
     except (KeyError, ValueError) as error:
@@ -649,4 +641,7 @@ def run(options: Options) -> int:
         ending.begin()
         app.machine.close()
         ending.over()
-    return ending.status or app.return_code or 0
+    status = ending.status or app.return_code or 0
+    if app.distributions.next and not status:
+        return start_again(app.distributions.next, environ, options.keeper)
+    return status

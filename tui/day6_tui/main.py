@@ -62,7 +62,7 @@ def _obey(words: list[str], *, alone: bool) -> int:
     if front:
         language, distribution = _read(front, words)
         rest = _in_language(command, language, rest)
-    settle(distribution or (option_in(rest) if command.is_desktop else None))
+    settle(distribution or (option_in(rest) if command.is_desktop else None), rest)
     status = command.run(rest)
     if alone and command.is_desktop:
         from day6_core.session.ending import leave

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from day6_core.graph.domain import DomainError, domain_from_text
 from day6_core.graph.graph import Graph
@@ -33,6 +33,14 @@ if TYPE_CHECKING:
     from day6_core.shell.terminal import Terminal
 
 _log = logging.getLogger(__name__)
+
+class Wanted(NamedTuple):
+    """Another distribution of ROS 2, which a line has sourced that was typed in a terminal."""
+
+    name: str
+    terminal: Terminal
+    source: str
+
 
 FIRST_PID = 1001
 MOST_PROGRAMS = 1000
@@ -97,6 +105,9 @@ class Desk:
         """Another home folder for new terminals, while a drill has one of its own."""
         self.searching: Callable[[], str] = lambda: ""
         """'drill' or 'exam' while the pupil is to find a fault himself: whatever names faults asks, and is quiet then."""
+        self.may_change_distribution = False
+        """Whether somebody looks at `wanted_distribution`."""
+        self.wanted_distribution: Wanted | None = None
         self.user = login_name()
         (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         self.domain_id = _own_domain() if domain_id is None else domain_id

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.session.session import Session
+from day6_core.shell.desk import Wanted
 from day6_core.shell.language import parser
 from day6_core.shell.language.control_flow import ExitShell
 from day6_core.shell.language.hints import hint_at_open_quote
@@ -54,11 +55,14 @@ async def login(session: Session, terminal: Terminal) -> int:
             warned = False
             if source.strip():
                 history.add(source)
+                shell.wanted_distribution = "" if terminal.desk.may_change_distribution else None
                 terminal.runs.begin(source, shell.cwd, terminal.desk.clock.now_ns())
                 try:
                     await shell.run_typed(source, streams)
                 finally:
                     terminal.runs.end(shell.status, terminal.desk.clock.now_ns())
+                if shell.wanted_distribution:
+                    terminal.desk.wanted_distribution = Wanted(shell.wanted_distribution, terminal, source)
     except ExitShell as end:
         return end.status
     finally:

@@ -6,7 +6,6 @@ So it works on Windows, which has no bash, and with a workspace built by the rea
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Mapping, Sequence
 from importlib.abc import Loader
@@ -20,11 +19,11 @@ from day6_core.interfaces.registry import KINDS, package_folder
 from day6_core.ros.distribution import current
 from day6_core.ros.environment import program_environment, python_folders
 from day6_core.ros.executables import are_on, with_executables
+from day6_core.ros.setup_lines import distribution_of
 from day6_core.workspace.local_setup_util import Environment, source_package, source_workspace
 from day6_core.workspace.setup_scripts import chained_in
 
 _SHELLS = ("bash", "sh", "zsh")
-_ROS = re.compile(r"/opt/ros/([^/]+)/(?:local_)?setup\.(?:bash|sh|zsh)")
 _ROS_VARIABLES = ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION", "PYTHONPATH")
 
 
@@ -35,9 +34,9 @@ def source_setup(path: Path, environment: Mapping[str, str]) -> dict[str, str] |
         FileNotFoundError: the script is that of a ROS distribution this machine does not have.
         ValueError: a .dsv file is malformed.
     """
-    ros = _ROS.fullmatch(PurePosixPath(path.as_posix()).as_posix())
+    ros = distribution_of(PurePosixPath(path.as_posix()).as_posix())
     if ros is not None:
-        return _source_ros(path, ros.group(1), environment)
+        return _source_ros(path, ros, environment)
     stem, _, shell = path.name.rpartition(".")
     if shell not in _SHELLS or not path.is_file():
         return None

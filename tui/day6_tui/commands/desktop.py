@@ -17,8 +17,8 @@ from day6_core.lessons.scene import scenes
 from day6_core.ros.distribution import NAMES
 from day6_tui.appearance import themes
 from day6_tui.commands.table import GROUPS, command_named, commands
+from day6_tui.distribution_choice import KEEPER
 
-KEEPER = "DAY6_KEEPER"
 _NAMES_COLUMN = 22
 """Where the list of commands says what they are for."""
 

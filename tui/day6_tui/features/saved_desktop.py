@@ -56,6 +56,8 @@ class Left(NamedTuple):
     """What ran in it: commands in the background first, each with its `&`."""
     sourced: list[Path]
     """The install folders of the workspaces it knew, in the order in which they are to be sourced."""
+    again: str = ""
+    """A line that is typed in it again, without a question."""
 
 
 @dataclass
@@ -125,6 +127,8 @@ class SavedDesktop(Feature):
         """What there was when it was saved last."""
         self.in_lesson = False
         """Whether somebody was in the middle of a lesson; known once it was restored."""
+        self._again: tuple[Terminal, str] | None = None
+        """A terminal, and the line that is to be typed in it again."""
         self._foreign = False
         """The file is not one of ours: it is left as it is."""
 
@@ -135,6 +139,10 @@ class SavedDesktop(Feature):
         path, data = self._machine.own_file(FILE), self._taken()
         if path is not None and data is not None:
             _write(path, data)
+
+    def type_again(self, terminal: Terminal, line: str) -> None:
+        """Have a line typed again in a terminal that comes back: the desktop starts again because of it."""
+        self._again = terminal, line
 
     def save_meanwhile(self) -> None:
         """Write down what is there while the desktop goes on, if something has changed: after a crash that is what comes back."""
@@ -162,7 +170,8 @@ class SavedDesktop(Feature):
             prefixes = terminal.shell.environment.get(PREFIXES, "").split(os.pathsep)
             sourced = [prefix for prefix in reversed(prefixes) if prefix]
             found_there = {"folder": str(terminal.shell.cwd), "text": text, "commands": _commands(terminal)}
-            terminals.append({**found_there, "sourced": sourced})
+            again = {"again": self._again[1]} if self._again is not None and self._again[0] is terminal else {}
+            terminals.append({**found_there, "sourced": sourced, **again})
         focused, roles = self._desktop.focused_pane, self._arranging.roles()
         found = {
             "version": VERSION,
@@ -194,14 +203,14 @@ class SavedDesktop(Feature):
             reason = error.strerror if isinstance(error, OSError) else self._look.texts("session.foreign")
             self._notices.show(self._look.texts("layout.unreadable", file=FILE, reason=reason), NOTICE_SECONDS)
             return False
-        if len(left) < 2 and not any(each.commands for each in left):
+        if len(left) < 2 and not any(each.commands or each.again for each in left):
             return False
         when = time.strftime("%Y-%m-%d %H:%M", time.localtime(found["time"]))
         for each in left[:MOST_TERMINALS]:
             mark = f"\n\x1b[2m[{self._look.texts('session.restored', when=when)}]\x1b[0m" if each.text else ""
             pane = self._terminals.open(cwd=each.folder if each.folder.is_dir() else None, text=each.text + mark)
             if pane is not None:
-                self._returning.append(Returning(pane, each))
+                self._returning.append(Returning(pane, each, [each.again] if each.again else []))
         self._layout, self._views = found["layout"], views
         self._arranging.apply(self._layout)
         self._focus(str(found.get("focus", "")))
@@ -227,7 +236,7 @@ class SavedDesktop(Feature):
         def start() -> None:
             self._until = time.monotonic() + WAITED
             for each in stopped:
-                each.to_type = list(each.left.commands)
+                each.to_type += each.left.commands
             self._started = stopped
             self._returning += [each for each in stopped if each not in self._returning]
             self._look.wake()
@@ -321,9 +330,9 @@ def _views(found: object) -> dict[str, str]:
 
 def _left(found: Mapping[str, Any]) -> Left:
     folder, text, commands = found["folder"], found["text"], found["commands"]
-    sourced = found.get("sourced", [])
-    strings = [folder, text, *commands, *sourced]
+    sourced, again = found.get("sourced", []), found.get("again", "")
+    strings = [folder, text, again, *commands, *sourced]
     if not isinstance(commands, list) or not isinstance(sourced, list) or not all(isinstance(s, str) for s in strings):
         raise ValueError("no session")
-    printable = [["".join(filter(str.isprintable, each)) for each in lines] for lines in (commands, sourced)]
-    return Left(Path(folder), text, printable[0], [Path(each) for each in printable[1]])
+    printable = [["".join(filter(str.isprintable, each)) for each in lines] for lines in (commands, sourced, [again])]
+    return Left(Path(folder), text, printable[0], [Path(each) for each in printable[1]], printable[2][0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain_as_shell, reason
@@ -13,6 +14,14 @@ from day6_core.shell.language.functions import in_the_shell_itself
 from day6_core.shell.language.interpreter import Shell, shell_of
 from day6_core.shell.language.specials import Call
 from day6_core.shell.system_files import TEXTS
+
+if TYPE_CHECKING:
+    from day6_core.language import Pair
+
+_OTHER_DISTRIBUTION: Pair = (
+    "this desktop is ROS 2 {current}; it has to start again to be {wanted}, and what is open comes back",
+    "这个桌面是 ROS 2 {current}；换成 {wanted} 要重新打开桌面，打开着的都会回来",
+)
 
 
 async def cd(session: Session) -> int:
@@ -157,6 +166,8 @@ async def source(session: Session) -> int:
     name = session.argv[1]
     if _sourced_setup(session, name):
         return 0
+    if _wanted_distribution(session, name):
+        return 1
     path = _found(shell, name)
     try:
         text = TEXTS[path.as_posix()] if path.as_posix() in TEXTS else await text_named(session, str(path))
@@ -206,6 +217,22 @@ def _sourced_setup(session: Session, name: str) -> bool:
         shell.variables[each] = value
         shell.variables.export(each)
     import_interfaces(changed)
+    return True
+
+
+def _wanted_distribution(session: Session, name: str) -> bool:
+    """Note that `name` is the setup script of another distribution, which the desktop can become when the line has ended."""
+    from day6_core.language import language_of, said
+    from day6_core.ros import distribution
+    from day6_core.ros.setup_lines import distribution_of
+
+    shell = shell_of(session)
+    wanted = distribution_of(os.path.normpath(shell.cwd / name))
+    if wanted not in distribution.NAMES or shell.wanted_distribution is None:
+        return False
+    shell.wanted_distribution = wanted
+    words = said(_OTHER_DISTRIBUTION, language_of(session.env))
+    session.print_error(f"day6-tui: {words.format(wanted=wanted, current=distribution.current())}")
     return True
 
 

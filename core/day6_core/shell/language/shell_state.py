@@ -42,6 +42,8 @@ class ShellState:
         """As Ubuntu's .bashrc defines them, until there is another."""
         self.functions: dict[str, Function] = {}
         self.exported_functions: set[str] = set()
+        self.wanted_distribution: str | None = None
+        """Another distribution that a line has sourced, '' before; None where it cannot be changed."""
         self.settings = set(FIRST_SETTINGS)
         """Of `shopt`."""
         self.hidden: list[dict[str, Cell | None]] = []

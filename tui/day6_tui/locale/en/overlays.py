@@ -59,4 +59,8 @@ TEXTS = {
     "settings.not_kept": "Applies to this session only: {reason}",
     "distro.title": "ROS 2 distribution",
     "distro.next_start": "{name} from the next start of day6-tui (day6-tui --distro {name})",
+    "distro.bashrc": "{name} with day6-tui --distro {name}; without it ~/.bashrc decides, which sources {sourced}",
+    "distro.again.ask": "Start the desktop again now, as {name}?\n\nIt ends {what}, and then offers to start it again.",
+    "distro.again.yes": "Start again",
+    "distro.again.back": "At the next start",
 }

@@ -59,4 +59,8 @@ TEXTS = {
     "settings.not_kept": "这次的选择没能保存，只在退出前有效：{reason}",
     "distro.title": "ROS 2 发行版",
     "distro.next_start": "下次打开 day6-tui 时就是 {name}（day6-tui --distro {name}）",
+    "distro.bashrc": "day6-tui --distro {name} 打开的是 {name}；不写 --distro 就由 ~/.bashrc 决定，那里 source 的是 {sourced}",
+    "distro.again.ask": "现在就重新打开桌面，换成 {name} 吗？\n\n会结束 {what}，之后可以重新启动。",
+    "distro.again.yes": "重新打开",
+    "distro.again.back": "下次打开时再换",
 }
