@@ -49,6 +49,10 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     "action_tutorials.interfaces": _in_humble(
         "action_tutorials_interfaces", "example_interfaces", "ros2/demos#701 (after Jazzy, see KEPT)"
     ),
+    "action_tutorials.introspection": (
+        {"humble": False, "kilted": True},
+        "ros2/demos: action_tutorials_py/fibonacci_action_server.py; Understanding-ROS2-Actions.rst of ros2_documentation: Kilted",
+    ),
     "demos.messages": _since_lyrical("std_msgs", "example_interfaces", "ros2/demos#674: talkers, listeners, showimage"),
     "setuptools.takes_tests_require": _since_lyrical(
         True,

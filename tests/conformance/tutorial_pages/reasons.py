@@ -25,6 +25,8 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"ros2 (node info|service list)", _OLDER),
         (r"turtle_teleop_key", "page: recorded before the keys' names were small letters (turtlesim 1.8.3)"),
         (r"service call /spawn turtlesim_msgs", "page: the answer was recorded before turtlesim_msgs (Kilted)"),
+        (r"ros2 topic info .*--verbose", "page: recorded with rmw_zenoh; Fast DDS doesn't tell the depth, and the order is chance"),
+        (r"\\'linear:", r"page: shows how bash completes a newline; typed, `\^J` is two characters, which ros2 refuses too"),
         (r"ros2 topic bw", "page: older than Lyrical, which names the topic only beside others (ros2cli#1124)"),
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),

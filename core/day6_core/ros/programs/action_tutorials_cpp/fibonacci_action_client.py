@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from action_msgs.msg import GoalStatus
 
 from day6_core.ros.programs._component import ready
-from day6_core.ros.programs.fibonacci_interface import Fibonacci, numbers_in
+from day6_core.ros.programs.fibonacci_interface import Fibonacci, introspect, numbers_in
 from day6_core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from rclpy.action import ActionClient
 
@@ -21,6 +21,7 @@ ENDS = {GoalStatus.STATUS_ABORTED: "Goal was aborted", GoalStatus.STATUS_CANCELE
 async def main(session: Session) -> int:
     node = create_node(session, "fibonacci_action_client")
     client: ActionClient[Any, Any, Any] = ActionClient(node, Fibonacci, "fibonacci")
+    introspect(node, "client", client)
     session.executor.add_node(node)
     logger = node.get_logger()
     try:

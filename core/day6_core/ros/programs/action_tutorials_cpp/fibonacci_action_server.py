@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.programs._component import run
 from day6_core.ros.programs._waiting import pause
-from day6_core.ros.programs.fibonacci_interface import Fibonacci, feedback_of
+from day6_core.ros.programs.fibonacci_interface import Fibonacci, feedback_of, introspect
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ class FibonacciActionServer:
             goal_callback=self._judge,
             cancel_callback=self._cancel,
         )
+        introspect(node, "server", self._server)
 
     def _judge(self, goal: Any) -> GoalResponse:
         self._info(f"Received goal request with order {goal.order}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from day6_core.ros.programs.fibonacci_interface import Fibonacci, numbers_in
+from day6_core.ros.programs.fibonacci_interface import Fibonacci, introspect, numbers_in
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 async def main(session: Session) -> int:
     node = session.create_node("fibonacci_action_client")
     client: ActionClient[Any, Any, Any] = ActionClient(node, Fibonacci, "fibonacci")
+    introspect(node, "client", client)
     session.executor.add_node(node)
     info = node.get_logger().info
 

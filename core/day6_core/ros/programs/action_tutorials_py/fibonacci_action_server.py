@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from day6_core.ros.programs._waiting import pause, spin
-from day6_core.ros.programs.fibonacci_interface import Fibonacci, feedback_of, numbers_in
+from day6_core.ros.programs.fibonacci_interface import Fibonacci, feedback_of, introspect, numbers_in
 from rclpy.action import ActionServer
 
 if TYPE_CHECKING:
@@ -29,4 +29,5 @@ async def main(session: Session) -> int:
 
     server: ActionServer[Any, Any, Any] = ActionServer(node, Fibonacci, "fibonacci", execute)
     session.defer(server.destroy)
+    introspect(node, "server", server)
     return await spin(session, node)
