@@ -196,11 +196,6 @@ def test_an_option_without_effect_is_told_with_the_reason(workshop: Workshop, ve
         assert f"WARNING:colcon.day6_tui:{name} has no effect here: {option.why[0]}\n" in done.err
 
 
-def test_a_file_with_meta_information_is_told_even_without_the_option(workshop: Workshop) -> None:
-    (workshop.workspace / "colcon.meta").write_text("names: {}\n", encoding="utf-8")
-    assert "--metas has no effect here: no file with meta information is read here\n" in workshop.run("colcon list").err
-
-
 def test_only_what_differs_has_a_reason_and_in_both_languages() -> None:
     for option in (*BEFORE_VERB.options, *(each for verb in OPTIONS for each in options_of(verb))):
         assert all(option.why) == (option.treated is not Treated.OBEYED) == any(option.why), option.name

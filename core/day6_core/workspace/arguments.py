@@ -12,7 +12,7 @@ from day6_core.session.argument_parser import HelpFormatter, SessionParser, term
 from day6_core.workspace.defaults import default_values
 from day6_core.workspace.events import LOG_LEVELS
 from day6_core.workspace.option import Group, Treated
-from day6_core.workspace.options import BEFORE_VERB, META, OPTIONS, options_of
+from day6_core.workspace.options import BEFORE_VERB, OPTIONS, options_of
 
 if TYPE_CHECKING:
     from day6_core.session.session import Session
@@ -143,8 +143,7 @@ def parse(session: Session, words: list[str]) -> Namespace:
         parser.error(f"--log-level has unsupported value, valid names are: {names} (case-insensitive)")
     args.remarks = []
     for each in (*BEFORE_VERB.options, *options_of(args.verb_name)):
-        unread = each is META and (session.cwd / "colcon.meta").is_file()
-        if unread or not each.has_effect(getattr(args, each.destination)):
+        if not each.has_effect(getattr(args, each.destination)):
             if each.treated is Treated.REFUSED:
                 session.stderr.write(_verb_parser(parser, args.verb_name).format_usage())
                 parser.exit(

@@ -102,7 +102,7 @@ def _defined(package: Package, settings: BuildSettings) -> dict[str, str]:
         "cmake_args",
         *({"ros.ament_cmake": ["ament_cmake_args"], "ros.catkin": ["catkin_cmake_args"]}.get(package.type, [])),
     ]
-    words = [word for option in options for word in settings.option(option) or ()]
+    words = [word for option in options for word in settings.option(option, package) or ()]
     return cmake_definitions(words)[0]
 
 
@@ -305,14 +305,16 @@ class _CMakeBuild:
         name = self.package.name
         if self.package.manifest is None:  # a project of CMake alone
             self.output.make_folder(self.prefix)
-            write_package_scripts(self.output, self.prefix, name, [], self.package.dependencies("run"))
+            hooks = self.package.meta.hooks
+            write_package_scripts(self.output, self.prefix, name, hooks, self.package.dependencies("run"))
             return
         self.output.write_text(self.prefix / "share/ament_index/resource_index/packages" / name, "")
         write_note(self.output, self.prefix, name, left_out)
         exported = [*self.exported, *self.interfaces.exported]
         self.output.write_text(self.share / EXPORTS, exports_text(dict.fromkeys(exported)))
         self._copy(self.package.path / "package.xml", self.share / "package.xml")
-        write_package_scripts(self.output, self.prefix, name, list(self._hooks()), self.package.dependencies("run"))
+        hooks = [*self._hooks(), *self.package.meta.hooks]
+        write_package_scripts(self.output, self.prefix, name, hooks, self.package.dependencies("run"))
 
     def _hooks(self) -> Iterator[str]:
         name = self.package.name

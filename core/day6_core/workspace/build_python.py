@@ -119,6 +119,7 @@ class _PythonBuild:
             self._link_develop(description)
             hooks += self._develop_hooks(description)
         needs = self.package.dependencies("run")
+        hooks += self.package.meta.hooks
         write_package_scripts(self.output, self.prefix, self.package.name, hooks, needs)
         return 0
 

@@ -32,7 +32,7 @@ def complete(words: list[str], session: Session, cwd: Path, environment: Mapping
     if option == "--executor":
         return ["parallel", "sequential"]
     if _NAMED.fullmatch(option) or verb == "info":
-        packages = find_packages(["."], cwd, environment, lambda logger, text: None)
+        packages = find_packages(["."], cwd, environment, lambda logger, text, level="": None)
         return sorted({package.name for package in packages} - set(words[2:-1]))
     return None
 

@@ -22,11 +22,10 @@ def default_values(
     def warn(text: str) -> None:
         write(f"WARNING:{_LOGGER}:{text}\n")  # without the time: it's before colcon's log begins
 
-    home = environment.get("COLCON_HOME") or os.path.join(environment.get("HOME", "~"), ".colcon")
-    path = environment.get("COLCON_DEFAULTS_FILE") or os.path.join(home, "defaults.yaml")
+    path = environment.get("COLCON_DEFAULTS_FILE") or str(colcon_home(environment) / "defaults.yaml")
     values: dict[str, Any] = {}
     for file in (Path(os.path.expanduser(path)), cwd / _WORKSPACE_FILE):
-        section = _content(file, warn).get(verb) or {}
+        section = content_of(file, warn).get(verb) or {}
         if isinstance(section, dict):
             values |= section
         else:
@@ -44,7 +43,14 @@ def default_values(
     return found
 
 
-def _content(path: Path, warn: Callable[[str], None]) -> dict[str, Any]:
+def colcon_home(environment: Mapping[str, str]) -> Path:
+    """Return the folder of colcon's settings."""
+    home = environment.get("COLCON_HOME") or os.path.join(environment.get("HOME", "~"), ".colcon")
+    return Path(os.path.expanduser(home))
+
+
+def content_of(path: Path, warn: Callable[[str], None]) -> dict[str, Any]:
+    """Return what a YAML file contains, nothing where there is none; `warn` is told of one that is no such file."""
     try:
         if not path.is_file():
             return {}

@@ -181,7 +181,7 @@ def export(workspace: Path, names: Iterable[str], target: Path, *, replace: bool
         raise ExportError("no_workspace", folder=workspace)
     packages = [
         package
-        for package in find_packages(["."], source, os.environ, lambda logger, text: None)
+        for package in find_packages(["."], source, os.environ, lambda logger, text, level="": None)
         if package.type.startswith(_BUILT_TYPES)
     ]
     known = {package.name: package for package in packages}

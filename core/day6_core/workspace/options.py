@@ -127,14 +127,6 @@ EVENTS = Group(
     ),
     "Event handler arguments",
 )
-META = Option(
-    "--metas",
-    "The directories containing a `colcon.meta` file or paths to arbitrary files containing the same meta information "
-    "(default: ./colcon.meta)",
-    {**_PATHS, "default": ["./colcon.meta"]},
-    Treated.SAID,
-    ("no file with meta information is read here", "这里不读 colcon.meta 这样的文件"),
-)
 DISCOVERY = Group(
     (
         Option(
@@ -142,7 +134,12 @@ DISCOVERY = Group(
             "Ignore `*.meta` files in the user config directory `~/.colcon/metadata`",
             _FLAG,
         ),
-        META,
+        Option(
+            "--metas",
+            "The directories containing a `colcon.meta` file or paths to arbitrary files containing the same meta "
+            "information (default: ./colcon.meta)",
+            {**_PATHS, "default": ["./colcon.meta"]},
+        ),
         Option("--base-paths", "The base paths to recursively crawl for packages (default: .)", _PATHS),
         Option("--packages-ignore", "Ignore packages as if they were not discovered", _NAMES),
         Option(

@@ -75,17 +75,17 @@ class _Run:
 
     def python(self) -> int:
         """Run the tests of a Python package; returns the status of pytest or unittest."""
-        if self.settings.option("python_testing") == "setuppy_test":
+        if self.settings.option("python_testing", self.package) == "setuppy_test":
             return self._unittest()
         return self._pytest([], self.results / "pytest.xml", self.environment)
 
     def _unittest(self) -> int:
         for option in ("retest-until-fail", "retest-until-pass"):
-            if self.settings.option(option.replace("-", "_")):
+            if self.settings.option(option.replace("-", "_"), self.package):
                 self._warn(
                     f"Ignored '--{option}' for package '{self.package.name}' since 'unittest' does not support the usage"
                 )
-        words = [sys.executable, "-m", "unittest", "-v", *(self.settings.option("unittest_args") or ())]
+        words = [sys.executable, "-m", "unittest", "-v", *(self.settings.option("unittest_args", self.package) or ())]
         return self.work.run(words, self.package.path, self.environment)
 
     def _warn(self, text: str) -> None:
@@ -160,7 +160,7 @@ class _Run:
             f"cache_dir={cache}",
         ]
         coverage = self._coverage()
-        options += [*coverage, *self._again(), *(self.settings.option("pytest_args") or ())]
+        options += [*coverage, *self._again(), *(self.settings.option("pytest_args", self.package) or ())]
         environment = {
             **environment,
             **({"COVERAGE_FILE": str(self.settings.build_base / name / ".coverage")} if coverage else {}),
@@ -171,7 +171,7 @@ class _Run:
 
     def _coverage(self) -> list[str]:
         """Return what `--pytest-with-coverage` asks of pytest."""
-        if not self.settings.option("pytest_with_coverage"):
+        if not self.settings.option("pytest_with_coverage", self.package):
             return []
         if find_spec("pytest_cov") is None:
             self._warn(
@@ -190,7 +190,7 @@ class _Run:
             ("retest_until_fail", "the pytest extension", "repeat"),
             ("retest_until_pass", "pytest extension", "rerunfailures"),
         ):
-            if not (number := self.settings.option(option)):
+            if not (number := self.settings.option(option, self.package)):
                 continue
             if find_spec(f"pytest_{plugin}") is None:
                 self._warn(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from configparser import ConfigParser
 from configparser import Error as ConfigError
 from dataclasses import dataclass, field
@@ -13,13 +13,11 @@ from pathlib import Path
 
 from day6_core.workspace.files import NotOurOutput
 from day6_core.workspace.manifest import Manifest, ManifestError, read_manifest
+from day6_core.workspace.meta import Meta, MetaFiles, Warn
 
 IGNORE_MARKER = "COLCON_IGNORE"
 _IGNORE_MARKERS = (IGNORE_MARKER, "AMENT_IGNORE", "CATKIN_IGNORE")
 _IDENTIFICATION = "colcon.colcon_core.package_identification"
-
-Warn = Callable[[str, str], None]
-"""Called with a logger's name and the text."""
 
 
 @dataclass(eq=False)
@@ -33,6 +31,8 @@ class Package:
     shown: str
     manifest: Manifest | None = None
     depends: dict[str, list[str]] = field(default_factory=lambda: {"build": [], "run": [], "test": []})
+    meta: Meta = field(default_factory=Meta)
+    """What files beside the manifest say; its dependencies are among `depends`."""
 
     def dependencies(self, *categories: str) -> set[str]:
         """Return the names of the dependencies in some categories (no argument: in all)."""
@@ -40,7 +40,13 @@ class Package:
 
 
 def find_packages(
-    base_paths: Iterable[str], cwd: Path, environment: Mapping[str, str], warn: Warn, *, paths: Iterable[str] = ()
+    base_paths: Iterable[str],
+    cwd: Path,
+    environment: Mapping[str, str],
+    warn: Warn,
+    *,
+    paths: Iterable[str] = (),
+    metas: MetaFiles | None = None,
 ) -> list[Package]:
     """Return the packages below `base_paths` and exactly at `paths`, sorted by name and path. Both may contain `*`.
 
@@ -50,14 +56,14 @@ def find_packages(
     seen: set[Path] = set()
     for root in _expanded(base_paths, cwd):
         for folder in _crawl(root, seen):
-            package = identify(folder, _shown(folder, cwd), environment, warn)
+            package = identify(folder, _shown(folder, cwd), environment, warn, metas)
             if package is not None:
                 found.append(package)
                 seen.add(folder.resolve())
     for folder in _expanded(paths, cwd):
         if folder.is_dir() and folder.resolve() not in seen and not _is_ignored(folder):
             seen.add(folder.resolve())
-            package = identify(folder, _shown(folder, cwd), environment, warn)
+            package = identify(folder, _shown(folder, cwd), environment, warn, metas)
             if package is not None:
                 found.append(package)
     return sorted(found, key=lambda package: (package.name, package.shown))
@@ -82,7 +88,7 @@ def holds_packages(base: Path) -> bool:
 
 def _first_package(base: Path) -> Path | None:
     for folder in _crawl(base, set()):
-        if identify(folder, str(folder), {}, lambda logger, text: None) is not None:
+        if identify(folder, str(folder), {}, lambda logger, text, level="": None) is not None:
             return folder
     return None
 
@@ -124,30 +130,55 @@ def _shown(folder: Path, cwd: Path) -> str:
         return str(folder)
 
 
-def identify(folder: Path, shown: str, environment: Mapping[str, str], warn: Warn) -> Package | None:
+def identify(
+    folder: Path, shown: str, environment: Mapping[str, str], warn: Warn, metas: MetaFiles | None = None
+) -> Package | None:
     """Return the package in a folder; None if the folder is not a package."""
-    try:
-        manifest = read_manifest(folder, shown, environment)
-    except ManifestError as error:
-        manifest = None
-        if error.schema_named:
-            warn(_IDENTIFICATION, f"Failed to parse ROS package manifest in '{shown}': {error}")
+    metas = metas or MetaFiles()
+    name, type_ = metas.identity(folder, shown)
+    package = _identified(folder, shown, environment, warn, name, type_)
+    if package is not None:
+        package.meta = metas.about(package.name, folder, shown)
+        for category, names in package.meta.dependencies.items():
+            package.depends[category] = [*package.depends[category], *sorted(names)]
+    elif name or type_:
+        warn(_IDENTIFICATION, f"package '{shown}' has type or name but is incomplete")
+    return package
+
+
+def _identified(
+    folder: Path, shown: str, environment: Mapping[str, str], warn: Warn, name: str, type_: str
+) -> Package | None:
+    """Identify a package whose name or type may be given already."""
+    manifest = None
+    if type_ in ("", "ros") or (name and type_.startswith("ros.")):
+        try:
+            manifest = read_manifest(folder, shown, environment)
+        except ManifestError as error:
+            if error.schema_named:
+                warn(_IDENTIFICATION, f"Failed to parse ROS package manifest in '{shown}': {error}")
+    complete = bool(name and type_)
     if manifest is not None:
         for text in manifest.warnings:
             warn("", f"WARNING: {text}")
-        package = Package(manifest.name, f"ros.{manifest.build_type}", folder, shown, manifest)
+        kind = type_ if complete else f"ros.{manifest.build_type}"
+        package = Package(name or manifest.name, kind, folder, shown, manifest)
         package.depends = {
             "build": manifest.build_depends,
             "run": manifest.run_depends,
             "test": manifest.test_depends,
         }
         return package
-    if (folder / "CMakeLists.txt").is_file():
-        return Package(_cmake_name(folder) or folder.name, "cmake", folder, shown)
-    if (folder / "setup.py").is_file():
-        name = _python_name(folder)
-        if name is not None:
-            return Package(name, "python", folder, shown)
+    if complete:
+        return Package(name, type_, folder, shown)
+    if type_ in ("", "cmake") and (folder / "CMakeLists.txt").is_file():
+        return Package(name or _cmake_name(folder) or folder.name, "cmake", folder, shown)
+    if type_ in ("", "python") and (folder / "setup.py").is_file():
+        own = _python_name(folder)
+        if own is not None and name in ("", own):
+            return Package(own, "python", folder, shown)
+        if own is not None:
+            warn(_IDENTIFICATION, "Package name already set to different value", level="ERROR")
     return None
 
 

@@ -76,15 +76,19 @@ def info(planned: list[Planned], args: Namespace, console: Console) -> int:
         if not each.selected:
             continue
         lines = [f"path: {package.shown}", f"  type: {package.type}", f"  name: {package.name}"]
+        known = dict(package.meta.options)
         if package.manifest is not None:
+            known |= {"maintainers": package.manifest.maintainers} if package.manifest.maintainers else {}
+            known["version"] = package.manifest.version
+        if package.manifest is not None or package.dependencies():
             lines.append("  dependencies:")
             lines += [
                 f"    {category}: {' '.join(sorted(set(names)))}" for category, names in sorted(package.depends.items())
             ]
-            lines.append("  metadata:")
-            if package.manifest.maintainers:
-                lines.append(f"    maintainers: {package.manifest.maintainers}")
-            lines.append(f"    version: {package.manifest.version}")
+        if package.meta.hooks:
+            lines.append(f"  hooks: {' '.join(package.meta.hooks)}")
+        if known:
+            lines += ["  metadata:", *(f"    {key}: {known[key]}" for key in sorted(known))]
         console.out("\n".join(lines) + "\n")
     return 0
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_core.workspace.files import BuildOutput
+from day6_core.workspace.packages import Package
 
 
 @dataclass
@@ -30,9 +31,12 @@ class BuildSettings:
     args: Namespace = field(default_factory=Namespace)
     """The options of the call, of which tasks read those for packages of their type."""
 
-    def option(self, name: str) -> Any:
-        """Return the value of an option, None if the verb doesn't have it."""
-        return getattr(self.args, name, None)
+    def option(self, name: str, package: Package) -> Any:
+        """Return the value of an option for a package, None if the verb doesn't have it; files may say it of one, or more of it."""
+        given, own = getattr(self.args, name, None), package.meta.options.get(name.replace("_", "-"))
+        if isinstance(given, list) and isinstance(own, list):
+            return [*given, *own]
+        return given if own is None else own
 
     def prefix(self, package: str) -> Path:
         """Return the install prefix of a package."""

@@ -152,13 +152,12 @@ GUIDES = (
 
 
 def pages(paths: Sequence[str]) -> list[Page]:
-    """Return those of ORDER and GUIDES that a branch has."""
-    have = set(paths)
+    """Return those of ORDER and GUIDES that a branch has, where it has them."""
     found = []
     for name in (*(f"Tutorials/{name}" for name in ORDER), *GUIDES):
-        path = f"source/{name}.rst"
+        path = _place(f"source/{name}.rst", paths)
         name = name.removeprefix("Tutorials/")
-        if path in have:
+        if path:
             chain = next((folder for folder in _CHAINED if name.startswith(folder)), name)
             if name.endswith("Colcon-Tutorial"):
                 chain = name  # its clone has C++ packages, which no later page wants
@@ -171,6 +170,18 @@ def pages(paths: Sequence[str]) -> list[Page]:
             found.append(Page(path, chain))
     return found
 
+
+def _place(path: str, paths: Sequence[str]) -> str:
+    """Return where a branch has a page, '' without it: Lyrical's documentation has moved most, and kept their names."""
+    if path in paths:
+        return path
+    folder, name = path.split("/")[-2:]
+    end = f"/{folder}/{name}" if name in _COMMON_NAMES else f"/{name}"
+    return next((each for each in paths if each.endswith(end)), "")
+
+
+_COMMON_NAMES = ("CLI.rst", "Cpp.rst", "Py.rst", "Python.rst")
+"""Names of pages that say nothing without their folder."""
 
 _PUBSUB = "ros2_ws/src/py_pubsub"
 _SRVCLI = "ros2_ws/src/py_srvcli"
