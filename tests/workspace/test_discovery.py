@@ -9,6 +9,7 @@ import pytest
 
 from day6_core.workspace.manifest import ManifestError, read_manifest
 from day6_core.workspace.order import OrderError, plan
+from day6_core.workspace.meta import MetaFiles
 from day6_core.workspace.packages import Package, find_packages
 from tests.workspace.workshop import Workshop
 
@@ -37,7 +38,7 @@ def make(folder: Path, name: str, more: str = "") -> Path:
 
 
 def found(cwd: Path, *base_paths: str) -> list[str]:
-    return [package.shown for package in find_packages(base_paths or ["."], cwd, {}, lambda logger, text: None)]
+    return [package.shown for package in find_packages(base_paths or ["."], cwd, {}, lambda logger, text, level="": None)]
 
 
 def test_packages_are_found_however_deep_they_lie(tmp_path: Path) -> None:
@@ -200,3 +201,82 @@ def test_only_the_ways_of_discovery_that_are_named_are_gone(workshop: Workshop, 
         found = [name for name in ("one", "other", "two", "hidden") if re.search(rf"\b{name}\b", told.out)]
         assert found == names, verb
         assert told.status == 0 or not names
+
+
+COLCON = "colcon.colcon_core."
+INCOMPLETE = f"{COLCON}package_identification: package 'src/c' has type or name but is incomplete"
+NOT_A_DICT = "colcon.colcon_metadata.package_discovery.colcon_meta: Skipping metadata file 'colcon.meta' since it doesn't contain a dict"
+
+
+@pytest.mark.parametrize(
+    ("files", "packages", "said"),
+    [
+        ({"colcon.meta": "names: {a: {dependencies: [b]}}"}, ["a ros.ament_python b", "b", "c"], []),
+        ({"colcon.meta": "paths: {src/c: {name: cc}, src/b: {run-dependencies: [cc]}}"}, ["a", "b ros.ament_python cc", "cc"], []),
+        ({"colcon.meta": "paths: {src/c: {name: cc, type: python}}"}, ["a", "b", "cc python"], []),
+        ({"colcon.meta": "names: {a: {type: python}}"}, ["a ros.ament_python", "b", "c"], []),
+        ({"colcon.meta": "[1, 2]"}, ["a", "b", "c"], [NOT_A_DICT]),
+        (
+            {"colcon.meta": "names: {a: 7}"},
+            ["a", "b", "c"],
+            [f"{COLCON}package_discovery: Exception in package discovery extension 'colcon_meta': 'int' object has no attribute 'items'"],
+        ),
+        ({".colcon/metadata/deep/x.meta": "names: {b: {build-dependencies: [c]}}"}, ["a", "b ros.ament_python c", "c"], []),
+        ({".colcon/metadata/.git/x.meta": "names: {b: {build-dependencies: [c]}}"}, ["a", "b ros.ament_python", "c"], []),
+        ({"src/c/colcon.pkg": "name: other"}, ["a", "b", "other ros.ament_python"], []),
+        ({"src/c/colcon.pkg": "type: ros"}, ["a", "b", "c ros.ament_python"], []),
+        ({"src/c/colcon.pkg": "type: python"}, ["a", "b", "c python"], []),
+        ({"src/c/colcon.pkg": "type: ros.ament_cmake"}, ["a", "b"], [INCOMPLETE]),
+        ({"src/c/colcon.pkg": "{type: odd, name: c}"}, ["a", "b", "c odd"], []),
+        ({"src/c/colcon.pkg": "{run-dependencies: [a], dependencies: [b]}"}, ["a", "b", "c ros.ament_python a b"], []),
+        ({"src/c/colcon.pkg": "just words"}, ["a", "b", "c ros.ament_python"], []),
+        (
+            {"src/c/colcon.pkg": "dependencies: 3"},
+            ["a", "b", "c ros.ament_python"],
+            [f"{COLCON}package_augmentation: Exception in package augmentation extension 'colcon_pkg': 'int' object is not iterable"],
+        ),
+        (
+            {"src/c/colcon.pkg": "{name: d}", "colcon.meta": "paths: {src/c: {name: e}}"},
+            ["a", "b", "d"],
+            [f"{COLCON}package_identification: name 'd' of package 'src/c' does not match configured name 'e'"],
+        ),
+    ],
+)
+def test_what_files_beside_the_manifest_say_is_heeded(
+    tmp_path: Path, files: dict[str, str], packages: list[str], said: list[str]
+) -> None:
+    """As colcon-core 0.21, colcon-ros 0.5 and colcon-metadata 0.3 did it."""
+    for name in "abc":
+        folder = make(tmp_path / "src" / name, name)
+        (folder / "setup.py").write_text(f"from setuptools import setup\nsetup(name='{name}')\n", encoding="utf-8")
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    heard: list[str] = []
+
+    def warn(logger: str, text: str, level: str = "") -> None:
+        heard.append(f"{logger}: {text.replace(f'{tmp_path}/', '')}")
+
+    metas = MetaFiles(warn)
+    metas.read(["./colcon.meta"], tmp_path, {"HOME": str(tmp_path)}, of_user=True)
+    found = find_packages(["."], tmp_path, {}, warn, metas=metas)
+    whole = [" ".join([each.name, each.type, *sorted(each.dependencies())]) for each in found]
+    assert all(have == want or have.split()[0] == want for have, want in zip(whole, packages, strict=True)), whole
+    assert heard == said
+
+
+@pytest.mark.process
+def test_a_meta_file_gives_a_package_its_hooks_and_options(workshop: Workshop) -> None:
+    folder = workshop.create("mine")
+    text = "names: {mine: {hooks: [share/mine/hook/x.sh], pytest-args: [-k, second], notes: [1]}}\n"
+    (workshop.workspace / "colcon.meta").write_text(text, encoding="utf-8")
+    (folder / "test").mkdir(exist_ok=True)
+    tests = "def test_first():\n    assert False\n\n\ndef test_second():\n    pass\n"
+    (folder / "test" / "test_x.py").write_text(tests, encoding="utf-8")
+    done = workshop.run("colcon build && colcon test --packages-select mine && colcon info mine")
+    assert done.status == 0, done
+    scripts = (workshop.workspace / "install/mine/share/mine/package.dsv").read_text(encoding="utf-8")
+    assert scripts.endswith("source;share/mine/hook/x.sh\n")
+    assert "with test failures" not in done.out + done.err
+    assert "  hooks: share/mine/hook/x.sh\n  metadata:\n" in done.out
+    assert "    notes: [1]\n    pytest-args: ['-k', 'second']\n" in done.out

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from day6_core.workspace.defaults import colcon_home, content_of
+from day6_core.workspace.yaml_files import colcon_home, content_of
 
 _META = "colcon.colcon_metadata.package_discovery.colcon_meta"
 _DISCOVERY = "colcon.colcon_core.package_discovery"
