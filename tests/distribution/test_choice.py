@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -10,6 +12,8 @@ import pytest
 
 from day6_core.places import data_folder
 from day6_core.ros.distribution import DEFAULT, NAMES
+from day6_core.ros.setup_lines import last_sourced
+from day6_tui.distribution_choice import sourced_by, start_again
 
 from .command import day6
 
@@ -46,6 +50,71 @@ def test_an_option_is_stronger_than_the_variable_and_that_than_what_was_chosen_l
     assert printed(ROS_DISTRO="humble") == "humble"
     assert printed("--distro", "rolling", ROS_DISTRO="humble") == "rolling"
     assert printed("--distro=jazzy", ROS_DISTRO="humble") == "jazzy"
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("source /opt/ros/lyrical/setup.bash", "lyrical"),
+        ("a=1\n. /opt/ros/humble/setup.sh\nsource '/opt/ros/kilted/setup.bash'\n", "kilted"),
+        ("  source /opt/ros/jazzy/local_setup.zsh  # the lab's", "jazzy"),
+        ("if true; then source /opt/ros/rolling/setup.bash; fi", "rolling"),
+        ("[ -f /opt/ros/jazzy/setup.bash ] && source /opt/ros/jazzy/setup.bash", "jazzy"),
+        ("# source /opt/ros/lyrical/setup.bash", None),
+        ("source /opt/ros/jazzy/setup.bash\nsource /opt/ros/foxy/setup.bash", "jazzy"),
+        ("echo source /opt/ros/jazzy/setup.bash", None),
+        ("source /opt/ros/$ROS_DISTRO/setup.bash", None),
+        ("source /opt/ros/jazzy/setup.bash.old", None),
+        ("", None),
+    ],
+)
+def test_the_line_that_sources_last_is_found(text: str, name: str | None) -> None:
+    assert last_sourced(text) == name
+
+
+@pytest.mark.process
+def test_what_bashrc_or_the_lines_source_is_stronger_than_what_was_chosen_last(tmp_path: Path) -> None:
+    remember("kilted")
+    (tmp_path / ".bashrc").write_text("source /opt/ros/lyrical/setup.bash\n", encoding="utf-8")
+    assert sourced_by(["--home", str(tmp_path)]) == sourced_by([f"--home={tmp_path}"]) == "lyrical"
+    sourced = "source /opt/ros/humble/setup.bash && ros2 interface show turtlesim/srv/Kill"
+    assert sourced_by(["--home", str(tmp_path), "-c", sourced]) == "humble"
+    assert printed(line=f"{sourced} && echo $ROS_DISTRO") .endswith("string name\n---\nhumble")
+    assert day6("exec", "--home", str(tmp_path), "-c", "echo $ROS_DISTRO").stdout == "lyrical\n"
+    done = day6("exec", "--home", str(tmp_path), "-c", "echo $ROS_DISTRO", ROS_DISTRO="rolling")
+    assert done.stdout == "rolling\n"
+
+
+def test_a_bashrc_that_cannot_be_read_decides_nothing(tmp_path: Path) -> None:
+    assert sourced_by(["--home", str(tmp_path)]) is None
+    (tmp_path / ".bashrc").mkdir()
+    assert sourced_by(["--home", str(tmp_path)]) is None
+    (tmp_path / ".bashrc").rmdir()
+    (tmp_path / ".bashrc").write_bytes(b"\xff\xfe\n. /opt/ros/lyrical/setup.bash\r\n")
+    assert sourced_by(["--home", str(tmp_path)]) == "lyrical"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="where exec would leave the terminal to two of them")
+@pytest.mark.parametrize(
+    ("words", "again"),
+    [
+        ([], []),
+        (["--distro", "jazzy", "--lang", "zh"], ["--lang", "zh"]),
+        (["--distro=jazzy", "--home", "x"], ["--home", "x"]),
+        (["--lang", "zh", "learn", "1"], ["--lang", "zh", "learn", "1"]),
+    ],
+)
+def test_a_desktop_starts_again_with_its_own_words(
+    words: list[str], again: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    taken: list[tuple[str, list[str], dict[str, str]]] = []
+    monkeypatch.setattr(os, "execve", lambda *all: taken.append(all))
+    monkeypatch.setattr(sys, "argv", ["/bin/day6-tui", *words])
+    monkeypatch.setattr(sys, "orig_argv", ["python", "-P", "/bin/day6-tui", *words])
+    start_again("lyrical", {"A": "b"}, None)
+    assert taken == [
+        (sys.executable, [sys.executable, "-P", "/bin/day6-tui", "--distro", "lyrical", *again], {"A": "b"})
+    ]
 
 
 @pytest.mark.process

@@ -50,6 +50,14 @@ def test_the_welcome_is_there_and_quitting_leaves_nothing_behind(
         leave(screen, place)
 
 
+def test_a_line_that_sources_another_distribution_starts_the_desktop_again_as_it(place: Place) -> None:
+    with place.desktop(columns=120, rows=40) as screen:
+        screen.wait("student@day6:~$")
+        screen.send("source /opt/ros/lyrical/setup.bash && echo $ROS_DISTRO is here\r")
+        assert "this desktop is ROS 2 jazzy" in screen.wait("lyrical is here", "[from 20")
+        leave(screen, place)
+
+
 @pytest.mark.parametrize(("columns", "rows", "lang"), [(80, 24, "zh"), (120, 40, "en")])
 def test_key_1_drives_the_turtle_and_every_tool_tells_the_truth(
     place: Place, columns: int, rows: int, lang: str

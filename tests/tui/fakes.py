@@ -83,6 +83,8 @@ class FakeDesk:
     """What the application uses of a desk."""
 
     def __init__(self) -> None:
+        self.may_change_distribution = False
+        self.wanted_distribution = None
         self.display = Display()
         self.graph = Graph(0)
         self.graphs = {0: self.graph}

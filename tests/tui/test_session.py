@@ -294,3 +294,48 @@ async def test_what_does_not_start_again_is_seen(tmp_path, and_so: str) -> None:
         await pilot.press("y")
         await until(app, pilot, lambda: "Package 'nothing' not found" in screen_text(app))
         assert app.desktop.focused_pane is app.terminals.panes[0], "nothing covers the pane with the keyboard"
+
+
+def typed(app: Day6App, line: str) -> None:
+    app.terminals.panes[0].view.terminal.run_line(line)
+
+
+async def test_a_line_that_sources_another_one_makes_the_desktop_start_again_as_it(
+    tmp_path: Path,
+) -> None:
+    line = "source /opt/ros/lyrical/setup.bash && echo now"
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        typed(app, line)
+        await until(app, pilot, lambda: app.distributions.next)
+        assert app.distributions.next == "lyrical" and Settings().text("distro") == "lyrical"
+    saved = json.loads((tmp_path / ".config" / "day6-tui" / "session.json").read_text(encoding="utf-8"))["terminals"]
+    assert saved[0]["again"] == line and "it has to start again to be lyrical" in saved[0]["text"]
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: app.terminals.panes and app.terminals.panes[0].view.terminal.runs.count)
+        assert app.terminals.panes[0].view.terminal.runs.all[0].source.strip() == line
+
+
+async def test_while_something_runs_it_is_asked_whether_to_start_again_at_once(tmp_path: Path) -> None:
+    async with opened(tmp_path, 200) as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        typed(app, "sleep 1000 &")
+        typed(app, ". /opt/ros/humble/setup.bash; echo still $ROS_DISTRO")
+        await until(app, pilot, lambda: "Start the desktop again now, as humble?" in screen_text(app))
+        assert "It ends sleep" in screen_text(app) and "still jazzy" in screen_text(app)
+        await pilot.press("escape")
+        await until(app, pilot, lambda: app.desktop.overlay is None)
+        assert not app.distributions.next
+        typed(app, "(source /opt/ros/kilted/setup.bash)")
+        await until(app, pilot, lambda: "/opt/ros/kilted/setup.bash: No such file or directory" in screen_text(app))
+        assert not app.distributions.next and Settings().text("distro") == "humble"
+
+
+async def test_what_bashrc_sources_does_not_make_the_desktop_start_again(tmp_path: Path) -> None:
+    (tmp_path / ".bashrc").write_text("source /opt/ros/lyrical/setup.bash\n", encoding="utf-8")
+    async with opened(tmp_path, 200) as (app, pilot):
+        await until(app, pilot, lambda: "/opt/ros/lyrical/setup.bash: No such file or directory" in screen_text(app))
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        assert app.machine.desk is not None and app.machine.desk.wanted_distribution is None
+        typed(app, "source .bashrc")
+        await until(app, pilot, lambda: app.distributions.next == "lyrical")

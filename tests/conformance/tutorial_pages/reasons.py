@@ -27,6 +27,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"service call /spawn turtlesim_msgs", "page: the answer was recorded before turtlesim_msgs (Kilted)"),
         (r"ros2 topic info .*--verbose", "page: recorded with rmw_zenoh; Fast DDS doesn't tell the depth, and the order is chance"),
         (r"\\'linear:", r"page: shows how bash completes a newline; typed, `\^J` is two characters, which ros2 refuses too"),
+        (r"ros2 action echo", "page: the events of two processes and of five topics come in an order that is chance"),
         (r"ros2 topic bw", "page: older than Lyrical, which names the topic only beside others (ros2cli#1124)"),
         (r"image_tools cam2image$", "hardware: a camera"),
         (r"intra_process_demo", "C++: shows the addresses of messages that are moved instead of copied"),

@@ -94,6 +94,8 @@ class Distributions(Feature):
         )
 
     def _start_again(self, wanted: Wanted) -> None:
+        while wanted.terminal.has_more:
+            wanted.terminal.update()  # what it was told last is saved, too
         self.next = wanted.name
         self._session.type_again(wanted.terminal, wanted.source)
         self._leave()
