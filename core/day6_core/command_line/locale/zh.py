@@ -57,7 +57,7 @@ TEXTS = {
     "cli.desktop": "没有装 ROS 2 也能用 ROS 2。\n后面不写命令，就打开桌面。",
     "cli.desktop.scene": "从哪个场景开始（默认：欢迎页面上的选项）",
     "cli.desktop.robot": "用你自己的 URDF 文件代替自带的小车",
-    "cli.desktop.distro": "用哪个 ROS 2 发行版（默认：ROS_DISTRO，否则上次选的，再否则 jazzy）",
+    "cli.desktop.distro": "用哪个 ROS 2 发行版（默认：ROS_DISTRO，否则 ~/.bashrc 里 source 的，否则上次选的，再否则 jazzy）",
     "cli.desktop.glyphs": "用哪种字符画图；会自动检测，写了就以这里为准",
     "cli.desktop.theme": "用哪种配色（默认：上次选的）",
     "cli.desktop.fps": "每秒最多画几帧（默认：30）",
