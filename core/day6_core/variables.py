@@ -197,7 +197,10 @@ VARIABLES = (
             "The distribution in use: `humble`, `jazzy`, `kilted`, `lyrical` or `rolling`. `--distro` goes before it.",
             "day6-tui 代表哪个 ROS 发行版：`humble`、`jazzy`、`kilted`、`lyrical` 或 `rolling`。`--distro` 优先。",
         ),
-        ("what `~/.bashrc` sources, else as chosen last, else `jazzy`", "`~/.bashrc` 里 source 的，否则上次选择的，否则 `jazzy`"),
+        (
+            "what `~/.bashrc` sources, else as chosen last, else `jazzy`",
+            "`~/.bashrc` 里 source 的，否则上次选择的，否则 `jazzy`",
+        ),
     ),
     Variable(
         "ROS_VERSION",

@@ -79,7 +79,7 @@ def test_what_bashrc_or_the_lines_source_is_stronger_than_what_was_chosen_last(t
     assert sourced_by(["--home", str(tmp_path)]) == sourced_by([f"--home={tmp_path}"]) == "lyrical"
     sourced = "source /opt/ros/humble/setup.bash && ros2 interface show turtlesim/srv/Kill"
     assert sourced_by(["--home", str(tmp_path), "-c", sourced]) == "humble"
-    assert printed(line=f"{sourced} && echo $ROS_DISTRO") .endswith("string name\n---\nhumble")
+    assert printed(line=f"{sourced} && echo $ROS_DISTRO").endswith("string name\n---\nhumble")
     assert day6("exec", "--home", str(tmp_path), "-c", "echo $ROS_DISTRO").stdout == "lyrical\n"
     done = day6("exec", "--home", str(tmp_path), "-c", "echo $ROS_DISTRO", ROS_DISTRO="rolling")
     assert done.stdout == "rolling\n"

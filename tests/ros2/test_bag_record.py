@@ -31,6 +31,7 @@ def test_recording_says_what_the_real_recorder_says(machine):
         "[INFO] [rosbag2_recorder]: Recording...",
         "[INFO] [rosbag2_recorder]: All requested topics are subscribed. Stopping discovery...",
         "[INFO] [rosbag2_recorder]: Pausing recording.",
+        "[INFO] [rosbag2_cpp]: Writing remaining messages from cache to the bag. It may take a while",
         "[INFO] [rosbag2_recorder]: Event publisher thread: Exiting",
         "[INFO] [rosbag2_recorder]: Recording stopped",
     ]

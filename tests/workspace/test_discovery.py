@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from day6_core.workspace.manifest import ManifestError, read_manifest
-from day6_core.workspace.order import OrderError, plan
 from day6_core.workspace.meta import MetaFiles
+from day6_core.workspace.order import OrderError, plan
 from day6_core.workspace.packages import Package, find_packages
 from tests.workspace.workshop import Workshop
 
@@ -38,7 +38,9 @@ def make(folder: Path, name: str, more: str = "") -> Path:
 
 
 def found(cwd: Path, *base_paths: str) -> list[str]:
-    return [package.shown for package in find_packages(base_paths or ["."], cwd, {}, lambda logger, text, level="": None)]
+    return [
+        package.shown for package in find_packages(base_paths or ["."], cwd, {}, lambda logger, text, level="": None)
+    ]
 
 
 def test_packages_are_found_however_deep_they_lie(tmp_path: Path) -> None:
@@ -204,25 +206,42 @@ def test_only_the_ways_of_discovery_that_are_named_are_gone(workshop: Workshop, 
 
 
 COLCON = "colcon.colcon_core."
+DISCOVERY = f"{COLCON}package_discovery: Exception in package discovery extension 'colcon_meta'"
+AUGMENTATION = f"{COLCON}package_augmentation: Exception in package augmentation extension 'colcon_pkg'"
 INCOMPLETE = f"{COLCON}package_identification: package 'src/c' has type or name but is incomplete"
-NOT_A_DICT = "colcon.colcon_metadata.package_discovery.colcon_meta: Skipping metadata file 'colcon.meta' since it doesn't contain a dict"
+NOT_A_DICT = (
+    "colcon.colcon_metadata.package_discovery.colcon_meta: Skipping metadata file 'colcon.meta' since it doesn't "
+    "contain a dict"
+)
 
 
 @pytest.mark.parametrize(
     ("files", "packages", "said"),
     [
         ({"colcon.meta": "names: {a: {dependencies: [b]}}"}, ["a ros.ament_python b", "b", "c"], []),
-        ({"colcon.meta": "paths: {src/c: {name: cc}, src/b: {run-dependencies: [cc]}}"}, ["a", "b ros.ament_python cc", "cc"], []),
+        (
+            {"colcon.meta": "paths: {src/c: {name: cc}, src/b: {run-dependencies: [cc]}}"},
+            ["a", "b ros.ament_python cc", "cc"],
+            [],
+        ),
         ({"colcon.meta": "paths: {src/c: {name: cc, type: python}}"}, ["a", "b", "cc python"], []),
         ({"colcon.meta": "names: {a: {type: python}}"}, ["a ros.ament_python", "b", "c"], []),
         ({"colcon.meta": "[1, 2]"}, ["a", "b", "c"], [NOT_A_DICT]),
         (
             {"colcon.meta": "names: {a: 7}"},
             ["a", "b", "c"],
-            [f"{COLCON}package_discovery: Exception in package discovery extension 'colcon_meta': 'int' object has no attribute 'items'"],
+            [f"{DISCOVERY}: 'int' object has no attribute 'items'"],
         ),
-        ({".colcon/metadata/deep/x.meta": "names: {b: {build-dependencies: [c]}}"}, ["a", "b ros.ament_python c", "c"], []),
-        ({".colcon/metadata/.git/x.meta": "names: {b: {build-dependencies: [c]}}"}, ["a", "b ros.ament_python", "c"], []),
+        (
+            {".colcon/metadata/deep/x.meta": "names: {b: {build-dependencies: [c]}}"},
+            ["a", "b ros.ament_python c", "c"],
+            [],
+        ),
+        (
+            {".colcon/metadata/.git/x.meta": "names: {b: {build-dependencies: [c]}}"},
+            ["a", "b ros.ament_python", "c"],
+            [],
+        ),
         ({"src/c/colcon.pkg": "name: other"}, ["a", "b", "other ros.ament_python"], []),
         ({"src/c/colcon.pkg": "type: ros"}, ["a", "b", "c ros.ament_python"], []),
         ({"src/c/colcon.pkg": "type: python"}, ["a", "b", "c python"], []),
@@ -233,7 +252,7 @@ NOT_A_DICT = "colcon.colcon_metadata.package_discovery.colcon_meta: Skipping met
         (
             {"src/c/colcon.pkg": "dependencies: 3"},
             ["a", "b", "c ros.ament_python"],
-            [f"{COLCON}package_augmentation: Exception in package augmentation extension 'colcon_pkg': 'int' object is not iterable"],
+            [f"{AUGMENTATION}: 'int' object is not iterable"],
         ),
         (
             {"src/c/colcon.pkg": "{name: d}", "colcon.meta": "paths: {src/c: {name: e}}"},

@@ -31,7 +31,6 @@ from textual.binding import Binding
 from textual.widget import Widget
 
 from day6_core.language import language_of
-from day6_core.ros import distribution
 from day6_core.session.harmless import one_line
 from day6_core.shell.process.heap import keep_heap_small
 from day6_tui import actions
@@ -46,8 +45,8 @@ from day6_tui.bars.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.bars.top_line import TopLine
 from day6_tui.classes.pupil import Classroom
 from day6_tui.distribution_choice import SETTING, start_again
-from day6_tui.features.distributions import Distributions
 from day6_tui.features.detachment import Detachment
+from day6_tui.features.distributions import Distributions
 from day6_tui.features.explaining import Explaining
 from day6_tui.features.guidance import Guidance
 from day6_tui.features.leaving import Leaving

@@ -1,9 +1,9 @@
 """Which distribution of ROS 2 the command `day6-tui` stands in for.
 
-That of `--distro`; else that of the terminal it was started in, where a ROS is sourced (one of ours, or a real one that names one
-of ours in ROS_DISTRO); else that which the simulated home's `.bashrc` sources, or the lines of `exec -c`; else what was chosen last;
-else Jazzy. `--distro` before a command is for that command, without one it is remembered, as is a line that sources another one in
-a terminal of the desktop, which then starts again.
+That of `--distro`; else that of the terminal it was started in, where a ROS is sourced (one of ours, or a real one that names
+one of ours in ROS_DISTRO); else that which the lines of `exec -c` or the simulated home's `.bashrc` source; else what was chosen
+last; else Jazzy. `--distro` before a command is for that command, without one it is remembered, as is what a line sources in a
+terminal of the desktop, which then starts again.
 """
 
 from __future__ import annotations

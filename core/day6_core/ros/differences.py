@@ -51,7 +51,7 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     ),
     "action_tutorials.introspection": (
         {"humble": False, "kilted": True},
-        "ros2/demos: action_tutorials_py/fibonacci_action_server.py; Understanding-ROS2-Actions.rst of ros2_documentation: Kilted",
+        "ros2/demos: action_tutorials_py/fibonacci_action_server.py; Understanding-ROS2-Actions.rst of ros2_documentation",
     ),
     "demos.messages": _since_lyrical("std_msgs", "example_interfaces", "ros2/demos#674: talkers, listeners, showimage"),
     "setuptools.takes_tests_require": _since_lyrical(

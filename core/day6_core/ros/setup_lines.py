@@ -8,7 +8,9 @@ from day6_core.ros.distribution import NAMES
 
 _SETUP = r"/opt/ros/(?P<name>[^/\s]+)/(?:local_)?setup\.(?:bash|sh|zsh)"
 _FILE = re.compile(_SETUP)
-_LINE = re.compile(rf"(?:^|[;&|{{]|\b(?:then|do|else))[ \t]*(?:source|\.)[ \t]+(?P<quote>[\"']?){_SETUP}(?P=quote)(?=$|[\s;&|])", re.M)
+_LINE = re.compile(
+    rf"(?:^|[;&|{{]|\b(?:then|do|else))[ \t]*(?:source|\.)[ \t]+(?P<quote>[\"']?){_SETUP}(?P=quote)(?=$|[\s;&|])", re.M
+)
 
 
 def distribution_of(path: str) -> str | None:

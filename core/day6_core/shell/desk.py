@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 _log = logging.getLogger(__name__)
 
+
 class Wanted(NamedTuple):
     """Another distribution of ROS 2, which a line has sourced that was typed in a terminal."""
 

@@ -24,9 +24,9 @@ from day6_core.workspace.files import BuildOutput
 from day6_core.workspace.handlers import chosen_handlers
 from day6_core.workspace.jobs import Executor, Job, OnError, Work
 from day6_core.workspace.logs import LogFolder, mark_ignored
+from day6_core.workspace.meta import MetaFiles
 from day6_core.workspace.order import OrderError, Planned, check_unique, plan
 from day6_core.workspace.package_tests import test
-from day6_core.workspace.meta import MetaFiles
 from day6_core.workspace.packages import Package, find_packages, refuse_sources
 from day6_core.workspace.results import show_results
 from day6_core.workspace.selection import LOGGER, SelectionError, select, without_ignored
@@ -109,9 +109,7 @@ class Colcon:
         metas = MetaFiles(self.warn)
         metas.read(self.args.metas or (), self.cwd, self.environment, of_user=not self.args.ignore_user_meta)
         packages = without_ignored(
-            find_packages(
-                base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or (), metas=metas
-            ),
+            find_packages(base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or (), metas=metas),
             self.args,
         )
         planned = plan(packages)

@@ -121,7 +121,8 @@ def _files_of_user(environment: Mapping[str, str]) -> list[Path]:
     return [
         file
         for file in sorted((colcon_home(environment) / "metadata").rglob("*.meta"))
-        if file.is_file() and not any(part.startswith(".") for part in file.relative_to(colcon_home(environment)).parts[:-1])
+        if file.is_file()
+        and not any(part.startswith(".") for part in file.relative_to(colcon_home(environment)).parts[:-1])
     ]
 
 

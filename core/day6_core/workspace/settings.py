@@ -32,7 +32,7 @@ class BuildSettings:
     """The options of the call, of which tasks read those for packages of their type."""
 
     def option(self, name: str, package: Package) -> Any:
-        """Return the value of an option for a package, None if the verb doesn't have it; files may say it of one, or more of it."""
+        """Return the value of an option for a package, of which files may say more; None if the verb doesn't have it."""
         given, own = getattr(self.args, name, None), package.meta.options.get(name.replace("_", "-"))
         if isinstance(given, list) and isinstance(own, list):
             return [*given, *own]

@@ -25,8 +25,14 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
         (r"ros2 (node info|service list)", _OLDER),
         (r"turtle_teleop_key", "page: recorded before the keys' names were small letters (turtlesim 1.8.3)"),
         (r"service call /spawn turtlesim_msgs", "page: the answer was recorded before turtlesim_msgs (Kilted)"),
-        (r"ros2 topic info .*--verbose", "page: recorded with rmw_zenoh; Fast DDS doesn't tell the depth, and the order is chance"),
-        (r"\\'linear:", r"page: shows how bash completes a newline; typed, `\^J` is two characters, which ros2 refuses too"),
+        (
+            r"ros2 topic info .*--verbose",
+            "page: recorded with rmw_zenoh; Fast DDS doesn't tell the depth, and the order is chance",
+        ),
+        (
+            r"\\'linear:",
+            r"page: shows how bash completes a newline; typed, `\^J` is two characters, which ros2 refuses too",
+        ),
         (r"ros2 action echo", "page: the events of two processes and of five topics come in an order that is chance"),
         (r"ros2 topic bw", "page: older than Lyrical, which names the topic only beside others (ros2cli#1124)"),
         (r"image_tools cam2image$", "hardware: a camera"),
@@ -39,6 +45,10 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     "Node-arguments": ((r"ros2 param list", "page: recorded before start_type_description_service (Iron)"),),
     "Recording-And-Playing-Back-Data": (
         (
+            r"subset_split",
+            "page: recorded with Kilted: Lyrical's recorder also says where it records, and when discovery starts and ends",
+        ),
+        (
             r"ros2 bag record",
             "page: recorded with Dashing: today's recorder logs by its own name, and how it opens a database (of SQLite)",
         ),
@@ -47,7 +57,10 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
             r"ros2 bag info",
             "page: recorded with Dashing: no number of the file, no colon after End, no distribution and services (Jazzy)",
         ),
-        (r"ros2 bag play", "page: recorded with Dashing; the player of today names its rate and keys"),
+        (
+            r"ros2 bag play",
+            "page: recorded with Dashing; the player of today names its rate and keys, and logs how it shows progress",
+        ),
     ),
     "Colcon-Tutorial": (
         (r"colcon test$", "C++: its tests are skipped"),

@@ -1,7 +1,7 @@
 """Another distribution of ROS 2 for the desktop: chosen with F7, or because a line that was typed in a terminal sources it.
 
-It is remembered. A process has one distribution, so the desktop has to start again: after a line that sources another one it does so
-at once if nothing runs, and asks if something does.
+It is remembered. A process has one distribution, so the desktop has to start again: after a line that sources another one it does
+so at once if nothing runs, and asks if something does.
 """
 
 from __future__ import annotations

@@ -59,7 +59,7 @@ TEXTS = {
     "cli.desktop": "ROS 2 for people who have no ROS 2.\nWithout a command, opens the desktop.",
     "cli.desktop.scene": "what to start with (default: the choices of the welcome page)",
     "cli.desktop.robot": "your own URDF file instead of the car that comes with day6-tui",
-    "cli.desktop.distro": "the ROS 2 distribution (default: ROS_DISTRO, else what ~/.bashrc sources, else your last choice, else jazzy)",
+    "cli.desktop.distro": "the ROS 2 distribution (default: ROS_DISTRO, else what ~/.bashrc sources, else your last, else jazzy)",
     "cli.desktop.glyphs": "characters to draw pictures with; detected automatically, this overrides it",
     "cli.desktop.theme": "the colours (default: your last choice)",
     "cli.desktop.fps": "maximum frames per second (default: 30)",

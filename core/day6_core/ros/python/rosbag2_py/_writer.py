@@ -216,6 +216,8 @@ class _Bag:
             self.on_split(str(before), str(self._path))
 
     def _end_file(self) -> None:
+        if self.options.max_cache_size or self.options.max_cache_duration:
+            self._log("INFO", "rosbag2_cpp", "Writing remaining messages from cache to the bag. It may take a while")
         self._file.metadata = self.metadata()
         self._file.close()
         if self._pack is not None and self.compression.compression_mode == CompressionMode.FILE:
