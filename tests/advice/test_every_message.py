@@ -32,6 +32,7 @@ EXEMPT: dict[str, str] = {
     r"line editing not enabled|ignored null byte|no completion specification": "it says all itself, and nothing is to be done",
     r"pipelines\.py.*\twordmword|state\.py.*write: exit|tf2_monitor\.py|: \n- ": "a time, a farewell, a heading, a list",
     r"(print_error|error|write|err|exit): [Uu]sage: ": "a usage says itself what to write; --help prints the same line",
+    r"state\.py.*day6-tui: word": "another distribution was sourced: it says itself what happens now",
     r"ide\.py.*(it isn't an object|it has no configuration)|jsonc\.py": "the reason within `is not understood and was left`",
     r"packages\.py:\d+: print_error: word: , ": "in the list below `could not have their rosdep keys resolved`",
 }

@@ -44,6 +44,7 @@ KNOWN: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "Node-arguments": ((r"ros2 param list", "page: recorded before start_type_description_service (Iron)"),),
     "Recording-And-Playing-Back-Data": (
+        (r"ros2 bag .*(--action|--send-actions|info actions)", "missing: actions in bags, when this was played"),
         (
             r"subset_split",
             "page: recorded with Kilted: Lyrical's recorder also says where it records, and when discovery starts and ends",
