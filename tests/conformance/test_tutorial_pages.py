@@ -255,8 +255,8 @@ def test_a_row_that_differs_otherwise_than_before_is_noticed(
 def test_the_table_counts_and_gives_each_row_a_reason() -> None:
     table = TABLE.read()
     assert {"jazzy", "lyrical"} <= table.keys()
-    for branch, pages in table.items():
-        for path, row in pages.items():
+    for branch, rows in table.items():
+        for path, row in rows.items():
             assert row["equal"] <= row["shown"] <= row["commands"] >= row["run"], (branch, path)
             assert row["run"] + sum("output" not in each["is"] for each in row["rest"]) == row["commands"], (
                 branch,

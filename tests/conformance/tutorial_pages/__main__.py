@@ -3,8 +3,8 @@
     python tests/conformance/tutorial_pages --documentation CLONE --branch jazzy [--mirror DIR] [--report DIR] [--write] [WORD…]
 
 The machines have the distribution that a branch is about, as with `day6-tui --distro`.
-Of Lyrical the table has the beginner's pages. No clone with its branch could be had: they were played from one of October 2024, to
-which the commands and outputs were added that its pages of 2026 have besides, at the places where those are.
+Of Lyrical the table has the beginner's pages. No clone with its branch could be had: they were played from one of October 2024,
+to which the commands and outputs were added that its pages of 2026 have besides, at the places where those are.
 
 CLONE is a clone of the documentation; nothing of it is kept but the commands that do not run, or print something else. DIR of
 `--mirror` has clones of the repositories that pages fetch from (`owner+name/repo`); without it such commands count as "network".
