@@ -146,6 +146,25 @@ def test_fibonacci_numbers_come_one_a_second(machine, package, last):
     assert said(client)[-1] == ("fibonacci_action_client", last)
 
 
+@pytest.mark.parametrize("package", ["action_tutorials_py", "action_tutorials_cpp"])
+@pytest.mark.parametrize("name", ["jazzy", "kilted"])
+def test_since_kilted_a_parameter_lets_the_action_demos_tell_what_they_do(machine, in_distribution, package, name):
+    in_distribution(name)
+    ros_args = ("--ros-args", "-p")
+    machine.run(package, "fibonacci_action_server", *ros_args, "action_server_configure_introspection:=contents")
+    echo = machine.start("action", "echo", "/fibonacci", "example_interfaces/action/Fibonacci", "--flow-style")
+    machine.step(1.0)
+    machine.run(package, "fibonacci_action_client", *ros_args, "action_client_configure_introspection:=metadata")
+    machine.step(2.0)
+    events = re.findall(r"event_type: (\w+)\n(?:.*\n){5}request: (\[.*)", echo.stdout)
+    assert bool(events) == (name == "kilted")
+    if events:
+        assert ("REQUEST_SENT", "[]") in events
+        assert any(event == "REQUEST_RECEIVED" and "order: 10" in request for event, request in events)
+    refused = machine.ros2("param", "set", "/fibonacci_action_server", "action_server_configure_introspection", "some")
+    assert ("must be one of 'disabled', 'metadata', or 'contents'" in refused.stderr) == (name == "kilted")
+
+
 def test_an_order_that_would_not_fit_is_refused(machine):
     machine.run("action_tutorials_cpp", "fibonacci_action_server")
     result = machine.ros2("action", "send_goal", "/fibonacci", "example_interfaces/action/Fibonacci", "{order: 47}")
