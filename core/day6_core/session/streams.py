@@ -125,7 +125,7 @@ class InputStream:
         """On a terminal: pass every key to `receiver` as it is typed, without echo (None: handle keys here again)."""
 
     def push_back(self, text: str) -> None:
-        """On a terminal: return keys that were passed on but not read; the next reader gets them."""
+        """Return what was taken from here for a process that has not read it; the next reader gets it."""
 
     def close(self) -> None:
         """Close the reading end."""
@@ -137,6 +137,9 @@ class OutputStream:
     _drains = 0
 
     encoding = "utf-8"
+
+    terminal: TerminalSide | None = None
+    """The simulated terminal that shows it, None where there is none."""
 
     @property
     def columns(self) -> int:
@@ -217,9 +220,13 @@ class PipeReader(InputStream):
         """Text taken from the pipe."""
         self._at = 0
         """Index of its first character that has not been returned."""
+        self._begun: list[str] = []
+        """What came before `_rest` of a line whose end has not come."""
 
     async def read_key(self) -> str:
         """Return the next character, waiting for it; '' once the writer is closed and everything is read."""
+        if self._begun:
+            self.push_back("")
         if self._at == len(self._rest):
             self._rest, self._at = await self._next_chunk(), 0
         self._at += 1
@@ -227,16 +234,26 @@ class PipeReader(InputStream):
 
     async def read_line(self) -> str:
         """Return the next line, waiting for its newline; '' once the writer is closed and everything is read."""
-        parts: list[str] = []
         while True:
             end = self._rest.find("\n", self._at) + 1
             if end:
                 line, self._at = self._rest[self._at : end], end
-                return "".join([*parts, line]) if parts else line
-            parts.append(self._rest[self._at :])
-            self._rest, self._at = await self._next_chunk(), 0
+                return self._from_its_beginning(line)
+            self._begun.append(self._rest[self._at :])
+            self._rest, self._at = "", 0
+            chunk = await self._next_chunk()
+            self._rest += chunk
             if not self._rest:
-                return "".join(parts)
+                return self._from_its_beginning("")
+
+    def _from_its_beginning(self, line: str) -> str:
+        begun, self._begun = self._begun, []
+        return "".join([*begun, line]) if begun else line
+
+    def push_back(self, text: str) -> None:
+        """Put `text` before what has not been read yet."""
+        self._rest, self._at = self._from_its_beginning(self._rest[self._at :]), 0
+        self._rest = text + self._rest
 
     async def _next_chunk(self) -> str:
         pipe = self._pipe
@@ -334,6 +351,10 @@ class TextInput(InputStream):
         line, self._at = self._text[self._at : end], end
         return line
 
+    def push_back(self, text: str) -> None:
+        """Put `text` before what has not been read yet."""
+        self._text, self._at = text + self._text[self._at :], 0
+
 
 _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
@@ -350,6 +371,15 @@ def _pipe(path: Path) -> int | None:
     return None
 
 
+_POSITION = (1 << 64) - 1
+"""The part of a text file's position that is one in its bytes (the rest is about the decoder)."""
+
+
+def _text(file: io.BufferedReader) -> TextIO:
+    """Return the text of a file: FileOutput writes every byte back unchanged, and only a newline ends a line."""
+    return io.TextIOWrapper(file, encoding="utf-8", errors="surrogateescape", newline="\n")
+
+
 class FileInput(InputStream):
     """Reads a file (`< FILE`). The constructor raises OSError as `open` does."""
 
@@ -358,11 +388,16 @@ class FileInput(InputStream):
         if str(path) not in WITHOUT_END:  # those are read a line at a time, and other programs get their turn
             refuse(str(path), mode, writing=False)
         number = os.open(path, os.O_RDONLY | _AT_ONCE)
-        # FileOutput writes every byte back unchanged, and only a newline ends a line.
-        self._file: TextIO = os.fdopen(number, encoding="utf-8", errors="surrogateescape", newline="\n")
+        self._file: TextIO = _text(os.fdopen(number, "rb"))
 
     def fileno(self) -> int | None:
-        """The descriptor of the open file."""
+        """The descriptor of the open file; whoever inherits it goes on where reading has stopped, and so do we after it."""
+        if self._file.seekable():
+            place = self._file.tell() & _POSITION
+            file = os.fdopen(os.dup(self._file.fileno()), "rb")
+            self._file.close()
+            file.seek(place)
+            self._file = _text(file)
         return self._file.fileno()
 
     async def read_key(self) -> str:

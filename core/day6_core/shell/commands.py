@@ -137,7 +137,7 @@ def find_command(name: str, shell: Shell, *, functions: bool = True) -> Main:
         main = builtin(name) or _nothing
         return chosen(name, main) if name in TOOLS else main
     if tool := find_tool(name, shell.variables, shell.cwd):
-        return running([tool])
+        return running(tool)
     return _saying(f"{shell.name}: {name}: command not found", 127)
 
 
@@ -157,7 +157,7 @@ def _file(name: str, shell: Shell) -> Main:
         return _saying(f"{shell.name}: {name}: Permission denied", 126)
     interpreter = _interpreter(path)
     if interpreter is None or (interpreter and not interpreter.endswith("sh") and "python" not in interpreter):
-        return running([str(path)])
+        return running(str(path))
     return _run_python([name]) if "python" in interpreter else _run_script(name)
 
 

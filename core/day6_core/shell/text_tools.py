@@ -17,7 +17,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from day6_core.session.session import Main, Session
-from day6_core.session.streams import InputStream
 from day6_core.shell.outside import agreed, keys_of
 from day6_core.shell.process.real_tools import find_tool
 
@@ -86,7 +85,6 @@ _CHANGING: dict[str, re.Pattern[str]] = {
 
 _AT_ONCE = dict.fromkeys(("grep", "egrep", "fgrep"), ("--line-buffered",)) | {"sed": ("-u",)}
 """Options for those behind `ros2 topic echo |`: each line is wanted when it comes, and GNU's only do so on a terminal."""
-_WITHOUT_INPUT = frozenset({"basename", "date", "dirname", "find", "readlink", "realpath", "seq"})
 
 
 def is_exactly_ours(argv: list[str]) -> bool:
@@ -134,16 +132,10 @@ def chosen(name: str, ours: Main) -> Main:
                 return 1
         from day6_core.shell.process.process import run_process
 
-        if session.stdin.terminal_of() is None and _reads_no_input(session):
-            session.stdin = InputStream()  # else a loop's `while read` would lose its lines to it
-        return await run_process(session, [tool, *_AT_ONCE.get(name, ()), *session.argv[1:]], name=name)
+        argv = [tool, *_AT_ONCE.get(name, ()), *session.argv[1:]]
+        return await run_process(session, argv, name=name, may_leave_others=name == "find")
 
     return main
-
-
-def _reads_no_input(session: Session) -> bool:
-    files = any(not word.startswith("-") and (session.cwd / word).exists() for word in session.argv[1:])
-    return session.argv[0] in _WITHOUT_INPUT or (files and "-" not in session.argv[1:])
 
 
 def _names_a_simulated_file(session: Session) -> bool:

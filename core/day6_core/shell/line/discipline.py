@@ -246,7 +246,7 @@ class TtyInput(InputStream):
             self.discipline.front_changed(before)
 
     def terminal_of(self, *outputs: OutputStream) -> Terminal | None:
-        mine = not outputs or any(getattr(output, "terminal", None) is self.terminal for output in outputs)
+        mine = not outputs or any(output.terminal is self.terminal for output in outputs)
         return self.terminal if mine else None
 
     def pass_keys_to(self, receiver: KeyReceiver | None) -> None:

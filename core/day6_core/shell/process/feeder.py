@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import threading
 from queue import SimpleQueue
 from typing import IO
@@ -21,8 +22,9 @@ class Feeder:
         self._queue: SimpleQueue[bytes] = SimpleQueue()
         self._put = 0
         self._written = 0
+        self._lock = threading.Lock()
         self.broken = False
-        """Whether the process has closed its end."""
+        """Whether the process has closed its end, or has ended."""
         self.has_room = Signal()
         """Set when something was written, or will never be."""
         threading.Thread(target=self._write, name="day6-feed", daemon=True).start()
@@ -32,10 +34,24 @@ class Feeder:
         """Whether the writer should wait for room."""
         return not self.broken and self._put - self._written > FULL
 
-    def put(self, data: bytes) -> None:
-        """Write `data` soon; b'' closes the pipe."""
-        self._put += len(data)
-        self._queue.put(data)
+    def put(self, data: bytes) -> bool:
+        """Write `data` soon; b'' closes the pipe. Return False if nobody will read it."""
+        with self._lock:
+            if self.broken:
+                return False
+            self._put += len(data)
+            self._queue.put(data)
+            return True
+
+    def take_back(self, reader: int) -> bytes:
+        """Take nothing more; return what the process that has ended did not read. `reader` is our own end of its pipe."""
+        with self._lock:
+            self.broken = True
+            self._queue.put(b"")
+        parts = []
+        while part := os.read(reader, FULL):
+            parts.append(part)
+        return b"".join(parts)
 
     def _write(self) -> None:
         try:

@@ -47,14 +47,23 @@ def limit_memory(size: int) -> None:
         raise NotImplementedError("not there")
     import resource
 
+    if lowered := lower_limit(size):
+        try:
+            resource.setrlimit(resource.RLIMIT_DATA, (lowered, resource.getrlimit(resource.RLIMIT_DATA)[1]))
+        except (ValueError, OSError):
+            return  # a system that does not limit data
+
+
+def lower_limit(size: int) -> int:
+    """Return the limit for the data segment that is to be set for that one, 0 if a lower one is there (or `size` is 0)."""
+    if sys.platform == "win32":
+        raise NotImplementedError("not there")
+    import resource
+
     soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
     if hard != resource.RLIM_INFINITY:
         size = min(size, hard)
-    if soft == resource.RLIM_INFINITY or size < soft:
-        try:
-            resource.setrlimit(resource.RLIMIT_DATA, (size, hard))
-        except (ValueError, OSError):
-            return  # a system that does not limit data
+    return size if soft == resource.RLIM_INFINITY or size < soft else 0
 
 
 if __name__ == "__main__":

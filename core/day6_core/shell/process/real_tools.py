@@ -36,13 +36,13 @@ def tools_beginning_with(start: str, variables: Mapping[str, str], cwd: Path) ->
     return found - _NEVER - {""}
 
 
-def running(words: list[str]) -> Main:
-    """Return a program that runs a real one: `words`, then the arguments it is given."""
+def running(path: str) -> Main:
+    """Return a program that runs a real one, which is told how it was typed."""
 
     async def main(session: Session) -> int:
         from day6_core.shell.process.process import run_process
 
-        return await run_process(session, [*words, *session.argv[1:]], Path(words[0]).name if len(words) == 1 else "")
+        return await run_process(session, [path, *session.argv[1:]], session.argv[0])
 
     return main
 
