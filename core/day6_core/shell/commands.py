@@ -12,6 +12,7 @@ from day6_core.ros.executables import are_on
 from day6_core.ros.program_index import COMMANDS, named_by, place_of_command
 from day6_core.ros.programs import load
 from day6_core.session.session import Main, Session
+from day6_core.shell.language.quoting import visible
 from day6_core.shell.process.real_tools import find_tool, running
 from day6_core.shell.text_tools import TOOLS, chosen
 
@@ -29,7 +30,7 @@ MODULES: dict[str, dict[str, str]] = {
         "reading": "read mapfile readarray=mapfile",
         "switches": "alias unalias set=set_ shopt",
         "shell_itself": "trap exec=exec_ builtin hash=hash_ let getopts caller compgen umask ulimit bind "
-        "complete compopt=accepted stty=accepted enable=refused fc=refused suspend=refused times=refused",
+        "complete compopt=accepted enable=refused fc=refused suspend=refused times=refused",
         "output": "echo printf",
         "jobs": "jobs fg bg wait kill disown ps pkill killall=pkill",
         "files": "cat mkdir rmdir touch rm tee chmod",
@@ -41,7 +42,7 @@ MODULES: dict[str, dict[str, str]] = {
         "repeated": "xargs watch",
         "download": "wget curl",
         "machine": "nproc lsb_release locale",
-        "display": "tput dircolors lesspipe",
+        "display": "tput stty dircolors lesspipe",
         "find": "find",
         "columns": "cut tr rev sed diff",
         "pager": "less more=less man",
@@ -62,9 +63,7 @@ _PLACES = {name: (module, function) for module, names in MODULES.items() for nam
 
 _OF_THE_SHELL = ("state", "declaring", "reading", "switches", "shell_itself", "output")
 _ALSO_BUILTIN = "pushd popd dirs jobs fg bg wait kill disown help type command true false : test ["
-SHELL_BUILTINS = frozenset((*(name for each in _OF_THE_SHELL for name in MODULES[each]), *_ALSO_BUILTIN.split())) - {
-    "stty"
-}
+SHELL_BUILTINS = frozenset((*(name for each in _OF_THE_SHELL for name in MODULES[each]), *_ALSO_BUILTIN.split()))
 """Built-ins of bash itself; all other commands have a place in /usr/bin or /opt/ros."""
 
 
@@ -138,7 +137,7 @@ def find_command(name: str, shell: Shell, *, functions: bool = True) -> Main:
         return chosen(name, main) if name in TOOLS else main
     if tool := find_tool(name, shell.variables, shell.cwd):
         return running(tool)
-    return _saying(f"{shell.name}: {name}: command not found", 127)
+    return _saying(f"{shell.name}: {visible(name)}: command not found", 127)
 
 
 def _file(name: str, shell: Shell) -> Main:

@@ -5,8 +5,8 @@ a call of ours costs a tenth of a process. `TOOLS` says of each what it certainl
 that is ours; any other one is the real tool's where the machine has it. Where it hasn't, ours does what it can and refuses
 options that it doesn't know.
 
-What isn't in the table is ours alone (`cat`, `ls`, `cp`, `rm`, `chmod` …: they ask before something outside the home folder is
-changed, or show the simulated machine) or the machine's alone (awk, stat, git, make …).
+Whichever changes files asks before one outside the home folder is changed. What isn't in the table is ours alone (it shows the
+simulated machine, or starts other commands: `cd`, `xargs`, `which` …) or the machine's alone (awk, stat, git, make …).
 """
 
 from __future__ import annotations
@@ -51,8 +51,14 @@ def _plain_search(letters: list[str], operands: list[str]) -> bool:
     )
 
 
+def _plain_mode(letters: list[str], operands: list[str]) -> bool:
+    return bool(operands) and re.fullmatch(r"[0-7]{3,4}|\+x", operands[0]) is not None
+
+
 TOOLS: dict[str, Ours] = {
     "basename": Ours(fits=lambda letters, operands: len(operands) in (1, 2)),
+    "chmod": Ours("R", long=("--recursive",), fits=_plain_mode),
+    "cp": Ours("rRafvinpudP", long=("--recursive",)),
     "cut": Ours("s", "dfc"),
     "date": Ours("uRI"),
     "diff": Ours(fits=lambda letters, operands: False),
@@ -61,15 +67,21 @@ TOOLS: dict[str, Ours] = {
     "fgrep": Ours("ivncxqlrHhs", "", ("--color", "--color=auto")),
     "find": Ours(),
     "grep": Ours("ivncFEwxqlrHhs", "", ("--color", "--color=auto"), fits=_plain_search),
-    "head": Ours("q", "nc"),
+    "head": Ours("q", "n"),
+    "ls": Ours("laAlhtrRS1Fdp", long=("--color", "--color=auto", "--all", "--almost-all", "--recursive")),
+    "mkdir": Ours("p", "m", long=("--parents",)),
+    "mv": Ours("fvinu"),
     "readlink": Ours("f"),
     "realpath": Ours(),
     "rev": Ours(),
     "sed": Ours("ni", "", ("--in-place",), fits=_simple_script),
-    "seq": Ours(),
+    "rm": Ours("rRfvid", long=("--recursive", "--force")),
+    "rmdir": Ours(),
+    "seq": Ours(fits=lambda letters, operands: all(re.fullmatch(r"-?\d+(\.\d+)?", word) for word in operands)),
     "sort": Ours("rnu", "o", once="rnu"),
-    "tail": Ours("qfF", "nc"),
-    "tr": Ours("ds"),
+    "tail": Ours("qfF", "n"),
+    "touch": Ours(),
+    "tr": Ours("ds", fits=lambda letters, operands: len(operands) == (1 if letters == ["d"] else 2)),
     "uniq": Ours("cdu", once="cdu"),
     "wc": Ours("lwc"),
 }
@@ -79,6 +91,7 @@ _CHANGING: dict[str, re.Pattern[str]] = {
     "find": re.compile(r"-delete|-exec(?:dir)?|-ok(?:dir)?|-fprint(?:f|0)?|-fls"),
     "sed": re.compile(r"-[nErsuz]*i.*|--in-place.*"),
     "sort": re.compile(r"-[a-zA-Z]*o.*|--output.*"),
+    **dict.fromkeys(("chmod", "cp", "mkdir", "mv", "rm", "rmdir", "touch"), re.compile(r".*", re.DOTALL)),
 }
 """Tool -> the words of a command line by which it changes files."""
 
@@ -127,11 +140,13 @@ def chosen(name: str, ours: Main) -> Main:
             return await ours(session)
         if (changing := _CHANGING.get(name)) and any(changing.fullmatch(word) for word in session.argv[1:]):
             keys = keys_of(session.stdin, session.stdout, session.stderr)
-            paths = [path for word in session.argv[1:] if (path := session.cwd / word).exists()]
+            words = [word for word in session.argv[1:] if "/" in word or (session.cwd / word).exists()]
+            paths = [session.cwd / word for word in words]
             if not await agreed(session.name, paths, keys, session.stderr, session.env):
                 return 1
         from day6_core.shell.process.process import run_process
 
+        session.env = {**session.env, "LANGUAGE": "en"}  # as ours say it; cards match it
         argv = [tool, *_AT_ONCE.get(name, ()), *session.argv[1:]]
         return await run_process(session, argv, name=name, may_leave_others=name == "find")
 

@@ -25,6 +25,12 @@ printf 'a,b,c\n' | cut -d, -f2-; echo abc | tr a-z A-Z; tail -n +2 d/a.txt; diff
 sed -n '/hel/,$p' d/a.txt; sed 's/\(h\)\(e\)/\2\1/' d/a.txt; sed '1i top' d/a.txt; basename -s .txt d/a.txt
 printf 'd/a.txt\nd/e/b.py\n' | while read f; do sed -E 's/(h)(e)/\2\1/' "$f"; echo "$f"; done; seq 100000 | sort -V | head -1
 sort nofile; grep x nofile; sed p nofile; echo $?
+printf '3\n1\n2\n' > g; { read h; sort -V; } < g; { read h; sort -V; echo $h; cat; } < g; { head -c 3; cat; } < g
+while read l; do echo "$l"; sort -V; done < g; while read l; do echo "$l"; stat -c %n g; done < g
+cat g | while read l; do echo "$l"; awk 'BEGIN { print "b" }'; done; cat g | while read l; do echo "$l"; sort -V; done
+cat g | { read h; awk 'NR == 1 { print; exit }'; echo "$h"; }; yes | awk 'NR == 2 { print; exit }'; seq 100000 | awk 'END { print NR }'
+echo abc | grep -o .; touch -d 2020-01-01 t; date -r t +%Y; ls --hyperlink=never d; chmod -v 600 t; cp --parents t d; mv -t d t; ls d
+printf 'echo a\r\nls\r\n' > w.sh; bash w.sh 2> /dev/null | od -c; seq 1e2 101
 """
 
 
@@ -56,6 +62,10 @@ def test_what_answers_answers_as_the_real_ones(machine: Any, tmp_path: Path) -> 
         "head -5 x",
         "cut -d : -f 1 x",
         "grep --color=auto x",
+        "ls -la --color=auto",
+        "chmod +x a.py",
+        "mkdir -p a/b",
+        "cp -r a b",
     ],
 )
 def test_the_usual_lines_cost_no_process(line: str) -> None:
@@ -73,6 +83,11 @@ def test_the_usual_lines_cost_no_process(line: str) -> None:
         "date -d now",
         "find . -type f",
         "grep -rL a .",
+        "head -c 3 x",
+        "tr a b c",
+        "touch -d now x",
+        "chmod u=rwX x",
+        "ls -i",
     ],
 )
 def test_what_ours_might_do_in_another_way_is_the_machines(line: str) -> None:

@@ -62,6 +62,27 @@ def test_on_the_terminal_it_has_a_pty_and_its_keys(tool: Callable[[str, str], Pa
     assert seat.line("echo $?").splitlines()[-2] == "130"
 
 
+@pytest.mark.process
+def test_behind_a_pipe_its_output_is_a_terminal_as_wide_as_the_window(
+    tool: Callable[[str, str], Path], request: Any
+) -> None:
+    tool("shows", "#!/bin/sh\ntest -t 0 || test -t 1 && echo $(stty size <&2) $(cat)\n")
+    seat = request.getfixturevalue("seat")
+    seat.line("echo input | shows; echo input | shows | cat; echo input | shows > f; cat f")
+    assert seat.wait_prompt().splitlines()[-2:] == ["24 80 input", "student@day6:~$"]
+    seat.line("yes | sort -V")
+    seat.wait(lambda text: "sort" in text)
+    seat.type("\x03")
+    assert seat.wait_prompt().splitlines()[-2:] == ["^C", "student@day6:~$"]
+
+
+@pytest.mark.process
+def test_the_machines_text_tools_speak_english_as_ours_do(tool: Callable[[str, str], Path], request: Any) -> None:
+    tool("sort", "#!/bin/sh\necho $LANGUAGE\n")
+    done = request.getfixturevalue("machine").run("export LANGUAGE=zh_CN:zh; sort -V; sort f; echo $LANGUAGE")
+    assert done.out == "en\nzh_CN:zh\n" and done.err == "sort: cannot read: f: No such file or directory\n"
+
+
 def test_every_command_that_finds_programs_agrees(with_tool: Any, tool: Callable[[str, str], Path]) -> None:
     place = tool("zawk3", AWK)
     done = with_tool.run("which zawk3; type zawk3; command -v zawk3; which nothing3; echo $?")

@@ -69,12 +69,21 @@ _CLASSES = {
 }
 
 
+_ONE_SET = "\nOnly one string may be given when deleting without squeezing repeats."
+_TWO_SETS = "\nTwo strings must be given when "
+_SETS = {"": (2, 2, _TWO_SETS + "translating."), "d": (1, 1, _ONE_SET), "s": (1, 2, ""),
+         "ds": (2, 2, _TWO_SETS + "both deleting and squeezing repeats.")}  # fmt: skip
+"""Options -> the fewest and the most operands of tr, and why."""
+
+
 async def tr(session: Session) -> int:
     try:
         options, sets = parse(session.argv, "dsc", "", {"--delete": "d", "--squeeze-repeats": "s", "--complement": "c"})
-        if len(sets) < (1 if {"d", "s"} & set(options) else 2):
-            given = f" after ‘{sets[0]}’\nTwo strings must be given when translating." if sets else ""
-            raise UsageError(f"missing operand{given}\nTry 'tr --help' for more information.")
+        fewest, most, why = _SETS["".join(sorted({"d", "s"} & set(options)))]
+        if not fewest <= len(sets) <= most:
+            wrong = f"extra operand ‘{sets[most]}’" if len(sets) > most else "missing operand"
+            wrong += f" after ‘{sets[0]}’" if 0 < len(sets) < fewest else ""
+            raise UsageError(f"{wrong}{why if abs(len(sets) - fewest) == 1 and sets and most < 3 else ''}\nTry 'tr --help' for more information.")
     except UsageError as error:
         complain(session, error)
         return 1

@@ -1,8 +1,9 @@
-"""tput, dircolors, lesspipe: the commands with which a .bashrc queries the terminal and its colours."""
+"""tput, stty, dircolors, lesspipe: the commands with which a .bashrc queries the terminal and its colours."""
 
 from __future__ import annotations
 
 from day6_core.session.session import Session
+from day6_core.shell.language.refusals import Refused
 
 _SEQUENCES = {
     "clear": "\x1b[H\x1b[2J",
@@ -26,7 +27,8 @@ async def tput(session: Session) -> int:
     name = words[0]
     numbers = [int(word) for word in words[1:] if word.isdigit()]
     if name in ("cols", "lines", "colors"):
-        session.print({"cols": session.stdout.columns, "lines": 24, "colors": 256}[name])
+        rows = session.stdout.terminal.rows if session.stdout.terminal is not None else 24
+        session.print({"cols": session.stdout.columns, "lines": rows, "colors": 256}[name])
         return 0
     if name in ("setaf", "setab") and numbers:
         kind = 3 if name == "setaf" else 4
@@ -37,6 +39,20 @@ async def tput(session: Session) -> int:
         session.print_error(f"tput: unknown terminfo capability '{name}'")
         return 4
     session.stdout.control(_SEQUENCES[name])
+    return 0
+
+
+async def stty(session: Session) -> int:
+    """`stty size`; what switches Ctrl-S off is accepted, for a .bashrc."""
+    terminal, words = session.stdin.terminal_of(), session.argv[1:]
+    if terminal is None:
+        session.print_error("stty: 'standard input': Inappropriate ioctl for device")
+        return 1
+    if words == ["size"]:
+        session.print(f"{terminal.rows} {terminal.columns}")
+    elif set(words) - {"-ixon", "ixon", "sane", "erase", "^?"} or not words:
+        session.print_error(Refused(" ".join(session.argv)).told(session.env))
+        return 1
     return 0
 
 

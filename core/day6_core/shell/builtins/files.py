@@ -5,6 +5,8 @@ from __future__ import annotations
 import errno
 import os
 import stat
+import time
+from datetime import datetime
 from pathlib import Path
 
 from day6_core.session.session import Session
@@ -96,7 +98,7 @@ async def mkdir(session: Session) -> int:
     for name in names:
         try:
             mode = _new_mode(options["m"], 0o777) if "m" in options else None
-            _make_folder(session.cwd, name, parents="p" in options)
+            made = _make_folder(session.cwd, name, parents="p" in options)
             if mode is not None:
                 (session.cwd / name).chmod(mode)
         except ValueError:
@@ -106,19 +108,20 @@ async def mkdir(session: Session) -> int:
             complain(session, f"cannot create directory ‘{error.filename or name}’: {reason(error)}")
             status = 1
         else:
-            if "v" in options:
-                session.print(f"mkdir: created directory '{name}'")
+            for each in made if "v" in options else ():
+                session.print(f"mkdir: created directory '{each}'")
     return status
 
 
-def _make_folder(cwd: Path, name: str, *, parents: bool) -> None:
-    """Make a folder. Raises OSError, which names the part of `name` that could not be made."""
-    parts = [name]
+def _make_folder(cwd: Path, name: str, *, parents: bool) -> list[str]:
+    """Make a folder and return what was made for it. Raises OSError, which names the part of `name` that could not be made."""
+    parts, made = [name], list[str]()
     while parents and os.path.dirname(parts[-1].rstrip("/")) not in ("", "/", "."):
         parts.append(os.path.dirname(parts[-1].rstrip("/")))
     for part in reversed(parts):
         try:
             os.mkdir(os.path.join(cwd, part) if part else "")
+            made.append(part)
         except FileExistsError as error:
             if not parents or (part == name and not (cwd / part).is_dir()):
                 raise OSError(error.errno, error.strerror, part) from None
@@ -126,6 +129,7 @@ def _make_folder(cwd: Path, name: str, *, parents: bool) -> None:
                 raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), part) from None
         except OSError as error:
             raise OSError(error.errno, error.strerror, part) from None
+    return made
 
 
 @asking(_all)
@@ -150,19 +154,38 @@ async def rmdir(session: Session) -> int:
 @asking(_all)
 async def touch(session: Session) -> int:
     status = 0
-    names = [word for word in session.argv[1:] if not word.startswith("-")]
-    if not names:
-        complain(session, "missing file operand\nTry 'touch --help' for more information.")
+    try:
+        options, names = parse(session.argv, "acm", "d", {"--no-create": "c", "--date": "d"})
+        if not names:
+            raise UsageError("missing file operand\nTry 'touch --help' for more information.")
+        then = _instant(options["d"]) if "d" in options else time.time()
+    except UsageError as error:
+        complain(session, error)
         return 1
     for name in names:
         try:
             if not name or (name.endswith("/") and not os.path.lexists(session.cwd / name)):
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
-            (session.cwd / name).touch()
+            path = session.cwd / name
+            if not path.exists():
+                if "c" in options:
+                    continue
+                path.touch()
+            kind, only = path.stat(), options.keys() & set("am")
+            kept = kind.st_atime if only == {"m"} else then, kind.st_mtime if only == {"a"} else then
+            os.utime(path, kept if only or "d" in options else None)
         except OSError as error:
             complain(session, f"cannot touch '{name}': {reason(error)}")
             status = 1
     return status
+
+
+def _instant(text: str) -> float:
+    """The seconds of `2024-05-01` or `2024-05-01 12:30`. Raises UsageError."""
+    try:
+        return datetime.fromisoformat(text).timestamp()
+    except (ValueError, OverflowError, OSError):
+        raise UsageError(f"invalid date format ‘{text}’") from None
 
 
 @asking(_all)

@@ -14,11 +14,14 @@ from day6_core.shell.language.interpreter import shell_of
 from day6_core.width import text_width
 
 
+_LONG = {"--all": "a", "--almost-all": "A", "--color": "K", "--recursive": "R"}
+
+
 async def ls(session: Session) -> int:
     try:
-        options, names = parse(
-            session.argv, "laAlhtrRS1FCdp", "", {"--all": "a", "--almost-all": "A", "--color": "C", "--recursive": "R"}
-        )
+        # Of all options this one need not have its value.
+        words = ["--color=always" if word == "--color" else word for word in session.argv]
+        options, names = parse(words, "laAhtrRS1FCdp", "K", _LONG)
     except UsageError as error:
         complain(session, error)
         return 2
@@ -90,11 +93,12 @@ def _total_blocks(path: Path, entries: list[str]) -> int:
 def _list(session: Session, folder: Path, names: list[str], options: dict[str, str]) -> None:
     if not names:
         return
-    colour = session.stdout.isatty()
+    screen = session.stdout.isatty()
+    colour = options.get("K") == "always" or (screen and options.get("K") != "never")
     shown = [_coloured(folder / name, name, options, colour) for name in names]
     if "l" in options:
         _long(session, folder, names, shown, options)
-    elif not colour or "1" in options:
+    elif "1" in options or not (screen or "C" in options):
         session.stdout.write("".join(text + "\n" for text, _ in shown))
     else:
         session.stdout.write(_in_columns(shown, session.stdout.columns))

@@ -9,7 +9,7 @@ from day6_core.ros.program_index import COMMANDS as ROS_COMMANDS
 from day6_core.ros.programs import load
 from day6_core.session.session import Main, Session
 from day6_core.shell.builtins.options import reason
-from day6_core.shell.builtins.text import text_named
+from day6_core.shell.builtins.text import script_named
 from day6_core.shell.language.failures import report
 from day6_core.shell.language.interpreter import Shell, shell_of
 from day6_core.shell.language.parser import parse
@@ -112,7 +112,7 @@ async def run_script(session: Session, name: str, arguments: list[str], copy: _C
     """Run a file of command lines in a copy of the shell."""
     shell = shell_of(session)
     try:
-        text = await text_named(session, name)
+        text = await script_named(session, name)
     except OSError as error:
         session.print_error(f"{shell.name}: {name}: {reason(error)}")
         return 126 if isinstance(error, (IsADirectoryError, PermissionError)) else 127

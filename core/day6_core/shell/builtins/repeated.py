@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from itertools import chain
 
 from day6_core.session.session import Session
 from day6_core.session.streams import InputStream
@@ -16,13 +17,13 @@ MOST_ARGUMENTS = 5000
 
 
 async def xargs(session: Session) -> int:
-    """`xargs [-0r] [-n N] [-I TEXT] [-d CHARACTER] [COMMAND …]`: words of the standard input become arguments."""
-    split = _first_operand(session.argv, "nIdP")
+    """`xargs [-0r] [-n N] [-L N] [-I TEXT] [-d CHARACTER] [COMMAND …]`: words of the standard input become arguments."""
+    split = _first_operand(session.argv, "nIdPL")
     try:
         # Among our tools `-3` is short for `-n 3`; here -0 is an option of its own.
         words = ["--null" if word == "-0" else word for word in session.argv[:split]]
-        options, _ = parse(words, "0rt", "nIdP", {"--null": "0", "--no-run-if-empty": "r"})
-        most = int(options.get("n", MOST_ARGUMENTS))
+        options, _ = parse(words, "0rt", "nIdPL", {"--null": "0", "--no-run-if-empty": "r"})
+        most = int(options.get("L", options.get("n", MOST_ARGUMENTS)))
     except (UsageError, ValueError) as error:
         complain(session, error)
         return 1
@@ -35,6 +36,9 @@ async def xargs(session: Session) -> int:
         return 1
     if "I" in options:
         calls = [[part.replace(options["I"], word) for part in command] for word in words]
+    elif "L" in options:
+        lines = [shlex.split(line) for line in text.splitlines() if line.strip()]
+        calls = [[*command, *chain(*lines[at : at + most])] for at in range(0, len(lines), most)]
     else:
         calls = [[*command, *words[at : at + most]] for at in range(0, len(words), most)]
     if not calls and "r" not in options and "I" not in options:

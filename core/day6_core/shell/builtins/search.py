@@ -75,7 +75,7 @@ async def grep(session: Session) -> int:
     search = _Grep(session, expression, options, show_name, before, after, most)
     problems: list[str] = []
     try:
-        async for name, line in lines_of(session, names, problems):
+        async for name, line in lines_of(session, names, problems, "" if "s" in options else "{name}: {reason}"):
             if not await search.line(name, line):
                 break
     except TooComplex as error:

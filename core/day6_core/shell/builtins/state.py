@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain_as_shell, reason
-from day6_core.shell.builtins.text import text_named
+from day6_core.shell.builtins.text import script_named
 from day6_core.shell.language.control_flow import ExitShell, LoopControl, ReturnFromSource
 from day6_core.shell.language.functions import in_the_shell_itself
 from day6_core.shell.language.interpreter import Shell, shell_of
+from day6_core.shell.language.quoting import visible
 from day6_core.shell.language.specials import Call
 from day6_core.shell.system_files import TEXTS
 
@@ -57,7 +58,7 @@ async def cd(session: Session) -> int:
             raise NotADirectoryError(20, "Not a directory")
         os.scandir(path).close()
     except OSError as error:
-        complain_as_shell(session, f"{target}: {reason(error)}")
+        complain_as_shell(session, f"{visible(target)}: {reason(error)}")
         return 1
     if "P" in flags or "P" in shell.options:
         path = path.resolve()
@@ -170,7 +171,7 @@ async def source(session: Session) -> int:
         return 1
     path = _found(shell, name)
     try:
-        text = TEXTS[path.as_posix()] if path.as_posix() in TEXTS else await text_named(session, str(path))
+        text = TEXTS[path.as_posix()] if path.as_posix() in TEXTS else await script_named(session, str(path))
     except OSError as error:
         if isinstance(error, IsADirectoryError):
             complain_as_shell(session, f"{name}: is a directory")

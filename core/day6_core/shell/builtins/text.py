@@ -51,7 +51,8 @@ async def lines_of(
 ) -> AsyncIterator[tuple[str, str]]:
     """Yield (name, line) of the files, or of standard input when there are none or the name is '-'.
 
-    Files that cannot be read are reported as `command: name: reason`, or in the words of `refusal`, and added to `problems`.
+    Files that cannot be read are reported as `command: name: reason`, or in the words of `refusal` (none: not at all), and added
+    to `problems`.
     """
     for name in names or ["-"]:
         stream: InputStream
@@ -64,7 +65,8 @@ async def lines_of(
                     raise IsADirectoryError(21, "Is a directory")
                 stream = own or FileInput(session.cwd / name)
             except OSError as error:
-                complain(session, refusal.format(name=name, reason=reason(error)))
+                if refusal:
+                    complain(session, refusal.format(name=name, reason=reason(error)))
                 problems.append(name)
                 continue
         try:
@@ -84,10 +86,16 @@ async def text_named(session: Session, name: str) -> str:
     return whole_text(session.cwd / name) if own is None else await own.read_all()
 
 
+async def script_named(session: Session, name: str) -> str:
+    """Read a script at once; editors of Windows end its lines with what is to bash a part of the last word. Raises OSError."""
+    text = await text_named(session, name)
+    return text.replace("\r\n", "\n") if os.name == "nt" else text
+
+
 def whole_text(path: Path) -> str:
     """Read a file at once. Raises OSError, also for a file that is too large (/dev/zero has no end)."""
     refuse(str(path), path.stat().st_mode, writing=False)
-    with path.open(encoding="utf-8", errors="surrogateescape") as file:
+    with path.open(encoding="utf-8", errors="surrogateescape", newline="\n") as file:
         text = file.read(LONGEST_TEXT + 1)
     if len(text) > LONGEST_TEXT:
         raise OSError(errno.ENOMEM, "Cannot allocate memory")
@@ -105,7 +113,7 @@ async def tail(session: Session) -> int:
     return await _ends(session, first=False)
 
 
-_UNITS = {"": 1, "b": 512, "kB": 1000, "K": 1024, "KiB": 1024, "MB": 1000**2, "M": 1024**2, "MiB": 1024**2,
+_UNITS = {"": 1, "b": 512, "kB": 1000, "K": 1024, "k": 1024, "KiB": 1024, "MB": 1000**2, "M": 1024**2, "MiB": 1024**2,
           "GB": 1000**3, "G": 1024**3, "GiB": 1024**3}  # fmt: skip
 
 

@@ -8,7 +8,7 @@ background work on a copy.
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable, Mapping
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -147,10 +147,13 @@ class Shell(ShellState):
         Raises ExitShell, and LoopControl or ReturnFromSource where those built-ins were used.
         """
         try:
-            for line in parser.lines(source, self.aliases, self.settings, first_line):
+            lines = parser.lines(source, self.aliases, self.settings, first_line)
+            for line in lines:
                 check(line, self.functions)
-                with suppress(DiscardLine):
+                try:
                     await self.run_tree(line, streams)
+                except DiscardLine:
+                    lines.send(self.line)
         except SyntaxProblem as problem:
             report(self, problem, streams, before_the_line=True)
             if streams.stderr.isatty() and not isinstance(problem, Refused):

@@ -114,7 +114,7 @@ class Lexer:
         while True:
             if source.startswith("\\\n", self.at):
                 self.at += 2
-            elif self.at < len(source) and source[self.at] in " \t\r":
+            elif self.at < len(source) and source[self.at] in " \t":
                 self.at += 1
             elif self.at < len(source) and source[self.at] == "#":
                 end = source.find("\n", self.at)

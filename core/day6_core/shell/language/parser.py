@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Generator, Iterator, Mapping
 from contextlib import contextmanager
 from typing import NoReturn
 
@@ -42,10 +42,11 @@ def parse(source: str, aliases: Mapping[str, str] | None = None) -> Sequence:
 
 def lines(
     source: str, aliases: Mapping[str, str] | None = None, settings: Collection[str] = ("extglob",), first_line: int = 1
-) -> Iterator[Sequence]:
+) -> Generator[Sequence, int | None, None]:
     """Parse as much as makes whole lines, one after the other, so that each can be run before the next is looked at.
 
-    `settings` are those of `shopt`; `first_line` is the number of the first line in the file it is from.
+    `settings` are those of `shopt`; `first_line` is the number of the first line in the file it is from. Sent is the number of
+    the line at which what was parsed last was given up: bash counts on from there, not from its end.
     """
     try:
         parser = Parser(source, aliases or {}, first_line)
@@ -54,7 +55,10 @@ def lines(
             parser.skip_newlines()
             if parser.token.kind == "end":
                 return
-            yield parser.line()
+            failed_at = yield parser.line()
+            if failed_at is not None:
+                parser.first_line += failed_at - parser.line_number(parser.token.start)
+                yield Sequence([])  # to whoever sent that
     except RecursionError:
         raise SyntaxProblem("memory exhausted") from None  # bison's message: its stack is limited too
 
@@ -160,21 +164,26 @@ class Parser:
 
     def pipeline(self) -> Pipeline:
         start = self.token.start
-        negated = timed = False
+        negated, timed = False, ""
         while self.is_keyword("!", "time"):
             word = self.take().text
-            negated, timed = negated != (word == "!"), timed or word == "time"
+            negated, timed = negated != (word == "!"), timed or word.replace("!", "")
             if timed and self.is_keyword("-p"):
-                self.take()
+                timed = self.take().text
         if timed and (self.token.kind in ("newline", "end") or self.is_op(";", "&", ")")):
             return Pipeline([SimpleCommand()], negated, self.slice(start), timed, self.line_number(start))
+        first = self.index
         commands = [self.command()]
+        line = self.line_number(start)
+        if isinstance(commands[0], SimpleCommand):  # bash has read one token more when it notes the line
+            second = self.tokens[first + 1]
+            line = self.line_number(second.end if second.kind == "word" else second.start)
         while self.is_op("|", "|&"):
             if self.take().text == "|&":
                 commands[-1].redirections.append(Redirection(2, ">&", Word((Text("1"),), "1")))
             self.skip_newlines()
             commands.append(self.command())
-        return Pipeline(commands, negated, self.slice(start), timed, self.line_number(start))
+        return Pipeline(commands, negated, self.slice(start), timed, line)
 
     def slice(self, start: int) -> str:
         return self.source[start : self.tokens[self.index - 1].end].strip()

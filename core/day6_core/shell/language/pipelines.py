@@ -28,14 +28,16 @@ async def run_timed(shell: Shell, node: syntax.Pipeline, streams: Streams) -> No
     """`time …`: how long it really took, and what the processor did meanwhile."""
     began, before = shell.desk.clock.wall_ns(), os.times()
     try:
-        await shell.run_pipeline(replace(node, timed=False), streams)
+        await shell.run_pipeline(replace(node, timed=""), streams)
     finally:
         after = os.times()
         user = after.user + after.children_user - before.user - before.children_user
         system = after.system + after.children_system - before.system - before.children_system
         seconds = (shell.desk.clock.wall_ns() - began) / 1e9
-        for name, value in (("\nreal", seconds), ("user", user), ("sys", system)):
-            streams.stderr.write(f"{name}\t{int(value // 60)}m{value % 60:.3f}s\n")
+        streams.stderr.write("" if node.timed == "-p" else "\n")
+        for name, value in (("real", seconds), ("user", max(0.0, user)), ("sys", max(0.0, system))):
+            long = f"{name}\t{int(value // 60)}m{value % 60:.3f}s\n"
+            streams.stderr.write(f"{name} {value:.2f}\n" if node.timed == "-p" else long)
 
 
 def start_stages(shell: Shell, node: syntax.Pipeline, streams: Streams) -> list[Program]:

@@ -57,11 +57,14 @@ def backslashed(text: str) -> str:
 
 def traced(word: str) -> str:
     """A word as `set -x` shows it."""
-    if not word:
-        return "''"
-    if _CONTROL.search(word):
-        return dollar_quoted(word)
-    return "'" + word.replace("'", "'\\''") + "'" if _META.search(word) else word
+    if _META.search(word) or not word:
+        return "'" + word.replace("'", "'\\''") + "'"
+    return visible(word)
+
+
+def visible(text: str) -> str:
+    """A name as messages show it."""
+    return dollar_quoted(text) if _CONTROL.search(text) else text
 
 
 def listed(text: str) -> str:

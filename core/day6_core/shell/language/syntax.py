@@ -154,7 +154,7 @@ class Pipeline:
     commands: list[Command]
     negated: bool
     source: str
-    timed: bool = False
+    timed: str = ""
     """Whether `time` stands before it."""
     line: int = 1
     """The number of its line in the text it is in."""
