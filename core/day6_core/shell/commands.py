@@ -133,18 +133,22 @@ def find_command(name: str, shell: Shell, *, functions: bool = True) -> Main:
     if "/" in name:
         return _file(name, shell)
     if name in _PLACES and not _is_unsourced(name, shell.variables):
-        main = builtin(name) or _nothing
-        return chosen(name, main) if name in TOOLS else main
+        return _ours(name)
     if tool := find_tool(name, shell.variables, shell.cwd):
         return running(tool)
     return _saying(f"{shell.name}: {visible(name)}: command not found", 127)
+
+
+def _ours(name: str) -> Main:
+    main = builtin(name) or _nothing
+    return chosen(name, main) if name in TOOLS else main
 
 
 def _file(name: str, shell: Shell) -> Main:
     path = shell.cwd / name
     ours = place_of(path.name)
     if ours == name or (name.startswith(("/bin/", "/usr/bin/")) and ours.startswith("/usr/bin/")):
-        return builtin(path.name) or _nothing
+        return _ours(path.name)
     program = named_by(path)
     if program is not None:
         return load(*program)

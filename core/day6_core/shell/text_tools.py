@@ -135,7 +135,7 @@ def chosen(name: str, ours: Main) -> Main:
     """Return the program that is ours or the machine's, as the command line needs."""
 
     async def main(session: Session) -> int | None:
-        tool = "" if is_exactly_ours(session.argv) or _names_a_simulated_file(session) else _tool(name, session)
+        tool = "" if is_exactly_ours([name, *session.argv[1:]]) or _names_a_simulated_file(session) else _tool(name, session)
         if not tool:
             return await ours(session)
         if (changing := _CHANGING.get(name)) and any(changing.fullmatch(word) for word in session.argv[1:]):
@@ -148,7 +148,7 @@ def chosen(name: str, ours: Main) -> Main:
 
         session.env = {**session.env, "LANGUAGE": "en"}  # as ours say it; cards match it
         argv = [tool, *_AT_ONCE.get(name, ()), *session.argv[1:]]
-        return await run_process(session, argv, name=name, may_leave_others=name == "find")
+        return await run_process(session, argv, session.argv[0], may_leave_others=name == "find")
 
     return main
 

@@ -70,10 +70,18 @@ def test_behind_a_pipe_its_output_is_a_terminal_as_wide_as_the_window(
     seat = request.getfixturevalue("seat")
     seat.line("echo input | shows; echo input | shows | cat; echo input | shows > f; cat f")
     assert seat.wait_prompt().splitlines()[-2:] == ["24 80 input", "student@day6:~$"]
-    seat.line("yes | sort -V")
-    seat.wait(lambda text: "sort" in text)
+
+
+@pytest.mark.process
+def test_ctrl_c_is_for_all_processes_of_a_pipeline(tool: Callable[[str, str], Path], request: Any) -> None:
+    tool("endless", "#!/bin/sh\nexec sleep 1000\n")
+    tool("collects", "#!/bin/sh\necho began\ncat > all\necho untrue\n")
+    seat = request.getfixturevalue("seat")
+    seat.line("endless | collects")
+    seat.wait(lambda text: "began" in text)
     seat.type("\x03")
-    assert seat.wait_prompt().splitlines()[-2:] == ["^C", "student@day6:~$"]
+    assert seat.wait_prompt().splitlines()[-3:] == ["began", "^C", "student@day6:~$"]
+    assert seat.line("echo $?").splitlines()[-2] == "130"
 
 
 @pytest.mark.process

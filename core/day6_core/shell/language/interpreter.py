@@ -91,6 +91,11 @@ class Shell(ShellState):
         front.interrupt()
         return True
 
+    def interrupt_behind(self) -> None:
+        """Ctrl-C has reached the process at the keyboard through its terminal: it is for those behind it in the pipeline, too."""
+        if self.front is not None and self.traps.get("INT") != "":
+            self.front.interrupt_behind()
+
     def interrupt_line(self) -> None:
         """Ctrl-C at the terminal: for the foreground job or, between two commands, for the line, as bash gets it too."""
         self._interrupted = not self.interrupt()

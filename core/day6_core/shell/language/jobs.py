@@ -66,6 +66,12 @@ class Job:
         for program in self._alive():
             program.interrupt()
 
+    def interrupt_behind(self) -> None:
+        """Ctrl-C for all but the first program, which reads the keyboard."""
+        for program in self._alive():
+            if program is not self.programs[0]:
+                program.interrupt()
+
     def send(self, number: int) -> None:
         """Deliver a signal to every program of the job, waking a stopped job so that it can act on it."""
         for program in self._alive():

@@ -92,6 +92,8 @@ class Discipline:
                 self.type(rest)
         else:
             receiver.keys(text)
+            if signals:
+                self.terminal.shell.interrupt_behind()
 
     def _run(self, key: str) -> None:
         front = self.front
