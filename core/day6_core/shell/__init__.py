@@ -5,7 +5,7 @@
   (`line_editor`, `edit_line`, `history`, `recall`, `completion`), the shell's life in it (`login`, `prompt`).
 - The language is in `language/`: reading, expanding, running, jobs.
 - Commands: `commands` maps a name to its program; ours are in `builtins/`, the editors' model in `editing/`.
-- Students' programs: `process` here, `launch_process` and `memory` on the other side.
+- Students' programs: `process` and `prepared` here, `launch_process` and `memory` on the other side.
 - The real terminal and other editors: `subshell`, `variables`, `real_completion`, `ide`.
 
 May import the rest of `core`; nothing here imports Textual or rich.

@@ -398,6 +398,8 @@ def _ends_line(text: str, before: bool) -> bool:
 class TtyOutput(OutputStream):
     """Standard output and error of a program in a terminal."""
 
+    terminal: Terminal
+
     def __init__(self, terminal: Terminal) -> None:
         self.terminal = terminal
 

@@ -135,8 +135,8 @@ def chosen(name: str, ours: Main) -> Main:
     """Return the program that is ours or the machine's, as the command line needs."""
 
     async def main(session: Session) -> int | None:
-        tool = "" if is_exactly_ours([name, *session.argv[1:]]) or _names_a_simulated_file(session) else _tool(name, session)
-        if not tool:
+        suits = is_exactly_ours([name, *session.argv[1:]]) or _names_a_simulated_file(session)
+        if suits or not (tool := _tool(name, session)):
             return await ours(session)
         if (changing := _CHANGING.get(name)) and any(changing.fullmatch(word) for word in session.argv[1:]):
             keys = keys_of(session.stdin, session.stdout, session.stderr)

@@ -28,8 +28,10 @@ sort nofile; grep x nofile; sed p nofile; echo $?
 printf '3\n1\n2\n' > g; { read h; sort -V; } < g; { read h; sort -V; echo $h; cat; } < g; { head -c 3; cat; } < g
 while read l; do echo "$l"; sort -V; done < g; while read l; do echo "$l"; stat -c %n g; done < g
 cat g | while read l; do echo "$l"; awk 'BEGIN { print "b" }'; done; cat g | while read l; do echo "$l"; sort -V; done
-cat g | { read h; awk 'NR == 1 { print; exit }'; echo "$h"; }; yes | awk 'NR == 2 { print; exit }'; seq 100000 | awk 'END { print NR }'
-echo abc | grep -o .; touch -d 2020-01-01 t; date -r t +%Y; ls --hyperlink=never d; chmod -v 600 t; cp --parents t d; mv -t d t; ls d
+cat g | { read h; awk 'NR == 1 { print; exit }'; echo "$h"; }; yes | awk 'NR == 2 { print; exit }'
+seq 100000 | awk 'END { print NR }'
+echo abc | grep -o .; touch -d 2020-01-01 t; date -r t +%Y; ls --hyperlink=never d; chmod -v 600 t
+cp --parents t d; mv -t d t; ls d
 printf 'echo a\r\nls\r\n' > w.sh; bash w.sh 2> /dev/null | od -c; seq 1e2 101
 """
 

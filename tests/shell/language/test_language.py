@@ -13,7 +13,8 @@ from day6_core.shell.language.arithmetic import evaluate
 
 SAME_AS_BASH = [
     'for v in x "$((1 +))"; do\n  echo $v\ndone\necho $LINENO\nif true; then\n  echo $((1/0))\n\nfi\necho $LINENO',
-    'f() { echo $((1/0)); }\n{\n  f\n  echo no\n}\necho $LINENO; echo "a\nb" $LINENO\necho a "b\n" $LINENO; x="a\nb" ; echo $LINENO',
+    "f() { echo $((1/0)); }\n{\n  f\n  echo no\n}\necho $LINENO",
+    'echo "a\nb" $LINENO\necho a "b\n" $LINENO; x="a\nb" ; echo $LINENO',
     "echo hi",
     "echo a   b 'c   d' \"e   f\"",
     "echo -n a; echo b",

@@ -83,7 +83,8 @@ async def tr(session: Session) -> int:
         if not fewest <= len(sets) <= most:
             wrong = f"extra operand ‘{sets[most]}’" if len(sets) > most else "missing operand"
             wrong += f" after ‘{sets[0]}’" if 0 < len(sets) < fewest else ""
-            raise UsageError(f"{wrong}{why if abs(len(sets) - fewest) == 1 and sets and most < 3 else ''}\nTry 'tr --help' for more information.")
+            wrong += why if len(sets) in (1, 2) else ""
+            raise UsageError(f"{wrong}\nTry 'tr --help' for more information.")
     except UsageError as error:
         complain(session, error)
         return 1

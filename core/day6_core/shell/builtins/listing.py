@@ -13,7 +13,6 @@ from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.language.interpreter import shell_of
 from day6_core.width import text_width
 
-
 _LONG = {"--all": "a", "--almost-all": "A", "--color": "K", "--recursive": "R"}
 
 

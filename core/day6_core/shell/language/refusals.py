@@ -29,28 +29,11 @@ class Refused(SyntaxProblem):
         return _TEXT[language].format(what=self.what) + _NOTHING_RUN[language] * before_the_line
 
 
-_OPTIONS: dict[str, str] = {
-    "read": "arspdnNut",
-    "mapfile": "tndOsu",
-    "readarray": "tndOsu",
-    "declare": "aAfFgilnprux",
-    "typeset": "aAfFgilnprux",
-    "local": "aAgilnrux",
-    "readonly": "aAfp",
-    "export": "fnp",
-    "unset": "fvn",
-    "wait": "",
-    "history": "canrw",
-    "hash": "r",
-    "type": "aftpP",
-    "command": "pvV",
-    "exec": "a",
-    "cd": "LP",
-    "pwd": "LP",
-    "pushd": "",
-}
-"""Options of built-ins that are obeyed; another one is refused."""
-
+_REFUSED = {
+    "read": "ei", "mapfile": "Cc", "readarray": "Cc", "declare": "It", "typeset": "It", "local": "fFItp", "wait": "fnp",
+    "history": "dps", "hash": "dlpt", "exec": "cl", "cd": "e", "pushd": "n",
+}  # fmt: skip
+"""Options of built-ins that are bash's alone; any other is obeyed here, too, or wrong in bash's own words."""
 _TAKES_A_VALUE = {"read": "pdnNuta", "mapfile": "ndOsu", "readarray": "ndOsu", "exec": "a"}
 _UNTRAPPED = frozenset({"DEBUG", "RETURN"})
 
@@ -90,9 +73,7 @@ def check_words(name: str, words: list[str | None]) -> None:
                 if letter in "nkptr" or letter == "b":
                     raise Refused(f"set {word[0]}{letter}")
         return
-    if name not in _OPTIONS:
-        return
-    known, valued = _OPTIONS[name], _TAKES_A_VALUE.get(name, "")
+    refused, valued = _REFUSED.get(name, ""), _TAKES_A_VALUE.get(name, "")
     skip = False
     for word in words:
         if skip:
@@ -104,17 +85,8 @@ def check_words(name: str, words: list[str | None]) -> None:
             if letter in valued:
                 skip = at == len(word) - 1
                 break
-            if letter not in known and letter.isalpha() and letter in _VALID.get(name, ""):
+            if letter in refused:
                 raise Refused(f"{name} {word[0]}{letter}")
-
-
-_VALID = {
-    "read": "aersdinNptu", "mapfile": "dnOstuCc", "readarray": "dnOstuCc", "declare": "aAfFgiIlnrtuxp",
-    "typeset": "aAfFgiIlnrtuxp", "local": "aAfFgiIlnrtuxp", "readonly": "aAfp", "export": "fnp", "unset": "fvn", "wait": "fnp",
-    "history": "cdanrwps", "hash": "lrpdt", "type": "aftpP", "command": "pvV", "exec": "cla", "cd": "LPe@", "pwd": "LP",
-    "pushd": "n",
-}  # fmt: skip
-"""Options that bash knows; what it does not know either is wrong, in bash's own words."""
 
 
 def _walk(node: object) -> Iterator[object]:

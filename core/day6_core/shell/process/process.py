@@ -14,14 +14,13 @@ import logging
 import os
 import select
 import shlex
-import shutil
 import signal
 import subprocess
 import sys
 import threading
 import time
 from collections.abc import Callable
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import IO
 
@@ -35,12 +34,9 @@ from day6_core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_core.session.task import Signal, TaskCancelled, wait_for
 from day6_core.session.threads import in_thread
 from day6_core.shell.process.feeder import Feeder
-from day6_core.shell.process.launch_process import lower_limit
-from day6_core.shell.process.memory import memory_limit
+from day6_core.shell.process.prepared import prepared
 from day6_core.shell.process.pty_keys import PtyKeys
 
-LAUNCHER = Path(__file__).with_name("launch_process.py")
-NICE = 10
 READ_SIZE = 65536
 _ENDED_BY_CTRL_C = 0xC000013A
 """The exit status of a program on Windows that Ctrl-C or Ctrl-Break ended (STATUS_CONTROL_C_EXIT)."""
@@ -297,20 +293,6 @@ class Process:
         else:
             self._launch_with_pipes(env)
 
-    def _words(self, tty: int | None = None) -> list[str]:
-        """What is started: the program, behind what prepares its process."""
-        if sys.platform == "win32":
-            return self.argv
-        path = self.argv[0]
-        name = self._name or path
-        if (nice := _nice()) and (path == sys.executable or path.startswith(_OF_THE_SYSTEM)):
-            own = os.devnull if tty is None else os.ttyname(tty)
-            limit = str(lower_limit(memory_limit()) // 1024)
-            return ["/bin/sh", "-c", _PREPARED, own, limit, nice, "-n", str(NICE), name, *self.argv[1:]]
-        mode = "no-tty" if tty is None else "tty"
-        launcher = [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE), str(memory_limit())]
-        return [*launcher, path, name, *self.argv[1:]]
-
     def _launch_on_pty(self, env: dict[str, str], terminal: TerminalSide) -> None:
         if sys.platform == "win32":
             raise NotImplementedError("no ptys there")
@@ -326,7 +308,7 @@ class Process:
             for name in ("COLUMNS", "LINES"):
                 env.pop(name, None)  # programs ask the pty, whose size follows the window; fixed numbers would lie
             self._popen = subprocess.Popen(
-                self._words(slave),
+                prepared(self.argv, self._name, slave),
                 stdin=slave,
                 stdout=slave if session.stdout.isatty() else self._child_end(session.stdout),
                 stderr=slave if session.stderr.isatty() else self._child_end(session.stderr),
@@ -363,7 +345,7 @@ class Process:
             self._feed_end = source
         try:
             self._popen = subprocess.Popen(
-                self._words(),
+                prepared(self.argv, self._name),
                 stdin=source,
                 stdout=self._child_end(session.stdout),
                 stderr=self._child_end(session.stderr),
@@ -385,11 +367,11 @@ class Process:
         self._read_pipes()
         pipe = self._popen.stdin if feed is None else os.fdopen(feed, "wb")
         if pipe is not None:
-            feeder = self._feeder = Feeder(pipe)
-            session.scheduler.call_soon_threadsafe(lambda: session.spawn(_feed(session.stdin, feeder)))
+            self._feeder = Feeder(pipe)
+            session.scheduler.call_soon_threadsafe(partial(_spawn_feeding, session, self._feeder))
 
     def _open_screen(self, terminal: TerminalSide) -> None:
-        """Let what it writes to the terminal go through a pty, although it reads something else: so it colours and keeps its lines."""
+        """Let what it writes to the terminal go through a pty whatever it reads: so it colours and keeps its lines."""
         if sys.platform != "win32":
             import pty
 
@@ -505,32 +487,6 @@ def _has_output(fd: int, seconds: float | None) -> bool:
     return bool(poll.poll(None if seconds is None else 1000 * seconds))
 
 
-_PREPARED = """\
-: <>"$0"
-ulimit -S -c 0
-[ "$1" = 0 ] || ulimit -S -d "$1" 2>/dev/null
-shift
-exec "$@"
-"""
-"""What `launch_process.py` does, but in a tenth of its time: on Linux a terminal that such a process opens becomes its own."""
-
-_OF_THE_SYSTEM = ("/bin/", "/usr/")
-"""Where programs are certainly such as the system can start; what is wrong with another one `launch_process.py` says as bash does."""
-
-
-def _nice() -> str:
-    """Return the path of `nice` where `_PREPARED` does as much as `launch_process.py`, else '': sh leaves ignored signals ignored."""
-    numbers = (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP)
-    if sys.platform != "linux" or any(signal.getsignal(number) is signal.SIG_IGN for number in numbers):
-        return ""
-    return _path_of_nice()
-
-
-@cache
-def _path_of_nice() -> str:
-    return shutil.which("nice") or ""
-
-
 def _pump(
     source: int | IO[bytes],
     target: OutputStream,
@@ -607,6 +563,10 @@ def _read_waiting(fd: int) -> bytes:
         parts.append(data)
         size += len(data)
     return b"".join(parts)
+
+
+def _spawn_feeding(session: Session, feeder: Feeder) -> None:
+    session.spawn(_feed(session.stdin, feeder))
 
 
 async def _feed(source: InputStream, feeder: Feeder) -> None:
