@@ -44,11 +44,11 @@ def prepared(argv: Sequence[str], name: str = "", tty: int | None = None) -> Seq
 
 def _nice() -> str:
     """Return the path of `nice` where `_SCRIPT` does as much as `launch_process.py`, else ''."""
-    numbers = (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP)
-    # An ignored signal stays ignored behind sh.
-    if sys.platform != "linux" or any(signal.getsignal(number) is signal.SIG_IGN for number in numbers):
+    if sys.platform != "linux":
         return ""
-    return _path_of_nice()
+    numbers = (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP)
+    ignored = any(signal.getsignal(number) is signal.SIG_IGN for number in numbers)  # they stay so behind sh
+    return "" if ignored else _path_of_nice()
 
 
 @cache
