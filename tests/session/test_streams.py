@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Coroutine
 from pathlib import Path
 from typing import Any
@@ -133,3 +134,39 @@ def test_a_capture_keeps_what_was_written() -> None:
 )
 def test_what_a_terminal_sends_is_split_into_keys(text: str, keys: list[str]) -> None:
     assert split_keys(text) == keys
+
+
+def test_what_a_process_has_not_read_comes_next_also_before_the_rest_of_a_line() -> None:
+    pipe, text = Pipe(), TextInput("a\nb\n")
+    got: list[str] = []
+
+    async def reader() -> None:
+        for stream in (pipe.reader, text):
+            line = await stream.read_line()
+            stream.push_back(line)
+            got.append(await stream.read_line())
+            got.append(await stream.read_key())
+            stream.push_back(got[-1])
+            got.append(await stream.read_all())
+
+    pipe.writer.write("one\ntw")
+    (first,) = run(reader())
+    pipe.reader.push_back("not read\n")  # while its last line waits for its end
+    assert not first.done.is_set()
+    pipe.writer.write("o\n")
+    pipe.writer.close()
+    first.scheduler.advance()
+    assert got == ["one\n", "t", "not read\ntwo\n", "a\n", "b", "b\n"]
+
+
+def test_a_process_goes_on_reading_a_file_where_reading_stopped(tmp_path: Path) -> None:
+    path = tmp_path / "f"
+    path.write_text("é1\nzwei\ndrei\n", encoding="utf-8")
+    file = FileInput(path)
+    (line,) = run(file.read_line())
+    number = file.fileno()
+    assert number is not None and line.result == "é1\n"
+    assert os.read(number, 5) == b"zwei\n"
+    (line,) = run(file.read_line())
+    file.close()
+    assert line.result == "drei\n"
