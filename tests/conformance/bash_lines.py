@@ -129,9 +129,9 @@ class OurShell:
 
 
 def told(real: Answer | None, ours: Answer | None, script: str) -> str:
-    """The verdict, in which a script to which bash itself gives another answer the next time is `skipped`."""
+    """The verdict, in which a script to which bash itself gives another answer another time (a die's) is `skipped`."""
     found = verdict(real, ours)
-    return "skipped" if found == "different" and real != of_bash(script) else found
+    return "skipped" if found == "different" and any(real != of_bash(script) for _ in range(5)) else found
 
 
 def verdict(real: Answer | None, ours: Answer | None) -> str:
