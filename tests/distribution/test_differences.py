@@ -547,6 +547,29 @@ def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
         assert "data: 'Hello World" in day6("ros2", "topic", "echo", "--once", "/chatter", ROS_DISTRO="humble").stdout
 
 
+LOOKING = """
+import rclpy
+from example_interfaces.srv import AddTwoInts
+
+rclpy.init()
+node = rclpy.create_node("looking")
+assert node.create_client(AddTwoInts, "add_two_ints").wait_for_service(60)
+for found in node.get_servers_info_by_service("add_two_ints") + node.get_clients_info_by_service("/add_two_ints"):
+    print(found.endpoint_type.name, found.node_name, found.service_type, len({*map(tuple, found.endpoint_gids)}))
+"""
+
+
+@pytest.mark.process
+@pytest.mark.usefixtures("one_graph")
+@pytest.mark.parametrize("name", ["lyrical", "rolling"])
+def test_a_node_of_lyrical_knows_the_servers_of_other_programs(name: str, tmp_path: Path) -> None:
+    (tmp_path / "looking.py").write_text(LOOKING, encoding="utf-8")
+    line = "ros2 run demo_nodes_cpp add_two_ints_server & cd ~; python3 looking.py; kill %1"
+    said = day6("exec", "--home", str(tmp_path), "-c", line, ROS_DISTRO=name).stdout.splitlines()
+    interface = "example_interfaces/srv/AddTwoInts"
+    assert said == [f"SERVER add_two_ints_server {interface} 2", f"CLIENT looking {interface} 2"]
+
+
 @pytest.mark.process
 @pytest.mark.parametrize("name", PLAYED)
 def test_several_parameters_came_with_lyrical(played: dict[str, dict[str, str]], name: str) -> None:
