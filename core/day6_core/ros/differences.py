@@ -176,7 +176,7 @@ VALUES: dict[str, tuple[dict[str, Any], str]] = {
     ),
     "bag.records_actions": (
         {"humble": False, "kilted": True},
-        "ros2/rosbag2#1939: ros2bag/verb/record.py and rosbag2_cpp/action_utils.cpp, since Kilted",
+        "ros2/rosbag2#1939, #1955, since Kilted: ros2bag/verb, rosbag2_cpp/action_utils.cpp, rosbag2_record_replay_action.md",
     ),
     "bag.play_takes_storage": _since_lyrical(True, False, "ros2/rosbag2#2328: `-s` of ros2 bag play (Lyrical)"),
     "bag.recorder_starts_again": _since_lyrical(
@@ -466,6 +466,11 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
         *_since("jazzy", _BAGCLI),
     ),
     "bag convert since lyrical": (("--input-options",), *_since("lyrical", "ros2/rosbag2#2325: ros2bag/verb/convert.py")),
+    "bag play since kilted": (
+        ("--actions", "--exclude-actions", "--send-actions-as-client"),
+        *_since("kilted", "ros2/rosbag2#1955: ros2bag/verb/play.py"),
+    ),
+    "bag burst since kilted": (("--actions",), *_since("kilted", "ros2/rosbag2#1955: ros2bag/verb/burst.py")),
     "bag record since kilted": (
         ("--actions", "--all-actions", "--exclude-actions"),
         *_since("kilted", "ros2/rosbag2#1939: ros2bag/verb/record.py"),
@@ -545,8 +550,9 @@ UNSETTLED: dict[str, str] = {
     "raw messages": "are filled up to four bytes, and over 65,324 bytes are not, as measured in Kilted; older Fast DDS wasn't",
     "ros2 service call of Lyrical": "asks for a name although it was given (#1151, taken back by #1244): not imitated",
     "a package for Rust": "has no Cargo.lock (#1107): cargo asks the internet for it",
-    "actions in bags": "are chosen as services are: how topic_filter.cpp of Kilted (rosbag2#1939) weighs --actions against "
-    "other options is in no source at hand; ros2 bag play and ros2 bag info take an action's topics for ordinary ones",
+    "actions in bags": "are chosen as services are: how topic_filter.cpp of Kilted (rosbag2#1939) and the player (#1955) weigh "
+    "--actions against other options, and the name of the client's log, are in no source at hand; goals are sent by clients of "
+    "their services, with new IDs",
     "bags of Lyrical": "lines of the recorder are those of recorder.cpp as of April 2026, without what it says of serialization "
     "formats; --repeat-all-transient-local without a number keeps one message (#2391 says no more)",
     "message_filters": "has Chain, DeltaFilter, InputAligner, TimeSequencer and offsets in every distribution: most went back to "

@@ -13,7 +13,7 @@ from rosbag2_py._console import Log, to_console
 from rosbag2_py._files import open_file, reading
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import EVENT_SUFFIX, BagMetadata, StorageOptions, TopicInformation, nanoseconds_of
-from rosbag2_py._topic_filter import is_service_event
+from rosbag2_py._topic_filter import action_of, is_service_event, type_of_action
 
 SECOND = 1_000_000_000
 SORTING: dict[str, Callable[[TopicInformation], Any]] = {
@@ -77,20 +77,20 @@ class Info:
         if not value("bag.info_names_distribution_and_services"):
             about = [_topic_line(each, None) for each in metadata.topics_with_message_count]
             return "\n".join([*_head(metadata, metadata.message_count), *_column(_TOPICS, about)]) + "\n"
-        services = _services(metadata, sorting_method)
-        lines = _head_and_topics(metadata, sorting_method, None)
         about = [
             f"Service: {service.name} | Type: {service.type} | Event Count: {service.events} | "
             f"Serialization Format: {service.serialization}"
-            for service in services
+            for service in _services(metadata, sorting_method)
         ]
-        return "\n".join([*lines, *_column("Service information: ", about)]) + ("\n" if about else "")
+        lines = _head_and_topics(metadata, sorting_method, None)
+        return _all_of(lines, about, _actions(metadata, sorting_method), lambda topic, count: f"Event Count: {count}")
 
     def verbose_text(self, uri: str, metadata: BagMetadata, sorting_method: str = "name") -> str:
         """Return the output of `ros2 bag info -v BAG`."""
         sizes = message_sizes(uri, metadata, self._log)
         services = _services(metadata, sorting_method)
-        calls = _calls(uri, metadata, self._log) if services else {}
+        actions = _actions(metadata, sorting_method)
+        calls = _calls(uri, metadata, self._log) if services or actions else {}
         about = [
             f"Service: {service.name} | Type: {service.type} | Request Count: {calls.get(service.name, (0, 0))[0]} | "
             f"Response Count: {calls.get(service.name, (0, 0))[1]} | "
@@ -98,8 +98,12 @@ class Info:
             f"Serialization Format: {service.serialization}"
             for service in services
         ]
-        lines = _head_and_topics(metadata, sorting_method, sizes)
-        return "\n".join([*lines, *_column("Service information: ", about)]) + ("\n" if about else "")
+
+        def counts(service: str, _: int) -> str:
+            requests, responses = calls.get(service, (0, 0))
+            return f"Request Count: {requests} | Response Count: {responses}"
+
+        return _all_of(_head_and_topics(metadata, sorting_method, sizes), about, actions, counts)
 
 
 class _Service(NamedTuple):
@@ -109,13 +113,70 @@ class _Service(NamedTuple):
     serialization: str
 
 
+class _Action(NamedTuple):
+    name: str
+    type: str
+    counts: dict[str, int]
+    """The number of messages by the ends of topics' names."""
+    serialization: str
+
+
+_TOPICS_OF_ACTION = ("feedback", "status")
+_SERVICES_OF_ACTION = ("send_goal", "cancel_goal", "get_result")
+
+
 def _topics(metadata: BagMetadata, sorting_method: str) -> list[TopicInformation]:
     found = [
         each
         for each in metadata.topics_with_message_count
         if not is_service_event(each.topic_metadata.name, each.topic_metadata.type)
+        and not action_of(each.topic_metadata.name, each.topic_metadata.type)
     ]
     return sorted(found, key=SORTING[sorting_method])
+
+
+def _actions(metadata: BagMetadata, sorting_method: str) -> list[_Action]:
+    found: dict[str, list[TopicInformation]] = {}
+    for each in metadata.topics_with_message_count:
+        if action := action_of(each.topic_metadata.name, each.topic_metadata.type):
+            found.setdefault(action, []).append(each)
+    actions = [
+        _Action(
+            name,
+            next(
+                (type_of_action(each.topic_metadata.type) for each in topics if "/action/" in each.topic_metadata.type),
+                "",
+            ),
+            {each.topic_metadata.name.removeprefix(f"{name}/_action/"): each.message_count for each in topics},
+            topics[0].topic_metadata.serialization_format,
+        )
+        for name, topics in found.items()
+    ]
+    keys = {
+        "name": lambda each: each.name,
+        "type": lambda each: each.type,
+        "count": lambda each: sum(each.counts.values()),
+    }
+    return sorted(actions, key=keys[sorting_method])
+
+
+def _all_of(lines: list[str], services: list[str], actions: list[_Action], counts: Callable[[str, int], str]) -> str:
+    """Return the output. `counts(service, events)` tells of the messages of a service of an action."""
+    lines = [*lines, *_column("Service information: ", services)]
+    if not value("bag.records_actions"):
+        return "\n".join(lines) + ("\n" if services else "")
+    lines += [f"Actions:           {len(actions)}", "Action information: "]
+    for each in actions:
+        topics = sum(name in each.counts for name in _TOPICS_OF_ACTION)
+        events = {name: each.counts.get(name + EVENT_SUFFIX) for name in _SERVICES_OF_ACTION}
+        lines.append(
+            f"  Action: {each.name} | Type: {each.type} | Topics: {topics} | "
+            f"Service: {sum(count is not None for count in events.values())} | Serialization Format: {each.serialization}"
+        )
+        lines += [f"    Topic: {name} | Count: {each.counts.get(name, 0)}" for name in _TOPICS_OF_ACTION]
+        for name, count in events.items():
+            lines.append(f"    Service: {name} | {counts(f'{each.name}/_action/{name}', count or 0)}")
+    return "\n".join(lines) + ("\n" if services or actions else "")
 
 
 def _services(metadata: BagMetadata, sorting_method: str) -> list[_Service]:
@@ -123,6 +184,7 @@ def _services(metadata: BagMetadata, sorting_method: str) -> list[_Service]:
         each
         for each in sorted(metadata.topics_with_message_count, key=SORTING[sorting_method])
         if is_service_event(each.topic_metadata.name, each.topic_metadata.type)
+        and not action_of(each.topic_metadata.name, each.topic_metadata.type)
     ]
     return [
         _Service(
@@ -138,10 +200,12 @@ def _services(metadata: BagMetadata, sorting_method: str) -> list[_Service]:
 def _head_and_topics(metadata: BagMetadata, sorting_method: str, sizes: Mapping[str, int] | None) -> list[str]:
     services = _services(metadata, "name")
     topics = [_topic_line(each, sizes) for each in _topics(metadata, sorting_method)]
+    of_actions = sum(sum(action.counts.values()) for action in _actions(metadata, "name"))
+    label = "Services:          " if value("bag.records_actions") else "Service:           "
     return [
-        *_head(metadata, metadata.message_count - sum(service.events for service in services)),
+        *_head(metadata, metadata.message_count - sum(service.events for service in services) - of_actions),
         *_column(_TOPICS, topics),
-        f"Service:           {len(services)}",
+        f"{label}{len(services)}",
     ]
 
 
@@ -226,7 +290,7 @@ def _calls(uri: str, metadata: BagMetadata, log: Log) -> dict[str, tuple[int, in
     kinds = {
         each.topic_metadata.name: get_interface(each.topic_metadata.type)
         for each in metadata.topics_with_message_count
-        if is_service_event(each.topic_metadata.name, each.topic_metadata.type)
+        if each.topic_metadata.name.endswith(EVENT_SUFFIX) and each.topic_metadata.type.endswith("_Event")
     }
     seen: dict[str, tuple[set[Any], set[Any]]] = {topic: (set(), set()) for topic in kinds}
     for topic, data, _ in _all_messages(uri, metadata, log):

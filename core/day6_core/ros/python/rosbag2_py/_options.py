@@ -84,10 +84,12 @@ class PlayOptions(Bound):
     rate: float = 1.0
     topics_to_filter: list[str] = field(default_factory=list)
     services_to_filter: list[str] = field(default_factory=list)
+    actions_to_filter: list[str] = field(default_factory=list, metadata=ACTIONS)
     regex_to_filter: str = ""
     exclude_regex_to_filter: str = ""
     exclude_topics_to_filter: list[str] = field(default_factory=list)
     exclude_service_events_to_filter: list[str] = field(default_factory=list)
+    exclude_actions_to_filter: list[str] = field(default_factory=list, metadata=ACTIONS)
     topic_qos_profile_overrides: dict[str, QoSProfile] = field(default_factory=dict)
     loop: bool = False
     topic_remapping_options: list[str] = field(default_factory=list)
@@ -103,6 +105,7 @@ class PlayOptions(Bound):
     wait_acked_timeout: int = -1
     disable_loan_message: bool = False
     publish_service_requests: bool = False
+    send_actions_as_client: bool = field(default=False, metadata=ACTIONS)
     service_requests_source: ServiceRequestsSource = ServiceRequestsSource.SERVICE_INTROSPECTION
     progress_bar_update_rate: int = 0
     progress_bar_separation_lines: int = 3

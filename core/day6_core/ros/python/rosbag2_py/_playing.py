@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from rosgraph_msgs.msg import Clock
@@ -18,7 +18,7 @@ from rosbag2_py._qos import convert_rclcpp_qos_to_rclpy_qos, offer_for
 from rosbag2_py._reader import SequentialReader, last_moment
 from rosbag2_py._service_requests import ServiceRequests
 from rosbag2_py._storage import Message, StorageFilter, TopicMetadata, nanoseconds_of
-from rosbag2_py._topic_filter import is_service_event
+from rosbag2_py._topic_filter import action_of, is_service_event, topics_of_actions
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -64,7 +64,7 @@ class Playing:
         self._next: Message | None = None
         self._publishers: dict[str, Publisher[Any]] = {}
         self._requests: ServiceRequests | None = None
-        if options.publish_service_requests:
+        if options.publish_service_requests or options.send_actions_as_client:
             self._requests = ServiceRequests(node, options.service_requests_source)
         self._clock_due: int | None = None
         self._delay_until: int | None = None
@@ -85,12 +85,14 @@ class Playing:
 
     def _make_publishers(self) -> None:
         options = self._options
+        actions = topics_of_actions(options.actions_to_filter)
+        not_actions = topics_of_actions(options.exclude_actions_to_filter)
         chosen = StorageFilter(
-            topics=[self._full(topic) for topic in options.topics_to_filter],
-            services_events=[self._full(topic) for topic in options.services_to_filter],
+            topics=self._all_full([*options.topics_to_filter, *actions]),
+            services_events=self._all_full([*options.services_to_filter, *actions]),
             regex=options.regex_to_filter,
-            exclude_topics=[self._full(topic) for topic in options.exclude_topics_to_filter],
-            exclude_service_events=[self._full(topic) for topic in options.exclude_service_events_to_filter],
+            exclude_topics=self._all_full([*options.exclude_topics_to_filter, *not_actions]),
+            exclude_service_events=self._all_full([*options.exclude_service_events_to_filter, *not_actions]),
             regex_to_exclude=options.exclude_regex_to_filter,
         )
         self._clock_publisher: Publisher[Clock] | None = None
@@ -104,11 +106,20 @@ class Playing:
             for topic in reader.get_all_topics_and_types():
                 if not chosen.allows(topic.name):
                     continue
-                if self._requests is not None and is_service_event(topic.name, topic.type):
+                if self._requests is not None and self._is_sent_again(topic):
                     self._requests.add(topic)
                 elif topic.name not in self._publishers:
                     self._make_publisher(topic)
         self._warn_of_acknowledgements()
+
+    def _is_sent_again(self, topic: TopicMetadata) -> bool:
+        """Whether calls are sent in place of the messages of a topic; what an action's server publishes itself, isn't."""
+        if action_of(topic.name, topic.type):
+            return self._options.send_actions_as_client
+        return self._options.publish_service_requests and is_service_event(topic.name, topic.type)
+
+    def _all_full(self, topics: Iterable[str]) -> list[str]:
+        return list(map(self._full, topics))
 
     def _full(self, topic: str) -> str:
         from rclpy.expand_topic_name import expand_topic_name

@@ -1,8 +1,12 @@
-"""Recorded calls that are sent again: `ros2 bag play --publish-service-requests` (rosbag2_transport's player.cpp)."""
+"""Recorded calls that are sent again: `--publish-service-requests` and `--send-actions-as-client` of `ros2 bag play`.
+
+The texts are those of rosbag2_transport's player.cpp.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
+from uuid import uuid4
 
 from day6_core.interfaces import deserialize, get_interface
 from rosbag2_py._options import ServiceRequestsSource
@@ -27,11 +31,13 @@ class ServiceRequests:
         }[source]
         self._clients: dict[str, Any] = {}
         self._event_types: dict[str, type] = {}
+        self._goals: dict[bytes, Any] = {}
+        """The ID with which a recorded goal was sent, by the recorded one: a server may still know that."""
         self._told: set[str] = set()
 
     def add(self, topic: TopicMetadata) -> None:
-        """Make the client for a topic with events; a service of unknown type is told and left out."""
-        if topic.name in self._clients:
+        """Make the client for a topic with events (others are left out); a service of unknown type is told and left out."""
+        if topic.name in self._clients or not topic.name.endswith(EVENT_SUFFIX):
             return
         service = topic.name.removesuffix(EVENT_SUFFIX)
         try:
@@ -64,6 +70,7 @@ class ServiceRequests:
         if not event.request:
             self._tell_of_metadata(service, event)
             return False
+        self._name_goal(event.request[0])
         try:
             client.call_async(event.request[0])
         except Exception as error:
@@ -71,6 +78,19 @@ class ServiceRequests:
             self._log.error(f"Failed to send request on '{service}' service. \nError: {error}")
             return False
         return True
+
+    def _name_goal(self, request: Any) -> None:
+        """Give a request of an action the ID that its goal has now."""
+        from unique_identifier_msgs.msg import UUID
+
+        about = getattr(request, "goal_info", request)
+        recorded = getattr(about, "goal_id", None)
+        if not isinstance(recorded, UUID):
+            return  # of a service
+        key = bytes(recorded.uuid)
+        if hasattr(request, "goal"):
+            self._goals[key] = UUID(uuid=list(uuid4().bytes))
+        about.goal_id = self._goals.get(key, recorded)
 
     def _tell_of_metadata(self, service: str, event: Any) -> None:
         from service_msgs.msg import ServiceEventInfo

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +38,16 @@ def action_of(topic: str, type_name: str) -> str:
         if topic.endswith(ending) and within in type_name and type_name.endswith(last):
             return topic.removesuffix(ending)
     return ""
+
+
+def type_of_action(type_name: str) -> str:
+    """Return the type of the action of which this is the type of an own topic."""
+    return re.sub("(_SendGoal|_GetResult)?_Event$|_FeedbackMessage$", "", type_name)
+
+
+def topics_of_actions(actions: Iterable[str]) -> list[str]:
+    """Return the topics of actions."""
+    return [action + ending for action in actions for ending in _OF_ACTIONS]
 
 
 def is_service_event(topic: str, type_name: str) -> bool:

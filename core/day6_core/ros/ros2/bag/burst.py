@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from day6_core.ros.differences import value
 from day6_core.ros.ros2.bag._options import add_bag_path, add_qos_overrides, event_topics, not_negative_int
 from day6_core.ros.ros2.bag.play import add_reading, add_remapping
 
@@ -17,7 +18,7 @@ SUMMARY = "Burst data from a bag"
 def add_arguments(parser: ArgumentParser) -> None:
     add_bag_path(parser)
     add_reading(parser)
-    for things in ("topic", "service"):
+    for things in ("topic", "service", "action"):
         parser.add_argument(
             f"--{things}s",
             default=[],
@@ -44,6 +45,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     options = PlayOptions(
         topics_to_filter=args.topics,
         services_to_filter=event_topics(args.services),
+        **({"actions_to_filter": args.actions} if value("bag.records_actions") else {}),
         start_paused=True,
         start_offset=args.start_offset,
     )

@@ -87,11 +87,20 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="Publish recorded service requests instead of recorded service events",
     )
     parser.add_argument(
+        "--send-actions-as-client",
+        action="store_true",
+        help="Send the send_goal request, cancel_goal request, and get_result request respectively based on the recorded "
+        'send_goal, cancel_goal, and get_result event messages. Note that the messages from action\'s "status topic" '
+        '[NameSpace/]ActionName/_action/status and "feedback topic" [NameSpace/]ActionName/_action/feedback will not be '
+        "sent because they are expected to be sent from the action server side.",
+    )
+    others = ' or "--send-actions-as-client"' if value("bag.records_actions") else ""
+    parser.add_argument(
         "--service-requests-source",
         default="service_introspection",
         choices=("service_introspection", "client_introspection"),
         help="Determine the source of the service requests to be replayed. This option only makes sense if the "
-        '"--publish-service-requests" option is set. By default, the service requests replaying from recorded service '
+        f'"--publish-service-requests"{others} option is set. By default, the service requests replaying from recorded service '
         "introspection message.",
     )
     parser.add_argument("--log-level", default="info", choices=LOG_LEVELS, help="Logging level.")
@@ -144,31 +153,35 @@ def add_remapping(parser: ArgumentParser) -> None:
 
 
 def _add_choice(parser: ArgumentParser) -> None:
-    for name, things in (("--topics", "topic"), ("--services", "service")):
+    for things in ("topic", "service", "action"):
         completed(
             parser.add_argument(
-                name, default=[], metavar=things, nargs="+", help=f"Space-delimited list of {things}s to play."
+                f"--{things}s",
+                default=[],
+                metavar=things,
+                nargs="+",
+                help=f"Space-delimited list of {things}s to play.",
             ),
             topic_names,
         )
+    kinds = "topics, services and actions" if value("bag.records_actions") else "topics and services"
     parser.add_argument(
         "-e",
         "--regex",
         type=regular_expression,
         default="",
-        help="Play only topics and services matches with regular expression.",
+        help=f"Play only {kinds} matches with regular expression.",
     )
     parser.add_argument(
         "-x",
         "--exclude-regex",
         type=regular_expression,
         default="",
-        help="regular expressions to exclude topics and services from replay.",
+        help=f"regular expressions to exclude {kinds} from replay.",
     )
-    for name, things in (("--exclude-topics", "topic"), ("--exclude-services", "service")):
-        parser.add_argument(
-            name, default=[], metavar=things, nargs="+", help=f"Space-delimited list of {things}s not to play."
-        )
+    for things in ("topic", "service", "action"):
+        text = f"Space-delimited list of {things}s not to play."
+        parser.add_argument(f"--exclude-{things}s", default=[], metavar=things, nargs="+", help=text)
 
 
 def _add_clock(parser: ArgumentParser) -> None:
@@ -239,6 +252,17 @@ def _positive(text: str) -> float:
 _positive.__name__ = "positive_float"  # argparse names the type when a value is wrong
 
 
+def _of_actions(args: Namespace) -> dict[str, Any]:
+    """The options of actions, where there are any."""
+    if not value("bag.records_actions"):
+        return {}
+    return {
+        "actions_to_filter": args.actions,
+        "exclude_actions_to_filter": args.exclude_actions,
+        "send_actions_as_client": args.send_actions_as_client,
+    }
+
+
 async def main(session: Session, args: Namespace) -> str | None:
     from day6_core.ros.ros2.bag._player import play
 
@@ -256,6 +280,7 @@ def _options(args: Namespace) -> Any:
         rate=args.rate,
         topics_to_filter=args.topics,
         services_to_filter=event_topics(args.services),
+        **_of_actions(args),
         regex_to_filter=args.regex,
         exclude_regex_to_filter=args.exclude_regex,
         exclude_topics_to_filter=[*args.exclude_topics, *(["/clock"] if args.clock else [])],
