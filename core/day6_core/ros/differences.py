@@ -564,7 +564,8 @@ UNSETTLED: dict[str, str] = {
     "where only who asked is told): the words are in no source at hand",
     "a transition's stamp": "is the time of the node's clock (rcl#1269 says no more of it)",
     "clients and servers in Lyrical": "have two GIDs and QoS profiles each, as with rmw_fastrtps; with no_mangle (rclpy#1307) "
-    "none are found",
+    "none are found; how they are indented as text, and the names of the arguments of Node's functions for actions (#1574), are "
+    "as seemed likely",
     "actions without execute_callback": "are as in #1219 of April 2024: `executing()`, results of `succeed`, `abort` and "
     "`canceled`, the warning of a server that does nothing",
     "urdfdom of Lyrical": "the numbers of lines in its messages are those of urdfdom 4.0.1 and 5.1; that URDF 1.2 refuses sizes "
