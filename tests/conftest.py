@@ -30,7 +30,7 @@ from tests.support import (
     skips,
     waiting,  # noqa: F401 - before sleeping is watched
 )
-from tests.support.other_distribution import in_distribution  # noqa: F401
+from tests.support.other_distribution import in_distribution, nothing_chosen  # noqa: F401
 from tests.support.rights import plain_user  # noqa: F401
 from tests.support.short_folder import make_short_folder, remove_short_folders
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -21,15 +21,6 @@ from .command import day6
 def printed(*words: str, line: str = "echo $ROS_DISTRO", **variables: str) -> str:
     done = day6(*words, "exec", "-c", line, **variables)
     return done.stdout.strip() + done.stderr.strip()
-
-
-@pytest.fixture(autouse=True)
-def nothing_chosen() -> Iterator[Path]:
-    """The file of settings, which all tests of a process share, and which does not exist before and after."""
-    path = data_folder() / "settings.json"
-    path.unlink(missing_ok=True)
-    yield path
-    path.unlink(missing_ok=True)
 
 
 def remember(name: str) -> None:

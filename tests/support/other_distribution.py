@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import pytest
 
 from day6_core.interfaces import registry, type_hash
+from day6_core.places import data_folder
 from day6_core.ros import distribution
 
 DECIDED_AT_IMPORT = (
@@ -42,3 +43,11 @@ def in_distribution(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], None]:
         monkeypatch.setattr(distribution, "_current", name)
 
     return enter
+
+
+@pytest.fixture(autouse=True)
+def nothing_chosen() -> Iterator[None]:
+    """Forget what was chosen (the distribution, a theme …): all tests of a process share the file of settings."""
+    path = data_folder() / "settings.json"
+    yield
+    path.unlink(missing_ok=True)

@@ -69,6 +69,9 @@ def __getattr__(name: str) -> Any:
     return _also(name)
 
 
+_OPTIONAL = "action.execute_callback_is_optional"
+
+
 class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, FeedbackT]):
     """Serves an action.
 
@@ -102,7 +105,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: int = 10,
     ) -> None:
-        if execute_callback is None and not value("action.execute_callback_is_optional"):
+        if execute_callback is None and not value(_OPTIONAL):
             raise TypeError("ActionServer.__init__() missing 1 required positional argument: 'execute_callback'")
         super().__init__(node.default_callback_group if callback_group is None else callback_group)
         self._lock = threading.Lock()
@@ -396,7 +399,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         Raises:
             TypeError: if it isn't callable.
         """
-        if execute_callback is not None and not callable(execute_callback):
+        if not callable(execute_callback) and not (execute_callback is None and value(_OPTIONAL)):
             raise TypeError("Failed to register goal execution callback: not callable")
         self._execute_callback = execute_callback
 

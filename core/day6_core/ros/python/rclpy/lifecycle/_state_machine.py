@@ -117,9 +117,7 @@ class StateMachine:
 
     def _make(self, transition: Transition | None, wanted: int | str, publish_update: bool) -> None:
         if transition is None:
-            # For a transition given by label, rcl_lifecycle logs it twice.
-            for _ in range(2 if isinstance(wanted, str) else 1):
-                self._warn(wanted)
+            self._warn(wanted)
             raise RCLError(
                 "Failed to trigger lifecycle state machine transition: Transition is not registered., "
                 "at /project/src/rcl_lifecycle.c:355"
