@@ -387,12 +387,16 @@ def test_a_bag_can_be_played(played: dict[str, dict[str, str]], name: str) -> No
 
 @pytest.mark.process
 @pytest.mark.parametrize("name", PLAYED)
-def test_humble_tells_neither_distribution_nor_services_of_a_bag(played: dict[str, dict[str, str]], name: str) -> None:
+def test_info_tells_of_services_since_jazzy_and_of_actions_since_kilted(
+    played: dict[str, dict[str, str]], name: str
+) -> None:
     titles = [line.partition(":")[0] for line in played[name]["info"].splitlines() if line[:1].strip()]
-    later = {"ROS Distro", "Service", "Service information"}
+    later = {"ROS Distro", "Service information"}
+    of_actions = {"Services", "Actions", "Action information"}
     assert {*titles} == {
         "Files", "Bag size", "Storage id", "Duration", "Start", "End", "Messages", "Topic information",
         *(() if name == "humble" else later),
+        *({"humble": (), "jazzy": {"Service"}}.get(name, of_actions)),
     }  # fmt: skip
 
 
