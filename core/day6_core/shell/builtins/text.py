@@ -361,12 +361,9 @@ async def uniq(session: Session) -> int:
     """Nothing depends on how often a line comes: it is shown when it comes, as behind `ros2 topic echo --csv /a |`."""
 
     def show() -> None:
-        if (
-            previous is not None
-            and not at_once
-            and not ("d" in options and count < 2)
-            and not ("u" in options and count > 1)
-        ):
+        if previous is None or at_once:
+            return
+        if not ("d" in options and count < 2) and not ("u" in options and count > 1):
             session.print(f"{count:>7} {previous}" if "c" in options else previous)
 
     async for _, line in lines_of(session, names, problems):

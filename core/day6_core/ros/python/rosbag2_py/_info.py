@@ -184,7 +184,6 @@ def _services(metadata: BagMetadata, sorting_method: str) -> list[_Service]:
         each
         for each in sorted(metadata.topics_with_message_count, key=SORTING[sorting_method])
         if is_service_event(each.topic_metadata.name, each.topic_metadata.type)
-        and not action_of(each.topic_metadata.name, each.topic_metadata.type)
     ]
     return [
         _Service(

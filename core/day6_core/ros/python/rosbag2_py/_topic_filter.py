@@ -51,8 +51,9 @@ def topics_of_actions(actions: Iterable[str]) -> list[str]:
 
 
 def is_service_event(topic: str, type_name: str) -> bool:
-    """Return whether a topic carries the events of a service."""
-    return topic.endswith(EVENT_SUFFIX) and "/srv/" in type_name and type_name.endswith("_Event")
+    """Return whether a topic carries the events of a service that isn't an action's."""
+    is_event = topic.endswith(EVENT_SUFFIX) and "/srv/" in type_name and type_name.endswith("_Event")
+    return is_event and not action_of(topic, type_name)
 
 
 def is_action_selected(action: str, options: RecordOptions) -> bool:

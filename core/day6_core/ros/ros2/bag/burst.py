@@ -5,7 +5,6 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from day6_core.ros.differences import value
 from day6_core.ros.ros2.bag._options import add_bag_path, add_qos_overrides, event_topics, not_negative_int
 from day6_core.ros.ros2.bag.play import add_reading, add_remapping
 
@@ -45,7 +44,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     options = PlayOptions(
         topics_to_filter=args.topics,
         services_to_filter=event_topics(args.services),
-        **({"actions_to_filter": args.actions} if value("bag.records_actions") else {}),
+        actions_to_filter=args.actions,
         start_paused=True,
         start_offset=args.start_offset,
     )

@@ -252,17 +252,6 @@ def _positive(text: str) -> float:
 _positive.__name__ = "positive_float"  # argparse names the type when a value is wrong
 
 
-def _of_actions(args: Namespace) -> dict[str, Any]:
-    """The options of actions, where there are any."""
-    if not value("bag.records_actions"):
-        return {}
-    return {
-        "actions_to_filter": args.actions,
-        "exclude_actions_to_filter": args.exclude_actions,
-        "send_actions_as_client": args.send_actions_as_client,
-    }
-
-
 async def main(session: Session, args: Namespace) -> str | None:
     from day6_core.ros.ros2.bag._player import play
 
@@ -280,11 +269,12 @@ def _options(args: Namespace) -> Any:
         rate=args.rate,
         topics_to_filter=args.topics,
         services_to_filter=event_topics(args.services),
-        **_of_actions(args),
+        actions_to_filter=args.actions,
         regex_to_filter=args.regex,
         exclude_regex_to_filter=args.exclude_regex,
         exclude_topics_to_filter=[*args.exclude_topics, *(["/clock"] if args.clock else [])],
         exclude_service_events_to_filter=event_topics(args.exclude_services),
+        exclude_actions_to_filter=args.exclude_actions,
         loop=args.loop,
         clock_publish_frequency=args.clock,
         clock_publish_on_topic_publish=args.clock_topics_all or bool(args.clock_topics),
@@ -297,6 +287,7 @@ def _options(args: Namespace) -> Any:
         disable_keyboard_controls=args.disable_keyboard_controls,
         wait_acked_timeout=args.wait_for_all_acked,
         publish_service_requests=args.publish_service_requests,
+        send_actions_as_client=args.send_actions_as_client,
         service_requests_source=ServiceRequestsSource[args.service_requests_source.upper()],
         progress_bar_update_rate=args.progress_bar_update_rate,
         message_order=args.message_order,
