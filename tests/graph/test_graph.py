@@ -63,10 +63,11 @@ def test_a_message_carries_times_numbers_and_the_publishers_gid(graph: Graph, no
     pub, sub = publisher(node), subscription(node)
     for _ in range(2):
         pub.publish([])
+    graph.now_ns = lambda: 456  # they were not taken when they came
     infos = [sub.message_info(sample) for _ in range(2) if (sample := sub.take())]
     assert [info.publication_sequence_number for info in infos] == [1, 2]
     assert [info.reception_sequence_number for info in infos] == [1, 2]
-    assert {info.source_timestamp for info in infos} == {123}
+    assert {(info.source_timestamp, info.received_timestamp) for info in infos} == {(123, 123)}
     assert infos[0].publisher_gid == pub.gid
     assert len(pub.gid) == 16
     assert pub.gid != sub.gid

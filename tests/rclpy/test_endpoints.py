@@ -65,7 +65,7 @@ def test_bytes_of_other_programs_are_filled_as_fast_dds_does(world: Any, sender:
             publisher.publish(message)
         else:  # as the link does it
             far = SimpleNamespace(origin=origin.origin, node=origin, qos=subscription._endpoint.qos, gid=bytes(16))
-            subscription._endpoint.receive((serialize_message(message), 1, 1, far))
+            subscription._endpoint.receive((serialize_message(message), 1, 1, far, 1))
     world.settle()
     # What real rclpy 9.1.2 was seen to receive, in the same process and from another one.
     own, others = [9, 10, 11, 12, 13, 14, 15, 16, 17], [12, 12, 12, 12, 16, 16, 16, 16, 20]

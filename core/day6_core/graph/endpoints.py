@@ -1,11 +1,13 @@
 """The endpoints of nodes: publishers, subscriptions, service servers and clients.
 
 An endpoint with `origin` set represents one in another process; the link (`day6_core.link`) creates and removes those. Delivery
-needs no lock: the graph replaces the tuples of matched endpoints as a whole, and queues are `deque`s.
+needs no lock: the graph replaces the tuples of matched endpoints as a whole, and queues are `deque`s. Only a publisher that keeps
+messages for late joiners has one, so that each message reaches a late joiner once and in order.
 """
 
 from __future__ import annotations
 
+import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 from enum import Enum
@@ -146,6 +148,10 @@ class Publisher(Endpoint):
         self._numbers = count(1)
         latched = self.qos.durability == Durability.TRANSIENT_LOCAL
         self.cache: deque[tuple[Any, int, int]] | None = deque(maxlen=self.qos.capacity) if latched else None
+        self.keep: Copier = copy
+        """Turns a message into what the cache holds; `copy` turns that into a message again."""
+        self._joining = threading.RLock()
+        """Held while a message is kept or a late joiner gets what was: never while one is delivered."""
         self._deadline: DeadlineWatch | None = None
         self._lease: LeaseWatch | None = None
         if is_finite(self.qos.deadline):
@@ -203,10 +209,28 @@ class Publisher(Endpoint):
         """Deliver copies to the subscriptions of this process (called by the link for a remote publisher)."""
         self._delivered += 1
         copy = self.copy
-        if self.cache is not None:
-            self.cache.append((copy(message), source_timestamp, number))
-        for subscription in self.matched:
-            subscription.receive((copy(message), source_timestamp, number, self))
+        if self.cache is None:
+            matched = self.matched
+        else:
+            kept = self.keep(message), source_timestamp, number
+            with self._joining:
+                self.cache.append(kept)
+                matched = self.matched
+        if matched:
+            now = self.node.graph.now_ns()
+            for subscription in matched:
+                subscription.receive((copy(message), source_timestamp, number, self, now))
+
+    def match(self, subscription: Subscription) -> None:
+        """Deliver to a subscription of this process from now on, first what was kept for a late joiner (called by the graph)."""
+        if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
+            self.matched = (*self.matched, subscription)
+            return
+        with self._joining:
+            self.matched = (*self.matched, subscription)
+            now = self.node.graph.now_ns()
+            for message, source_timestamp, number in self.kept()[-subscription.qos.capacity :]:
+                subscription.receive((self.copy(message), source_timestamp, number, self, now))
 
     def kept(self) -> list[tuple[Any, int, int]]:
         """Return the messages for late joiners: (message, source timestamp in ns, number), without expired ones."""
@@ -216,13 +240,6 @@ class Publisher(Endpoint):
         """Return whether a message with that source timestamp (ns) has outlived the publisher's lifespan."""
         lifespan = self.qos.lifespan
         return is_finite(lifespan) and self.node.graph.now_ns() - source_timestamp > lifespan
-
-    def replay(self, subscription: Subscription) -> None:
-        """Deliver the kept messages to a late-joining transient-local subscription."""
-        if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
-            return
-        for message, source_timestamp, number in self.kept()[-subscription.qos.capacity :]:
-            subscription.receive((self.copy(message), source_timestamp, number, self))
 
     def assert_liveliness(self) -> None:
         """Assert liveliness without a message."""
@@ -240,8 +257,8 @@ class Publisher(Endpoint):
             self._notify(EventKind.LIVELINESS_LOST)
 
 
-Sample = tuple[Any, int, int, Publisher]
-"""message, source timestamp in ns, publication sequence number, publisher"""
+Sample = tuple[Any, int, int, Publisher, int]
+"""message, source timestamp in ns, publication sequence number, publisher, time of arrival in ns"""
 
 
 class Subscription(Endpoint):
@@ -348,8 +365,7 @@ class Subscription(Endpoint):
 
     def message_info(self, sample: Sample) -> MessageInfo:
         """Return the metadata of the sample that `take` has just returned."""
-        _, source_timestamp, number, publisher = sample
-        received = self.node.graph.now_ns()
+        _, source_timestamp, number, publisher, received = sample
         return MessageInfo(source_timestamp, received, number, self._received, publisher.gid, publisher.origin is None)
 
 

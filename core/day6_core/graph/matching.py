@@ -70,19 +70,17 @@ def _pair(publisher: Publisher, subscription: Subscription, raised: RaisedEvents
             raised.append((endpoint, EventKind.INCOMPATIBLE_QOS))
         return
     subscription.matched = (*subscription.matched, publisher)
-    if subscription.origin is None:
-        publisher.matched = (*publisher.matched, subscription)
-    else:
-        publisher.remote_matched = (*publisher.remote_matched, subscription)
     if not watched:
         _count(publisher, 1, raised)
         _count(subscription, 1, raised)
-    if subscription.origin is None:
+    if subscription.origin is not None:
+        publisher.remote_matched = (*publisher.remote_matched, subscription)
+    else:
         # A process asserts the liveliness of its automatic publishers; within one process Fast DDS raises no event.
         far_and_automatic = publisher.origin is not None and publisher.qos.liveliness == Liveliness.AUTOMATIC
         if far_and_automatic and not watched and subscription.note_alive(publisher, publisher.node.graph.now_ns()):
             raised.append((subscription, EventKind.LIVELINESS_CHANGED))
-        publisher.replay(subscription)
+        publisher.match(subscription)
 
 
 def _is_watched(publisher: Publisher, subscription: Subscription) -> bool:
@@ -98,8 +96,7 @@ def _serve(service: Service, client: Client) -> None:
 
 def _count(endpoint: Endpoint, change: int, raised: RaisedEvents) -> None:
     status = endpoint.events[EventKind.MATCHED]
-    status.current_count += change
-    status.current_count_change += change
+    status.add_current(change)
     if change > 0:
         status.add()
     raised.append((endpoint, EventKind.MATCHED))

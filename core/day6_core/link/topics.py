@@ -176,6 +176,7 @@ class Topics:
                 attachment = sample.attachment
                 if attachment is None or subscription.destroyed:
                     return
+                received = subscription.node.graph.now_ns()
                 number, source_timestamp, gid = unpack(attachment.to_bytes())
                 if gid in self._own_gids:
                     return
@@ -188,7 +189,7 @@ class Topics:
                         message_type = message_class(subscription.type_name)
                     message = deserialize(message, message_type)
                 publisher.count_delivery()
-                subscription.receive((message, source_timestamp, number, publisher))
+                subscription.receive((message, source_timestamp, number, publisher, received))
             except Exception as error:
                 self._refusals.add("messages")
                 self._report(f"a message on {subscription.topic} was lost", error)

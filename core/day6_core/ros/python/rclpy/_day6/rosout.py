@@ -50,6 +50,7 @@ class RosoutPublisher(Publisher):
     def __init__(self, node: Node, type_hash: str, qos: QoS, is_valid: Callable[[], bool]) -> None:
         copy: Callable[[Any], Any] = to_message
         super().__init__(node, "/rosout", TYPE_NAME, type_hash, qos, node.graph.new_gid(), copy)
+        self.keep = lambda record: record  # nobody changes one, and most are never asked for
         self._is_valid = is_valid
 
     def log(
@@ -70,17 +71,3 @@ class RosoutPublisher(Publisher):
         self.deliver(message, source_timestamp, number)
         if graph.transport is not None:
             graph.transport.publish(self, to_message(message), source_timestamp, number)
-
-    def deliver(self, message: Any, source_timestamp: int, number: int) -> None:
-        """Keep the record, and deliver messages to the subscriptions of this process."""
-        if self.cache is not None:
-            self.cache.append((message, source_timestamp, number))
-        for subscription in self.matched:
-            subscription.receive((to_message(message), source_timestamp, number, self))
-
-    def replay(self, subscription: Subscription) -> None:
-        """Deliver the kept records to a late joiner."""
-        if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
-            return
-        for record, source_timestamp, number in self.kept()[-subscription.qos.capacity :]:
-            subscription.receive((to_message(record), source_timestamp, number, self))
