@@ -255,10 +255,12 @@ def test_a_message_of_a_known_sender_is_received_and_counted(it: Carriers) -> No
     subscription = it.subscription()
     sender = remote_publisher(it)
     receiver = it.topics.subscribe(subscription)
+    subscription.node.graph.now_ns = lambda: 20
     receiver.call(sample("", serialize(String(data="x")), pack(7, 8, sender.gid)))
     receiver.call(sample("", serialize(String(data="y")), pack(8, 9, sender.gid)))
-    assert subscription.take() == (String(data="x"), 8, 7, sender)
-    assert subscription.take() == (String(data="y"), 9, 8, sender)
+    subscription.node.graph.now_ns = lambda: 50  # taken later than it came
+    assert subscription.take() == (String(data="x"), 8, 7, sender, 20)
+    assert subscription.take() == (String(data="y"), 9, 8, sender, 20)
     assert sender.delivered == 2 and it.problems == [] and it.refusals.counts == {}
 
 
@@ -267,12 +269,13 @@ def test_who_takes_bytes_gets_them_unread_unless_a_filter_has_to_read_them(it: C
     sender = remote_publisher(it)
     receiver = it.topics.subscribe(subscription)
     subscription.takes_bytes = True
+    subscription.node.graph.now_ns = lambda: 20
     receiver.call(sample("", b"\0\1\0\0 unreadable", pack(7, 8, sender.gid)))
-    assert subscription.take() == (b"\0\1\0\0 unreadable", 8, 7, sender)
+    assert subscription.take() == (b"\0\1\0\0 unreadable", 8, 7, sender, 20)
     subscription.filter_by(lambda message: message.data == "y")
     for data in "xy":
         receiver.call(sample("", serialize(String(data=data)), pack(8, 9, sender.gid)))
-    assert subscription.take() == (String(data="y"), 9, 8, sender) and subscription.take() is None
+    assert subscription.take() == (String(data="y"), 9, 8, sender, 20) and subscription.take() is None
     assert it.problems == [] and sender.delivered == 3
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Coroutine
 from pathlib import Path
@@ -95,6 +96,18 @@ def test_what_is_written_to_a_file_can_be_read_line_by_line(tmp_path: Path) -> N
 
     run(reader())
     assert lines == ["一\n", "two"]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes")
+def test_a_named_pipe_may_get_the_descriptor_0(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """That of standard input, where a program was started without one: once the pipe was then opened again, and waited."""
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+    opened: list[object] = []
+    monkeypatch.setattr(os, "open", lambda *_: 0)
+    monkeypatch.setattr(io, "FileIO", lambda file, mode: opened.append((file, mode)))
+    FileOutput(path)
+    assert opened == [(0, "w")]
 
 
 def test_a_here_document_is_read_by_lines_and_by_keys() -> None:

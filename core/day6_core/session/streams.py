@@ -359,16 +359,16 @@ class TextInput(InputStream):
 _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
 
-def _pipe(path: Path) -> int | None:
-    """Open `path` for writing if it is a named pipe, without waiting for a reader (ENXIO if there is none)."""
+def _for_writing(path: Path) -> Path | int:
+    """Return what `FileIO` opens: of a named pipe a descriptor, without waiting for a reader (ENXIO if there is none)."""
     try:
         mode = path.stat().st_mode
     except OSError:
-        return None
+        return path
     if stat.S_ISFIFO(mode):
         return os.open(path, os.O_WRONLY | _AT_ONCE)
     refuse(str(path), mode, writing=True)
-    return None
+    return path
 
 
 _POSITION = (1 << 64) - 1
@@ -421,7 +421,7 @@ class FileOutput(OutputStream):
     """
 
     def __init__(self, path: Path, *, append: bool = False) -> None:
-        self._file = io.FileIO(_pipe(path) or path, "a" if append else "w")
+        self._file = io.FileIO(_for_writing(path), "a" if append else "w")
         self._waiting = bytearray()
         self._problem: OSError | None = None
         self._lock = threading.Lock()
