@@ -347,10 +347,10 @@ class Desk:
             return
         self._closed = True
         self._stop_processes(False)
-        for terminal in self.terminals:
+        for terminal in list(self.terminals):
             terminal.hang_up()
         self.end_programs(list(self.programs.values()))
-        for terminal in self.terminals:
+        for terminal in list(self.terminals):  # each takes itself off the list
             terminal.close()
         for thread in self._link_threads:
             cores.join(thread, GRACE)

@@ -39,7 +39,7 @@ class DeskOverview:
                 terminal.running,
                 terminal.version,
             )
-            for number, terminal in enumerate(self._desk.terminals, 1)
+            for number, terminal in enumerate(list(self._desk.terminals), 1)
             if not terminal.closed
         ]
 

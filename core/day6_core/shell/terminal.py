@@ -380,7 +380,7 @@ class Terminal:
     def close(self) -> None:
         """Take the terminal off the desk and end what runs in it (blocking at most a few seconds; see `Desk.end_programs`)."""
         self.hang_up()
-        mine = [program for program in self.desk.programs.values() if program.session.stdin.terminal_of() is self]
+        mine = [program for program in list(self.desk.programs.values()) if program.session.stdin.terminal_of() is self]
         self.desk.end_programs([*mine, self.program])
         if self in self.desk.terminals:
             self.desk.terminals.remove(self)

@@ -193,7 +193,7 @@ def _scale(frame: TopFrame) -> Word | None:
     column = frame.dots[0] / frame.metre
     wanted = column * max(frame.columns, 1) / 5
     power = 10.0 ** math.floor(math.log10(wanted))
-    length = max(step * power for step in (1, 2, 5) if step * power <= wanted)
+    length = power * max((step for step in (1, 2, 5) if step * power <= wanted), default=1)  # `power` may be rounded up
     cells = round(length / column)
     if cells < 3:
         return None
