@@ -54,9 +54,10 @@ def test_the_shipped_car_at_60_by_18() -> None:
     assert "".join(row.rstrip() + "\n" for row in turned(0.0)) == AT_60x18
 
 
-def test_a_scale_whose_length_is_a_power_of_ten_but_for_rounding() -> None:
-    box = '<robot name="r"><link name="b"><visual><geometry><box size="0.4459 0.35 0.633"/></geometry></visual></link></robot>'
-    assert "| 0.1 m" in picture(parse_robot(box), 120, 43)[-1]
+def test_a_scale_whose_power_of_ten_was_rounded_up_is_drawn() -> None:
+    box = '<robot name="r"><link name="b"><visual><geometry><box size="{} 0.35 0.1"/></geometry></visual></link></robot>'
+    for length in range(440, 450):
+        assert len(picture(parse_robot(box.format(length / 1000)), 120, 43)) == 43
 
 
 @pytest.mark.parametrize(("columns", "rows"), [*SIZES, (1, 1), (3, 1), (2, 40), (200, 3), (0, 0), (10, 4)])

@@ -157,7 +157,7 @@ class MultiThreadedExecutor(Executor):
         self._spin_once_impl(timeout_sec, future.done)
 
     def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
-        """Stop running callbacks; by default wait for the threads. False if callbacks did not end within `timeout_sec`."""
+        """Stop running callbacks; by default wait for the threads, for which `timeout_sec` is no limit, as in real rclpy."""
         success = super().shutdown(timeout_sec)
         self._executor.shutdown(wait=wait_for_threads)
         return success

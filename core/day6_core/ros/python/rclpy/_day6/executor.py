@@ -300,7 +300,7 @@ class Executor(ExecutorRounds):
     # -- end -----------------------------------------------------------------------------------------------------------
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Stop running callbacks; False if running ones did not end within `timeout_sec` (None: wait for ever)."""
+        """Stop running callbacks. True at once whatever `timeout_sec`: real rclpy never reaches its wait either."""
         self._is_shutdown = True
         self.wake()
         with self._nodes_lock:
