@@ -244,6 +244,19 @@ def test_a_listener_may_change_the_graph(graph: Graph) -> None:
     assert [node.name for node in graph.nodes] == ["first", "second"]
 
 
+def test_a_listener_that_fails_keeps_nothing_from_the_others(graph: Graph, caplog: pytest.LogCaptureFixture) -> None:
+    heard: list[GraphEvent] = []
+
+    def fail(_: GraphEvent) -> None:
+        raise RuntimeError("no")
+
+    graph.add_listener(fail)
+    graph.add_listener(heard.append)
+    node = graph.create_node("first")
+    assert graph.nodes == (node,) and [event.subject for event in heard] == [node]
+    assert "a listener of the graph failed" in caplog.text
+
+
 def test_many_threads_may_publish_and_change_the_graph_at_once(graph: Graph) -> None:
     node = graph.create_node("n")
     pub, sub = publisher(node), subscription(node, qos=QoS(history=History.KEEP_ALL))

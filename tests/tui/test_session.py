@@ -339,3 +339,42 @@ async def test_what_bashrc_sources_does_not_make_the_desktop_start_again(tmp_pat
         assert app.machine.desk is not None and app.machine.desk.wanted_distribution is None
         typed(app, "source .bashrc")
         await until(app, pilot, lambda: app.distributions.next == "lyrical")
+
+
+async def test_a_window_that_cannot_say_what_it_shows_does_not_keep_the_desktop_open(tmp_path) -> None:
+    def fail() -> str:
+        raise RuntimeError("no view")
+
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        app.terminals.panes[0].view.terminal.run_line("ros2 run turtlesim turtlesim_node")
+        await until(app, pilot, lambda: app.desktop.panes)
+        for pane in app.desktop.panes.values():
+            pane.kept_view = fail
+        app.exit()
+    assert json.loads(session_file(tmp_path).read_text())["terminals"]
+
+
+async def test_the_desktop_can_be_left_when_nothing_can_be_saved(tmp_path, monkeypatch) -> None:
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        monkeypatch.setattr(app.arranging, "described", lambda: 1 / 0)
+        app.exit()
+    assert app.return_code == 0 and not session_file(tmp_path).exists()
+
+
+async def test_a_layout_that_alone_has_changed_is_saved_meanwhile(tmp_path) -> None:
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        await pilot.press("alt+minus")
+        await until(app, pilot, lambda: screen_text(app).count("student@day6:~$") == 2)
+
+        def saved() -> object:
+            app.session.save_meanwhile()
+            return json.loads(session_file(tmp_path).read_text())["layout"] if session_file(tmp_path).exists() else None
+
+        await until(app, pilot, lambda: saved() == app.arranging.described())
+        before = app.arranging.described()
+        await pilot.press("alt+shift+right", "alt+shift+down", "alt+shift+up")
+        await until(app, pilot, lambda: app.arranging.described() != before)
+        await until(app, pilot, lambda: saved() == app.arranging.described())

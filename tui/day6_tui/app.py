@@ -353,9 +353,16 @@ class Day6App(TerminalApp):
             output.let_go()
             self.ending.begin()
         if not is_leaving(self) and self.machine.desk is not None:
-            self.session.save()
-        self.recording.end()
+            self._try_last(self.session.save)
+        self._try_last(self.recording.end)
         super().exit(result, return_code, message)
+
+    def _try_last(self, act: Callable[[], object]) -> None:
+        """Do something on the way out, which its failure must not bar."""
+        try:
+            act()
+        except Exception:
+            _log.exception("something failed on the way out")
 
     def failed(self, error: Exception) -> None:
         if self.is_headless:

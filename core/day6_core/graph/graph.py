@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import threading
 import time
@@ -14,6 +15,8 @@ from typing import Any, NamedTuple, Protocol, TypeVar
 from day6_core.graph.endpoints import Client, Endpoint, EndpointKind, EventKind, Publisher, RequestId, Service
 from day6_core.graph.matching import RaisedEvents, connect, disconnect
 from day6_core.graph.node import Node
+
+_log = logging.getLogger(__name__)
 
 AnyEndpoint = TypeVar("AnyEndpoint", bound=Endpoint)
 
@@ -119,7 +122,11 @@ class Graph:
                 if self._depth == 0:
                     calls, self._pending = self._pending, []
         for call in calls:
-            call()
+            try:
+                call()
+            except Exception:
+                # The change has been made, and those after this one have to hear of it.
+                _log.exception("a listener of the graph failed")
 
     def _announce(self, change: Change, subject: Node | Endpoint) -> None:
         event = GraphEvent(change, subject)

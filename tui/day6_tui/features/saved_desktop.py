@@ -146,7 +146,9 @@ class SavedDesktop(Feature):
 
     def save_meanwhile(self) -> None:
         """Write down what is there while the desktop goes on, if something has changed: after a crash that is what comes back."""
-        state = [(pane.slot, pane.view.terminal.version) for pane in self._terminals.panes if pane.has_terminal]
+        terminals = [(pane.slot, pane.view.terminal.version) for pane in self._terminals.panes if pane.has_terminal]
+        focused = self._desktop.focused_pane
+        state = terminals, self._arranging.described(), self._views_now(), focused.slot if focused is not None else ""
         path = self._machine.own_file(FILE)
         if path is None or state == self._state:
             return
@@ -179,9 +181,21 @@ class SavedDesktop(Feature):
             "layout": self._arranging.described(),
             "terminals": terminals,
             "focus": roles.get(focused.slot, "") if focused is not None else "",
-            "views": {roles[pane.slot]: view for pane in self._desktop.panes.values() if (view := pane.kept_view())},
+            "views": {roles[slot]: view for slot, view in self._views_now().items()},
         }
         return json.dumps(found, ensure_ascii=False).encode(errors="replace")
+
+    def _views_now(self) -> dict[str, str]:
+        """What the windows show, by their slots, without those that have nothing to keep or fail to say it."""
+        views = {}
+        for pane in self._desktop.panes.values():
+            try:
+                view = pane.kept_view()
+            except Exception:
+                _log.exception("%s cannot say what it shows", pane.label)
+            else:
+                views.update({pane.slot: view} if view else {})
+        return views
 
     # -- coming back ---------------------------------------------------------------------------------------------------
 
