@@ -363,18 +363,17 @@ async def test_the_desktop_can_be_left_when_nothing_can_be_saved(tmp_path, monke
     assert app.return_code == 0 and not session_file(tmp_path).exists()
 
 
-async def test_a_layout_that_alone_has_changed_is_saved_meanwhile(tmp_path) -> None:
+async def test_what_alone_has_changed_on_the_desktop_is_saved_meanwhile(tmp_path) -> None:
     async with opened(tmp_path, scene="empty") as (app, pilot):
         await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
         await pilot.press("alt+minus")
         await until(app, pilot, lambda: screen_text(app).count("student@day6:~$") == 2)
 
-        def saved() -> object:
+        def saved() -> tuple[object, object]:
             app.session.save_meanwhile()
-            return json.loads(session_file(tmp_path).read_text())["layout"] if session_file(tmp_path).exists() else None
+            found = json.loads(session_file(tmp_path).read_text()) if session_file(tmp_path).exists() else {}
+            return found.get("layout"), found.get("focus")
 
-        await until(app, pilot, lambda: saved() == app.arranging.described())
-        before = app.arranging.described()
-        await pilot.press("alt+shift+right", "alt+shift+down", "alt+shift+up")
-        await until(app, pilot, lambda: app.arranging.described() != before)
-        await until(app, pilot, lambda: saved() == app.arranging.described())
+        await until(app, pilot, lambda: saved() == (app.arranging.described(), "terminal 2"))
+        app.desktop.focus_pane(app.terminals.panes[0])
+        await until(app, pilot, lambda: saved() == (app.arranging.described(), "terminal 1"))
