@@ -16,6 +16,7 @@ from std_msgs.msg import Float32MultiArray
 from std_srvs.srv import Empty, SetBool
 from tf2_msgs.msg import TFMessage
 
+from day6_core.session.task import sleep_until
 from day6_urdf import shipped_model
 
 if TYPE_CHECKING:
@@ -286,6 +287,27 @@ def test_its_time_stands_while_it_is_paused_and_goes_by_steps(machine: Machine) 
     machine.call(SetBool, "/world/pause", data=False)
     machine.advance(1.0)
     assert clock[-1].clock.sec >= stepped.sec + 1
+
+
+def test_many_steps_at_once_leave_the_other_programs_their_turns(machine: Machine) -> None:
+    machine.open_world()
+    machine.advance(0.1)
+    client = machine.node.create_client(Step, "/world/step")
+    first, second = (client.call_async(Step.Request(steps=steps)) for steps in (5000, 10))
+    turns = 0
+
+    async def other() -> None:
+        nonlocal turns
+        while not second.done():
+            turns += 1
+            await sleep_until(machine.clock.steady_ns() + 20_000_000)
+
+    machine.scheduler.spawn(other())
+    began = machine.model.snapshot().seconds
+    machine.until(second.done, 200.0)
+    assert turns > 3 and first.done()
+    ends = [each.result().clock.sec + each.result().clock.nanosec / 1e9 for each in (first, second)]
+    assert ends == pytest.approx([began + 100.0, began + 100.2], abs=0.2)
 
 
 def test_a_node_with_use_sim_time_lives_in_the_world_s_time(machine: Machine) -> None:

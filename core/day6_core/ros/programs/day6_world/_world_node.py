@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import time
+from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -23,6 +25,7 @@ from day6_core.ros.programs.day6_world.model import SPEEDS, WorldModel, WorldSna
 from day6_core.ros.programs.day6_world.scenery import Scenery
 from day6_core.ros.programs.real_time_factor import RealTimeFactor
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from rclpy.task import Future
 
 if TYPE_CHECKING:
     from day6_urdf.model import Robot
@@ -31,6 +34,9 @@ if TYPE_CHECKING:
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 MOST_STEPS = 100_000
 """In one call of the service `step`."""
+
+STEPPING_SECONDS = 0.008
+"""How long a tick works on such calls: every program of this machine waits for it."""
 
 BUMP_STEPS = 50
 """How long a bump is shown: a line that appears and disappears many times a second cannot be read."""
@@ -64,6 +70,8 @@ class WorldNode:
         self._clock = bool(parameter("publish_clock", True).value)
         parameter("speed", 1.0)
         self._paused = False
+        self._ordered: deque[tuple[int, Future[None]]] = deque()
+        """For each call of `step` that isn't over: how many steps are left, and who waits for the last one."""
         self._due = 0.0
         self._admission: tuple[AdmissionStatus, ...] = ()
         self._remarks: tuple[AdmissionStatus, ...] = ()
@@ -201,7 +209,19 @@ class WorldNode:
             self._pace.note(self._simulation.time_ns, self._wall_ns())
         else:
             self._pace.forget()
+        self._take_ordered()
         self._show()
+
+    def _take_ordered(self) -> None:
+        """Run steps that calls of the service asked for, as many as there is time for."""
+        end = time.perf_counter() + STEPPING_SECONDS
+        while self._ordered and time.perf_counter() < end:
+            self._step()
+            left, over = self._ordered.popleft()
+            if left > 1:
+                self._ordered.appendleft((left - 1, over))
+            else:
+                over.set_result(None)
 
     def _step(self) -> None:
         self._simulation.step()
@@ -249,10 +269,11 @@ class WorldNode:
         response.success, response.message = True, "paused" if self._paused else "running"
         return response
 
-    def _on_step(self, request: Any, response: Any) -> Any:
+    async def _on_step(self, request: Any, response: Any) -> Any:
         self._paused = True
-        for _ in range(min(max(request.steps, 1), MOST_STEPS)):
-            self._step()
+        over: Future[None] = Future(executor=self._node.executor)
+        self._ordered.append((min(max(request.steps, 1), MOST_STEPS), over))
+        await over
         response.clock = self._now()
         return response
 
