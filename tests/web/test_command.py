@@ -34,6 +34,8 @@ def refused(*words: str, folder: Path | None = None) -> tuple[int, str]:
     [
         (["--host", "0.0.0.0", "--isolation", "none"], 2, "--host 0.0.0.0: pupils are not kept apart here"),
         (["--word", "abc"], 2, "too easy to guess"),
+        (["--word", "/nowhere/word"], 2, "/nowhere/word: No such file or directory"),
+        (["--unasked", "-1"], 2, "isn't a number from 0 to"),
         (["--port", "70000"], 2, "isn't a number from 0 to 65535"),
         (["--memory", "1"], 2, "argument --memory: '1' isn't a number from 16"),
         (["--disk", "lots"], 2, "argument --disk"),

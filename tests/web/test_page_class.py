@@ -136,8 +136,8 @@ def test_who_raises_a_hand_comes_first(classroom: ClassPage) -> None:
 
 
 def test_who_never_came_and_who_found_no_room_are_told_last_and_counted(classroom: ClassPage) -> None:
-    missing = {"name": "dora", "state": "absent", "idle": 0, "stuck": False}
-    outside = {"name": "eva", "state": "full", "idle": 0, "stuck": False}
+    missing = {"name": "dora", "state": "absent", "idle": 0, "stuck": False, "listed": True}
+    outside = {"name": "eva", "state": "full", "idle": 0, "stuck": False, "listed": True}
     ended = row("fay", state="gone", lesson=LESSON, nodes=["/turtlesim"], hand=True, idle=900, screen=SCREEN)
     classroom.page.evaluate("document.getElementById('screens').click()")
     classroom.show(missing, outside, ended, row("anna"), row("ben", state="away"))
@@ -372,13 +372,13 @@ def test_of_who_is_not_there_the_large_view_has_no_picture_and_nothing_to_press(
     classroom.becomes(".pane .nobody", words)
     classroom.page.wait_for(f"!{drawn} && document.querySelector('.pane .mirror').hidden")
     usable = "[...document.querySelectorAll('.pane :is(button, input, select):not(:disabled)')].map(e => e.className)"
-    assert classroom.page.evaluate(usable) == ["close", "beside"]
+    assert classroom.page.evaluate(usable) == ["close", "beside", "remove"]
     classroom.server.forget()
     classroom.page.evaluate("classPage._watch()")
     classroom.show(row("anna", screen=SCREEN), row("ben"))
     classroom.page.wait_for(drawn)
     assert classroom.orders("anna") == []
-    assert classroom.page.evaluate(f"({usable}).length") == 9
+    assert classroom.page.evaluate(f"({usable}).length") == 10
 
 
 @pytest.mark.parametrize("width", [1280, 1024, 800, 390])
@@ -398,7 +398,7 @@ def test_close_is_always_at_the_top_right_and_nothing_is_cut(classroom: ClassPag
     )
     assert page.evaluate(cut) == []
     others = page.evaluate(
-        "[...document.querySelectorAll('.pane-tools > :not(.end)')].map(e => e.getBoundingClientRect().toJSON())"
+        "[...document.querySelectorAll('.pane-tools > :not(.end, .remove)')].map(e => e.getBoundingClientRect().toJSON())"
     )
     for other in others:
         assert other["bottom"] <= end["top"] or other["right"] <= end["left"] - 40
@@ -461,3 +461,74 @@ def test_both_languages_have_every_text_of_the_class(classroom: ClassPage) -> No
         "import('./static/class_texts.js').then(m => [Object.keys(m.CLASS_TEXTS.zh), Object.keys(m.CLASS_TEXTS.en)])"
     )
     assert sorted(keys[0]) == sorted(keys[1])
+
+
+def newcomer(number: int, name: str, address: str = "192.168.1.5", why: str = "many") -> dict[str, Any]:
+    return {"id": number, "name": name, "address": address, "source": address, "why": why}
+
+
+WAITING = [newcomer(1, "安娜"), newcomer(2, "ben"), newcomer(3, "<b>eve</b>", "2001:db8::7", "removed")]
+
+
+def wait(classroom: ClassPage, *waiting: dict[str, Any], asks: bool = False, news: tuple[str, ...] = ()) -> None:
+    classroom.server.say({"t": "rows", "rows": [row("dora", address="192.168.1.9")], "frozen": False, "asks": asks,
+                          "lobby": list(waiting), "news": list(news)})  # fmt: skip
+    classroom.page.wait_for(f"document.querySelectorAll('#lobby li').length === {len(waiting)}")
+
+
+def test_who_waits_is_shown_by_address_and_let_in_or_turned_away(classroom: ClassPage) -> None:
+    page = classroom.page
+    wait(classroom, *WAITING)
+    assert page.evaluate("[...document.querySelectorAll('.place .from')].map(e => e.textContent)") == [
+        "2 from 192.168.1.5",
+        "1 from 2001:db8::7",
+    ]
+    assert classroom.text(".place li .why") == "several have come from this address"
+    assert page.evaluate("document.querySelectorAll('#lobby b').length") == 0
+    assert classroom.text("#hands") == "3 waiting to be let in" and page.evaluate("document.title").startswith("🚪 3")
+    for selector in (".place .all", ".place .none", ".place li:nth-child(2) .in", ".place + .place .away"):
+        page.click_on(selector)
+    expected = [
+        {"t": "door", "do": "admit", "ids": [1, 2], "trust": True},
+        {"t": "door", "do": "turn_away", "ids": [1, 2]},
+        {"t": "door", "do": "admit", "ids": [2], "trust": False},
+        {"t": "door", "do": "turn_away", "ids": [3]},
+    ]
+    classroom.server.wait_for(lambda: classroom.server.of_kind("door") == expected)
+    wait(classroom)
+    assert page.evaluate("document.getElementById('lobby').hidden") and classroom.text("#hands") == ""
+
+
+def test_the_teacher_chooses_to_be_asked_sees_where_from_removes_and_hears_the_news(classroom: ClassPage) -> None:
+    page = classroom.page
+    assert page.evaluate("document.getElementById('asking').hidden")  # without a word nobody comes unasked
+    page.evaluate("classPage._hello({lang: 'en', word: true})")
+    wait(classroom, news=("10.0.0.7: the name <i>x</i> was refused",))
+    classroom.becomes("#notice", "10.0.0.7: the name <i>x</i> was refused")
+    assert classroom.text(".pupil .address") == "from 192.168.1.9"
+    page.click_on("#ask")
+    page.click_on(".pupil .open")
+    page.click_on(".pane .remove")
+    expected = [{"t": "door", "do": "ask", "on": True}, {"t": "door", "do": "remove", "name": "dora"}]
+    classroom.server.wait_for(lambda: classroom.server.of_kind("door") == expected)
+    classroom.show(row("fay", state="gone"), row("gus", state="absent", listed=True))
+    page.wait_for("document.getElementById('large').hidden")  # dora's
+    shown = "[...document.querySelectorAll('.pupil')].map(e => e.querySelector('.remove').checkVisibility())"
+    assert page.evaluate(shown) == [True, False]
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_nothing_at_the_door_is_cut(classroom: ClassPage, width: int, lang: str) -> None:
+    page = classroom.page
+    page.device(width, 800)
+    page.evaluate(f"classPage._hello({{lang: {lang!r}, word: true}})")
+    wait(classroom, *WAITING, newcomer(4, "Wolfeschlegelsteinhausen-Berger", why="files"))
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    cut = (
+        "[...document.querySelectorAll('#lobby :is(button, .name, .why, .from), #asking')].filter(e => "
+        "e.scrollWidth > e.clientWidth + 1 && e.clientWidth || e.getBoundingClientRect().right > innerWidth"
+        ").map(e => e.className)"
+    )
+    assert page.evaluate(cut) == []
+    page.device(1280, 800)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.support.short_folder import make_short_folder
-from tests.web.serving import Serving
+from tests.web.serving import WORD, Serving
 
 if TYPE_CHECKING:
     from tests.web.chromium import Chromium, Page
@@ -117,3 +117,39 @@ def test_on_paper_there_are_names_pictures_and_addresses_and_nothing_else(servin
     assert sorted(printed) == sorted([*names, *links]) and len(links) == 2
     assert page.evaluate("[...document.querySelectorAll('svg')].every(e => e.checkVisibility())")
     assert not page.evaluate("[...document.querySelectorAll('summary, button, a')].some(e => e.checkVisibility())")
+
+
+@pytest.fixture
+def asked(chromium: Chromium) -> Iterator[Serving]:
+    with Serving(make_short_folder("d6p-"), "--word", WORD, "--unasked", "0", "--isolation", "none") as made:
+        yield made
+
+
+def test_a_newcomer_waits_until_the_teacher_lets_them_in_and_goes_when_removed(
+    asked: Serving, chromium: Chromium, page: Page
+) -> None:
+    page.navigate(asked.link("the teacher"))
+    page.wait_for("Boolean(window.classPage) && classPage._connection.isOpen")
+    page.evaluate("window.confirm = () => true")
+    pupil = chromium.page()
+    pupil.device(390, 700)
+    pupil.navigate(asked.base)
+    pupil.evaluate(
+        f"document.querySelector('input[name=word]').value = {WORD!r}; document.querySelector('input[name=name]').value ="
+        "'安娜'; document.querySelector('form').submit()"
+    )
+    pupil.wait_for("location.pathname.endsWith('/lobby') && document.body.innerText.includes('安娜, please wait')")
+    page.wait_for("document.querySelector('#lobby li .name')?.textContent === '安娜'")
+    page.click_on("#lobby .in")
+    pupil.wait_for("location.pathname.endsWith('/desk')")
+    shows(pupil, "What would you like")
+    page.wait_for("document.querySelector('.pupil .address')?.textContent === 'from 127.0.0.1'")
+    page.wait_for("document.querySelector('.pupil')?.dataset.state === 'here'")
+    page.click_on(".pupil .open")
+    page.click_on(".pane .remove")
+    pupil.wait_for("document.getElementById('strip').dataset.state === 'removed'")
+    page.wait_for("document.querySelectorAll('.pupil').length === 0")
+    pupil.navigate(asked.base)
+    pupil.wait_for("document.querySelector('input[name=word]') !== null")
+    assert pupil.troubles == page.troubles == []
+    pupil.close()

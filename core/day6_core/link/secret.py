@@ -23,23 +23,26 @@ def secret_of(text: str) -> str:
     Raises:
         Unusable: the secret cannot be used, for this reason.
     """
-    if not (os.path.lexists(text) or "/" in text or os.sep in text):
-        return _checked(text)
+    return _checked(read_private(text), where=text) if is_path(text) else _checked(text)
+
+
+def is_path(text: str) -> bool:
+    """Return whether this means a file, and not a word."""
+    return os.path.lexists(text) or "/" in text or os.sep in text
+
+
+def read_private(path: str) -> str:
+    """Return what is in a file that nobody else can read. Raises Unusable."""
     try:
-        secret = _read(text)
+        with open(path, "rb", opener=open_at_once) as file:
+            status = os.fstat(file.fileno())
+            if not stat.S_ISREG(status.st_mode):
+                raise Unusable("secret_no_file", path=path)
+            if sys.platform != "win32" and status.st_mode & 0o077:
+                raise Unusable("secret_open", path=path)
+            return file.read(4 * _LONGEST).decode("utf-8", errors="replace").strip()
     except OSError as error:
-        raise Unusable("secret_unread", path=text, reason=error.strerror or error) from None
-    return _checked(secret, where=text)
-
-
-def _read(path: str) -> str:
-    with open(path, "rb", opener=open_at_once) as file:
-        status = os.fstat(file.fileno())
-        if not stat.S_ISREG(status.st_mode):
-            raise Unusable("secret_no_file", path=path)
-        if sys.platform != "win32" and status.st_mode & 0o077:
-            raise Unusable("secret_open", path=path)
-        return file.read(4 * _LONGEST).decode("utf-8", errors="replace").strip()
+        raise Unusable("secret_unread", path=path, reason=error.strerror or error) from None
 
 
 def _checked(secret: str, **where: str) -> str:

@@ -12,16 +12,19 @@ from day6_core.isolation.cell import IsolationError, Phrase
 from day6_tui.locale import Texts
 from day6_tui.web import link_page, pages, socket
 from day6_tui.web.class_page import ClassPage
+from day6_tui.web.entrance import Entrance, NotIn
 from day6_tui.web.gate import Gate
 from day6_tui.web.links import Links
-from day6_tui.web.names import BadName, clean
 from day6_tui.web.sessions import Sessions, Tell
 from day6_tui.web.settings import ServerSettings
-from day6_tui.web.tokens import PUPIL, TEACHER, WATCHER, Ticket, Tokens
+from day6_tui.web.tokens import PUPIL, TEACHER, WATCHER, Tokens
 
 STATIC = Path(__file__).parent / "static"
 
 _LARGEST_FORM = 4096
+
+LOBBY = "lobby"
+"""The cookie of who waits."""
 
 
 class Application:
@@ -33,6 +36,7 @@ class Application:
         tokens: Tokens,
         links: Links,
         sessions: Sessions,
+        entrance: Entrance,
         what_it_is: Phrase,
         tell: Tell,
         lessons: list[dict[str, Any]],
@@ -43,8 +47,11 @@ class Application:
         self._sessions = sessions
         self._what_it_is = what_it_is
         self._tell = tell
+        self._entrance = entrance
         self._gate = Gate(settings, tokens)
-        self._class = ClassPage(self._gate, self._texts, sessions.feed, sessions.state_of, lessons)
+        self._class = ClassPage(
+            self._gate, self._texts, sessions, entrance, lessons, has_word=settings.word is not None
+        )
 
     def build(self) -> web.Application:
         """The application that aiohttp serves."""
@@ -54,13 +61,14 @@ class Application:
             [
                 web.get("/", self._start),
                 web.post("/enter", self._enter),
+                web.get("/lobby", self._wait),
                 web.post("/leave", self._leave),
                 web.get("/p/{token}", self._link),
                 web.get("/desk", self._desk),
                 web.get("/watch", self._watch),
                 web.get("/ws", self._socket),
                 web.static("/static", STATIC),
-                *link_page.routes(self._gate, self._links, self._texts),
+                *link_page.routes(self._gate, self._links, self._sessions.turn_out, self._texts),
                 *self._class.routes(),
             ]
         )
@@ -74,6 +82,8 @@ class Application:
     async def _start(self, request: web.Request) -> web.StreamResponse:
         if self._settings.proxied:  # there is nothing to choose
             return web.Response(status=303, headers={"Location": "desk"})
+        if self._entrance.lobby.ask(self._gate.cookie(request, LOBBY)) is not None:
+            return web.Response(status=303, headers={"Location": "lobby"})
         ticket = self._gate.ticket(request, PUPIL)
         return self._first_page(request, name=None if ticket is None else ticket.name)
 
@@ -94,35 +104,55 @@ class Application:
 
     async def _enter(self, request: web.Request) -> web.StreamResponse:
         """The class word and a name."""
-        texts, address = self._texts(request), self._gate.address(request)
-        if self._gate.tries.are_too_many(address):
-            return self._first_page(request, wrong=texts("serve.wrong.often"), status=429)
         form = await self._gate.form(request)
+        texts, address = self._texts(request), self._gate.address(request)
         word, right, typed = form.get("word", "").strip(), self._settings.word, form.get("name", "")
-        if right is None or not hmac.compare_digest(word.encode(errors="replace"), right.encode(errors="replace")):
-            self._gate.tries.add(address)
-            return self._first_page(request, typed=typed, wrong=texts("serve.wrong.word"), status=403)
+        is_right = right is not None and hmac.compare_digest(
+            word.encode(errors="replace"), right.encode(errors="replace")
+        )
+        if why := self._gate.tries.refusal(address, is_right=is_right):
+            key, status = {"often": ("serve.wrong.often", 429), "wrong": ("serve.wrong.word", 403)}[why]
+            return self._first_page(request, typed=typed, wrong=texts(key), status=status)
         try:
-            ticket = Ticket(PUPIL, clean(typed))
-        except BadName as error:
-            return self._first_page(request, typed=typed, wrong=texts(str(error)), status=400)
-        if self._tokens.has(ticket):
-            wrong = texts("serve.wrong.name", name=ticket.name)
-            return self._first_page(request, typed=typed, wrong=wrong, status=409)
-        token = self._tokens.make(ticket)
-        try:
-            await self._links.keep()
-        except OSError as error:
-            self._tokens.revoke(ticket)
-            self._tell("serve.no_record", file=str(error.filename), reason=error.strerror or str(error))
-            return self._first_page(request, wrong=texts("serve.wrong.disk"), status=507)
-        response = web.Response(status=303, headers={"Location": "desk"})
-        self._gate.let_in(response, PUPIL, token)
+            found = await self._entrance.enter(typed, address, self._gate.cookie(request, LOBBY))
+        except NotIn as no:
+            wrong = texts(no.key, **no.values)
+            return self._first_page(request, typed=typed, wrong=wrong, status=no.status)
+        return self._go(found.token, found.waits)
+
+    def _go(self, token: str, waits: str = "") -> web.Response:
+        """To the desktop, or to where one waits for it."""
+        response = web.Response(status=303, headers={"Location": "lobby" if waits else "desk"})
+        if waits:
+            self._gate.let_in(response, LOBBY, waits)
+        else:
+            self._gate.forget(response, LOBBY)
+            self._gate.let_in(response, PUPIL, token)
+        return response
+
+    async def _wait(self, request: web.Request) -> web.StreamResponse:
+        """The page of who waits for the teacher."""
+        key = self._gate.cookie(request, LOBBY)
+        newcomer = self._entrance.lobby.ask(key)
+        if newcomer is not None and newcomer.is_pending:
+            self._sessions.feed.tell()
+            return pages.lobby(self._texts(request), newcomer.name)
+        self._entrance.lobby.leave(key)
+        if newcomer is not None and newcomer.token:
+            return self._go(newcomer.token)
+        wrong, typed = "", ""
+        if newcomer is not None:
+            wrong, typed = self._texts(request)(newcomer.refusal, name=newcomer.name), newcomer.name
+        response = self._first_page(request, typed=typed, wrong=wrong, status=403 if wrong else 200)
+        self._gate.forget(response, LOBBY)
         return response
 
     async def _leave(self, request: web.Request) -> web.StreamResponse:
         response = web.Response(status=303, headers={"Location": "./"})
-        self._gate.forget(response, PUPIL)
+        self._entrance.lobby.leave(self._gate.cookie(request, LOBBY))
+        self._sessions.feed.tell()
+        for kind in (PUPIL, LOBBY):
+            self._gate.forget(response, kind)
         return response
 
     async def _link(self, request: web.Request) -> web.StreamResponse:
@@ -130,10 +160,8 @@ class Application:
         token = request.match_info["token"]
         ticket = self._tokens.of(token)
         if ticket is None:
-            address = self._gate.address(request)
-            often = self._gate.tries.are_too_many(address)
-            self._gate.tries.add(address)
-            key, status = ("serve.wrong.often", 429) if often else ("serve.wrong.link", 403)
+            why = self._gate.tries.refusal(self._gate.address(request), is_right=False)
+            key, status = {"often": ("serve.wrong.often", 429), "wrong": ("serve.wrong.link", 403)}[why]
             return pages.message(self._texts(request), key, status=status, up="../")
         to = {PUPIL: "../desk", WATCHER: "../watch", TEACHER: "../class"}[ticket.kind]
         response = pages.entering(self._texts(request), to)
@@ -161,6 +189,8 @@ class Application:
         ticket = next((found for kind in kinds if (found := self._gate.ticket(request, kind)) is not None), None)
         if ticket is None:
             return web.Response(status=403, text="No token.\n")
+        if ticket.kind == PUPIL:
+            self._sessions.note_address(ticket.name, self._gate.address(request))
         lang = pages.language_for(request, self._settings.lang)
         return await socket.talk(request, self._sessions, ticket, lang=lang, refused=self._refused)
 

@@ -2,6 +2,7 @@
 
 The server says {"t":"rows"} after a change, at most twice a second; the page says {"t":"order","name","order"}, where the name
 `*`, which nobody can have, is everybody. To what is more than looking the server answers {"t":"sent","do","count","missed"}.
+{"t":"door","do"} is about who comes in: ask (`on`), admit (`ids`, `trust`), turn_away (`ids`), remove (`name`).
 As long as a page is open, a teacher is there (`Roster.attend`); a reload takes less than GRACE.
 
 class/log.csv is what happened in the lesson, as a table.
@@ -10,6 +11,7 @@ class/log.csv is what happened in the lesson, as a table.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 from collections.abc import Callable
 from dataclasses import asdict
@@ -25,10 +27,14 @@ from day6_core.classroom.roster import PupilRow
 from day6_core.lessons.scene import scenes
 from day6_tui.classes import log as class_log
 from day6_tui.locale import Texts
-from day6_tui.web import pages
+from day6_tui.web import connections, pages
+from day6_tui.web.addresses import source
+from day6_tui.web.entrance import Entrance
 from day6_tui.web.gate import Gate
-from day6_tui.web.roster_feed import RosterFeed
+from day6_tui.web.lobby import MOST_OF_ALL, Newcomer
+from day6_tui.web.sessions import Sessions
 from day6_tui.web.tokens import TEACHER
+from day6_tui.web.told import told
 
 STATIC = Path(__file__).parent / "static"
 
@@ -56,21 +62,26 @@ def _scenes() -> list[dict[str, Any]]:
 
 
 class ClassPage:
-    """Shows the roster and takes orders. `state_of` tells of a pupil who is or was here: here, away (no tab), full, gone."""
+    """Shows the roster and who waits at the door, and takes orders."""
 
     def __init__(
         self,
         gate: Gate,
         texts: Callable[[web.Request], Texts],
-        feed: RosterFeed,
-        state_of: Callable[[PupilRow], str],
+        sessions: Sessions,
+        entrance: Entrance,
         lessons: list[dict[str, Any]],
+        *,
+        has_word: bool,
     ) -> None:
         self._gate = gate
         self._texts = texts
-        self._feed = feed
-        self._state_of = state_of
+        self._sessions = sessions
+        self._feed = sessions.feed
+        self._entrance = entrance
         self._lessons = lessons
+        self._has_word = has_word
+        self._background = sessions.background
         self._pages = 0
         self._leaving: asyncio.TimerHandle | None = None
 
@@ -116,30 +127,47 @@ class ClassPage:
             return web.Response(status=403, text="No token.\n")
         ws = web.WebSocketResponse(max_msg_size=LONGEST_FRAME, heartbeat=BEAT, timeout=2.0)
         await ws.prepare(request)
+        connections.keep(request)
         language = self._texts(request).language
-        await ws.send_json({"t": "hello", "lang": language, "lessons": self._lessons, "scenes": _scenes()})
+        hello = {"t": "hello", "lang": language, "lessons": self._lessons, "scenes": _scenes(), "word": self._has_word}
+        await ws.send_json(hello)
         changed = asyncio.Event()
         changed.set()
         end = self._feed.subscribe(changed.set)
         self._came()
-        showing = asyncio.create_task(self._show(ws, changed, self._texts(request)))
+        showing = self._background.begin("serve.failed.page", self._show(ws, changed, self._texts(request)))
+        listening = asyncio.create_task(self._listen(ws))
         try:
-            reason = await self._listen(ws)
+            await asyncio.wait({showing, listening}, return_when=asyncio.FIRST_COMPLETED)
+            reason = (
+                listening.result() if listening.done() else ""
+            )  # a page that is shown nothing new has to come again
         finally:
             end()
             self._went()
-            showing.cancel()
-            await asyncio.gather(showing, return_exceptions=True)
+            for task in (showing, listening):
+                task.cancel()
+            await asyncio.gather(showing, listening, return_exceptions=True)
         await ws.close(code=WSCloseCode.POLICY_VIOLATION if reason else WSCloseCode.OK, message=reason.encode())
         return ws
 
     async def _show(self, ws: web.WebSocketResponse, changed: asyncio.Event, texts: Texts) -> None:
         """Send the rows after every change; a slow teacher gets fewer."""
-        while True:
+        heard = self._feed.told
+        while not ws.closed:
             changed.clear()
             now = self._feed.roster.now
             rows = [self._told(row, now, texts) for row in self._feed.roster.rows()]
-            await ws.send_json({"t": "rows", "rows": rows, "frozen": self._feed.roster.is_frozen})
+            news = list(self._feed.news)[len(self._feed.news) - min(self._feed.told - heard, len(self._feed.news)) :]
+            heard = self._feed.told
+            state = {
+                "frozen": self._feed.roster.is_frozen,
+                "asks": self._entrance.lobby.asks,
+                "lobby": [_waiting(each) for each in self._entrance.lobby.waiting()],
+                "news": [told(texts, each.key, each.values) for each in news],
+            }
+            with contextlib.suppress(ConnectionError):
+                await ws.send_json({"t": "rows", "rows": rows, **state})
             await asyncio.sleep(PAUSE)
             try:
                 await asyncio.wait_for(changed.wait(), TICK)
@@ -153,7 +181,9 @@ class ClassPage:
         return {
             **note,
             "name": row.name,
-            "state": self._state_of(row),
+            "state": self._sessions.state_of(row),
+            "address": self._sessions.address_of(row.name),
+            "listed": self._entrance.is_listed(row.name),
             "idle": row.idle(now),
             "stuck": row.is_stuck(now),
         }
@@ -172,6 +202,8 @@ class ClassPage:
     async def _obey(self, ws: web.WebSocketResponse, found: dict[str, Any]) -> None:
         if found["t"] == "ping":
             await ws.send_json({"t": "pong", "n": int(found["n"])})
+        elif found["t"] == "door":
+            await self._at_the_door(found)
         elif found["t"] == "order":
             roster, name = self._feed.roster, str(found["name"])
             try:
@@ -187,3 +219,35 @@ class ClassPage:
             if order.do not in SILENT:
                 count = len(names) - len(missed)
                 await ws.send_json({"t": "sent", "do": order.do, "count": count, "missed": missed})
+
+    async def _at_the_door(self, found: dict[str, Any]) -> None:
+        """Who comes in, and who does not stay."""
+        do = found["do"]
+        try:
+            if do == "ask":
+                self._entrance.lobby.asks = found["on"] is True
+                self._feed.tell()
+            elif do == "admit":
+                await self._entrance.admit(_numbers(found), trust=found["trust"] is True)
+            elif do == "turn_away":
+                self._entrance.turn_away(_numbers(found))
+            elif do == "remove":
+                await self._entrance.remove(str(found["name"]))
+            else:
+                raise ValueError("there is no such door")
+        except OSError:
+            return  # the tokens could not be written, which the teacher has been told: they are good until the server ends
+
+
+def _numbers(found: dict[str, Any]) -> list[int]:
+    return [int(each) for each in list(found["ids"])[:MOST_OF_ALL]]
+
+
+def _waiting(newcomer: Newcomer) -> dict[str, Any]:
+    return {
+        "id": newcomer.number,
+        "name": newcomer.name,
+        "address": newcomer.address,
+        "source": source(newcomer.address),
+        "why": newcomer.why,
+    }

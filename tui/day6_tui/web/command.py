@@ -19,6 +19,7 @@ from day6_tui.locale import Texts
 from day6_tui.web.options import is_loopback, parse
 from day6_tui.web.places import isolation_before
 from day6_tui.web.settings import ServerSettings
+from day6_tui.web.told import told
 
 
 class ServeRefused(Exception):
@@ -41,6 +42,8 @@ def main(words: list[str]) -> int:
         _look_for_packages()
         offer = _offer(settings, texts, tell)
         _refuse_strangers(settings, offer)
+        if settings.word_is_seen:
+            tell("serve.word.seen")
         return asyncio.run(_run(settings, offer, tell))
     except ServeRefused as error:
         return _fail(texts(error.words.key, **error.words.values), 2)
@@ -111,9 +114,9 @@ async def _run(settings: ServerSettings, offer: ModeOffer, tell: Callable[..., N
         logging.getLogger(name).addHandler(_OneLine())
         logging.getLogger(name).propagate = False
     loop = asyncio.get_running_loop()
-    told = asyncio.Event()
+    is_to_end = asyncio.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
-        loop.add_signal_handler(number, told.set)
+        loop.add_signal_handler(number, is_to_end.set)
     server = Server(settings, offer, tell)
     try:
         await server.open()
@@ -123,7 +126,7 @@ async def _run(settings: ServerSettings, offer: ModeOffer, tell: Callable[..., N
         raise ServeRefused("serve.bad_tokens", file=str(error)) from None
     except InUse as error:
         raise ServeRefused("serve.in_use", folder=str(error)) from None
-    await told.wait()
+    await is_to_end.wait()
     await server.close()
     return 0
 
@@ -144,10 +147,7 @@ def _teller(texts: Texts) -> Callable[..., None]:
     """Prints texts of the catalogue, for whoever has started the server."""
 
     def tell(key: str, **values: object) -> None:
-        said = {
-            name: texts(each.key, **each.values) if isinstance(each, Phrase) else each for name, each in values.items()
-        }
         with contextlib.suppress(OSError):  # nobody reads any more
-            print(f"day6-tui: {one_line(texts(key, **said))}", flush=True)
+            print(f"day6-tui: {one_line(told(texts, key, values))}", flush=True)
 
     return tell

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import ipaddress
 import os
 import socket
@@ -12,7 +13,7 @@ from zlib import crc32
 from aiohttp import web
 
 from day6_tui.locale import Texts
-from day6_tui.web import pages
+from day6_tui.web import connections, pages
 from day6_tui.web.places import login_name
 from day6_tui.web.settings import ServerSettings
 from day6_tui.web.tokens import PUPIL, Ticket, Tokens
@@ -52,13 +53,12 @@ class Gate:
         """Who this is, by the cookie for this kind; None for a stranger. A teacher can try a pupil's link beside the class."""
         if self._settings.proxied:
             return Ticket(PUPIL, login_name()) if kind == PUPIL else None
-        token = request.cookies.get(f"{self._cookie}-{kind}")
-        if token is None:
-            return None
-        ticket = self._tokens.of(token)
-        if ticket is None:
-            self.tries.add(self.address(request))
+        ticket = self._tokens.of(self.cookie(request, kind))
         return ticket if ticket is not None and ticket.kind == kind else None
+
+    def cookie(self, request: web.Request, kind: str) -> str:
+        """What the browser was told to remember of this kind; "" if nothing."""
+        return request.cookies.get(f"{self._cookie}-{kind}", "")
 
     def let_in(self, response: web.StreamResponse, kind: str, token: str) -> None:
         """Have the browser remember the token, out of reach of scripts and of other sites."""
@@ -113,26 +113,45 @@ class Gate:
         return self._settings.proxied and origin.netloc.lower() == request.headers.get("X-Forwarded-Host", "").lower()
 
     async def form(self, request: web.Request) -> dict[str, str]:
-        """Read what a form of ours sends. Raises HTTPBadRequest for anything else, HTTPRequestEntityTooLarge."""
+        """Read what a form of ours sends. Whatever is judged, is judged after this: others may come while it is awaited.
+
+        Raises HTTPBadRequest for anything else, HTTPRequestEntityTooLarge, HTTPRequestTimeout.
+        """
+        connection = connections.connection_of(request)
+        if connection is not None:
+            connection.await_more()
         try:
             if request.content_type != "application/x-www-form-urlencoded":
                 raise ValueError(request.content_type)
-            return dict(parse_qsl((await request.read()).decode(), keep_blank_values=True, max_num_fields=MOST_FIELDS))
+            data = await asyncio.wait_for(request.read(), connections.BODY_SECONDS)
+            return dict(parse_qsl(data.decode(), keep_blank_values=True, max_num_fields=MOST_FIELDS))
         except ValueError:
             raise web.HTTPBadRequest(text="This form does not belong to this server.\n") from None
+        except ConnectionError:  # nobody is there any more to be told
+            raise web.HTTPBadRequest from None
+        except asyncio.TimeoutError:
+            raise web.HTTPRequestTimeout(text="The form did not come.\n", headers={"Connection": "close"}) from None
+        finally:
+            if connection is not None:
+                connection.answer()
 
     # -- what every answer says --------------------------------------------------------------------------------------
 
     @web.middleware
     async def guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
         """Refuse what does not come from our pages, and forbid what our pages never do."""
+        if (connection := connections.connection_of(request)) is not None:
+            connection.answer()
         texts = Texts(pages.language_for(request, self._settings.lang))
         if not self.is_called_by_name(request):
             return pages.message(texts, "serve.wrong.host", status=421, leads_back=False)
         if request.method not in ("GET", "HEAD") and not self.is_from_here(request):
             return web.Response(status=403, text="This form does not come from this server.\n")
         try:
-            return await handler(request)
+            response = await handler(request)
+            if connection is not None and not isinstance(response, web.FileResponse):  # which takes its time
+                connection.await_more()
+            return response
         except (web.HTTPNotFound, web.HTTPMethodNotAllowed) as error:
             up = "../" * (request.path.count("/") - 1)
             return pages.message(texts, "serve.wrong.address", status=error.status, up=up)

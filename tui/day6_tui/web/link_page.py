@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from html import escape
+from typing import Protocol
 
 import segno
 from aiohttp import web
@@ -21,7 +22,14 @@ ALL = "all"
 """What is asked for where it is a new link for every pupil of the list."""
 
 
-def routes(gate: Gate, links: Links, texts: Callable[[web.Request], Texts]) -> list[web.RouteDef]:
+class TurnOut(Protocol):
+    """Closes the tabs of who came by a link."""
+
+    def __call__(self, name: str, why: str, *, kind: str) -> None:
+        """Close them, with this goodbye."""
+
+
+def routes(gate: Gate, links: Links, turn_out: TurnOut, texts: Callable[[web.Request], Texts]) -> list[web.RouteDef]:
     """The addresses of the page and of its buttons."""
 
     async def show(request: web.Request) -> web.StreamResponse:
@@ -31,14 +39,17 @@ def routes(gate: Gate, links: Links, texts: Callable[[web.Request], Texts]) -> l
 
     async def make(request: web.Request) -> web.StreamResponse:
         """A new link for one pupil, for who watches one, or for all."""
+        form = await gate.form(request)
         if gate.ticket(request, TEACHER) is None:
             return pages.message(texts(request), "serve.wrong.stranger", status=403)
-        form = await gate.form(request)
         kind, name = form.get("kind", ""), form.get("name", "")
         if kind == ALL:
             links.make_all()
+            for each in links.names:
+                turn_out(each, "refused", kind=PUPIL)
         elif kind in (PUPIL, WATCHER) and name in links.all_names():
             links.make(Ticket(kind, name))
+            turn_out(name, "refused", kind=kind)
         try:
             await links.keep()
         except OSError as error:  # the new links are good until the server ends

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from zlib import crc32
 
@@ -11,6 +12,9 @@ LONGEST = 32
 _LONGEST_FOLDER = 120
 """Bytes: a file system takes 255, and ours get something added."""
 
+_INVISIBLE = re.compile(r"[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u3164\ufe00-\ufe0f\uffa0\U000e0100-\U000e01ef]")
+"""Letters and marks that nobody sees (Unicode: Default_Ignorable_Code_Point): a name with them is the one without."""
+
 
 class BadName(ValueError):
     """This cannot be a name; the message is the key of a text."""
@@ -18,7 +22,7 @@ class BadName(ValueError):
 
 def clean(text: str) -> str:
     """The name as it is kept and shown. Raises BadName."""
-    name = " ".join(unicodedata.normalize("NFC", text).split())
+    name = " ".join(_INVISIBLE.sub("", unicodedata.normalize("NFC", text)).split())
     if not name:
         raise BadName("serve.name.empty")
     if len(name) > LONGEST:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import getpass
 import ipaddress
 import os
+import sys
+from argparse import ArgumentTypeError
 from functools import partial
 from pathlib import Path
 
@@ -19,13 +22,22 @@ SHORTEST_WORD = 4
 """Characters of the class word: two tries a second are all anybody gets."""
 
 
+STANDARD_INPUT = "-"
+
+
 def build_parser(language: str = "en") -> CommandParser:
     """The options of the server."""
     parser = command_parser("serve", language)
     texts, values, add = parser.texts, Values(parser.texts), parser.add_argument
     add("--class", dest="class_file", type=Path, metavar="FILE.csv", help=texts("cli.serve.class"))
     add("--new-links", action="store_true", help=texts("cli.serve.new_links"))
-    add("--word", type=partial(_word, values=values), metavar="WORD", help=texts("cli.serve.word"))
+    add(
+        "--word",
+        type=partial(_word, values=values, language=language),
+        metavar="FILE|WORD|-",
+        help=texts("cli.serve.word"),
+    )
+    add("--unasked", type=values.whole(0, 1000), default=8, metavar="N", help=texts("cli.serve.unasked"))
     add("--data", type=Path, metavar="DIR", help=texts("cli.serve.data"))
     add("--lessons", type=values.folder, metavar="DIR", help=texts("cli.desktop.lessons"))
     add("--most", type=values.whole(1, 1000), default=40, metavar="N", help=texts("cli.serve.most"))
@@ -69,6 +81,7 @@ def parse(words: list[str], language: str) -> ServerSettings:
             found["domain"] = domain_from_text(os.environ.get(VARIABLE, ""))
         except DomainError as error:
             parser.error(str(error))
+    found["word"], found["word_is_seen"] = found["word"] or (None, False)
     memory, disk = found.pop("memory") << 20, found.pop("disk") << 20
     processes, weight = found.pop("processes"), found.pop("cpu_weight")
     found["limits"] = Limits(memory=memory, disk=disk, processes=processes, cpu_weight=weight)
@@ -91,7 +104,24 @@ def _data(given: Path | None) -> Path:
     return (default_home().with_name("class") if given is None else given).expanduser().resolve()
 
 
-def _word(text: str, values: Values) -> str:
-    if len(text.strip()) < SHORTEST_WORD:
-        raise values.wrong("word", text=text, least=SHORTEST_WORD)
-    return text.strip()
+def _word(text: str, values: Values, language: str) -> tuple[str, bool]:
+    """The class word, and whether others can read it where it was given: a word can be, but not a file and standard input."""
+    from day6_core.link.secret import is_path, read_private
+    from day6_core.link.unusable import Unusable
+
+    if text != STANDARD_INPUT and not is_path(text):
+        if len(text.strip()) < SHORTEST_WORD:
+            raise values.wrong("word", text=text, least=SHORTEST_WORD)
+        return text.strip(), True
+    try:
+        word = (_typed() if text == STANDARD_INPUT else read_private(text)).partition("\n")[0].strip()
+        if len(word) < SHORTEST_WORD:
+            raise Unusable("secret_short", where=text, count=len(word), least=SHORTEST_WORD)
+    except Unusable as error:
+        raise ArgumentTypeError(error.said(language)) from None
+    return word, False
+
+
+def _typed() -> str:
+    """A line of standard input, which the screen does not show if somebody types it."""
+    return getpass.getpass("--word: ") if sys.stdin.isatty() else sys.stdin.readline()

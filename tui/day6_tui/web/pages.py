@@ -13,6 +13,10 @@ LONGEST_TYPED = 64
 """Characters of the field for the name: more than a name may have, so that it is told and not cut."""
 
 
+LOBBY_SECONDS = 3
+"""After which who waits asks again."""
+
+
 def language_for(request: web.Request, default: str) -> str:
     """The language the browser asks for, if we have it."""
     asked = request.query.get("lang", "")
@@ -74,6 +78,16 @@ def start(
         parts.insert(1, f'<p class="wrong" role="alert">{escape(wrong)}</p>')
     parts.append(f'<p class="apart">{escape(apart)}</p>')
     return page(texts, "\n".join(parts), status=status)
+
+
+def lobby(texts: Texts, name: str) -> web.Response:
+    """Somebody waits for the teacher; the page asks again by itself."""
+    body = (
+        f'<p role="status">{escape(texts("serve.lobby.wait", name=name))}</p>\n'
+        f'<form method="post" action="leave"><button>{escape(texts("serve.lobby.leave"))}</button></form>'
+    )
+    again = f'<meta http-equiv="refresh" content="{LOBBY_SECONDS}">\n'
+    return page(texts, body, head=again)
 
 
 def entering(texts: Texts, to: str) -> web.Response:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+from collections import deque
 from collections.abc import Callable
 from functools import partial
 
@@ -13,9 +14,13 @@ from day6_core.classroom.order import Order
 from day6_core.classroom.roster import Roster
 from day6_tui.detached import wire
 from day6_tui.detached.loop_line import LoopLine
+from day6_tui.web.told import News
 
 MOST_ORDERS = 1 << 16
 """Bytes of orders that may wait for a desktop."""
+
+
+MOST_NEWS = 20
 
 
 class RosterFeed:
@@ -26,6 +31,10 @@ class RosterFeed:
         self._lines: dict[str, LoopLine] = {}
         self._seen: set[str] = set()
         """Whose desktops somebody looks at by a link that only watches."""
+        self.news: deque[News] = deque(maxlen=MOST_NEWS)
+        """What the teacher should know besides, the latest last."""
+        self.told = 0
+        """How many news there were, also those that are forgotten."""
         self._changed: list[Callable[[], None]] = []
 
     def subscribe(self, changed: Callable[[], None]) -> Callable[[], None]:
@@ -85,6 +94,12 @@ class RosterFeed:
         if line.closed and self._lines.get(name) is line:
             self._drop(name)
             self.roster.gone(name)
+        self.tell()
+
+    def say(self, key: str, **values: object) -> None:
+        """Tell the teacher something, wherever the page is."""
+        self.news.append(News(key, values))
+        self.told += 1
         self.tell()
 
     def tell(self) -> None:

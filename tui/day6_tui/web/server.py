@@ -19,9 +19,11 @@ from day6_core.isolation.cell import Phrase
 from day6_core.isolation.modes import ModeOffer
 from day6_core.link.addresses import own_address
 from day6_core.link.file_lock import FileLock
-from day6_tui.web import class_list
+from day6_tui.web import class_list, connections
 from day6_tui.web.application import Application
+from day6_tui.web.entrance import Entrance
 from day6_tui.web.links import Links
+from day6_tui.web.lobby import Lobby
 from day6_tui.web.places import Places, login_name, own_home
 from day6_tui.web.sessions import Sessions, Tell
 from day6_tui.web.settings import ServerSettings
@@ -50,9 +52,16 @@ class Server:
         self._lock = FileLock(self._places.server / "lock")
         self._runs = FileLock(self._places.lock)
         self._tokens = Tokens(self._places.server / "tokens.json")
-        self._sessions = Sessions(settings, self._places, offer.mode, tell)
+        self._sessions = Sessions(settings, self._places, offer.mode, tell, self._failed)
         self._runner: web.AppRunner | None = None
-        self._looking: asyncio.Task[None] | None = None
+
+    def _failed(self, what: str, error: Exception) -> None:
+        self._tell_all("serve.failed", what=Phrase(what), reason=f"{type(error).__name__}: {error}")
+
+    def _tell_all(self, key: str, **values: object) -> None:
+        """Tell whoever has started the server, and the teacher."""
+        self._tell(key, **values)
+        self._sessions.feed.say(key, **values)
 
     async def open(self) -> None:
         """Begin to serve, and say where. Raises OSError, InUse, BadTokens, BadList."""
@@ -70,17 +79,28 @@ class Server:
         teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
         await links.keep()
         self._sessions.feed.roster.expect(names)
+        self._sessions.reserved = names
         again = await self._sessions.find_again([login_name()] if self._settings.proxied else links.all_names())
         await asyncio.to_thread(self._places.remember)
         lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
         what = self._offer.what_it_is
-        application = Application(self._settings, self._tokens, links, self._sessions, what, self._tell, lessons)
+        entrance = Entrance(
+            self._tokens, links, self._sessions, Lobby(self._settings.unasked), self._has_files, self._tell_all
+        )
+        application = Application(
+            self._settings, self._tokens, links, self._sessions, entrance, what, self._tell, lessons
+        )
         self._runner = web.AppRunner(
-            application.build(), access_log=None, handle_signals=False, shutdown_timeout=CLOSE_SECONDS
+            application.build(),
+            access_log=None,
+            handle_signals=False,
+            shutdown_timeout=CLOSE_SECONDS,
+            keepalive_timeout=connections.IDLE_SECONDS,
+            lingering_time=CLOSE_SECONDS,
         )
         await self._runner.setup()
-        await web.SockSite(self._runner, listener, ssl_context=secure).start()
-        self._looking = asyncio.create_task(self._sessions.look())
+        await connections.Site(self._runner, listener, ssl_context=secure).start()
+        self._sessions.watch()
         self._tell("serve.apart", what=what)
         if again:
             self._tell("serve.again", number=again)
@@ -89,6 +109,9 @@ class Server:
         if teacher is not None:
             self._tell("serve.teacher", link=teacher)
         self._tell("serve.at", address=base)
+
+    def _has_files(self, name: str) -> bool:
+        return self._places.home(name).exists()
 
     def _names(self) -> list[str]:
         """The pupils that get a link; the bad lines of the list are told."""
@@ -146,8 +169,6 @@ class Server:
 
     async def close(self) -> None:
         """End the desktops in order, and then the server."""
-        if self._looking is not None:
-            self._looking.cancel()
         if self._settings.keep:
             self._sessions.say_bye()
             self._tell("serve.kept", number=len(self._sessions.running))

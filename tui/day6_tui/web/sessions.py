@@ -21,12 +21,14 @@ from day6_core.isolation.modes import survey
 from day6_tui.detached import meeting
 from day6_tui.locale import Texts
 from day6_tui.web import records, starting
+from day6_tui.web.background import Background, Report
 from day6_tui.web.names import same_name
 from day6_tui.web.places import Places
 from day6_tui.web.records import Record
 from day6_tui.web.roster_feed import RosterFeed
 from day6_tui.web.session import WebSession
 from day6_tui.web.settings import ServerSettings
+from day6_tui.web.tokens import WATCHER
 from day6_tui.web.viewer import Viewer
 
 MOST_TABS = 4
@@ -55,20 +57,26 @@ class Full(Exception):
 class Sessions:
     """The desktops by the names of the pupils."""
 
-    def __init__(self, settings: ServerSettings, places: Places, mode: Mode, tell: Tell) -> None:
+    def __init__(self, settings: ServerSettings, places: Places, mode: Mode, tell: Tell, failed: Report) -> None:
         self._settings = settings
         self._places = places
         self._mode = mode
         self._tell = tell
         self._file = places.server / "sessions.json"
         self.running: dict[str, WebSession] = {}
+        self._starting: dict[str, int] = {}
+        """Those that will run as soon as their pupils' cells are there, and their domains."""
+        self._addresses: dict[str, str] = {}
+        """Where each pupil's browser is."""
+        self.reserved: list[str] = []
+        """Pupils who find a place whenever they come, however many others have come."""
         self.feed = RosterFeed()
         """What the teacher is told."""
         self._tabs: dict[str, list[Viewer]] = {}
         self._waiting: dict[str, float] = {}
         """Who found the class full, and when."""
         self._locks: dict[str, asyncio.Lock] = {}
-        self._tasks: set[asyncio.Task[None]] = set()
+        self.background = Background(failed)
         self._writing = asyncio.Lock()
         self._is_closing = False
 
@@ -135,14 +143,27 @@ class Sessions:
         return self._locks.setdefault(key, asyncio.Lock())
 
     async def _new(self, name: str) -> WebSession:
-        if len(self.running) >= self._settings.most:
+        key = same_name(name)
+        if not self._has_place(key):
             self._turn_away(name)
             raise Full
-        session = await self._session(name, self._free_domain())
-        self.running[same_name(name)] = session
-        self._waiting.pop(same_name(name), None)
+        domain = self._starting[key] = self._free_domain()  # before anything is awaited: others come meanwhile
+        try:
+            session = await self._session(name, domain)
+            if self._is_closing:
+                raise Full
+            self.running[key] = session
+        finally:
+            del self._starting[key]
+        self._waiting.pop(key, None)
         await self._remember()
         return session
+
+    def _has_place(self, key: str) -> bool:
+        """Whether there is room, also for those who have a place and do not use it now."""
+        used = {*self.running, *self._starting}
+        kept = {same_name(name) for name in self.reserved} - used
+        return len(used) + (0 if key in kept else len(kept)) < self._settings.most
 
     def _turn_away(self, name: str) -> None:
         if not self.waits(name):
@@ -158,7 +179,7 @@ class Sessions:
     def _free_domain(self) -> int:
         if self._settings.proxied:
             return self._settings.domain
-        used = {session.domain for session in self.running.values()}
+        used = {*(session.domain for session in self.running.values()), *self._starting.values()}
         return next((number for number in DOMAINS if number not in used), DOMAINS[0])
 
     async def _session(self, name: str, domain: int) -> WebSession:
@@ -193,6 +214,14 @@ class Sessions:
                     self.feed.begin(session.name, found)
         self.feed.tell()
 
+    def note_address(self, name: str, address: str) -> None:
+        """A pupil comes from there."""
+        self._addresses[same_name(name)] = address
+
+    def address_of(self, name: str) -> str:
+        """Where the pupil's browser is or was; "" if it has not come to this server."""
+        return self._addresses.get(same_name(name), "")
+
     def state_of(self, row: PupilRow) -> str:
         """What the teacher sees of a pupil: here, away (without a tab), full (who found no room), gone, absent."""
         session = self.running.get(same_name(row.name))
@@ -211,9 +240,12 @@ class Sessions:
 
     def _has_ended(self, session: WebSession) -> None:
         """The keeper said so, or it is gone."""
-        task = asyncio.create_task(self._sweep(session))
-        self._tasks.add(task)
-        task.add_done_callback(self._tasks.discard)
+        self.background.begin("serve.failed.end", self._sweep(session))
+
+    def stop_watching(self) -> None:
+        """No new desktop begins, and nothing is looked at any more."""
+        self._is_closing = True
+        self.background.close()
 
     async def _sweep(self, session: WebSession) -> None:
         async with self._lock(same_name(session.name)):
@@ -236,14 +268,26 @@ class Sessions:
         session.say_bye(why)
         await self._sweep(session)
 
+    async def remove(self, name: str) -> None:
+        """End the pupil's desktop, if it runs, and close all tabs."""
+        self.turn_out(name, "removed")
+        if (session := self.running.get(same_name(name))) is not None:
+            await self.end(session, "removed")
+
+    def turn_out(self, name: str, why: str, *, kind: str | None = None) -> None:
+        """Close the tabs of a pupil, or only those that came by a link of this kind."""
+        for viewer in self._tabs.get(same_name(name), []):
+            if kind is None or viewer.read_only == (kind == WATCHER):
+                viewer.bye(why)
+
     async def end_all(self) -> None:
         """End every desktop in order; no new one begins."""
-        self._is_closing = True
+        self.stop_watching()
         await asyncio.gather(*(self.end(session, "server") for session in list(self.running.values())))
 
     def say_bye(self) -> None:
         """To all tabs; the desktops go on."""
-        self._is_closing = True
+        self.stop_watching()
         for session in self.running.values():
             session.say_bye("server")
 
@@ -318,20 +362,23 @@ class Sessions:
 
     # -- what is looked at now and then --------------------------------------------------------------------------------
 
-    async def look(self) -> None:
+    def watch(self) -> None:
         """Watch the idle and the disk, for as long as the server runs."""
-        while True:
-            await asyncio.sleep(
-                min(LOOK_SECONDS, max(1.0, self._settings.idle * 15)) if self._settings.idle else LOOK_SECONDS
-            )
-            for session in list(self.running.values()):
-                if session.is_over:
-                    continue
-                if self._is_idle(session):
-                    self._tell("serve.idle", name=session.name, minutes=f"{self._settings.idle:g}")
-                    await self.end(session, "idle")
-                else:
-                    await self._look_at_disk(session)
+        seconds = min(LOOK_SECONDS, max(1.0, self._settings.idle * 15)) if self._settings.idle else LOOK_SECONDS
+        self.background.repeat("serve.failed.look", seconds, self.look)
+
+    async def look(self) -> None:
+        """Look at all desktops once; where that fails for one, it does not for the others."""
+        for session in list(self.running.values()):
+            if not session.is_over:
+                await self.background.heard("serve.failed.look", self._look_at(session))
+
+    async def _look_at(self, session: WebSession) -> None:
+        if self._is_idle(session):
+            self._tell("serve.idle", name=session.name, minutes=f"{self._settings.idle:g}")
+            await self.end(session, "idle")
+        else:
+            await self._look_at_disk(session)
 
     def _is_idle(self, session: WebSession) -> bool:
         return 0 < self._settings.idle * 60 <= time.monotonic() - session.typed_at

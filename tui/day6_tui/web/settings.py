@@ -22,6 +22,10 @@ class ServerSettings:
     key: Path | None = None
     word: str | None = None
     """The class word: who knows it chooses a name."""
+    word_is_seen: bool = False
+    """Whether the word was on the command line, where every user of the machine can read it."""
+    unasked: int = 8
+    """Newcomers from one address who come in by the word before the teacher is asked; 0: the teacher is asked about everybody."""
     class_file: Path | None = None
     """The names of the class."""
     new_links: bool = False

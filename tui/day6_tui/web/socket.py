@@ -10,6 +10,7 @@ from typing import Any
 from aiohttp import WSCloseCode, WSMsgType, web
 
 from day6_core.isolation.cell import IsolationError
+from day6_tui.web import connections
 from day6_tui.web.session import WebSession, clamped
 from day6_tui.web.sessions import Full, Sessions
 from day6_tui.web.tokens import WATCHER, Ticket
@@ -39,6 +40,7 @@ async def talk(
     """Serve one tab until one of both leaves."""
     ws = web.WebSocketResponse(timeout=LAST_SECONDS, max_msg_size=LONGEST_FRAME, heartbeat=BEAT, compress=False)
     await ws.prepare(request)
+    connections.keep(request)
     name, read_only = ticket.name, ticket.kind == WATCHER
     viewer = Viewer(ws, _asked_size(request), read_only=read_only)
     await viewer.say(t="hello", name=name, read_only=read_only, lang=lang)

@@ -118,7 +118,14 @@ TEXTS = {
     ),
     "cli.serve.class": "the names of the class, one a line or in a column `name`; each gets a link",
     "cli.serve.new_links": "make new links for everyone; the old ones stop working",
-    "cli.serve.word": "class word: whoever knows it chooses a name and gets a desktop",
+    "cli.serve.word": (
+        "class word: whoever knows it chooses a name and gets a desktop; best a file that only you can read (chmod 600), or - "
+        "for standard input; a word can be seen by every user of this machine in the list of processes"
+    ),
+    "cli.serve.unasked": (
+        "newcomers from one address who get in with the class word before the teacher is asked (default: 8; 0: the teacher "
+        "is asked about everyone)"
+    ),
     "cli.serve.data": "folder for the pupils' home folders and the server's records",
     "cli.serve.most": "maximum number of desktops at a time (default: 40)",
     "cli.serve.idle": "end a desktop after this many minutes without a key (default: 120; 0: never); files stay",

@@ -94,6 +94,21 @@ TEXTS = {
     "serve.class.nameless": "no name",
     "serve.class.empty": "{file}: no names",
     "serve.wrong.disk": "The server's disk is full. Tell your teacher.",
+    "serve.wrong.mixed": "A name is written in one alphabet: this one mixes letters that look alike, such as Latin and Cyrillic.",
+    "serve.wrong.alike": "{name} looks like {like}, who is in the class. Choose another name.",
+    "serve.alike": "{address}: the name {name} was refused because it looks like {like}",
+    "serve.word.seen": (
+        "--word: every user of this machine can read the word in the list of processes; better: --word FILE (chmod 600), "
+        "or --word - for standard input"
+    ),
+    "serve.lobby.wait": "{name}, please wait: your teacher will let you in. This page goes on by itself.",
+    "serve.lobby.leave": "Choose another name",
+    "serve.lobby.full": "Too many people are waiting to be let in. Tell your teacher.",
+    "serve.lobby.away": "Your teacher did not let {name} in. If this is a mistake, tell your teacher, or use another name.",
+    "serve.failed": "{what} failed and goes on ({reason}); please report this",
+    "serve.failed.look": "looking for idle desktops and full home folders",
+    "serve.failed.end": "ending a desktop",
+    "serve.failed.page": "the class page",
     "serve.links.what": (
         "Print this page and cut it up: each pupil gets one link. Anyone with the link has the desktop."
     ),

@@ -2,6 +2,7 @@
 
 import { CLASS_TEXTS } from "./class_texts.js";
 import { Connection } from "./connection.js";
+import { Lobby } from "./lobby.js";
 import { Notice } from "./notice.js";
 import { PupilCard } from "./pupil_card.js";
 import { PupilPane } from "./pupil_pane.js";
@@ -15,6 +16,7 @@ const NOTICE_MS = 8000;
 const MISSED_MS = 30_000; // names take longer to read, and somebody has to go and see
 const SILENT = new Set(["watch", "unwatch", "tell", "type"]); // the server answers every other order with {"t":"sent"}
 const TOLD = new Set(["say", "freeze", "scene", "lesson"]); // of the others one sees what they did
+const LONGEST_NEWS = 300;
 const ALL = "*"; // which nobody is called
 const SIDE_BY_SIDE = 2;
 
@@ -31,6 +33,8 @@ class Class {
     this._isFrozen = false;
     this._unanswered = []; // to whom the orders went that the server has yet to answer
     this._notice = new Notice(at("notice"));
+    this._lobby = new Lobby(at("lobby"), (order) => this._atDoor(order));
+    this._waiting = [];
     this._strip = new Strip(at("strip"), () => this._connection.open());
     this._seen = new Set(); // names of cards that are scrolled into view
     this._sight = new IntersectionObserver((entries) => this._noteSight(entries));
@@ -54,6 +58,7 @@ class Class {
       for (const card of this._cards.values()) card.close();
       this._cards.clear();
     }
+    at("asking").hidden = message.word !== true;
     if (Array.isArray(message.lessons)) this._lessons = message.lessons;
     if (Array.isArray(message.scenes)) this._scenes = message.scenes;
     this._fillStart(at("start"), (order) => this._orderAll(order, true));
@@ -64,8 +69,12 @@ class Class {
     else if (message.t === "sent") this._wasSent(message);
   }
 
-  _take({ rows, frozen }) {
+  _take({ rows, frozen, asks, lobby, news }) {
     this._isFrozen = frozen === true;
+    at("ask").checked = asks === true;
+    this._waiting = lobby;
+    const told = (Array.isArray(news) ? news : []).map((each) => line(each, LONGEST_NEWS));
+    if (told.length) this._notice.show(told.join(this._texts.say("news.between")), MISSED_MS);
     this._rows = ordered(rows.map((row) => shownRow(row, this._texts.language)));
     this._show();
   }
@@ -82,6 +91,7 @@ class Class {
     for (const pane of this._panes) {
       const row = rows.find((other) => other.name === pane.name);
       if (row) pane.show(row, rows);
+      else this._close(pane); // removed from the class
     }
   }
 
@@ -91,9 +101,11 @@ class Class {
     const counted = (key, number) => (number ? [texts.say(number === 1 ? `${key}.one` : key, { count: number })] : []);
     const here = [texts.say("class.here", { here: count("here"), all: rows.length })];
     at("here").textContent = [...here, ...counted("class.away", count("away")), ...counted("class.full", count("full"))].join(" · ");
+    const waiting = this._lobby.show(this._waiting, texts);
     const hands = rows.filter((row) => row.hand).length;
-    at("hands").textContent = counted("class.hands", hands).join("");
-    document.title = hands ? `✋ ${hands} · ${texts.say("class.title")}` : `${texts.say("class.title")} · day6`;
+    at("hands").textContent = [...counted("class.hands", hands), ...counted("class.waiting", waiting)].join(" · ");
+    const calls = [...(hands ? [`✋ ${hands}`] : []), ...(waiting ? [`🚪 ${waiting}`] : [])];
+    document.title = calls.length ? [...calls, texts.say("class.title")].join(" · ") : `${texts.say("class.title")} · day6`;
     at("frozen").textContent = this._isFrozen ? texts.say("class.frozen") : "";
     at("freeze").textContent = texts.say(this._isFrozen ? "class.unfreeze" : "class.freeze");
   }
@@ -111,6 +123,7 @@ class Class {
       card = new PupilCard(this._texts, {
         open: () => this._open(row.name),
         lower: () => this._order(row.name, { do: "lower_hand" }),
+        remove: () => this._removeFromClass(row.name),
       });
       card.element.dataset.key = row.name;
       this._cards.set(row.name, card);
@@ -150,6 +163,7 @@ class Class {
       order: (order) => this._order(name, order),
       close: () => this._close(pane),
       beside: (other) => this._open(other),
+      remove: () => this._removeFromClass(name),
       fillStart: (select, order) => this._fillStart(select, order),
     });
     this._panes.push(pane);
@@ -177,6 +191,16 @@ class Class {
     this._connection.tell({ t: "order", name, order });
     if (!isOpen && !SILENT.has(order.do)) this._noticeFor(name).show(this._texts.say("class.unsent"), NOTICE_MS);
     return isOpen;
+  }
+
+  /** About who comes in and who does not stay. */
+  _atDoor(order) {
+    if (!this._connection.isOpen) this._notice.show(this._texts.say("class.unsent"), NOTICE_MS);
+    this._connection.tell({ t: "door", ...order });
+  }
+
+  _removeFromClass(name) {
+    if (confirm(this._texts.say("pupil.remove.confirm", { name: line(name) }))) this._atDoor({ do: "remove", name });
   }
 
   _orderAll(order, asks = false) {
@@ -239,6 +263,7 @@ class Class {
       else for (const name of this._seen) this._order(name, { do: "unwatch" });
       this._show();
     });
+    at("ask").addEventListener("change", () => this._atDoor({ do: "ask", on: at("ask").checked }));
     at("report").addEventListener("click", () => this._export());
     document.addEventListener("keydown", (event) => {
       const last = this._panes.at(-1);

@@ -15,7 +15,7 @@ const KEY_BYTES = 16 * 1024; // the longest frame of keys
 const LATENCIES = 9;
 
 /** Goodbyes after which asking again by itself would be wrong. */
-const FINAL = new Set(["taken", "left", "ended", "idle", "disk", "refused"]);
+const FINAL = new Set(["taken", "left", "ended", "idle", "disk", "refused", "removed"]);
 
 /** How long to wait before the attempt number `count` (from 1): doubling, at most 5 s, a little apart for thirty tabs. */
 export function retryDelay(count, chance = Math.random()) {

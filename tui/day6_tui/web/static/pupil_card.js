@@ -16,8 +16,8 @@ function put(element, text) {
 }
 
 export class PupilCard {
-  /** `open()` is for looking at the screen, `lower()` for taking the hand down. */
-  constructor(texts, { open, lower }) {
+  /** `open()` is for looking at the screen, `lower()` for taking the hand down, `remove()` for taking the pupil out of the class. */
+  constructor(texts, { open, lower, remove }) {
     this.element = fromTemplate("pupil", texts);
     this._texts = texts;
     this._mirror = null;
@@ -25,6 +25,7 @@ export class PupilCard {
     this._find("open").addEventListener("click", open);
     this._find("small-screen").addEventListener("click", open);
     this._find("hand").addEventListener("click", lower);
+    this._find("remove").addEventListener("click", remove);
   }
 
   /** Show a row (`rows.js`); with `screens` its screen, too. Of who is not there it says only that, and the lesson where it ended. */
@@ -44,6 +45,9 @@ export class PupilCard {
     put(find("nodes"), row.nodes.length ? texts.say("pupil.nodes", { nodes: row.nodes.join(" ") }) : texts.say("pupil.no_nodes"));
     find("idle").hidden = row.idle < IDLE_SECONDS;
     put(find("idle"), texts.say("pupil.idle", { minutes: Math.floor(row.idle / 60) }));
+    find("address").hidden = !row.address;
+    put(find("address"), texts.say("pupil.address", { address: row.address }));
+    find("remove").hidden = row.runs || row.isListed;
     find("open").hidden = !row.runs;
     find("open").setAttribute("aria-label", `${texts.say("pupil.open")}: ${row.shownName}`);
     this._showScreen(screens ? row.screen : null);

@@ -8,7 +8,7 @@ const FOR_DESKTOPS = ".say input, .say button, .start, .freeze, .ask, .stop, .en
 
 export class PupilPane {
   /** `order(order)` sends to this pupil and returns whether there was a line; `close()` and `beside(name)` are for the page. */
-  constructor(name, texts, { order, close, beside, fillStart }) {
+  constructor(name, texts, { order, close, beside, remove, fillStart }) {
     this.name = name;
     this.element = fromTemplate("pane", texts);
     this._texts = texts;
@@ -21,6 +21,7 @@ export class PupilPane {
     this._mirror = new Mirror(this._find("mirror"), (keys) => this._row?.mayType && order({ do: "type", text: keys }));
     const acts = {
       close,
+      remove,
       freeze: () => order({ do: "freeze", on: !this._row.frozen }),
       ask: () => this._ask(),
       stop: () => order({ do: "stop_typing" }),

@@ -55,6 +55,9 @@ function screenOf(value) {
   return cols && rows ? { cols, rows, ansi: harmlessScreen(value.ansi) } : null;
 }
 
+/** Why the teacher is asked about a newcomer. */
+const WHYS = new Set(["all", "many", "removed", "files"]);
+
 /** In the order in which they come on the page: with and without a tab, who found no room, who has left, who never came. */
 const STATES = ["here", "away", "full", "gone", "absent"];
 
@@ -88,10 +91,23 @@ export function shownRow(row, language) {
     shownName: line(String(row.name), LONGEST_NAME),
     state,
     runs: runs(state),
+    address: line(row.address, LONGEST_NAME),
+    isListed: row.listed === true,
     lesson: lessonOf(row.lesson, language),
     trouble: troubleOf(row.trouble, language),
     ...nowOf(runs(state) ? row : {}),
   };
+}
+
+/** Who waits to be let in, made safe to show, by where they come from: {address, newcomers}. */
+export function places(waiting) {
+  const found = new Map();
+  for (const { id, name, address, source, why } of Array.isArray(waiting) ? waiting : []) {
+    const place = String(source);
+    if (!found.has(place)) found.set(place, { address: line(address, LONGEST_NAME), newcomers: [] });
+    found.get(place).newcomers.push({ id: whole(id), name: line(name, LONGEST_NAME), why: WHYS.has(why) ? why : "all" });
+  }
+  return [...found.values()];
 }
 
 /** Raised hands first, who is not there last; otherwise as the server has them. */
@@ -121,6 +137,7 @@ const COLUMNS = {
   idle: (row) => (row.runs ? row.idle : ""),
   hand: (row) => (row.hand ? 1 : 0),
   nodes: (row) => row.nodes.join(" "),
+  address: (row) => row.address,
 };
 
 /** The class as a CSV file that Excel opens, too. */

@@ -1,0 +1,161 @@
+"""Who becomes a pupil of the class by the class word, and how the teacher lets in, turns away and removes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
+
+from day6_tui.web import lobby as waiting
+from day6_tui.web.links import Links
+from day6_tui.web.lobby import Lobby, LobbyFull
+from day6_tui.web.looks import looks_like, mixes_alphabets
+from day6_tui.web.names import BadName, clean, same_name
+from day6_tui.web.sessions import Sessions, Tell
+from day6_tui.web.tokens import PUPIL, WATCHER, Ticket, Tokens
+
+MOST_TOLD = 1000
+"""Names in place of which somebody tried another: each is told once."""
+
+
+class NotIn(Exception):
+    """A newcomer does not get in: the key of a text for the page, what fills it, and the status of the answer."""
+
+    def __init__(self, key: str, status: int, **values: str) -> None:
+        super().__init__(key)
+        self.key, self.status, self.values = key, status, values
+
+
+class Admitted(NamedTuple):
+    """What the browser is to remember: as a pupil or, until the teacher has decided, as one who waits."""
+
+    token: str = ""
+    waits: str = ""
+
+
+class Entrance:
+    """Judges newcomers. What depends on each other is judged and done without anything awaited in between."""
+
+    def __init__(
+        self,
+        tokens: Tokens,
+        links: Links,
+        sessions: Sessions,
+        lobby: Lobby,
+        has_files: Callable[[str], bool],
+        tell: Tell,
+    ) -> None:
+        self._tokens = tokens
+        self._links = links
+        self._sessions = sessions
+        self.lobby = lobby
+        self._has_files = has_files
+        self._tell = tell
+        self._told: set[tuple[str, str]] = set()
+
+    async def enter(self, typed: str, address: str, before: str) -> Admitted:
+        """Somebody knows the word and has typed a name; `before` is what the same browser waits by. Raises NotIn."""
+        name = self._fit(typed, address)
+        if why := self.lobby.why_wait(address, has_files=self._has_files(name)):
+            try:
+                return Admitted(waits=self.lobby.wait(name, address, why, before=before))
+            except LobbyFull:
+                raise NotIn("serve.lobby.full", 429) from None
+            finally:
+                self._sessions.feed.tell()
+        self.lobby.leave(before)
+        token = self._register(name, address)
+        try:
+            await self._keep()
+        except OSError:
+            self._unregister(name)
+            raise NotIn("serve.wrong.disk", 507) from None
+        return Admitted(token)
+
+    def _fit(self, typed: str, address: str) -> str:
+        try:
+            name = clean(typed)
+        except BadName as error:
+            raise NotIn(str(error), 400) from None
+        if mixes_alphabets(name):
+            raise NotIn("serve.wrong.mixed", 400)
+        if refusal := self._taken(name):
+            raise refusal
+        if (like := looks_like(name, self._links.all_names())) is not None:
+            self._tell_once(name, like, address)
+            raise NotIn("serve.wrong.alike", 409, name=name, like=like)
+        return name
+
+    def _taken(self, name: str) -> NotIn | None:
+        """Names of the list are reserved, also while no link opens them."""
+        if self._links.is_listed(name) or self._tokens.has(Ticket(PUPIL, name)):
+            return NotIn("serve.wrong.name", 409, name=name)
+        return None
+
+    def _tell_once(self, name: str, like: str, address: str) -> None:
+        if (address, like) not in self._told and len(self._told) < MOST_TOLD:
+            self._told.add((address, like))
+            self._tell("serve.alike", name=name, like=like, address=address)
+
+    def _register(self, name: str, address: str) -> str:
+        self.lobby.came_in(address)
+        self._sessions.note_address(name, address)
+        self._sessions.feed.roster.expect([name])
+        self._sessions.feed.tell()
+        return self._tokens.make(Ticket(PUPIL, name))
+
+    def _unregister(self, name: str) -> None:
+        for kind in (PUPIL, WATCHER):
+            self._tokens.revoke(Ticket(kind, name))
+        self._sessions.feed.roster.forget(name)
+        if self._links.is_listed(name):
+            self._sessions.feed.roster.expect([name])
+        self._sessions.feed.tell()
+
+    async def _keep(self) -> None:
+        """Write the tokens; the server's user is told if that fails. Raises OSError."""
+        try:
+            await self._links.keep()
+        except OSError as error:
+            self._tell("serve.no_record", file=str(error.filename), reason=error.strerror or str(error))
+            raise
+
+    def is_listed(self, name: str) -> bool:
+        """Whether the pupil is on the class list, and has a place and a link."""
+        return self._links.is_listed(name)
+
+    # -- the teacher ---------------------------------------------------------------------------------------------------
+
+    def waiting(self) -> list[waiting.Newcomer]:
+        """Who waits for the teacher's word."""
+        return self.lobby.waiting()
+
+    async def admit(self, numbers: Iterable[int], *, trust: bool) -> None:
+        """Let these in, and with `trust` also whoever comes from there later. Raises OSError; they are in all the same."""
+        for newcomer in self.lobby.chosen(numbers):
+            if trust:
+                self.lobby.trust(newcomer.address)
+            if self._taken(newcomer.name) or looks_like(newcomer.name, self._links.all_names()):
+                newcomer.refusal = "serve.wrong.name"  # another was let in under it meanwhile
+            else:
+                newcomer.token = self._register(newcomer.name, newcomer.address)
+        await self._keep()
+
+    def turn_away(self, numbers: Iterable[int]) -> None:
+        """Do not let these in."""
+        for newcomer in self.lobby.chosen(numbers):
+            newcomer.refusal = "serve.lobby.away"
+            self.lobby.distrust(newcomer.address)
+        self._sessions.feed.tell()
+
+    async def remove(self, name: str) -> None:
+        """End this pupil's desktop and let nobody use its links or browsers any more; the files stay. Raises OSError."""
+        known = next((each for each in self._links.all_names() if same_name(each) == same_name(name)), None)
+        if known is None:
+            return
+        if address := self._sessions.address_of(known):
+            self.lobby.distrust(address)
+        for kind in (PUPIL, WATCHER):
+            self._tokens.revoke(Ticket(kind, known))
+        await self._sessions.remove(known)
+        self._unregister(known)
+        await self._keep()
