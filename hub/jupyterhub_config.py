@@ -69,11 +69,22 @@ def let_in_by_word(word, teacher_word):
 
 
 def by_word(base):
-    """JupyterHub's own way compares words of ASCII only; any other word that somebody types is a wrong one."""
+    """JupyterHub's own way compares words of ASCII only; any other word that somebody types is a wrong one.
+
+    And it lets everybody try as often as they like; here wrong words count as they do for `day6-tui serve`.
+    """
+    from tornado.web import HTTPError
+
+    from day6_tui.web.tries import Tries
+
+    tries = Tries()
 
     class ByWord(base):
         async def authenticate(self, handler, data):
-            return await super().authenticate(handler, data) if data["password"].isascii() else None
+            found = await super().authenticate(handler, data) if data["password"].isascii() else None
+            if tries.refusal(handler.request.remote_ip, is_right=found is not None) == "often":
+                raise HTTPError(429, "Too many wrong words: wait a minute.")
+            return found
 
     return ByWord
 

@@ -15,6 +15,8 @@ from typing import Any, NamedTuple
 import pytest
 import yaml
 
+from day6_tui.web.tries import MOST_OF_ONE
+
 grp = pytest.importorskip("grp", reason="there are no Unix groups here")
 traitlets = pytest.importorskip("traitlets.config", reason="there is no ipykernel here, which brings traitlets")
 
@@ -28,6 +30,12 @@ class Shared:
     async def authenticate(self, handler: object, data: dict[str, str]) -> str | None:
         data["password"].encode("ascii")
         return data["username"] if data["password"] == WORD else None
+
+
+def entered(made: Any, word: str, address: str = "192.0.2.1") -> object:
+    """What JupyterHub is told of somebody who logs in."""
+    handler = types.SimpleNamespace(request=types.SimpleNamespace(remote_ip=address))
+    return asyncio.run(made.authenticate(handler, {"username": "anna", "password": word}))
 
 
 class Pam:
@@ -101,10 +109,18 @@ def test_the_word_lets_in_under_any_name_but_the_teachers(load: Load) -> None:
 def test_a_word_in_chinese_is_a_wrong_one_and_no_error_of_the_server(load: Load) -> None:
     made = load(WORD=WORD).JupyterHub.authenticator_class()
 
-    def entered(word: str) -> object:
-        return asyncio.run(made.authenticate(None, {"username": "anna", "password": word}))
+    assert entered(made, WORD) == "anna" and entered(made, "wrong") is None
+    assert entered(made, "粉笔和海绵粉笔和海绵") is None
 
-    assert entered(WORD) == "anna" and entered("wrong") is None and entered("粉笔和海绵粉笔和海绵") is None
+
+def test_words_cannot_be_guessed_by_the_thousand_from_one_address(load: Load) -> None:
+    web = pytest.importorskip("tornado.web", reason="there is no ipykernel here, which brings tornado")
+    made = load(WORD=WORD).JupyterHub.authenticator_class()
+    assert [entered(made, f"wrong {number}") for number in range(MOST_OF_ONE)] == [None] * MOST_OF_ONE
+    for word in ("wrong", WORD):
+        with pytest.raises(web.HTTPError, match="Too many wrong words"):
+            entered(made, word)
+    assert entered(made, WORD, "192.0.2.2") == "anna"
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Who comes in by the class word: wrong words, made-up names, half requests; and the teacher, who is asked. No process is started."""
+"""Who comes in by the class word: wrong words, made-up names, half requests; and the teacher, who is asked. All in this process."""
 
 from __future__ import annotations
 
@@ -15,10 +15,6 @@ from urllib.parse import urlencode
 
 import pytest
 
-from tests.support.waiting import Deadline
-from tests.web.in_time import in_time
-from tests.web.serving import WORD, Browser, browser, run
-
 from day6_core.isolation.modes import ModeOffer
 from day6_core.isolation.same_user import Nothing
 from day6_tui.detached import meeting
@@ -26,6 +22,9 @@ from day6_tui.web import class_page, connections, lobby, server, sessions
 from day6_tui.web.sessions import Full
 from day6_tui.web.settings import ServerSettings
 from day6_tui.web.tries import MOST_OF_ALL, MOST_OF_ONE, WINDOW, Tries
+from tests.support.waiting import Deadline
+from tests.web.in_time import in_time
+from tests.web.serving import WORD, Browser, browser, run
 
 
 @dataclass
@@ -253,7 +252,9 @@ def test_made_up_names_from_one_address_wait_for_the_teacher_and_the_school_behi
             async with browser(made.base) as other:
                 address = f"{other.base}enter"
                 form = {"word": WORD, "name": f"name{number}"}
-                async with other.session.post(address, data=form, headers=other.origin, allow_redirects=False) as answer:
+                async with other.session.post(
+                    address, data=form, headers=other.origin, allow_redirects=False
+                ) as answer:
                     places[answer.headers.get("Location", str(answer.status))] += 1
         assert places == {"desk": 3, "lobby": lobby.MOST_OF_ONE, "429": 97 - lobby.MOST_OF_ONE}
         assert (await door.post("enter", word=WORD, name="李雷"))[0] == 409  # the list's places are reserved
