@@ -1,4 +1,4 @@
-"""Who comes in by the class word: wrong words, made-up names, half requests; and the teacher, who is asked. All in this process."""
+"""Who comes in by the class word: wrong words, made-up names, half requests; and the teacher is asked. All in this process."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ from day6_tui.detached import meeting
 from day6_tui.web import class_page, connections, lobby, server, sessions
 from day6_tui.web.sessions import Full
 from day6_tui.web.settings import ServerSettings
+from day6_tui.web.tokens import PUPIL, WATCHER, Ticket
 from day6_tui.web.tries import MOST_OF_ALL, MOST_OF_ONE, WINDOW, Tries
+from day6_tui.web.viewer import Viewer
 from tests.support.waiting import Deadline
 from tests.web.in_time import in_time
 from tests.web.serving import WORD, Browser, browser, run
@@ -345,6 +347,46 @@ def test_a_name_that_could_be_taken_for_another_is_refused_and_the_teacher_is_to
             assert made.said.count("serve.alike") == int("looks like" in words)
 
     deed_of(tmp_path, deed, class_file=tmp_path / "pupils.csv")
+
+
+# -- links that are good no more ---------------------------------------------------------------------------------------
+
+
+def test_a_new_link_closes_the_tabs_that_came_by_the_old_one(tmp_path: Path) -> None:
+    (tmp_path / "pupils.csv").write_text("anna\nbert\ncarl\n", encoding="utf-8")
+
+    async def deed(made: InProcess, door: Browser) -> None:
+        tabs = {}
+        for name in ("anna", "bert", "carl"):
+            for kind in (PUPIL, WATCHER):
+                tabs[name, kind] = Viewer(None, (80, 24, 0, 0), read_only=kind == WATCHER)  # type: ignore[arg-type]
+                made.sessions._tabs.setdefault(name, []).append(tabs[name, kind])
+        await door.get(made.teacher)
+        await door.post("links/new", kind="pupil", name="anna")
+        await door.post("links/new", kind="watch", name="bert")
+        assert [who for who, tab in tabs.items() if tab.is_over] == [("anna", PUPIL), ("bert", WATCHER)]
+        await door.post("links/new", kind="all")
+        assert [who for who, tab in tabs.items() if not tab.is_over] == [("anna", WATCHER), ("carl", WATCHER)]
+
+    deed_of(tmp_path, deed, class_file=tmp_path / "pupils.csv")
+
+
+def test_a_pupil_who_is_removed_while_the_tab_is_being_opened_gets_no_desktop(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def deed(made: InProcess, door: Browser) -> None:
+        say = Viewer.say
+
+        async def removed_meanwhile(viewer: Viewer, **words: Any) -> None:
+            made.server._tokens.revoke(Ticket(PUPIL, "anna"))
+            await say(viewer, **words)
+
+        monkeypatch.setattr(Viewer, "say", removed_meanwhile)
+        await door.post("enter", word=WORD, name="anna")
+        assert await (await door.tab()).end() == "refused"
+        assert not made.sessions.running
+
+    deed_of(tmp_path, deed)
 
 
 # -- places ------------------------------------------------------------------------------------------------------------

@@ -192,7 +192,11 @@ class Application:
         if ticket.kind == PUPIL:
             self._sessions.note_address(ticket.name, self._gate.address(request))
         lang = pages.language_for(request, self._settings.lang)
-        return await socket.talk(request, self._sessions, ticket, lang=lang, refused=self._refused)
+
+        def is_good() -> bool:
+            return self._gate.ticket(request, ticket.kind) == ticket
+
+        return await socket.talk(request, self._sessions, ticket, lang=lang, is_good=is_good, refused=self._refused)
 
     def _refused(self, name: str, error: Exception) -> None:
         reason = str(error)

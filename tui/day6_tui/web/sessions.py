@@ -271,7 +271,9 @@ class Sessions:
     async def remove(self, name: str) -> None:
         """End the pupil's desktop, if it runs, and close all tabs."""
         self.turn_out(name, "removed")
-        if (session := self.running.get(same_name(name))) is not None:
+        async with self._lock(same_name(name)):  # one that is just being started is there then
+            session = self.running.get(same_name(name))
+        if session is not None:
             await self.end(session, "removed")
 
     def turn_out(self, name: str, why: str, *, kind: str | None = None) -> None:

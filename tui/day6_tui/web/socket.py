@@ -35,9 +35,15 @@ class Nonsense(Exception):
 
 
 async def talk(
-    request: web.Request, sessions: Sessions, ticket: Ticket, *, lang: str, refused: Refused
+    request: web.Request,
+    sessions: Sessions,
+    ticket: Ticket,
+    *,
+    lang: str,
+    is_good: Callable[[], bool],
+    refused: Refused,
 ) -> web.StreamResponse:
-    """Serve one tab until one of both leaves."""
+    """Serve one tab until one of both leaves. `is_good`: whether the ticket still is, after what is awaited before."""
     ws = web.WebSocketResponse(timeout=LAST_SECONDS, max_msg_size=LONGEST_FRAME, heartbeat=BEAT, compress=False)
     await ws.prepare(request)
     connections.keep(request)
@@ -48,6 +54,8 @@ async def talk(
     await viewer.say(t="size", cols=columns, rows=rows)
     sending = asyncio.create_task(viewer.run())
     try:
+        if not is_good():
+            viewer.bye("refused")
         session = await sessions.show(name, viewer)
         code, reason = await _exchange(ws, viewer, session, sending)
     except (Full, IsolationError, OSError) as error:
