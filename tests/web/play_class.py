@@ -1,7 +1,8 @@
 """A class in a real browser, to be looked at: python -m tests.web.play_class FOLDER [--pupils 8] [--isolation auto] [--lang zh]
 
 Every pupil has a browser tab with a profile of its own and plays the first lesson; the teacher's page is open beside them, with
-all screens in small. Two more pupils are on the list: one never comes, one finds the class full. Screenshots go to FOLDER.
+all screens in small. Two more pupils are on the list and never come; for one without a place the class is full. Screenshots go
+to FOLDER.
 Prints what the server and the desktops took of a core meanwhile, and the seconds until a reloaded tab shows its desktop again.
 Needs Chromium and the extra `serve`.
 """
@@ -57,7 +58,7 @@ def enter(page: Page, base: str, name: str) -> None:
 
 
 def class_list(place: str) -> Path:
-    """The two who are not there; the others choose their names."""
+    """The two who do not come, whose places are kept; the others choose their names."""
     file = Path(place, "class.csv")
     file.write_text("".join(f"{name}\n" for name in MISSING), encoding="utf-8")
     return file
@@ -76,8 +77,8 @@ def main() -> None:
         sys.exit("there is no Chromium here")
     options.folder.mkdir(parents=True, exist_ok=True)
     place = tempfile.mkdtemp(prefix="day6-play-")
-    words = ["serve", "--word", WORD, "--class", str(class_list(place)), "--most", str(options.pupils)]
-    words += ["--port", "0", "--data", f"{place}/class", "--isolation", options.isolation]
+    words = ["serve", "--word", WORD, "--class", str(class_list(place)), "--most", str(options.pupils + len(MISSING))]
+    words += ["--unasked", str(options.pupils + 1), "--port", "0", "--data", f"{place}/class", "--isolation", options.isolation]
     server = subprocess.Popen(
         [sys.executable, "-m", "day6_tui.main", *words, "--lang", options.lang],
         stdout=subprocess.PIPE,
@@ -92,7 +93,7 @@ def main() -> None:
         links += re.findall(r"http://\S+[\w/-]", line)
         if len(links) > len(MISSING) + 1:
             break
-    *_, late, teacher, base = links  # in the order in which the server tells them
+    *_, teacher, base = links  # in the order in which the server tells them
     background = Background()
     browser = Chromium(executable, background, (f"--accept-lang={LANGUAGES[options.lang]}",))
     try:
@@ -110,7 +111,7 @@ def main() -> None:
             page.wait_for("document.querySelector('.xterm') !== null", 30)
         front.wait_for(f"document.querySelectorAll('.pupil[data-state=here]').length === {options.pupils}", 30)
         outside = browser.page()
-        outside.navigate(late)
+        enter(outside, base, f"学生{options.pupils + 1}")
         front.wait_for("document.querySelector('.pupil[data-state=full]') !== null", 30)
         time.sleep(3)
         front.evaluate("document.querySelector('#screens').checked || document.querySelector('#screens').click()")

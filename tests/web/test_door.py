@@ -408,6 +408,7 @@ def test_desktops_that_begin_at_the_same_time_are_not_more_than_there_may_be_and
             return True
 
         assert sum(await asyncio.gather(*(begin(f"guest {number}") for number in range(20)))) == 3
+        assert set(made.said) >= {"serve.full.kept"} and "serve.full" not in made.said
         assert len({session.domain for session in found.running.values()}) == 3
         assert await asyncio.gather(*map(begin, ("guest 30", "anna", "bert"))) == [False, True, True]
         found.running.clear()

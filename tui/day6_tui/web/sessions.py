@@ -167,7 +167,8 @@ class Sessions:
 
     def _turn_away(self, name: str) -> None:
         if not self.waits(name):
-            self._tell("serve.full", name=name, most=self._settings.most)
+            running, most = len(self.running), self._settings.most
+            self._tell("serve.full" if running >= most else "serve.full.kept", name=name, most=most, running=running)
         self._waiting[same_name(name)] = time.monotonic()
         self.feed.roster.expect([name])
         self.feed.tell()

@@ -82,6 +82,9 @@ TEXTS = {
     "serve.idle": "{name}: ended after {minutes} minutes without a key; the files stay",
     "serve.refused": "{name}: no desktop: {reason}",
     "serve.full": "{name}: no desktop: {most} are running, and --most allows no more",
+    "serve.full.kept": (
+        "{name}: no desktop: {running} are running, and the other places are kept for the class list (--most {most})"
+    ),
     "serve.no_record": "{file}: cannot be written ({reason})",
     "serve.bad_record": "{file} was not written by this program; the last desktops are found by the pupils' names",
     "serve.disk.over": "{name}: {used} MB in the home folder, more than {most} MB",

@@ -65,6 +65,7 @@ TEXTS = {
     "serve.idle": "{name}：{minutes} 分钟没有按键，已结束；文件保留",
     "serve.refused": "{name}：打不开桌面：{reason}",
     "serve.full": "{name}：没有桌面了：已经有 {most} 个在运行，--most 不允许更多",
+    "serve.full.kept": "{name}：没有桌面了：已经有 {running} 个在运行，其余的位置留给名单上的学生（--most {most}）",
     "serve.no_record": "{file}：写不进去（{reason}）",
     "serve.bad_record": "{file} 不是本程序写的内容；按学生的名字找回上一个服务器的桌面",
     "serve.disk.over": "{name}：主目录里有 {used} MB，超过了 {most} MB",
