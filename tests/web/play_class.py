@@ -78,7 +78,16 @@ def main() -> None:
     options.folder.mkdir(parents=True, exist_ok=True)
     place = tempfile.mkdtemp(prefix="day6-play-")
     words = ["serve", "--word", WORD, "--class", str(class_list(place)), "--most", str(options.pupils + len(MISSING))]
-    words += ["--unasked", str(options.pupils + 1), "--port", "0", "--data", f"{place}/class", "--isolation", options.isolation]
+    words += [
+        "--unasked",
+        str(options.pupils + 1),
+        "--port",
+        "0",
+        "--data",
+        f"{place}/class",
+        "--isolation",
+        options.isolation,
+    ]
     server = subprocess.Popen(
         [sys.executable, "-m", "day6_tui.main", *words, "--lang", options.lang],
         stdout=subprocess.PIPE,
@@ -108,11 +117,11 @@ def main() -> None:
             page.device(1280, 800)
             enter(page, base, f"学生{number + 1}")
         for page in pupils:
-            page.wait_for("document.querySelector('.xterm') !== null", 30)
-        front.wait_for(f"document.querySelectorAll('.pupil[data-state=here]').length === {options.pupils}", 30)
+            page.wait_for("document.querySelector('.xterm') !== null")
+        front.wait_for(f"document.querySelectorAll('.pupil[data-state=here]').length === {options.pupils}")
         outside = browser.page()
         enter(outside, base, f"学生{options.pupils + 1}")
-        front.wait_for("document.querySelector('.pupil[data-state=full]') !== null", 30)
+        front.wait_for("document.querySelector('.pupil[data-state=full]') !== null")
         time.sleep(3)
         front.evaluate("document.querySelector('#screens').checked || document.querySelector('#screens').click()")
         front.evaluate("window.confirm = () => true")
@@ -121,7 +130,7 @@ def main() -> None:
             "const o = [...s.options].find((o) => o.value.includes('day1'));"
             "s.value = o.value; s.dispatchEvent(new Event('change')) })()"
         )
-        front.wait_for("document.querySelectorAll('.pupil progress:not([hidden])').length > 0", 30)
+        front.wait_for("document.querySelectorAll('.pupil progress:not([hidden])').length > 0")
         time.sleep(3)
         marks = (b"tui.main\0serve", b"day6_tui.detached", b"day6_tui.main", b"chromium")
         before, began = cpu_of(marks), time.monotonic()
@@ -139,7 +148,7 @@ def main() -> None:
             print(f"{name!r:40} {share:6.1f} % of a core over {took:.0f} s, {share / options.pupils:.2f} % a pupil")
         started = time.monotonic()
         pupils[1].reload()
-        pupils[1].wait_for("document.querySelector('.xterm-rows, .xterm canvas') !== null", 10)
+        pupils[1].wait_for("document.querySelector('.xterm-rows, .xterm canvas') !== null")
         print(f"a reloaded tab: {time.monotonic() - started:.2f} s")
         time.sleep(1)
         pupils[1].screenshot(options.folder / "reloaded.png")
