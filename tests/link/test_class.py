@@ -121,6 +121,9 @@ def test_a_name_is_given_once_and_again_when_it_is_free(school: Class) -> None:
     second = school.pupil("anna")
     assert until(lambda: state(second) == DoorState.NAME_TAKEN)
     assert until(lambda: turned_away == [("anna", "taken")]) and part.joined == 1
+    third = school.pupil("Anna")
+    assert until(lambda: state(third) == DoorState.NAME_ALIKE) and turned_away[-1] == ("Anna", "alike")
+    leave(third.graph)
     leave(first.graph)
     assert until(lambda: state(second) == DoorState.OPEN)
 

@@ -40,6 +40,8 @@ class DoorState(str, Enum):
     """Connected, but no teacher answers there."""
     NAME_TAKEN = "name taken"
     """Somebody else in the class has this pupil's name."""
+    NAME_ALIKE = "name alike"
+    """Somebody else in the class has a name that looks like this pupil's."""
     CLASS_FULL = "class full"
     OTHER_DOMAIN = "other domain"
     """A room has one graph, and this machine's ROS_DOMAIN_ID is not that of the room."""

@@ -43,6 +43,7 @@ TEXTS = {
     "inspector.no_secret": "refused by {endpoint}: it needs a secret, or it isn't ROS",
     "inspector.no_class": "{endpoint} answers, but there is no class; retrying",
     "inspector.name_taken": "{endpoint}: somebody else in the class has your name; retrying",
+    "inspector.name_alike": "{endpoint}: somebody else in the class has a name that looks like yours; retrying",
     "inspector.class_full": "{endpoint}: the class is full; retrying",
     "inspector.other_domain": "{endpoint}: this room has another ROS_DOMAIN_ID; retrying",
     "inspector.unreachable": "cannot connect to {endpoint} ({reason}); retrying",

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
+from day6_core.looks import looks_like, mixes_alphabets
 from day6_tui.web import lobby as waiting
 from day6_tui.web.links import Links
 from day6_tui.web.lobby import Lobby, LobbyFull
-from day6_tui.web.looks import looks_like, mixes_alphabets
 from day6_tui.web.names import BadName, clean, same_name
 from day6_tui.web.sessions import Sessions, Tell
 from day6_tui.web.tokens import PUPIL, WATCHER, Ticket, Tokens

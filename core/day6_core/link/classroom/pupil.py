@@ -23,7 +23,12 @@ ASK_SECONDS = 1.0
 """Between two questions for the name, and for how long one waits."""
 PATIENCE_SECONDS = 3.0
 """Before a machine that is connected counts as one without a class."""
-_REFUSALS = {"taken": DoorState.NAME_TAKEN, "full": DoorState.CLASS_FULL, "domain": DoorState.OTHER_DOMAIN}
+_REFUSALS = {
+    "taken": DoorState.NAME_TAKEN,
+    "alike": DoorState.NAME_ALIKE,
+    "full": DoorState.CLASS_FULL,
+    "domain": DoorState.OTHER_DOMAIN,
+}
 
 
 class Pupil:

@@ -14,6 +14,7 @@ from day6_core.link.classroom.naming import TeacherNaming
 from day6_core.link.classroom.part import Outbox
 from day6_core.link.limits import MOST_MACHINES
 from day6_core.link.naming import Naming, Plain
+from day6_core.looks import looks_like
 
 if TYPE_CHECKING:
     import zenoh
@@ -113,6 +114,8 @@ class Teacher:
             holder = self._here.get(name) or (reserved if now < until else None)
             if holder is not None and holder != zid:
                 return "taken"
+            if holder is None and looks_like(name, self._others(zid, now)) is not None:
+                return "alike"
             if self.is_room and domain_id != self._domain_id:
                 return "domain"
             if holder is None and len(self._here) + len(self._reserved) >= MOST_MACHINES:
@@ -121,6 +124,11 @@ class Teacher:
                     return "full"
             self._reserved[name] = zid, now + RESERVED_SECONDS
         return None
+
+    def _others(self, zid: str, now: float) -> list[str]:
+        """The names that other sessions have, or have been granted."""
+        here = [name for name, holder in self._here.items() if holder != zid]
+        return here + [name for name, (holder, until) in self._reserved.items() if holder != zid and now < until]
 
     def _on_note(self, sample: zenoh.Sample) -> None:
         name = keys.name_in(str(sample.key_expr))

@@ -19,6 +19,7 @@ TEXTS = {
     "bar.door.not_let_in": "refused by {host}",
     "bar.door.no_class": "no class at {host}",
     "bar.door.name_taken": "your name is taken",
+    "bar.door.name_alike": "your name looks like another's",
     "bar.door.class_full": "the class is full",
     "bar.door.other_domain": "another ROS_DOMAIN_ID",
     "bar.door.failed": "{host}: failed",

@@ -74,6 +74,7 @@ TEXTS = {
     ),
     "teacher.shut": "Nobody can join: {reason}",
     "teacher.turned.taken": "{name} is taken: another computer is asking for this name",
+    "teacher.turned.alike": "{name} looks like another name in the class: not let in",
     "teacher.turned.full": "{name} cannot join: the class is full",
     "teacher.turned.domain": "{name} cannot join: its ROS_DOMAIN_ID differs",
     "teacher.invite": "How to join",

@@ -19,6 +19,7 @@ TEXTS = {
     "bar.door.not_let_in": "{host} 拒绝加入",
     "bar.door.no_class": "{host} 没有在上课",
     "bar.door.name_taken": "名字已有人用",
+    "bar.door.name_alike": "名字看上去和别人一样",
     "bar.door.class_full": "班级已满",
     "bar.door.other_domain": "ROS_DOMAIN_ID 不同",
     "bar.door.failed": "{host} 不通",

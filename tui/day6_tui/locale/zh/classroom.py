@@ -72,6 +72,7 @@ TEXTS = {
     "先结束它，或者启动时用 --listen tcp/0.0.0.0:PORT 换一个端口。",
     "teacher.shut": "没有人能加入：{reason}",
     "teacher.turned.taken": "名字 {name} 已经有人用了，另一台电脑也想用它",
+    "teacher.turned.alike": "名字 {name} 看上去和班里的另一个名字一样，没有放进来",
     "teacher.turned.full": "{name} 进不来：班级已满",
     "teacher.turned.domain": "{name} 进不来：那里的 ROS_DOMAIN_ID 不同",
     "teacher.invite": "怎样加入",

@@ -66,6 +66,7 @@ TEXTS = {
     "inspector.no_secret": "被 {endpoint} 拒绝：对方要求口令，或者那不是 ROS",
     "inspector.no_class": "{endpoint} 有应答，但那里没有在上课；会再试",
     "inspector.name_taken": "{endpoint}：班里已经有人用了你的名字；会再试",
+    "inspector.name_alike": "{endpoint}：班里有人的名字看上去和你的一样；会再试",
     "inspector.class_full": "{endpoint}：班级已满；会再试",
     "inspector.other_domain": "{endpoint}：这个房间的 ROS_DOMAIN_ID 和你的不同；会再试",
     "inspector.unreachable": "无法呼叫 {endpoint}（{reason}）；会再试",

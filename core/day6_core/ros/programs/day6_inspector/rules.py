@@ -186,6 +186,7 @@ _UNJOINED = {
     DoorState.NO_ANSWER: "no_answer",
     DoorState.NO_CLASS: "no_class",
     DoorState.NAME_TAKEN: "name_taken",
+    DoorState.NAME_ALIKE: "name_alike",
     DoorState.CLASS_FULL: "class_full",
     DoorState.OTHER_DOMAIN: "other_domain",
     DoorState.FAILED: "unreachable",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from day6_tui.web.looks import looks_like, mixes_alphabets
+from day6_core.looks import looks_like, mixes_alphabets
 from day6_tui.web.names import clean
 
 ALIKE = [
@@ -35,6 +35,8 @@ APART = [
     ("末", "未"),
     ("李雷", "李磊"),
     ("anna 1", "anna 2"),
+    ("1-11", "11-1"),
+    ("group_1_11", "group_11_1"),
     ("राम", "रमा"),
     ("김민수", "김민서"),
 ]

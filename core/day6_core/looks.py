@@ -1,7 +1,7 @@
 """Names that look alike, as "mаllory" with a Cyrillic а does beside "mallory"; after Unicode's technical standard 39.
 
-Chinese, Japanese and Korean names are always fine, also beside Latin letters. Only who chooses a name is judged: a teacher's list
-is the teacher's.
+Chinese, Japanese and Korean names are always fine, also beside Latin letters. Only who chooses a name is judged, not a
+list that a teacher has written.
 """
 
 from __future__ import annotations
@@ -37,6 +37,7 @@ _PAIRS = (
 _LOOK = {ord(mine): other for letters, others in _PAIRS for mine, other in zip(letters, others, strict=True)}
 _STROKES = str.maketrans({"I": "l", "1": "l", "0": "o", "O": "o"})
 _DRAWN_AS_TWO = (("rn", "m"), ("vv", "w"))
+_BETWEEN_NUMBERS = re.compile(r"(?<=\d)[\W_]+(?=\d)")
 _SMALL_CAPITAL = re.compile(r"LATIN LETTER SMALL CAPITAL ([A-Z])")
 
 
@@ -69,9 +70,11 @@ def _looks(name: str) -> set[tuple[bool, str]]:
 
 
 def _plain(name: str) -> str:
-    """Letters, their accents and digits in their plain forms, without what stands between them."""
-    found = unicodedata.normalize("NFKD", name)
-    return "".join(_small_capital(each) for each in found if unicodedata.category(each)[0] in "LMN")
+    """Letters, their accents and digits in their plain forms; of what stands between them only what parts two numbers."""
+    pieces = _BETWEEN_NUMBERS.split(unicodedata.normalize("NFKD", name))
+    return "-".join(
+        "".join(_small_capital(each) for each in piece if unicodedata.category(each)[0] in "LMN") for piece in pieces
+    )
 
 
 def _small_capital(letter: str) -> str:
