@@ -221,6 +221,7 @@ def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Servin
     async def deed() -> None:
         async with browser(tried.base) as door:
             link = tried.link("the teacher")
+            assert any("--word: every user of this machine can read the word" in line for line in tried.said)
             found = [(await door.get(f"p/{number:022}"))[0] for number in range(MOST_OF_ONE + 5)]
             assert found == [403] * MOST_OF_ONE + [429] * 5
             assert (await door.post("enter", word=WORD, name="anna"))[0] == 429

@@ -17,8 +17,10 @@ export class Lobby {
     const found = places(waiting);
     if (shown !== this._shown) {
       this._shown = shown;
+      const hadFocus = this._section.contains(document.activeElement);
       this._section.replaceChildren(...found.map((place) => this._place(place, texts)));
       this._section.hidden = !found.length;
+      if (hadFocus) this._section.querySelector("li button")?.focus();
     }
     return found.reduce((sum, { newcomers }) => sum + newcomers.length, 0);
   }

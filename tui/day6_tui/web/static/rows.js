@@ -99,7 +99,7 @@ export function shownRow(row, language) {
   };
 }
 
-/** Who waits to be let in, made safe to show, by where they come from: {address, newcomers}. */
+/** Who waits to be let in, made safe to show, by where they come from: {address, newcomers}; a crowd from one place comes last. */
 export function places(waiting) {
   const found = new Map();
   for (const { id, name, address, source, why } of Array.isArray(waiting) ? waiting : []) {
@@ -107,7 +107,7 @@ export function places(waiting) {
     if (!found.has(place)) found.set(place, { address: line(address, LONGEST_NAME), newcomers: [] });
     found.get(place).newcomers.push({ id: whole(id), name: line(name, LONGEST_NAME), why: WHYS.has(why) ? why : "all" });
   }
-  return [...found.values()];
+  return [...found.values()].sort((a, b) => a.newcomers.length - b.newcomers.length);
 }
 
 /** Raised hands first, who is not there last; otherwise as the server has them. */
