@@ -56,8 +56,8 @@ class InProcess:
 async def serving(folder: Path, **settings: Any) -> AsyncIterator[InProcess]:
     made = InProcess()
     offer = ModeOffer("none", Nothing())
-    data = folder / "class"
-    made.server = server.Server(ServerSettings(**{"data": data, "port": 0, "word": WORD} | settings), offer, made.tell)
+    chosen: dict[str, Any] = {"data": folder / "class", "port": 0, "word": WORD} | settings
+    made.server = server.Server(ServerSettings(**chosen), offer, made.tell)
     await made.server.open()
     try:
         yield made
@@ -238,6 +238,11 @@ def test_where_all_together_have_too_many_connections_the_address_with_the_most_
         others = [Line(f"192.0.2.{number}") for number in range(2, 7)]
         for line in (*greedy, *others):
             book().connection_made(line)
+        many = connections.Connections(asyncio.Protocol, most=2)
+        alone = [Line(f"192.0.2.{number}") for number in range(4)]
+        for line in alone:
+            many().connection_made(line)
+        assert [line.is_closed for line in alone].count(True) == 2 and len(many) == 2
         assert [line.is_closed for line in greedy] == [True] * 3 + [False] * 5
         assert not any(line.is_closed for line in others) and len(book) == 10
 
@@ -263,6 +268,7 @@ def test_made_up_names_from_one_address_wait_for_the_teacher_and_the_school_behi
                 ) as answer:
                     places[answer.headers.get("Location", str(answer.status))] += 1
         assert places == {"desk": 3, "lobby": lobby.MOST_OF_ONE, "429": 297 - lobby.MOST_OF_ONE}
+        assert made.said.count("serve.lobby.asks") == 1
         assert (await door.post("enter", word=WORD, name="李雷"))[0] == 409  # the list's places are reserved
         async with teaching(made) as teacher:
             state = await teacher.until(lambda rows: len(rows["lobby"]) == lobby.MOST_OF_ONE)

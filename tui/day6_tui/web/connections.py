@@ -132,13 +132,13 @@ class Connections:
         own = self._open.setdefault(connection.source, {})
         own[connection] = None
         if len(own) > MOST_OF_ONE:
-            self._give_way(own)
+            self._give_way(own, connection)
         elif len(self) > self._most:
-            self._give_way(max(self._open.values(), key=len))
+            self._give_way(max(self._open.values(), key=len), connection)
 
-    def _give_way(self, among: dict[Connection, None]) -> None:
-        newest = next(reversed(among))
-        first = min((each for each in among if each is not newest), key=lambda each: (not each.waits, each.since))
+    def _give_way(self, among: dict[Connection, None], new: Connection) -> None:
+        old = (each for each in among if each is not new)
+        first = min(old, key=lambda each: (not each.waits, each.since), default=new)
         self.remove(first)
         first.close()
 

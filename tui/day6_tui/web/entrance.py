@@ -14,7 +14,7 @@ from day6_tui.web.sessions import Sessions, Tell
 from day6_tui.web.tokens import PUPIL, WATCHER, Ticket, Tokens
 
 MOST_TOLD = 1000
-"""Names in place of which somebody tried another: each is told once."""
+"""Addresses, and names that somebody from there tried to be taken for: each is told once."""
 
 
 class NotIn(Exception):
@@ -56,12 +56,7 @@ class Entrance:
         """Somebody knows the word and has typed a name; `before` is what the same browser waits by. Raises NotIn."""
         name = self._fit(typed, address)
         if why := self.lobby.why_wait(address, has_files=self._has_files(name)):
-            try:
-                return Admitted(waits=self.lobby.wait(name, address, why, before=before))
-            except LobbyFull:
-                raise NotIn("serve.lobby.full", 429) from None
-            finally:
-                self._sessions.feed.tell()
+            return Admitted(waits=self._wait(name, address, why, before))
         self.lobby.leave(before)
         token = self._register(name, address)
         try:
@@ -70,6 +65,15 @@ class Entrance:
             self._unregister(name)
             raise NotIn("serve.wrong.disk", 507) from None
         return Admitted(token)
+
+    def _wait(self, name: str, address: str, why: str, before: str) -> str:
+        try:
+            key = self.lobby.wait(name, address, why, before=before)
+        except LobbyFull:
+            raise NotIn("serve.lobby.full", 429) from None
+        self._tell_once((address, ""), "serve.lobby.asks", name=name, address=address)
+        self._sessions.feed.tell()
+        return key
 
     def _fit(self, typed: str, address: str) -> str:
         try:
@@ -81,7 +85,7 @@ class Entrance:
         if refusal := self._taken(name):
             raise refusal
         if (like := looks_like(name, self._links.all_names())) is not None:
-            self._tell_once(name, like, address)
+            self._tell_once((address, like), "serve.alike", name=name, like=like, address=address)
             raise NotIn("serve.wrong.alike", 409, name=name, like=like)
         return name
 
@@ -91,10 +95,11 @@ class Entrance:
             return NotIn("serve.wrong.name", 409, name=name)
         return None
 
-    def _tell_once(self, name: str, like: str, address: str) -> None:
-        if (address, like) not in self._told and len(self._told) < MOST_TOLD:
-            self._told.add((address, like))
-            self._tell("serve.alike", name=name, like=like, address=address)
+    def _tell_once(self, what: tuple[str, str], key: str, **values: str) -> None:
+        """Who comes again and again makes no more of it; the page shows everybody who waits."""
+        if what not in self._told and len(self._told) < MOST_TOLD:
+            self._told.add(what)
+            self._tell(key, **values)
 
     def _register(self, name: str, address: str) -> str:
         self.lobby.came_in(address)

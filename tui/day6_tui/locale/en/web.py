@@ -104,6 +104,7 @@ TEXTS = {
         "--word: every user of this machine can read the word in the list of processes; better: --word FILE (chmod 600), "
         "or --word - for standard input"
     ),
+    "serve.lobby.asks": "{name} from {address} is waiting to be let in on the class page (or start with a larger --unasked)",
     "serve.lobby.wait": "{name}, please wait: your teacher will let you in. This page goes on by itself.",
     "serve.lobby.leave": "Choose another name",
     "serve.lobby.full": "Too many people are waiting to be let in. Tell your teacher.",

@@ -83,6 +83,7 @@ TEXTS = {
     "serve.alike": "{address}：名字 {name} 没有放进来，因为它看上去和 {like} 一样",
     "serve.word.seen": "--word：这台电脑上的其他用户在进程列表里看得到口令；更好的办法：--word 文件（chmod 600），"
     "或者用 --word - 从标准输入读",
+    "serve.lobby.asks": "来自 {address} 的 {name} 等着进来：请在班级页面上放行（或者用更大的 --unasked 启动）",
     "serve.lobby.wait": "{name}，请稍等，老师会让你进来。这个页面会自动继续。",
     "serve.lobby.leave": "换一个名字",
     "serve.lobby.full": "等着进来的人太多了，请告诉老师。",
