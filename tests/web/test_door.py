@@ -6,7 +6,7 @@ import asyncio
 import contextlib
 import re
 from collections import Counter
-from collections.abc import AsyncIterator, Callable, Coroutine
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -116,6 +116,17 @@ async def teaching(made: InProcess) -> AsyncIterator[Teacher]:
 # -- wrong words -------------------------------------------------------------------------------------------------------
 
 
+@pytest.fixture
+def many_files() -> Iterator[None]:
+    """macOS lets a process open 256 files, and here both ends of each connection are in one."""
+    resource = pytest.importorskip("resource")
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    if soft != resource.RLIM_INFINITY:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, 2000 if hard < 0 else min(hard, 2000)), hard))
+    yield
+    resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+
+
 class Half:
     """A form of which only the header was sent."""
 
@@ -142,6 +153,7 @@ class Half:
         return 0
 
 
+@pytest.mark.usefixtures("many_files")
 def test_words_are_counted_when_they_are_answered_however_many_were_begun_before(tmp_path: Path) -> None:
     async def deed(made: InProcess, door: Browser) -> None:
         begun = [await Half(made.base, f"wrong {number}").begin() for number in range(300)]
@@ -201,6 +213,7 @@ def test_half_a_request_is_not_waited_for(tmp_path: Path, monkeypatch: pytest.Mo
     deed_of(tmp_path, deed)
 
 
+@pytest.mark.usefixtures("many_files")
 def test_who_asks_at_once_gets_in_beside_many_who_ask_only_half(tmp_path: Path) -> None:
     async def deed(made: InProcess, door: Browser) -> None:
         host, port = made.base.split("//")[1].rstrip("/").split(":")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import sys
 from pathlib import Path
 
@@ -39,6 +40,7 @@ def test_only_a_word_on_the_command_line_is_seen_by_others(file: Path, monkeypat
         ("zh", 0o600, "\n", "{file}：只有 0 个字符，至少要 4 个"),
     ],
 )
+@pytest.mark.skipif(os.name != "posix", reason="files have no modes here")
 def test_a_file_that_will_not_do_is_told_without_the_word(
     file: Path, capsys: pytest.CaptureFixture[str], language: str, mode: int, text: str, said: str
 ) -> None:

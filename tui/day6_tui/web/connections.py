@@ -27,6 +27,8 @@ IDLE_SECONDS = 30.0
 MOST_OF_ONE = 256
 """Of an address: a school behind one, with 40 browsers that open six each."""
 
+LEAST_OF_ALL = 64
+
 
 def most_of_all() -> int:
     """Half of the files that this process may open: the desktops need some, too."""
@@ -35,7 +37,7 @@ def most_of_all() -> int:
     import resource
 
     soft, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
-    return max(MOST_OF_ONE, soft // 2) if soft > 0 else 64 * MOST_OF_ONE
+    return max(LEAST_OF_ALL, soft // 2) if soft != resource.RLIM_INFINITY else 64 * MOST_OF_ONE
 
 
 class Connection(asyncio.Protocol):
