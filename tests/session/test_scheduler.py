@@ -342,3 +342,37 @@ def test_what_was_started_too_late_ends_without_a_word_of_python() -> None:
         del scheduler
         gc.collect()
     assert [str(each.message) for each in told] == []
+
+
+@pytest.mark.parametrize("period", [0, 1, 1000])
+def test_a_program_that_runs_without_end_does_not_stop_the_world(
+    period: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A timer of a nanosecond: its next deadline is always the first one, and no deadline may be passed."""
+    wall = 0
+
+    def passes() -> int:
+        nonlocal wall
+        wall += 10_000
+        return wall
+
+    monkeypatch.setattr(time, "monotonic", lambda: passes() / NANOSECONDS)
+    scheduler = Scheduler(WorldClock(wall=passes))
+    runs, ticks = 0, []
+
+    async def restless() -> None:
+        nonlocal runs
+        while True:
+            runs += 1
+            await sleep_until(scheduler.clock.steady_ns() + period)
+
+    async def other() -> None:
+        for number in range(1, 11):
+            await sleep_until(number * 16 * MS)
+            ticks.append(scheduler.clock.steady_ns())
+
+    scheduler.spawn(restless())
+    scheduler.spawn(other())
+    assert scheduler.run(lambda: len(ticks) == 10, 1.0)
+    assert ticks == [number * 16 * MS for number in range(1, 11)]
+    assert runs > 100

@@ -103,6 +103,11 @@ class WorldClock:
         return self._speed
 
     @property
+    def is_paced(self) -> bool:
+        """Whether wall time moves it on."""
+        return self._wall is not None
+
+    @property
     def paused(self) -> bool:
         """Whether the clock is paused."""
         return self._paused

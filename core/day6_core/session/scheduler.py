@@ -36,6 +36,15 @@ STEPS_PER_DEADLINE = 10_000
 SETTLE_SECONDS = 0.02
 """Wall seconds for which programs that never wait may delay anything else: a Ctrl-C, the next deadline."""
 
+SHORT_NS = nanoseconds(0.001)
+"""Who keeps waiting for less than this (a timer of a nanosecond) has to leave time to the others."""
+
+SHORT_WAITS = 20
+"""So many in a row are as short as the program wants them."""
+
+SHARE_LEFT = 4
+"""After that it waits this many times as long as its last step took."""
+
 PAUSE_AFTER_FAILURE = 0.05
 """Wall seconds that the thread of all programs pauses after a bug in it, which may recur every time."""
 
@@ -333,13 +342,29 @@ class Scheduler:
             wait.add_done_callback(lambda _: self._wake(task, ticket))
             return
         if wait.deadline_ns is not None:
+            deadline = self._allowed(task, wait.deadline_ns)
             if len(self._deadlines) > 64 + 4 * len(self._tasks):
                 self._forget_stale_deadlines()
-            heapq.heappush(self._deadlines, (wait.deadline_ns, next(self._order), task, ticket))
+            heapq.heappush(self._deadlines, (deadline, next(self._order), task, ticket))
         if wait.signal is not None:
             wait.signal._waiters[task] = ticket
             if wait.signal._set:
                 self._ready.append((task, ticket, True))
+
+    def _allowed(self, task: Task, deadline: int) -> int:
+        """Return when a wait ends: at its deadline, unless the world would stand still for one task that runs too often.
+
+        The clock passes no deadline that has not run, so that the next one would always be a nanosecond ahead.
+        """
+        now = self.clock.steady_ns()
+        if deadline - now >= SHORT_NS:
+            task._short_waits = 0
+            return deadline
+        task._short_waits += 1
+        if task._short_waits <= SHORT_WAITS or not self.clock.is_paced:
+            return deadline
+        took = nanoseconds((time.monotonic() - self._step_began) * self.clock.speed)
+        return max(deadline, now + min(SHARE_LEFT * took, SHORT_NS))
 
     def _finish(self, task: Task, result: Any, error: BaseException | None) -> None:
         task.result = result

@@ -82,6 +82,8 @@ class Task:
         self._waiting = True
         self._held = False
         self._held_wake: bool | None = None
+        self._short_waits = 0
+        """How many waits in a row were for less than `scheduler.SHORT_NS`."""
 
     @property
     def finished(self) -> bool:
