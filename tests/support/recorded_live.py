@@ -25,7 +25,7 @@ from rosidl_runtime_py.set_message import set_message_fields
 from rosidl_runtime_py.utilities import get_message
 
 from day6_core.lessons.checks import Condition, Verdict
-from day6_core.lessons.checks.drawing import _lines
+from day6_core.lessons.checks.drawing import Stroke, _strokes
 from day6_core.lessons.live import Arrival, Heard, Live
 from day6_core.lessons.texts import Say
 from day6_core.ros.programs.rviz2.model.status import StatusList
@@ -299,7 +299,10 @@ def _window(window: Any) -> Json:
     """The kind of a window, with what checks look at in its model."""
     model = window.model
     if window.kind == "turtlesim":
-        return {"kind": window.kind, "trail": [_straightened(each) for each in _lines(model, {})]}
+        strokes = _strokes(model, {})
+        found = {"kind": window.kind, "trail": [_straightened(each.points) for each in strokes]}
+        jumps = {str(at): _jump(each) for at, each in enumerate(strokes) if _jump(each)}
+        return {**found, "jumps": jumps} if jumps else found
     if window.kind == "rviz2":
         displays = [
             [each.type, each.enabled, [[line.level, line.name, line.value] for line in each.statuses.lines]]
@@ -307,6 +310,10 @@ def _window(window: Any) -> Json:
         ]
         return {"kind": window.kind, "frame": model.fixed_frame, "displays": displays}
     return {"kind": window.kind}
+
+
+def _jump(stroke: Stroke) -> str:
+    return "drew" if stroke.jumped else "before" if stroke.cut else ""
 
 
 def _straightened(stroke: Sequence[tuple[float, float]]) -> Json:
@@ -494,14 +501,24 @@ def _message_of(kind: str, content: Json) -> Any:
 def _told_window(told: Json) -> Any:
     model: Any = None
     if "trail" in told:
-        pieces = [
-            SimpleNamespace(
-                x1=ax * PIXELS_PER_METRE, y1=-ay * PIXELS_PER_METRE, x0=bx * PIXELS_PER_METRE, y0=-by * PIXELS_PER_METRE
-            )
-            for stroke in told["trail"]
-            for (ax, ay), (bx, by) in pairwise(stroke)
-        ]
-        trail = SimpleNamespace(generation=0, drawn=len(pieces), segments_since=lambda seen: pieces[seen:])
+        pieces: list[Any] = []
+        jumps = []
+        for at, stroke in enumerate(told["trail"]):
+            begin = len(pieces)
+            pieces += [
+                SimpleNamespace(
+                    x1=ax * PIXELS_PER_METRE,
+                    y1=-ay * PIXELS_PER_METRE,
+                    x0=bx * PIXELS_PER_METRE,
+                    y0=-by * PIXELS_PER_METRE,
+                )
+                for (ax, ay), (bx, by) in pairwise(stroke)
+            ]
+            if jump := told.get("jumps", {}).get(str(at)):
+                jumps.append((begin, len(pieces) if jump == "drew" else begin))
+        trail = SimpleNamespace(
+            generation=0, drawn=len(pieces), jumps=jumps, segments_since=lambda seen: pieces[seen:]
+        )  # fmt: skip
         model = SimpleNamespace(trail=trail)
     elif "displays" in told:
         model = SimpleNamespace(fixed_frame=told["frame"], displays=[_display(*each) for each in told["displays"]])

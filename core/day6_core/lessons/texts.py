@@ -228,6 +228,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "rviz.saw_none": ("RViz isn't open.", "RViz 还没有打开。"),
     # Drawing
     "trail": ("{turtle} has drawn a {shape}", "{turtle} 要画出{shape}"),
+    "trail.driven": ("{turtle} has drawn a {shape} by driving", "{turtle} 要自己开着画出{shape}"),
     "shape.pentagram": ("pentagram", "五角星"),
     "shape.square": ("square", "正方形"),
     "shape.triangle": ("triangle", "等边三角形"),
@@ -238,6 +239,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     "trail.saw_legs": (
         "The last straight lines: {lengths} m long, turned by {turns} degrees in between.",
         "最后几条直线长 {lengths} 米，中间转了 {turns} 度。",
+    ),
+    "trail.saw_jumps": (
+        "Within the drawing it was put elsewhere by a teleport service {count} times.",
+        "画的时候，它被 teleport 服务挪动了 {count} 次。",
+    ),
+    "trail.where": (
+        "corner {corner}: asked ({x}, {y}) ± {slack} m, seen ({seen_x}, {seen_y}) after {seconds} s",
+        "第 {corner} 个角：应在 ({x}, {y}) ± {slack} 米，实际在 ({seen_x}, {seen_y})，第 {seconds} 秒",
+    ),
+    "trail.where_none": (
+        "corner {corner}: asked ({x}, {y}) ± {slack} m, never reached",
+        "第 {corner} 个角：应在 ({x}, {y}) ± {slack} 米，没有到过",
     ),
     "trail.saw_open": ("The ends are {gap} m apart.", "起点和终点还差 {gap} 米。"),
     "trail.saw_round": ("It isn't round.", "还不圆。"),

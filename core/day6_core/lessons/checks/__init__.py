@@ -37,6 +37,14 @@ class Verdict:
     saw: Say | None = None
     broken: bool = False
     """Whether the check itself failed, so that nothing is known."""
+    where: Say | None = None
+    """Where the two differ first, with what was to be there and what is."""
+    part: float = 0.0
+    """How much of it is done, 0 to 1, where that can be told."""
+    going: bool = False
+    """Whether what is there is right and more is coming: given more time it may hold."""
+    cheated: bool = False
+    """Whether what was seen came about in a way that the check rules out."""
 
     def text(self, language: str) -> str:
         """Both in one line."""
@@ -231,6 +239,8 @@ def _typed(name: str, wanted: str, arguments: dict[str, Any]) -> str:
         if not isinstance(value, list):
             return f"'{name}' has to be a list: [a, b]"
         arguments[name] = tuple(str(each) for each in value)
+    elif wanted.startswith("bool") and not isinstance(value, bool):
+        return f"'{name}' has to be true or false, not {_shown(value)}"
     return ""
 
 

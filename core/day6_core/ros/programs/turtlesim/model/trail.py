@@ -8,6 +8,7 @@ corner.
 from __future__ import annotations
 
 import math
+from collections import deque
 from typing import NamedTuple
 
 SIZE = 500
@@ -53,6 +54,8 @@ class Trail:
         self.drawn = 0
         self.inks: set[int] = set()
         """The colours of all lines since then, as 0xRRGGBB."""
+        self.jumps: deque[tuple[int, int]] = deque(maxlen=RECENT)
+        """The latest teleports: the numbers of the next segment before and after each, two alike where it drew nothing."""
         self._recent: list[tuple[int, Segment] | None] = [None] * RECENT
         self.pixels = _blank()
 
@@ -63,6 +66,7 @@ class Trail:
         self._recent = [None] * RECENT
         self.drawn = 0
         self.inks = set()
+        self.jumps = deque(maxlen=RECENT)
         self.generation += 1
 
     def colour_at(self, x: float, y: float) -> tuple[int, int, int]:

@@ -194,7 +194,7 @@ class Turtle:
 
     def _teleport(self, trail: Trail) -> None:
         for request in self._teleports:
-            old_x, old_y = self.x, self.y
+            old_x, old_y, begin = self.x, self.y, trail.drawn
             if len(request) == 2:
                 linear, angular = request
                 self.theta += angular
@@ -207,6 +207,7 @@ class Turtle:
                 self.x, up, self.theta = request
                 self.y = max(0.0, HEIGHT - up)
             self._draw(trail, old_x, old_y)
+            trail.jumps.append((begin, trail.drawn))
         self._teleports.clear()
 
     def _turn(self, rotation: Rotation, now: int) -> None:
