@@ -244,10 +244,25 @@ def _stars() -> list[Forgery]:
         "for n in range(6):\n    a = n * 2.5132741\n    request = TeleportAbsolute.Request(x=5.5 + 2 * math.cos(a), y=5.5 + 2 * math.sin(a))\n"
         "    rclpy.spin_until_future_complete(node, client.call_async(request))\n"
     )
+    turn = STAR.replace("    press(0.0, 2.5132741)", "    turn(2.5132741)").replace(
+        "for side in range(5):",
+        "from turtlesim.srv import TeleportRelative\nplace = node.create_client(TeleportRelative, 'turtle1/teleport_relative')\n"
+        "place.wait_for_service()\n\n\ndef turn(angle):\n"
+        "    rclpy.spin_until_future_complete(node, place.call_async(TeleportRelative.Request(angular=angle)))\n\n\nfor side in range(5):",
+    )
+    spawn = STAR.replace("rclpy.init()", "rclpy.init(args=[])").replace(
+        "while keys.get_subscription_count()",
+        "from turtlesim.srv import Spawn\nbirth = node.create_client(Spawn, 'spawn')\nbirth.wait_for_service()\n"
+        "rclpy.spin_until_future_complete(node, birth.call_async(Spawn.Request(x=5.5, y=5.5, name='turtle1')))\n"
+        "while keys.get_subscription_count()",
+    )
+    teleports = "by a teleport service"
+    made.append(Forgery("day3", "elsewhere", "jumps from corner to corner", {"home/star.py": jump}, teleports))
     made.append(
-        Forgery(
-            "day3", "other-turtle", "jumps from corner to corner with turtle1's service", {"home/star.py": jump}, little
-        )
+        Forgery("day3", "elsewhere", "drives its lines and turns by teleport", {"home/star.py": turn}, teleports)
+    )
+    made.append(
+        Forgery("day3", "other-turtle", "brings back turtle1 and draws with it", {"home/star.py": spawn}, "not: ")
     )
     fixed = STAR.replace("'turtle1/cmd_vel', 10)", "'turtle1/cmd_vel', 10)").replace(
         "rclpy.init()", "rclpy.init(args=[])"

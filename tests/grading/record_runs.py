@@ -95,10 +95,10 @@ def play_one(submission: Submission) -> Any:
             self._last: Any = None
             live = RecordingLive(self._desk, self._session, grading.path.parent)
             files = live.moment([], ("files",))["files"]
-            problems = await super()._scenario(grading, scenario)
-            shown = [[said(each, home) for each in pair] for pair in problems]
+            outcome = await super()._scenario(grading, scenario)
+            shown = [[said(each, home) for each in pair] for pair in outcome.problems]
             runs.append({"scenario": scenario.name, "files": files, "events": list(events), "problems": shown})
-            return problems
+            return outcome
 
         def _look(self, live: Any, checks: Any) -> Any:
             live.forget()
@@ -142,7 +142,7 @@ def play_one(submission: Submission) -> Any:
 
 def record(submission: Submission) -> Any:
     """Play one in a process of its own, which is ended with all that it started."""
-    command = [sys.executable, __file__, "--one", submission.name]
+    command = [sys.executable, "-m", "tests.grading.record_runs", "--one", submission.name]
     child = subprocess.Popen(command, stdout=subprocess.PIPE, start_new_session=True)
     try:
         text, _ = child.communicate(timeout=LONGEST)

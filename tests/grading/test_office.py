@@ -13,14 +13,17 @@ import pytest
 from day6_core.lessons.catalogue import HERE
 from day6_core.lessons.grading import reports
 from day6_core.lessons.grading.archive import unpack
-from day6_core.lessons.grading.grader import Grade, Graded, Grader
+from day6_core.lessons.grading.grader import Grader
+from day6_core.lessons.grading.grades import Grade, Graded
+from day6_core.lessons.grading.marks import Mark
 from day6_core.lessons.grading.scenarios import gradings, read_grading
 from day6_core.lessons.progress import FOLDER, Progress, StepDone, file_of, load, save
 from day6_core.lessons.reading import read_lesson
-from day6_core.lessons.texts import TEXTS
+from day6_core.lessons.texts import TEXTS, Say
 from day6_core.width import text_width
 from day6_tui.main import main
 from tests.grading.article import FILES, write
+from tests.grading.solutions import OTHERWISE
 
 ONE, TWO = (step.name for step in read_lesson(HERE / "days" / "day1.md").steps[:2])
 
@@ -196,8 +199,8 @@ def test_a_teachers_own_scenario_and_both_reports(tmp_path: Path, capsys: pytest
     assert main(words) == 1
     out = capsys.readouterr().out
     assert (
-        "通过 1/1" in out
-        and "通过 0/1" in out
+        "得分 1/1" in out
+        and "得分 0/1" in out
         and "不是完好的 zip" in out
         and "Traceback" not in out
         and "\x1b" not in out
@@ -205,8 +208,12 @@ def test_a_teachers_own_scenario_and_both_reports(tmp_path: Path, capsys: pytest
     html = page.read_text(encoding="utf-8")
     assert "<script" not in html and "&lt;b&gt;good&amp;.zip" in html and "Traceback" not in html and "\x1b" not in html
     rows = list(csv.DictReader(io.StringIO(table.read_bytes().decode("utf-8-sig"))))
-    assert {row["file"]: row["passed"] for row in rows} == {"<b>good&.zip": "1", "bad.zip": "0", "worse.zip": "0"}
-    assert all(row["wanted_zh"] and row["saw_en"] for row in rows if row["file"] == "bad.zip")
+    assert {row["file"]: row["own prints mark"] for row in rows} == {
+        "<b>good&.zip": "right", "bad.zip": "wrong", "worse.zip": ""
+    }  # fmt: skip
+    assert {row["file"]: bool(row["own prints why"] or row["refused"]) for row in rows} == {
+        "<b>good&.zip": False, "bad.zip": True, "worse.zip": True
+    }  # fmt: skip
 
 
 @pytest.mark.process
@@ -230,11 +237,17 @@ def test_answers_are_compared_with_the_lesson_and_nothing_else_counts(tmp_path: 
 
 
 @pytest.mark.process
-def test_a_good_submission_passes_everything(tmp_path: Path) -> None:
-    graded = Grader(gradings(), seconds=150, answers={}).grade([write(tmp_path / "good.zip")], 1)[0]
-    problems = {(each.lesson, each.scenario): each.problems for each in graded.results if not each.passed}
+def test_what_is_right_gets_all_points_in_whatever_way_it_is_done(tmp_path: Path) -> None:
+    by_pose = OTHERWISE["by the pose"][1]
+    files = [write(tmp_path / "good.zip"), write(tmp_path / "pose.zip", by_pose)]
+    found = Grader(gradings(), answers={}).grade(files, 2)
+    problems = {
+        (each.lesson, each.scenario): each.problems for graded in found for each in graded.results if not each.passed
+    }
     assert problems == {}
-    assert graded.passed == len(graded.results) == sum(len(each.scenarios) for each in gradings())
+    for graded in found:
+        assert graded.passed == len(graded.results) == sum(len(each.scenarios) for each in gradings())
+        assert graded.data()["points"] == graded.data()["most"] == graded.passed
 
 
 def test_the_same_seed_draws_the_same_and_another_one_does_not() -> None:
@@ -258,6 +271,8 @@ def test_the_same_seed_draws_the_same_and_another_one_does_not() -> None:
         ("run: [{shout: x}]\ncheck: [{node: /a}]", "no action 'shout'"),
         ("needs: [before]\ncheck: [{node: /a}]", "no earlier scenario"),
         ("within: 1000\ncheck: [{node: /a}]", "within"),
+        ("must: [nodes]\ncheck: [{node: /a}]", "no 'nodes' among the checks; did you mean 'node'"),
+        ("check: [{trail: {driven: 1}}]", "'driven' has to be true or false, not 1"),
         ("checks: [{node: /a}]", "unknown key 'checks'"),
         ("check: [", "not YAML"),
     ],
@@ -288,6 +303,7 @@ def test_every_text_is_there_in_both_languages() -> None:
 
 def test_the_page_says_what_was_refused(tmp_path: Path) -> None:
     refused = Graded(Path("<i>.zip"), refused={"zh": "坏了", "en": "broken <b>"})
-    passed = Graded(Path("ok.zip"), results=[Grade("day4", "builds", {"zh": "编译", "en": "builds"}, True)])
-    page = reports.as_page([refused, passed], "en", "2 submissions").decode()
-    assert "broken &lt;b&gt;" in page and "&lt;i&gt;.zip" in page and "✓" in page and "✗" in page
+    passed = Graded(Path("ok.zip"), results=[Grade("day4", "builds", {"zh": "编译", "en": "builds"}, Mark.RIGHT, 1.0)])
+    page = reports.as_page(reports.data_of([refused, passed], {}), "en", Say("grade.stopped")).decode()
+    assert "broken &lt;b&gt;" in page and "&lt;i&gt;.zip" in page and "坏了" in page
+    assert '<td class="good"><span lang="zh">正确 1</span><span lang="en">right 1</span></td>' in page

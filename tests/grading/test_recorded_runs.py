@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 
+from day6_core.lessons.grading.marks import Mark, Seen
 from day6_core.lessons.grading.scenarios import gradings
 from day6_core.lessons.texts import Say
 from tests.grading.forgeries import ALL, Forgery
@@ -46,10 +47,54 @@ def test_it_is_refused_for_its_reason_again(forgery: Forgery) -> None:
     assert "Traceback" not in said
 
 
-def test_a_good_submission_passes() -> None:
-    found = graded(GOOD)
-    assert list(found) == [scenario.name for grading in gradings() for scenario in grading.scenarios]
+@pytest.mark.parametrize("name", [name for name in SUBMISSIONS if name.startswith(GOOD)])
+def test_what_is_right_gets_all_points_in_whatever_way_it_is_done(name: str) -> None:
+    found = graded(name)
+    assert list(found) == [each.name for grading in SUBMISSIONS[name].gradings for each in grading.scenarios]
     assert {name: each.problems for name, each in found.items() if each.problems} == {}
+    assert all((each.outcome.mark, each.outcome.points) == (Mark.RIGHT, 1.0) for each in found.values())
+    assert all(check.at is not None for each in found.values() for check in each.outcome.checks)
+
+
+CHEATS = re.compile(
+    r"jumps from|turns by teleport|brings back turtle1|publishes poses|prints|says that it|lets `|somebody else|publishes once"
+    r"|faker|memory|open files|writes|for the node without|talks to itself|another node of its own|an rclpy of its own"
+    r"|exit status|only what a build leaves|text that says|stands still|never spins|trembles"
+)
+CHEATING = [each for each in FORGERIES if CHEATS.search(each.name) and each.name != "prints nothing"]
+
+
+@pytest.mark.parametrize("forgery", CHEATING, ids=lambda forgery: forgery.id)
+def test_cheats_get_no_points_at_all(forgery: Forgery) -> None:
+    outcome = graded(WHERE[forgery.id])[forgery.scenario].outcome
+    assert (outcome.mark, outcome.points) == (Mark.WRONG, 0.0)
+
+
+def test_there_are_cheats_for_every_day() -> None:
+    assert {each.lesson for each in CHEATING} == {each.lesson for each in gradings()}
+
+
+@pytest.mark.parametrize(
+    ("forgery", "points", "where"),
+    [
+        ("elsewhere: draws four lines", 0.6, "corner 6: asked"),
+        (
+            "elsewhere: draws lines of five lengths",
+            0.2,
+            r"corner 3: asked \(\d\.\d, \d\.\d\) ± 0\.2 m, seen .* after \d+\.\d s",
+        ),
+        ("elsewhere: draws a square", 0.0, "corner 3: asked"),
+        ("spinner: turns the left wheel only", 0.83, ""),
+        ("urdf: has no right wheel", 0.33, ""),
+        ("builds: names no dependencies", 0.5, ""),
+        ("talker: floods the topic once a millisecond", 0.8, ""),
+    ],
+)
+def test_what_is_partly_right_gets_a_part_of_the_points(forgery: str, points: float, where: str) -> None:
+    outcome = graded(WHERE[forgery])[forgery.partition(":")[0]].outcome
+    assert (outcome.mark, outcome.points) == (Mark.WRONG, points)
+    told = [each.where.text("en") for each in outcome.checks if each.where is not None]
+    assert bool(told) is bool(where) and re.search(where, " ".join(told))
 
 
 def test_what_needs_a_scenario_that_failed_is_not_played(tmp_path: Path) -> None:
@@ -60,9 +105,9 @@ def test_what_needs_a_scenario_that_failed_is_not_played(tmp_path: Path) -> None
     submission, runs = spoiled._replace(gradings=(both,)), RUNS[spoiled.name]["runs"]
     played = graded_again(submission, runs, tmp_path, lambda **said: heard.update({said["scenario"]: said}))
     assert list(played) == ["urdf"]
-    assert {name: each["ok"] for name, each in heard.items()} == {"urdf": False, "launch": False}
-    needs, saw = Say("grade.needs", name="urdf"), Say("grade.needs_saw")
-    assert heard["launch"]["problems"] == [[needs.text("zh"), needs.text("en"), saw.text("zh"), saw.text("en")]]
+    assert {name: each["mark"] for name, each in heard.items()} == {"urdf": "wrong", "launch": "unplayed"}
+    needs = Seen(Say("grade.needs", name="urdf"), Say("grade.needs_saw"))
+    assert heard["launch"]["checks"] == [needs.data()]
 
 
 @pytest.mark.parametrize("name", SUBMISSIONS)

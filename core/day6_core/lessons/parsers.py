@@ -6,7 +6,7 @@ from pathlib import Path
 
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.command_line.values import Values
-from day6_core.lessons.grading.limits import LONGEST, MOST_JOBS, SECONDS
+from day6_core.lessons.grading.limits import LONGEST, MOST_JOBS
 
 
 def lessons(language: str = "en") -> CommandParser:
@@ -46,8 +46,10 @@ def grade(language: str = "en") -> CommandParser:
     parser.add_argument("--scenarios", type=Path, metavar="DIR", help=texts("cli.grade.scenarios"))
     _add_tables(parser)
     parser.add_argument("--jobs", type=values.whole(1, MOST_JOBS), metavar="N", help=texts("cli.grade.jobs"))
-    limit = texts("cli.grade.seconds", seconds=SECONDS, twice=2 * SECONDS)
-    parser.add_argument("--seconds", type=values.number(1, LONGEST), metavar="S", help=limit)
+    parser.add_argument("--json", type=Path, metavar="FILE", help=texts("cli.grade.json"))
+    parser.add_argument(
+        "--seconds", type=values.number(1, LONGEST), metavar="S", help=texts("cli.grade.seconds")
+    )  # fmt: skip
     parser.add_argument("--seed", default="", metavar="WORD", help=texts("cli.grade.seed"))
     return parser
 

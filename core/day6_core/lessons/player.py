@@ -17,6 +17,9 @@ RETURN_TAKES = 10.0
 LOOK = 0.02
 """Seconds between two looks."""
 
+LONGEST_WAIT = 40.0
+"""Seconds that `type` waits for its prompt and `wait` for its check."""
+
 
 class StageError(Exception):
     """An action could not be performed."""

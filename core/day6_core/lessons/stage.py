@@ -11,16 +11,13 @@ from typing import TYPE_CHECKING, Any
 from day6_core.lessons.actions import presses
 from day6_core.lessons.checks import condition_of
 from day6_core.lessons.live import OutsideHome
-from day6_core.lessons.player import LOOK, Player, StageError
+from day6_core.lessons.player import LONGEST_WAIT, LOOK, Player, StageError
 from day6_core.whole_file import replace_file
 
 if TYPE_CHECKING:
     from day6_core.lessons.live import Live
     from day6_core.session.session import Session
     from day6_core.shell.terminal import Terminal
-
-LONGEST_WAIT = 40.0
-"""Seconds that `type` waits for its prompt and `wait` for its check."""
 
 ENDS_WITHIN = 5.0
 """Seconds that a program may take to end after Ctrl-C."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
@@ -20,9 +20,12 @@ table{border-collapse:collapse;margin:1rem 0}
 th,td{border:1px solid #bbb;padding:.3rem .6rem;text-align:left;vertical-align:top}
 th{background:#eee}
 td.number{text-align:right}
-.good{background:#e2f3e2}.bad{background:#fbe3e0}
+.good{background:#e2f3e2}.bad{background:#fbe3e0}.late{background:#fdf3d0}.open{background:#e8e8ee}
 small{color:#666}
 @media print{body{margin:0}}"""
+
+_CHOICE = "#zh:checked~main [lang=en],#en:checked~main [lang=zh]{display:none}\n@media print{input,label{display:none}}"
+_LANGUAGES = {"zh": "中文", "en": "English"}
 
 
 class Exists(Exception):
@@ -39,6 +42,14 @@ class Cell(str):
         made = super().__new__(cls, text)
         made.kind = kind
         return made
+
+
+class Texts(dict[str, str]):
+    """A text in each language for a page that has all of them, with a class as of a cell."""
+
+    def __init__(self, texts: Mapping[str, str], kind: str = "") -> None:
+        super().__init__(texts)
+        self.kind = kind
 
 
 def text_table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
@@ -65,7 +76,12 @@ def _plain(cell: object) -> object:
     return f"'{text}" if text.startswith(_FORMULA) else text
 
 
-def html_table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+def without_guard(text: str) -> str:
+    """What was given to `csv_bytes` for a cell."""
+    return text[1:] if text.startswith("'") and text[1:].startswith(_FORMULA) else text
+
+
+def html_table(head: Sequence[object], rows: Iterable[Sequence[object]]) -> str:
     """A table; every cell is escaped."""
     found = ["<table>", "<tr>" + "".join(f"<th>{_written(cell)}</th>" for cell in head) + "</tr>"]
     for row in rows:
@@ -83,17 +99,26 @@ def html_text(text: object, tag: str = "p") -> str:
 
 
 def _written(cell: object) -> str:
+    if isinstance(cell, Texts):
+        return "".join(f'<span lang="{language}">{_written(text)}</span>' for language, text in cell.items())
     return escape(one_line(str(cell)), quote=True)
 
 
-def html_page(title: str, language: str, parts: Iterable[str]) -> bytes:
-    """A page with its style inside; it loads nothing and runs nothing."""
+def html_page(title: str, language: str, parts: Iterable[str], *, choice: bool = False) -> bytes:
+    """A page with its style inside; it loads nothing and runs nothing. `choice`: of the language in which `Texts` are shown."""
     policy = "default-src 'none'; style-src 'unsafe-inline'"
-    body = "\n".join(parts)
+    body, style = "\n".join(parts), _STYLE
+    if choice:
+        choices = "".join(
+            f'<input type="radio" name="language" id="{each}"{" checked" if each == language else ""}>'
+            f'<label for="{each}" lang="{each}">{name}</label>\n'
+            for each, name in _LANGUAGES.items()
+        )
+        body, style = f"{choices}<main>\n{body}\n</main>", f"{_STYLE}\n{_CHOICE}"
     page = (
         f'<!DOCTYPE html>\n<html lang="{language}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
-        f"<title>{_written(title)}</title>\n<style>\n{_STYLE}\n</style>\n</head>\n<body>\n{body}\n</body>\n</html>\n"
+        f"<title>{_written(title)}</title>\n<style>\n{style}\n</style>\n</head>\n<body>\n{body}\n</body>\n</html>\n"
     )
     return page.encode("utf-8", errors="replace")
 

@@ -7,13 +7,15 @@ import signal
 import sys
 import threading
 import time
+from functools import partial
 from pathlib import Path
 
 from day6_core.language import language_of
 from day6_core.lessons import parsers
-from day6_core.lessons.grading import reports
-from day6_core.lessons.grading.grader import Graded, Grader
-from day6_core.lessons.grading.limits import MOST_JOBS, SECONDS
+from day6_core.lessons.grading import remarks, reports
+from day6_core.lessons.grading.grader import Grader
+from day6_core.lessons.grading.grades import Graded
+from day6_core.lessons.grading.limits import MOST_JOBS
 from day6_core.lessons.grading.scenarios import HERE, Grading, gradings
 from day6_core.lessons.source import LessonMistakes
 from day6_core.lessons.tables import Exists, must_be_new, write_table
@@ -51,7 +53,8 @@ def main(arguments: list[str]) -> int:
         return tell("grade.windows")
     try:
         chosen = _chosen(options.scenarios, options.lesson)
-        must_be_new([options.csv, options.html], options.force)
+        must_be_new([options.csv, options.html, options.json], options.force)
+        words = remarks.read(options.csv)
     except LessonMistakes as mistakes:
         print(lines(str(mistakes)), file=sys.stderr)
         return 2
@@ -59,47 +62,60 @@ def main(arguments: list[str]) -> int:
         return tell(*error.args[:1], **error.args[1])
     except Exists as error:
         return tell("office.exists", file=error)
+    except remarks.Unreadable as error:
+        return tell("grade.remarks_unread", file=error)
     except OSError as error:
         return tell("office.failed", file=error.filename or "", reason=error.strerror or error)
     files = [each for path in options.files for each in (sorted(path.glob("*.zip")) if path.is_dir() else [path])]
     if not files:
         return tell("grade.nothing", names=tuple(map(str, options.files)))
     jobs = min(options.jobs or default_jobs(), len(files))
-    seconds = options.seconds or SECONDS * min(2, len(chosen))
-    grader = Grader(chosen, seconds=seconds, seed=options.seed)
+    grader = Grader(chosen, seconds=options.seconds, seed=options.seed)
     began = time.monotonic()
     lock = threading.Lock()
 
     def told(graded: Graded) -> None:
         with lock:
-            print(lines(reports.in_text(graded, language)), flush=True)
+            print(lines(reports.in_text(graded.data(), language)), flush=True)
+
+    def again(count: int) -> None:
+        print(
+            one_line(f"day6-tui grade: {Say('grade.again', count=count).text(language)}"), file=sys.stderr, flush=True
+        )
 
     before = {number: signal.signal(number, signal.default_int_handler) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
-        found = grader.grade(files, jobs, told)
+        found = grader.grade(files, jobs, told, again)
     except KeyboardInterrupt:
         tell("grade.stopped")
         return 130
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-    took = f"{time.monotonic() - began:.1f}"
+    took = round(time.monotonic() - began, 1)
     total = Say("grade.total", count=len(found), seconds=took, jobs=jobs, seed=grader.seed)
     print(f"\n{one_line(total.text(language))}")
     if any(graded.refused is None and not graded.shielded for graded in found):
         tell("grade.weak")
     try:
-        if options.csv is not None:
-            write_table(options.csv, reports.as_csv(found, language), options.force)
-        if options.html is not None:
-            write_table(options.html, reports.as_page(found, language, total.text(language)), options.force)
+        words |= remarks.read(options.csv)  # they may have been written meanwhile
+        about = {"seed": grader.seed, "seconds": took, "jobs": jobs}
+        data = reports.data_of(found, words, **about)
+        tables = (
+            (options.csv, partial(reports.as_csv, data, language, words)),
+            (options.html, partial(reports.as_page, data, language, total)),
+            (options.json, partial(reports.as_json, data)),
+        )
+        for path, written in tables:
+            if path is not None:
+                write_table(path, written(), options.force)
+                print(one_line(Say("office.written", file=path).text(language)))
     except Exists as error:
         return tell("office.exists", file=error)
+    except remarks.Unreadable as error:
+        return tell("grade.remarks_unread", file=error)
     except OSError as error:
         return tell("office.failed", file=error.filename or "", reason=error.strerror or error)
-    for path in (options.csv, options.html):
-        if path is not None:
-            print(one_line(Say("office.written", file=path).text(language)))
     return 0 if all(graded.refused is None and graded.passed == len(graded.results) for graded in found) else 1
 
 

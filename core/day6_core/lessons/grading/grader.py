@@ -15,14 +15,15 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from day6_core.lessons.catalogue import days
 from day6_core.lessons.grading import shield
-from day6_core.lessons.grading.limits import SECONDS
-from day6_core.lessons.grading.scenarios import Grading
+from day6_core.lessons.grading.grades import ANSWERS, Grade, Graded
+from day6_core.lessons.grading.marks import Mark, Seen, both
+from day6_core.lessons.grading.scenarios import Grading, longest
 from day6_core.lessons.texts import Say
 
 WARDEN = "day6_core.lessons.grading.warden"
@@ -30,43 +31,6 @@ PATIENCE = 10.0
 """Seconds that a warden gets beyond its submission's, before it is ended too."""
 
 LARGEST_REPORT = 2_000_000
-ANSWERS = "answers"
-
-
-@dataclass
-class Grade:
-    """How one scenario went: `problems` are what was wanted and what was seen instead, each as {language: text}."""
-
-    lesson: str
-    scenario: str
-    title: Mapping[str, str]
-    passed: bool = False
-    problems: list[tuple[dict[str, str], dict[str, str]]] = field(default_factory=list)
-    seconds: float = 0.0
-
-
-@dataclass
-class Graded:
-    """One submission. `refused` is why it was not looked at; `pupil` is what it calls itself."""
-
-    file: Path
-    pupil: str = ""
-    refused: dict[str, str] | None = None
-    results: list[Grade] = field(default_factory=list)
-    ended: str = ""
-    problem: str = ""
-    """What failed in the grader itself."""
-
-    shielded: bool = True
-    seconds: float = 0.0
-
-    @property
-    def passed(self) -> int:
-        return sum(result.passed for result in self.results)
-
-
-def _both(say: Say) -> dict[str, str]:
-    return {"zh": say.text("zh"), "en": say.text("en")}
 
 
 def right_answers(lessons: Iterable[str]) -> dict[str, dict[str, str]]:
@@ -91,35 +55,54 @@ class Grader:
         self,
         gradings: list[Grading],
         *,
-        seconds: float = SECONDS,
+        seconds: float | None = None,
         seed: str = "",
         shielded: bool = True,
         answers: Mapping[str, Mapping[str, str]] | None = None,
     ) -> None:
         self.seed = seed or secrets.token_hex(8)
         self._gradings = gradings
-        self._seconds = seconds
+        self._seconds = longest(gradings) if seconds is None else seconds
         self._shield = shield.Shield.WHOLE if shielded else shield.Shield.NONE
         self._answers = right_answers(each.lesson for each in gradings) if answers is None else answers
         self._wardens: set[subprocess.Popen[bytes]] = set()
         self._lock = threading.Lock()
         self._stopped = False
 
-    def grade(self, files: list[Path], jobs: int, told: Callable[[Graded], None] = lambda _: None) -> list[Graded]:
-        """Grade all, `jobs` at a time; `told` hears of each when it is done, on another thread. Blocks."""
+    def grade(
+        self,
+        files: list[Path],
+        jobs: int,
+        told: Callable[[Graded], None] = lambda _: None,
+        again: Callable[[int], None] = lambda _: None,
+    ) -> list[Graded]:
+        """Grade all, `jobs` at a time. Blocks.
+
+        What the machine was too busy for is played again, one submission after the other when all others are done; `again` hears
+        how many these are. `told` hears of each when it is done, on another thread.
+        """
 
         def one(file: Path) -> Graded:
-            graded = self._one(file)
-            told(graded)
+            graded = Graded(file, results=self._empty())
+            self._play(graded)
+            if not graded.lagged:
+                told(graded)
             return graded
 
         with ThreadPoolExecutor(max_workers=jobs) as pool:
             try:
-                return list(pool.map(one, files))
+                found = list(pool.map(one, files))
+                lagged = [graded for graded in found if graded.lagged]
+                if lagged:
+                    again(len(lagged))
+                for graded in lagged:
+                    self._again(graded)
+                    told(graded)
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
                 self.stop()
                 raise
+        return found
 
     def stop(self) -> None:
         """End all wardens, and with them everything they keep."""
@@ -129,19 +112,40 @@ class Grader:
                 with contextlib.suppress(ProcessLookupError):
                     warden.kill()
 
-    def _one(self, file: Path) -> Graded:
-        graded = Graded(file, results=self._empty())
+    def _again(self, graded: Graded) -> None:
+        """Play once more what the machine was too busy for, and what had to wait for that."""
+        only: dict[str, list[str]] = {}
+        passed: dict[str, list[str]] = {}
+        for at, result in enumerate(graded.results):
+            if result in graded.lagged or result.mark is Mark.UNPLAYED:
+                only.setdefault(result.lesson, []).append(result.scenario)
+                graded.results[at] = Grade(result.lesson, result.scenario, result.title)
+            elif result.passed:
+                passed.setdefault(result.lesson, []).append(result.scenario)
+        graded.ended, graded.stalls = "", []
+        self._play(graded, only, passed)
+        for result in graded.lagged:
+            asked, seen = Say("grade.busy"), Say("grade.busy_saw", seconds=f"{result.stood_still:g}")
+            result.conclude(Mark.UNPLAYED, asked, seen)
+
+    def _play(
+        self,
+        graded: Graded,
+        only: Mapping[str, list[str]] | None = None,
+        passed: Mapping[str, list[str]] = MappingProxyType({}),
+    ) -> None:
+        """Play all scenarios of a submission, or `only` these where those have `passed` before."""
         began = time.monotonic()
         short = "/tmp" if os.name == "posix" and os.access("/tmp", os.W_OK | os.X_OK) else None  # it holds sockets
         work = tempfile.mkdtemp(prefix="d6g-", dir=short)
         try:
-            for said in self._said(file, work):
+            for said in self._said(graded.file, {"work": work, "only": only, "passed": dict(passed)}):
                 self._take(graded, said)
         finally:
             shutil.rmtree(work, ignore_errors=True)
-        graded.seconds = round(time.monotonic() - began, 1)
-        self._conclude(graded)
-        return graded
+        ended = time.monotonic()
+        graded.seconds = round(graded.seconds + ended - began, 1)
+        self._conclude(graded, [each for each in graded.results if _is_among(each, only)], ended)
 
     def _empty(self) -> list[Grade]:
         return [
@@ -150,11 +154,11 @@ class Grader:
             for scenario in grading.scenarios
         ]
 
-    def _said(self, file: Path, work: str) -> list[dict[str, Any]]:
+    def _said(self, file: Path, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
         """What the warden and the judge said about one submission."""
         job = {
-            "archive": str(file.absolute()), "work": work, "seed": self.seed, "seconds": self._seconds,
-            "shield": self._shield.value, "gradings": [str(each.path.absolute()) for each in self._gradings],
+            "archive": str(file.absolute()), "seed": self.seed, "seconds": self._seconds, "shield": self._shield.value,
+            "gradings": [str(each.path.absolute()) for each in self._gradings], **chosen,
         }  # fmt: skip
         if self._stopped:
             return []
@@ -178,17 +182,18 @@ class Grader:
 
     def _take(self, graded: Graded, said: dict[str, Any]) -> None:
         if "refused" in said:
-            graded.refused = dict(zip(("zh", "en"), said["refused"], strict=True))
+            graded.refused, graded.results = said["refused"], []
         elif "pupil" in said:
             graded.pupil = said["pupil"]
-            self._judge_answers(graded, said["answers"])
+            if not any(each.scenario == ANSWERS for each in graded.results):
+                self._judge_answers(graded, said["answers"])
         elif "scenario" in said:
             for result in graded.results:
                 if (result.lesson, result.scenario) == (said["lesson"], said["scenario"]):
-                    result.passed, result.seconds = said["ok"], said["seconds"]
-                    result.problems = [({"zh": a, "en": b}, {"zh": c, "en": d}) for a, b, c, d in said["problems"]]
+                    result.note(said)
         elif "ended" in said:
             graded.ended = graded.ended or said["ended"]
+            graded.stalls = said.get("stalls", [])
             graded.shielded = said["shield"] == shield.Shield.WHOLE.value
         elif "problem" in said:
             graded.ended, graded.problem = "problem", str(said["problem"])
@@ -197,30 +202,30 @@ class Grader:
         """Compare the last letter that was chosen at each question with the lesson's."""
         for lesson, letters in self._answers.items():
             wrong = [name for name, letter in letters.items() if given.get(lesson, {}).get(name, "")[-1:] != letter]
-            title = _both(Say("grade.answers_title"))
-            result = Grade(lesson, ANSWERS, title, not wrong)
-            if wrong:
-                wanted = Say("grade.answers", names=tuple(letters))
-                saw = Say(
-                    "grade.answers_saw", right=len(letters) - len(wrong), all=len(letters), names=tuple(wrong)
-                )  # fmt: skip
-                result.problems.append((_both(wanted), _both(saw)))
+            right = len(letters) - len(wrong)
+            result = Grade(lesson, ANSWERS, both(Say("grade.answers_title")), Mark.WRONG if wrong else Mark.RIGHT)
+            result.points = round(right / len(letters), 2)
+            saw = Say("grade.answers_saw", right=right, all=len(letters), names=tuple(wrong)) if wrong else None
+            result.checks = [Seen(Say("grade.answers", names=tuple(letters)), saw, ok=not wrong).data()]
             graded.results.append(result)
 
-    def _conclude(self, graded: Graded) -> None:
-        """Say of what was not played why it was not."""
-        if graded.refused is not None:
-            graded.results = []
-            return
+    def _conclude(self, graded: Graded, played: list[Grade], ended: float) -> None:
+        """Say of what was not played to its end why it was not, and of everything whether the machine kept up."""
         values = {
-            "seconds": f"{self._seconds:g}", "most": shield.MOST_PROCESSES, "megabytes": shield.MOST_MEMORY // 2**20
+            "seconds": f"{self._seconds:g}", "most": shield.MOST_PROCESSES, "megabytes": shield.MOST_MEMORY // 2**20,
+            "reason": graded.problem,
         }  # fmt: skip
-        values["reason"] = graded.problem
-        ended = graded.ended if graded.ended in ("time", "processes", "memory", "problem") else "killed"
-        wanted, saw = Say(f"grade.ended.{ended}", **values), Say(f"grade.ended.{ended}_saw", **values)
-        for result in graded.results:
-            if not result.passed and not result.problems:
-                result.problems.append((_both(wanted), _both(saw)))
+        how = graded.ended if graded.ended in ("time", "processes", "memory", "problem") else "killed"
+        wanted, saw = Say(f"grade.ended.{how}", **values), Say(f"grade.ended.{how}_saw", **values)
+        mark = {"time": Mark.LATE, "problem": Mark.UNPLAYED}.get(how, Mark.WRONG)
+        for result in played:
+            if result.ended is None and result.scenario != ANSWERS:
+                result.conclude(Mark.UNPLAYED if result.began is None else mark, wanted, saw)
+            result.look_for_lag(graded.stalls, ended)
+
+
+def _is_among(result: Grade, only: Mapping[str, list[str]] | None) -> bool:
+    return only is None or result.scenario in only.get(result.lesson, ())
 
 
 def _lines(text: bytes) -> list[dict[str, Any]]:

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
+from dataclasses import replace
 from functools import partial
 
 from day6_core.lessons.actions import filled
 from day6_core.lessons.checks import Condition, Verdict, condition_of
 from day6_core.lessons.checks.terminals import plain_output
+from day6_core.lessons.grading.lag import Lag
+from day6_core.lessons.grading.limits import ENDING_SECONDS, IDLE_SECONDS
+from day6_core.lessons.grading.marks import Mark, Outcome, Seen, points
 from day6_core.lessons.grading.scenarios import Grading, Scenario
-from day6_core.lessons.grading.stage import IDLE_SECONDS, GraderStage, NotPlayed, tail
+from day6_core.lessons.grading.stage import GraderStage, NotPlayed, tail
 from day6_core.lessons.live import Live
 from day6_core.lessons.texts import Say
 from day6_core.session.program import Program
@@ -18,7 +23,6 @@ from day6_core.session.session import Session
 from day6_core.shell.desk import Desk
 
 LOOK = 0.1
-ENDING_SECONDS = 1.0
 Told = Callable[..., None]
 
 
@@ -30,36 +34,48 @@ class Play:
         self._session = session
         self._seed = seed
         self._built: dict[str, NotPlayed | None] = {}
+        self._held: dict[int, float] = {}
+        """The seconds at which those checks began to hold that hold now, by their places."""
 
-    async def grading(self, grading: Grading, told: Told) -> None:
-        """Play all scenarios of a file; `told` hears of each when it is done."""
-        passed: set[str] = set()
+    async def grading(
+        self, grading: Grading, told: Told, passed: Collection[str] = (), only: Collection[str] | None = None
+    ) -> None:
+        """Play all scenarios of a file, or `only` these; `told` hears of each when it begins and when it is done.
+
+        `passed` are those that have passed already.
+        """
+        right = set(passed)
         for scenario in grading.scenarios:
+            if only is not None and scenario.name not in only:
+                continue
+            lag, took = Lag(), _children_seconds()
             began = time.monotonic()
-            missing = next((each for each in scenario.needs if each not in passed), None)
-            problems: list[tuple[Say, Say | None]]
+            told(scenario=scenario.name, began=began)
+            missing = next((each for each in scenario.needs if each not in right), None)
             if missing is not None:
-                problems = [(Say("grade.needs", name=missing), Say("grade.needs_saw"))]
+                needed = Seen(Say("grade.needs", name=missing), Say("grade.needs_saw"))
+                outcome = Outcome(Mark.UNPLAYED, [needed])
             else:
-                problems = await self._scenario(grading, scenario)
-            if not problems:
-                passed.add(scenario.name)
-            shown = [
-                [
-                    *(wanted.text(each) for each in ("zh", "en")),
-                    *(saw.text(each) if saw else "" for each in ("zh", "en")),
-                ]
-                for wanted, saw in problems
-            ]
-            told(scenario=scenario.name, ok=not problems, problems=shown, seconds=round(time.monotonic() - began, 2))
+                watch = self._session.spawn(lag.watch(self._session))
+                outcome = await self._scenario(grading, scenario)
+                watch.cancel()
+            if outcome.mark is Mark.RIGHT:
+                right.add(scenario.name)
+            ended = time.monotonic()
+            told(
+                scenario=scenario.name, mark=outcome.mark.value, points=outcome.points,
+                checks=[each.data() for each in outcome.checks], seconds=round(ended - began, 2), ended=ended,
+                lag=[lag.worst, lag.total], cpu=_children_seconds() - took,
+            )  # fmt: skip
 
-    async def _scenario(self, grading: Grading, scenario: Scenario) -> list[tuple[Say, Say | None]]:
-        """Play one; what was wanted and seen instead, nothing if it passed."""
+    async def _scenario(self, grading: Grading, scenario: Scenario) -> Outcome:
+        """Play one."""
         values = scenario.drawn(f"{self._seed}/{grading.lesson}")
         for name, patterns in scenario.files.items():
             found = self._file(patterns)
             if found is None:
-                return [(Say("grade.no_file", patterns=patterns), Say("grade.no_file_saw"))]
+                missing = Seen(Say("grade.no_file", patterns=patterns), Say("grade.no_file_saw"))
+                return Outcome(Mark.WRONG, [missing])
             values[name] = found
         live = Live(self._desk, self._session, grading.path.parent)
         stage = GraderStage(live, self._session, self._built)
@@ -67,22 +83,36 @@ class Play:
         try:
             await stage.perform(filled(list(scenario.before), values))
             live.begin_step()
+            self._held = {}
             # Those that listen have to do so before there is anything to hear.
-            self._look(live, checks)
+            before = self._look(live, checks)
             await stage.perform(filled(list(scenario.run), values))
             verdicts = await self._judged(live, checks, scenario.within)
-            wrong = [(verdict.wanted, verdict.saw) for verdict in verdicts if not verdict.ok]
-            if wrong:
-                wrong[0] = (wrong[0][0], self._with_output(live, wrong[0][1]))
-            return wrong
+            if not scenario.run:
+                before = [replace(each, ok=False) for each in before]
+            return self._outcome(live, verdicts, points(checks, verdicts, before, scenario.must))
         except NotPlayed as problem:
-            return [(problem.wanted, self._with_output(live, problem.saw))]
+            return Outcome(problem.mark, [Seen(problem.wanted, self._with_output(live, problem.saw))])
         except Exception as error:
             # A scenario with a mistake of its author must not take the others with it.
             reason = f"{type(error).__name__}: {error}"[:200]
-            return [(Say("grade.ended.problem"), Say("grade.ended.problem_saw", reason=reason))]
+            broken = Seen(Say("grade.ended.problem"), Say("grade.ended.problem_saw", reason=reason))
+            return Outcome(Mark.UNPLAYED, [broken])
         finally:
             await self._clear(live)
+
+    def _outcome(self, live: Live, verdicts: list[Verdict], part: float) -> Outcome:
+        """What the last look at the checks is marked with."""
+        seen = [
+            Seen(each.wanted, each.saw, each.where, each.ok, self._held.get(at)) for at, each in enumerate(verdicts)
+        ]
+        wrong = [at for at, each in enumerate(verdicts) if not each.ok]
+        if not wrong:
+            return Outcome(Mark.RIGHT, seen, 1.0)
+        first = wrong[0]
+        seen[first] = replace(seen[first], seen=self._with_output(live, seen[first].seen))
+        late = bool(live.running()) and all(verdicts[at].going for at in wrong)
+        return Outcome(Mark.LATE if late else Mark.WRONG, seen, part)
 
     def _file(self, patterns: tuple[str, ...]) -> str | None:
         for pattern in patterns:
@@ -96,6 +126,8 @@ class Play:
         waited = idle = 0.0
         while True:
             verdicts = self._look(live, checks)
+            seconds = round((live.now_ns() - live.step_began_ns) / 1e9, 1)
+            self._held = {at: self._held.get(at, seconds) for at, verdict in enumerate(verdicts) if verdict.ok}
             if all(verdict.ok for verdict in verdicts) or waited >= within or idle >= IDLE_SECONDS:
                 return verdicts
             idle = 0.0 if live.running() else idle + LOOK
@@ -131,3 +163,13 @@ class Play:
 
 def _have_ended(programs: list[Program]) -> bool:
     return all(program.status is not None for program in programs)
+
+
+def _children_seconds() -> float:
+    """How long the cores have worked for programs that have ended."""
+    if sys.platform == "win32":
+        return 0.0
+    import resource
+
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime

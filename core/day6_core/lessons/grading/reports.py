@@ -1,103 +1,148 @@
-"""What was seen of submissions, as lines, as CSV and as a page, in the teacher's language."""
+"""What was seen of submissions, as lines, JSON, CSV and a page: all of them made of the same plain data."""
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
 from day6_core.language import LANGUAGES
-from day6_core.lessons.grading.grader import Grade, Graded
-from day6_core.lessons.tables import Cell, csv_bytes, html_page, html_table, html_text
+from day6_core.lessons.grading.grades import Graded
+from day6_core.lessons.grading.marks import both
+from day6_core.lessons.tables import Cell, Texts, csv_bytes, html_page, html_table, html_text
 from day6_core.lessons.texts import Say
 from day6_core.session.harmless import one_line
 
+VERSION = 1
 SHOWN = 3
-"""Problems of one scenario that are shown on the terminal; the files have all."""
+"""Checks of one scenario that are shown on the terminal; the files have all."""
+
+Data = Mapping[str, Any]
+_CLASSES = {"right": "good", "wrong": "bad", "late": "late", "unplayed": "open"}
+
+
+def data_of(found: Iterable[Graded], words: Mapping[str, str], **about: object) -> dict[str, Any]:
+    """Everything, as it is written down. `words` are the teacher's, by the submissions' files."""
+    submissions = [{**graded.data(), "remark": words.get(graded.file.name, "")} for graded in found]
+    return {"version": VERSION, **about, "submissions": submissions}
+
+
+def as_json(data: Data) -> bytes:
+    return json.dumps(data, ensure_ascii=False, indent=1).encode("utf-8", errors="replace") + b"\n"
 
 
 def _text(key: str, language: str, **values: object) -> str:
     return Say(key, **values).text(language)
 
 
-def in_text(graded: Graded, language: str) -> str:
-    """A line for the submission, and one below for each scenario that it did not pass."""
-    if graded.refused is not None:
-        return one_line(
-            _text("grade.line_refused", language, file=graded.file.name, reason=graded.refused[language])
-        )  # fmt: skip
-    count = _text("grade.count", language, passed=graded.passed, all=len(graded.results))
-    found = [one_line(_text("grade.line", language, file=graded.file.name, pupil=graded.pupil, count=count))]
-    for result in graded.results:
-        if not result.passed:
-            found.append(one_line(f"    {result.lesson} {result.scenario}: {result.title[language]}"))
-            for wanted, saw in result.problems[:SHOWN]:
-                text = _text("grade.problem", language, wanted=wanted[language], saw=saw[language])
-                found.append(one_line(f"        {text}"))
-    return "\n".join(found)
+def _points(data: Data) -> Say:
+    points = Say("grade.points", points=f"{data['points']:g}", most=f"{data['most']:g}")
+    unplayed = data.get("unplayed", 0)
+    return Say("grade.points_open", points=points, count=unplayed) if unplayed else points
 
 
-def as_csv(found: list[Graded], language: str) -> bytes:
-    """A row for each submission and scenario, in both languages."""
-    heads = ["file", "calls_itself", "lesson", "scenario", "passed", "seconds"]
-    heads += [f"{what}_{each}" for what in ("title", "wanted", "saw") for each in LANGUAGES]
+def in_text(submission: Data, language: str) -> str:
+    """A line for the submission, and some below for each scenario that it did not pass."""
+    if submission["refused"] is not None:
+        reason = submission["refused"][language]
+        return one_line(_text("grade.line_refused", language, file=submission["file"], reason=reason))
+    points = _points(submission)
+    found = [_text("grade.line", language, file=submission["file"], pupil=submission["calls_itself"], points=points)]
+    for each in submission["scenarios"]:
+        if each["mark"] != "right":
+            mark = Say(f"grade.mark.{each['mark']}")
+            values = {"name": _name(each), "title": each["title"][language], "mark": mark, "points": _points(each)}
+            found.append(f"    {_text('grade.line_scenario', language, **values)}")
+            for check in [check for check in each["checks"] if not check["ok"]][:SHOWN]:
+                for what in ("asked", "seen", "where"):
+                    if check[what][language]:
+                        found.append(f"        {_text(f'grade.line_{what}', language, text=check[what][language])}")
+    return "\n".join(map(one_line, found))
+
+
+def _name(scenario: Data) -> str:
+    return f"{scenario['lesson']} {scenario['scenario']}"
+
+
+def _names(data: Data) -> list[str]:
+    return list(dict.fromkeys(_name(each) for one in data["submissions"] for each in one["scenarios"]))
+
+
+def as_csv(data: Data, language: str, words: Mapping[str, str]) -> bytes:
+    """A row for each submission. `words` of submissions that were not graded now stay in rows of their own."""
+    names = _names(data)
+    heads = ["file", "calls_itself", "points", "most", "unplayed", "remark", "refused"]
+    heads += [f"{name} {what}" for name in names for what in ("points", "mark", "why")]
     rows: list[list[object]] = []
-    for graded in found:
-        name = graded.file.name
-        if graded.refused is not None:
-            rows.append([name, graded.pupil, "", "", 0, graded.seconds, "", "", "", "", *_each(graded.refused)])
-        for result in graded.results:
-            wanted, saw = _joined(result)
-            rows.append(
-                [name, graded.pupil, result.lesson, result.scenario, int(result.passed), result.seconds,
-                 *_each(result.title), *_each(wanted), *_each(saw)]
-            )  # fmt: skip
+    for one in data["submissions"]:
+        by_name = {_name(each): each for each in one["scenarios"]}
+        refused = (one["refused"] or {}).get(language, "")
+        row: list[object] = [*(one[head] for head in heads[:6]), refused]
+        for name in names:
+            each = by_name.get(name)
+            row += [each["points"], each["mark"], _why(each, language)] if each is not None else ["", "", ""]
+        rows.append(row)
+    graded = {one["file"] for one in data["submissions"]}
+    others = sorted(words.keys() - graded)
+    rows += [[name, "", "", "", "", words[name], *[""] * (len(heads) - 6)] for name in others]
     return csv_bytes(heads, rows)
 
 
-def _each(texts: object) -> list[str]:
-    assert hasattr(texts, "__getitem__")
-    return [str(texts[language]) for language in LANGUAGES]
+def _why(scenario: Data, language: str) -> str:
+    wrong = [check for check in scenario["checks"] if not check["ok"]]
+    problem = (
+        _text("grade.problem", language, asked=check["asked"][language], seen=_seen(check)[language]) for check in wrong
+    )
+    return " ".join(map(str.strip, problem))
 
 
-def _joined(result: Grade) -> tuple[dict[str, str], dict[str, str]]:
-    """All that was wanted and not seen, and what was seen instead."""
-    wanted = {each: "; ".join(problem[0][each] for problem in result.problems) for each in LANGUAGES}
-    saw = {each: " ".join(filter(None, (problem[1][each] for problem in result.problems))) for each in LANGUAGES}
-    return wanted, saw
+def _seen(check: Data) -> dict[str, str]:
+    """What was seen, and where that differs."""
+    return {each: " ".join(filter(None, (check["seen"][each], check["where"][each]))) for each in LANGUAGES}
 
 
-def as_page(found: list[Graded], language: str, total: str) -> bytes:
-    """A page: one table over all, then what each submission did not pass."""
-    title = _text("grade.title", language)
-    scenarios = list(dict.fromkeys((each.lesson, each.scenario) for graded in found for each in graded.results))
-    head = [_text("grade.file", language), _text("grade.calls_itself", language), _text("grade.passed", language)]
-    head += [f"{lesson} {scenario}" for lesson, scenario in scenarios]
-    rows: list[list[object]] = []
-    for graded in found:
-        by_name = {(each.lesson, each.scenario): each for each in graded.results}
-        count = _text("grade.count", language, passed=graded.passed, all=len(graded.results))
-        if graded.refused is not None:
-            count = _text("grade.refused", language)
-        row: list[object] = [graded.file.name, graded.pupil, count]
-        for key in scenarios:
-            result = by_name.get(key)
-            passed = result is not None and result.passed
-            row.append(Cell("✓" if passed else "✗", "good" if passed else "bad"))
-        rows.append(row)
-    parts = [html_text(title, "h1"), html_text(total), html_table(head, rows)]
-    for graded in found:
-        parts += _section(graded, language)
-    return html_page(title, language, parts)
+def _texts(key: str, **values: object) -> Texts:
+    return Texts(both(Say(key, **values)))
 
 
-def _section(graded: Graded, language: str) -> list[str]:
-    parts = [html_text(f"{graded.file.name}  {graded.pupil}", "h2")]
-    if graded.refused is not None:
-        return [*parts, html_text(f"{_text('grade.refused', language)}: {graded.refused[language]}")]
-    head = [_text(f"grade.{each}", language) for each in ("scenario", "passed", "wanted", "saw", "seconds")]
-    rows: list[list[object]] = []
-    for result in graded.results:
-        wanted, saw = _joined(result)
-        verdict = Cell(
-            _text("grade.passed" if result.passed else "grade.not_passed", language), "good" if result.passed else "bad"
-        )
-        name = f"{result.lesson} {result.scenario}: {result.title[language]}"
-        rows.append([name, verdict, wanted[language], saw[language], result.seconds])
+def as_page(data: Data, language: str, total: Say) -> bytes:
+    """A page in both languages: one table over all, then what was asked and seen of each submission."""
+    names = _names(data)
+    head = [_texts(f"grade.{each}") for each in ("file", "calls_itself", "points_head", "remark")]
+    rows: list[Sequence[object]] = []
+    for one in data["submissions"]:
+        by_name = {_name(each): each for each in one["scenarios"]}
+        points = _texts("grade.refused") if one["refused"] is not None else Texts(both(_points(one)))
+        cells = [_mark(by_name[name]) if name in by_name else Cell("") for name in names]
+        rows.append([one["file"], one["calls_itself"], points, one["remark"], *cells])
+    parts = [html_text(_texts("grade.title"), "h1"), html_text(Texts(both(total))), html_table([*head, *names], rows)]
+    for one in data["submissions"]:
+        parts += _section(one)
+    return html_page(_text("grade.title", language), language, parts, choice=True)
+
+
+def _mark(scenario: Data) -> Texts:
+    texts = both(Say(f"grade.mark.{scenario['mark']}"))
+    points = f"{scenario['points']:g}"
+    return Texts({each: f"{text} {points}" for each, text in texts.items()}, _CLASSES[scenario["mark"]])
+
+
+def _section(one: Data) -> list[str]:
+    parts = [html_text(f"{one['file']}  {one['calls_itself']}", "h2")]
+    if one["remark"]:
+        parts.append(html_text(_texts("grade.line_remark", text=one["remark"])))
+    if one["refused"] is not None:
+        return [*parts, html_text(Texts(one["refused"], "bad"))]
+    head = [_texts(f"grade.{each}") for each in ("scenario", "mark", "asked", "seen", "where", "held")]
+    rows: list[Sequence[object]] = []
+    for each in one["scenarios"]:
+        title = Texts({language: f"{_name(each)}: {text}" for language, text in each["title"].items()})
+        for number, check in enumerate(each["checks"] or [{"ok": True, "at": None}]):
+            first = [title, _mark(each)] if not number else ["", ""]
+            texts = [Texts(check[what], "" if check["ok"] else "bad") if what in check else "" for what in _WHAT]
+            held = Cell("" if check["at"] is None else f"{check['at']:.1f} s", "number")
+            rows.append([*first, *texts, held])
     return [*parts, html_table(head, rows)]
+
+
+_WHAT = ("asked", "seen", "where")

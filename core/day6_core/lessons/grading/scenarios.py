@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import random
 import string
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,9 @@ from day6_core.language import LANGUAGES
 from day6_core.lessons.actions import action_mistake, filled
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import Action
-from day6_core.lessons.flaws import line_of
+from day6_core.lessons.flaws import line_of, meant
+from day6_core.lessons.grading.limits import ANSWER_SECONDS, BUILD_SECONDS, ENDING_SECONDS, START_SECONDS
+from day6_core.lessons.player import LONGEST_WAIT
 from day6_core.lessons.source import NAME, LessonSource
 
 HERE = Path(__file__).parent / "hidden"
@@ -25,7 +27,7 @@ ACTIONS = {"start": {"program"}, "publish": {"topic", "type", "fields"}, "call":
 """Actions that only scenarios have, done by the grader itself, and what each needs."""
 
 _OPTIONAL = {"start": {"arguments"}, "publish": {"count", "every"}, "call": {"fields"}, "build": set()}
-_HEAD, _KEYS = {"grading", "order", "title"}, {"values", "files", "before", "run", "check", "within", "needs"}
+_HEAD, _KEYS = {"grading", "order", "title"}, {"values", "files", "before", "run", "check", "must", "within", "needs"}
 
 
 @dataclass(frozen=True)
@@ -43,6 +45,14 @@ class Scenario:
     check: tuple[Any, ...] = ()
     within: float = WITHIN
     needs: tuple[str, ...] = ()
+    must: tuple[str, ...] = field(default=(), repr=False)
+    """Names of checks; without one of each that holds there are no points."""
+
+    @property
+    def longest(self) -> float:
+        """The most seconds that it can take on a machine that keeps up."""
+        actions = [item for action in (*self.before, *self.run) for item in action.items()]
+        return sum(_longest(*item) for item in actions) + self.within + 2 * ENDING_SECONDS
 
     def drawn(self, seed: str) -> dict[str, Any]:
         """The values for one grading."""
@@ -59,6 +69,19 @@ class Grading:
     order: int
     title: Mapping[str, str]
     scenarios: tuple[Scenario, ...]
+
+
+def longest(found: Iterable[Grading]) -> float:
+    """The most seconds that all their scenarios can take."""
+    return START_SECONDS + sum(scenario.longest for grading in found for scenario in grading.scenarios)
+
+
+def _longest(action: str, given: Any) -> float:
+    if action == "publish":
+        return ANSWER_SECONDS + float(given.get("every", 0.2)) * int(given.get("count", 1))
+    if action == "pause":
+        return float(given)
+    return {"wait": ANSWER_SECONDS, "call": 2 * ANSWER_SECONDS, "build": BUILD_SECONDS}.get(action, LONGEST_WAIT)
 
 
 def _draw(kind: Any, chance: random.Random) -> Any:
@@ -145,7 +168,7 @@ class _Reader:
         values = self._values(data.get("values") or {}, at)
         files = self._files(data.get("files") or {}, at)
         known = {**{key: _draw(kind, random.Random(0)) for key, kind in values.items()}, **dict.fromkeys(files, "~/f")}
-        lists = {key: self._list(data, key, at, known) for key in ("before", "run", "check", "needs")}
+        lists = {key: self._list(data, key, at, known) for key in ("before", "run", "check", "needs", "must")}
         for key in ("before", "run"):
             for action in lists[key]:
                 if mistake := scenario_action_mistake(self._tried(action, known)):
@@ -154,6 +177,10 @@ class _Reader:
             made = condition_of(self._tried(given, known))
             if not isinstance(made, Condition):
                 self._source.flaw(line_of(given) or at, "check", made)
+        used = [next(iter(each), "") for each in lists["check"] if isinstance(each, dict)]
+        for each in lists["must"]:
+            if each not in used:
+                self._wrong(at, f"must: there is no '{each}' among the checks{meant(each, used)}")
         if not lists["check"] and not getattr(data, "broken", False):
             self._wrong(line, f"the scenario '{name}' checks nothing")
         within = data.get("within", WITHIN)
@@ -162,7 +189,7 @@ class _Reader:
             within = WITHIN
         return Scenario(
             name, line, titles, values, files, tuple(lists["before"]), tuple(lists["run"]), tuple(lists["check"]),
-            float(within), tuple(map(str, lists["needs"])),
+            float(within), tuple(map(str, lists["needs"])), tuple(map(str, lists["must"])),
         )  # fmt: skip
 
     @staticmethod

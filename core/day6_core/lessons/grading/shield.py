@@ -164,10 +164,11 @@ def limit(seconds: float) -> None:
             resource.setrlimit(kind, (most, most) if hard == resource.RLIM_INFINITY else (min(most, hard), hard))
 
 
-def watch(child: int, seconds: float, processes: Callable[[], list[int]]) -> str:
+def watch(child: int, seconds: float, processes: Callable[[], list[int]], late: Callable[[float], object]) -> str:
     """Wait for `child` and reap everybody; returns '' when it ended, or 'time', 'processes', 'memory', 'killed'.
 
-    `processes` are those that count. What still runs afterwards is for the caller to end.
+    `processes` are those that count. `late` hears of each look how many seconds too late the machine let it come. What still runs
+    afterwards is for the caller to end.
     """
     if sys.platform == "win32":
         raise NotImplementedError  # nothing is graded there: `command.main` says so
@@ -184,7 +185,9 @@ def watch(child: int, seconds: float, processes: Callable[[], list[int]]) -> str
             return "processes"
         if sum(map(_memory, pids)) > MOST_MEMORY:
             return "memory"
+        slept = time.monotonic()
         time.sleep(LOOK_SECONDS)
+        late(max(0.0, time.monotonic() - slept - LOOK_SECONDS))
 
 
 def all_processes() -> list[int]:

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.lessons.checks import condition_of
 from day6_core.lessons.checks.terminals import plain_output
+from day6_core.lessons.grading.limits import ANSWER_SECONDS, BUILD_SECONDS, IDLE_SECONDS
+from day6_core.lessons.grading.marks import Mark
 from day6_core.lessons.player import LOOK, StageError
 from day6_core.lessons.stage import Stage
 from day6_core.lessons.texts import Say
@@ -20,22 +22,17 @@ if TYPE_CHECKING:
     from day6_core.lessons.live import Live
     from day6_core.session.session import Session
 
-BUILD_SECONDS = 40.0
-LISTENER_SECONDS = 10.0
-IDLE_SECONDS = 1.5
-"""Seconds after which nothing more is expected once no program of the pupil's runs."""
-
 TAIL_LINES = 3
 LONGEST_LINE = 80
 _STAMP = re.compile(r"\[\d+\.\d+\] ")
 
 
 class NotPlayed(Exception):
-    """A scenario that cannot go on: what was wanted, and what was seen instead."""
+    """A scenario that cannot go on: what was wanted, what was seen instead, and what that is marked with."""
 
-    def __init__(self, wanted: Say, saw: Say | None) -> None:
+    def __init__(self, wanted: Say, saw: Say | None, mark: Mark = Mark.WRONG) -> None:
         super().__init__(wanted.text("en"))
-        self.wanted, self.saw = wanted, saw
+        self.wanted, self.saw, self.mark = wanted, saw, mark
 
 
 class GraderStage(Stage):
@@ -59,7 +56,7 @@ class GraderStage(Stage):
         assert not isinstance(condition, str)
         waited = idle = 0.0
         while not (verdict := condition.judge(self._live)).ok:
-            if waited > LISTENER_SECONDS or idle > IDLE_SECONDS:
+            if waited > ANSWER_SECONDS or idle > IDLE_SECONDS:
                 raise NotPlayed(verdict.wanted, verdict.saw)
             idle = idle + LOOK if self._terminals and not self._live.running() else 0.0
             await self._session.sleep(LOOK)
@@ -98,7 +95,7 @@ class GraderStage(Stage):
         terminal.run_line(f"cd ~/ros2_ws && colcon build --packages-select {name}")
         runs = terminal.runs
         if not await self._session.until(lambda: runs.all and runs.all[-1].status is not None, BUILD_SECONDS, LOOK):
-            raise NotPlayed(wanted, Say("grade.build_late", seconds=f"{BUILD_SECONDS:g}"))
+            raise NotPlayed(wanted, Say("grade.build_late", seconds=f"{BUILD_SECONDS:g}"), Mark.LATE)
         last = runs.all[-1]
         installed = self._live.home / "ros2_ws" / "install" / name / "share" / name / "package.xml"
         if last.status or not installed.is_file():
@@ -113,7 +110,7 @@ class GraderStage(Stage):
         if (topic, kind) not in self._publishers:
             self._publishers[topic, kind] = node.create_publisher(get_message(kind), topic, 10)
         publisher = self._publishers[topic, kind]
-        if not await self._session.until(publisher.get_subscription_count, LISTENER_SECONDS, LOOK):
+        if not await self._session.until(publisher.get_subscription_count, ANSWER_SECONDS, LOOK):
             raise NotPlayed(Say("grade.listener", topic=topic, type=kind), Say("grade.listener_saw"))
         for number in range(int(given.get("count", 1))):
             if number:
@@ -132,11 +129,11 @@ class GraderStage(Stage):
         client = node.create_client(kind, name)
         problem = NotPlayed(Say("grade.service", name=name), Say("grade.service_saw"))
         try:
-            if not await self._session.until(client.service_is_ready, LISTENER_SECONDS, LOOK):
+            if not await self._session.until(client.service_is_ready, ANSWER_SECONDS, LOOK):
                 raise problem
             request = kind.Request()
             set_message_fields(request, dict(given.get("fields", {})))
-            if not await self._session.spin_until(client.call_async(request), LISTENER_SECONDS):
+            if not await self._session.spin_until(client.call_async(request), ANSWER_SECONDS):
                 raise problem
         finally:
             node.destroy_client(client)

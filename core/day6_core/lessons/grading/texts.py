@@ -62,7 +62,12 @@ GRADING: dict[str, tuple[str, str]] = {
     "grade.service_saw": ("There was no answer.", "没有回答。"),
     "grade.action": ("the scenario can be played", "能把这个情景演完"),
     "grade.action_saw": ("{reason}.", "{reason}。"),
-    "grade.problem": ("{wanted}. {saw}", "{wanted}。{saw}"),
+    "grade.problem": ("{asked}. {seen}", "{asked}。{seen}"),
+    "grade.busy": ("the machine keeps up with the scenario", "机器来得及运行这个情景"),
+    "grade.busy_saw": (
+        "Too busy twice: everything stood still for up to {seconds} s. Nothing is known of the program; grade again later.",
+        "两次都太忙：最长有 {seconds} 秒什么都没有动。程序对不对还不知道，请过一会儿再评。",
+    ),
     "grade.both": ("{first} {second}", "{first}{second}"),
     "grade.printed": ("(its last lines: {text})", "（它最后打印的是：{text}）"),
     "grade.answers": ("the questions are answered: {names}", "回答了这些问题：{names}"),

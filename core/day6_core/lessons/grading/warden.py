@@ -12,6 +12,8 @@ import secrets
 import shutil
 import signal
 import sys
+import time
+from collections import deque
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -35,10 +37,10 @@ def main() -> int:
     shield.hide()
     shield.adopt_orphans()
     mark = secrets.token_hex(8)
-    ended = _watched(job, work, mark, lambda: shield.descendants(os.getpid(), mark))
+    told = _watched(job, work, mark, lambda: shield.descendants(os.getpid(), mark))
     shield.end_all(os.getpid(), mark)
     shutil.rmtree(work, ignore_errors=True)
-    _say(ended=ended, shield=shield.Shield.NONE.value)
+    _say(**told, shield=shield.Shield.NONE.value)
     return 0
 
 
@@ -64,15 +66,17 @@ def _try_shielded(job: dict[str, Any], work: Path) -> int | None:
         shield.end_with_parent()  # once more: the new namespace has forgotten it
         _, status = os.waitpid(inside, 0)
         os._exit(0 if os.waitstatus_to_exitcode(status) == 0 else 1)
-    _say(ended=_watched(job, work, "", shield.all_processes), shield=shield.Shield.WHOLE.value)
+    _say(**_watched(job, work, "", shield.all_processes), shield=shield.Shield.WHOLE.value)
     os._exit(0)  # the first process inside: whatever still runs there ends with it
 
 
 _NO_SHIELD = 77
+STALL, MOST_STALLS = 0.02, 10_000
+"""Seconds from which on waiting for the machine is noted, and how often at most."""
 
 
-def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any) -> str:
-    """Start the judge and wait for it; returns how it ended."""
+def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any) -> dict[str, Any]:
+    """Start the judge and wait for it; returns how it ended, and when this process had to wait for the machine, how long."""
     for name in ("home", "run", "tmp"):
         (work / name).mkdir(mode=0o700)
     reading, writing = os.pipe()
@@ -82,7 +86,13 @@ def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any) -> str:
     os.close(reading)
     with os.fdopen(writing, "wb") as pipe:
         pipe.write(json.dumps(job).encode())
-    return shield.watch(child, float(job["seconds"]), processes)
+    stalls: deque[tuple[float, float]] = deque(maxlen=MOST_STALLS)
+
+    def late(seconds: float) -> None:
+        if seconds >= STALL:
+            stalls.append((time.monotonic(), round(seconds, 3)))
+
+    return {"ended": shield.watch(child, float(job["seconds"]), processes, late), "stalls": list(stalls)}
 
 
 def _become_judge(job: dict[str, Any], work: Path, mark: str, reading: int, writing: int) -> None:
