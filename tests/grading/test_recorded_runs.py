@@ -5,9 +5,11 @@
 
 from __future__ import annotations
 
+import math
 import re
 import sys
 import tempfile
+from copy import deepcopy
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -95,6 +97,26 @@ def test_what_is_partly_right_gets_a_part_of_the_points(forgery: str, points: fl
     assert (outcome.mark, outcome.points) == (Mark.WRONG, points)
     told = [each.where.text("en") for each in outcome.checks if each.where is not None]
     assert bool(told) is bool(where) and re.search(where, " ".join(told))
+
+
+@pytest.mark.parametrize(("running", "mark"), [(True, Mark.LATE), (False, Mark.WRONG)])
+def test_a_figure_that_is_right_so_far_ran_out_of_time_while_its_program_runs(
+    running: bool, mark: Mark, tmp_path: Path
+) -> None:
+    name = f"{GOOD} by the pose"
+    runs = deepcopy(RUNS[name]["runs"])
+    (elsewhere,) = (run for run in runs if run["scenario"] == "elsewhere")
+    last = elsewhere["events"][-1]["moment"]
+    (window,) = last["windows"]
+    drawn = window["trail"][-1]
+    end = drawn[-1]
+    while math.dist(drawn[-1], end) < 1.2:  # half of the last side is missing
+        drawn.pop()
+    for terminal in last["terminals"]:
+        terminal["running"] = ["python3 ~/star.py"] * running
+    outcome = graded_again(SUBMISSIONS[name], runs, tmp_path)["elsewhere"].outcome
+    assert (outcome.mark, outcome.points) == (mark, 0.6)
+    assert outcome.checks[0].where is not None
 
 
 def test_what_needs_a_scenario_that_failed_is_not_played(tmp_path: Path) -> None:

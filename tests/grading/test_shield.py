@@ -9,12 +9,16 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import uuid
 from pathlib import Path
 
 import pytest
 
-from day6_core.lessons.grading.grader import Graded, Grader
+from day6_core.lessons.grading import shield
+from day6_core.lessons.grading.grader import Grader
+from day6_core.lessons.grading.grades import Graded
+from day6_core.lessons.grading.marks import Mark
 from day6_core.lessons.grading.scenarios import gradings, read_grading
 from tests.grading.article import INNER, write
 from tests.support.waiting import communicate, until
@@ -173,3 +177,38 @@ def _inside(mark: str) -> set[str]:
             parts = Path(os.readlink(process / "cwd")).parts
             found |= {part for part in parts if part.startswith(f"d6g-{mark}")}
     return found
+
+
+@pytest.mark.process
+def test_a_program_that_could_not_run_in_time_is_not_played_and_never_wrong(tmp_path: Path) -> None:
+    """Everything of the submission stands still again and again, as on a machine that is far too busy."""
+    scenario = tmp_path / "own.md"
+    scenario.write_text(
+        "---\ngrading: own\ntitle: {zh: a, en: b}\n---\n# sleeps\n~~~yaml\nrun:\n  - type: python3 ~/sleeps.py\n"
+        "check:\n  - ran: {line: sleeps.py, prints: in time}\nwithin: 20\n~~~\n## zh a\n## en b\n"
+    )
+    program = "import time\nbegan = time.monotonic()\ntime.sleep(1.0)\nprint('in time' if time.monotonic() < began + 1.3 else 'late')\n"
+    grader = Grader([read_grading(scenario)], answers={})
+    again: list[int] = []
+    done = threading.Event()
+
+    def hold_up() -> None:
+        while not done.wait(0.3):
+            pids = [pid for warden in list(grader._wardens) for pid in (warden.pid, *shield.descendants(warden.pid))]
+            for number, seconds in ((signal.SIGSTOP, 1.5), (signal.SIGCONT, 0.0)):
+                for pid in pids:
+                    with contextlib.suppress(ProcessLookupError, PermissionError):
+                        os.kill(pid, number)
+                done.wait(seconds)
+
+    holder = threading.Thread(target=hold_up)
+    holder.start()
+    try:
+        (graded,) = grader.grade([write(tmp_path / "a.zip", {"home/sleeps.py": program})], 1, again=again.append)
+    finally:
+        done.set()
+        holder.join()
+    (result,) = graded.results
+    assert again == [1]
+    assert (result.mark, result.points) == (Mark.UNPLAYED, 0.0)
+    assert "Too busy twice" in result.problems[0][1]["en"]

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 import random
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
-from day6_core.lessons.checks.drawing import _lines, judged
+from day6_core.lessons.checks import Verdict
+from day6_core.lessons.checks.drawing import _lines, judged, trail
 from day6_core.lessons.texts import Say
 from day6_core.ros.programs.turtlesim.model.simulation import Simulation
 from day6_core.ros.programs.turtlesim.model.turtle import Turtle
@@ -102,3 +105,120 @@ def test_what_a_turtle_draws_is_one_stroke(shape: str, sides: int, turn: float) 
     strokes = _lines(simulation, {})
     assert len(strokes) == 1
     assert judged(strokes, shape, WANTED).ok
+
+
+class Driver:
+    """Drives a turtle in a world of its own and looks at it as a check does, now and then."""
+
+    def __init__(self) -> None:
+        self.simulation, self.now, self.memory = Simulation(lambda n: 0), 0, dict[str, Any]()
+        self.turtle = Turtle("turtle1", 5.5, 5.5, 0.7, kind="humble", now=0)
+        self.simulation.add(self.turtle)
+        self.simulation.tick(0)
+
+    def press(self, ahead: float, turn: float) -> None:
+        """Press a key, and wait until the turtle stands."""
+        self.turtle.command(ahead, turn, self.now)
+        self.wait()
+
+    def side(self, length: float = 3.0, angle: float = 144.0) -> None:
+        self.press(length, 0.0)
+        self.press(0.0, math.radians(angle) / 1.008)
+
+    def wait(self, ticks: int = 80) -> None:
+        for _ in range(ticks):
+            self.now += 16_000_000
+            self.simulation.tick(self.now)
+        self.look()
+
+    def look(self, *, driven: bool = True, later: float = 0.0) -> Verdict:
+        live: Any = SimpleNamespace(
+            windows=lambda _: [SimpleNamespace(model=self.simulation)], now_ns=lambda: self.now + int(later * 1e9),
+            step_began_ns=0, remembered=self.memory,
+        )  # fmt: skip
+        return trail(live, driven=driven)
+
+
+def test_what_is_driven_is_driven_wherever_the_turtle_was_put_before() -> None:
+    driver = Driver()
+    driver.turtle.set_pen(0, 0, 0, 1, 1)
+    driver.turtle.teleport_absolute(4.0, 5.0, 1.0)
+    driver.wait(2)
+    driver.turtle.set_pen(0, 0, 0, 1, 0)
+    for _ in range(5):
+        driver.side()
+    assert driver.look().ok
+
+
+def from_corner_to_corner(driver: Driver) -> None:
+    for corner in range(6):
+        angle = corner * math.radians(144)
+        driver.turtle.teleport_absolute(5.5 + 2 * math.cos(angle), 5.5 + 2 * math.sin(angle), 0.0)
+        driver.wait(2)
+
+
+def little_by_little(driver: Driver) -> None:
+    for _ in range(5):
+        for _ in range(60):
+            driver.turtle.teleport_relative(0.05, 0.0)
+            driver.wait(1)
+        driver.turtle.teleport_relative(0.0, math.radians(144))
+        driver.wait(1)
+
+
+def turned_by_teleport(driver: Driver) -> None:
+    for _ in range(5):
+        driver.press(3.0, 0.0)
+        driver.turtle.teleport_relative(0.0, math.radians(144))
+        driver.wait(1)
+
+
+def last_side_by_teleport(driver: Driver) -> None:
+    for _ in range(4):
+        driver.side()
+    driver.turtle.teleport_relative(3.0, 0.0)
+    driver.wait(2)
+
+
+@pytest.mark.parametrize("cheat", [from_corner_to_corner, little_by_little, turned_by_teleport, last_side_by_teleport])
+def test_what_was_made_with_teleports_looks_right_and_is_not_driven(cheat: Any) -> None:
+    driver = Driver()
+    cheat(driver)
+    verdict = driver.look()
+    assert (verdict.ok, verdict.cheated, verdict.part) == (False, True, 0.0)
+    assert "by a teleport service" in verdict.text("en")
+    driver.memory.clear()
+    assert driver.look(driven=False).ok  # a lesson asks for the figure only
+
+
+@pytest.mark.parametrize(("sides", "part"), [(1, 0.0), (2, 0.2), (4, 0.6)])
+def test_what_is_right_so_far_may_still_become_a_pentagram(sides: int, part: float) -> None:
+    driver = Driver()
+    for _ in range(sides):
+        driver.side()
+    verdict = driver.look()
+    assert (verdict.ok, verdict.going, round(verdict.part, 2)) == (False, True, part)
+    assert not driver.look(later=30.0).going  # it has stood still for too long
+    assert verdict.where is not None and f"corner {sides + 2}: " in verdict.where.text("en")
+    assert "never reached" in verdict.where.text("en")
+
+
+def test_the_first_corner_that_is_not_there_is_told_with_both_places_and_the_time() -> None:
+    driver = Driver()
+    for length in (3.0, 3.0, 2.0, 3.0):
+        driver.side(length)
+    verdict = driver.look()
+    assert (verdict.ok, verdict.going, verdict.part) == (False, False, 0.2)
+    assert verdict.where is not None
+    wanted, seen = verdict.where.values, (verdict.where.values["seen_x"], verdict.where.values["seen_y"])
+    assert (wanted["corner"], wanted["slack"]) == (4, "0.4")
+    # Two sides on from (5.5, 5.5), heading 0.7 rad, each after a turn of 144 degrees.
+    x, y = 5.5, 5.5
+    for number in range(3):
+        heading = 0.7 + number * math.radians(144)
+        x, y = x + 3.024 * math.cos(heading), y + 3.024 * math.sin(heading)
+    assert (float(wanted["x"]), float(wanted["y"])) == pytest.approx((x, y), abs=0.12)
+    assert tuple(map(float, seen)) == pytest.approx(
+        (x - 1.008 * math.cos(heading), y - 1.008 * math.sin(heading)), abs=0.12
+    )
+    assert float(wanted["seconds"]) == pytest.approx(5 * 80 * 0.016, abs=0.1)

@@ -69,7 +69,7 @@ def _play(job: dict[str, Any], home: Path, report: Report) -> None:
     async def run(session: Session) -> int:
         session.background = True
         try:
-            play = Play(desk, session, job["seed"])
+            play = Play(desk, session, job["seed"], shield.seconds_taken)
             for grading in gradings:
                 lesson = grading.lesson
                 told = partial(report.say, lesson=lesson)

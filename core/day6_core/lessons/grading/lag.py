@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 EVERY = 0.05
 """Seconds between two looks at the clock."""
 
-WORST = 0.15
-"""Seconds that a world may stand still: a turtle that is turned for a second by a sleeping program is then 15 % off."""
+WORST = 0.12
+"""Seconds that a world may stand still: a turtle that a program turns by 72° a second, by the clock, is then as wrong as it may be."""
 
 SHARE = 0.05
 """The part of its time that it may stand still in all."""
 
-OWN_SHARE = 0.75
+OWN_SHARE = 0.6
 """The part of all cores that programs have to take for the lag to be their own."""
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Callable, Collection
 from dataclasses import replace
@@ -27,12 +26,17 @@ Told = Callable[..., None]
 
 
 class Play:
-    """One submission's way through the scenarios. Runs as a program of the machine."""
+    """One submission's way through the scenarios. Runs as a program of the machine.
 
-    def __init__(self, desk: Desk, session: Session, seed: str) -> None:
+    `taken` tells for how many seconds the cores have worked for programs of the submission.
+    """
+
+    def __init__(self, desk: Desk, session: Session, seed: str, taken: Callable[[], float] = lambda: 0.0) -> None:
         self._desk = desk
         self._session = session
         self._seed = seed
+        self._taken = taken
+        self._cpu = 0.0
         self._built: dict[str, NotPlayed | None] = {}
         self._held: dict[int, float] = {}
         """The seconds at which those checks began to hold that hold now, by their places."""
@@ -48,7 +52,8 @@ class Play:
         for scenario in grading.scenarios:
             if only is not None and scenario.name not in only:
                 continue
-            lag, took = Lag(), _children_seconds()
+            lag, took = Lag(), self._taken()
+            self._cpu = took
             began = time.monotonic()
             told(scenario=scenario.name, began=began)
             missing = next((each for each in scenario.needs if each not in right), None)
@@ -65,7 +70,7 @@ class Play:
             told(
                 scenario=scenario.name, mark=outcome.mark.value, points=outcome.points,
                 checks=[each.data() for each in outcome.checks], seconds=round(ended - began, 2), ended=ended,
-                lag=[lag.worst, lag.total], cpu=_children_seconds() - took,
+                lag=[lag.worst, lag.total], cpu=self._cpu - took,
             )  # fmt: skip
 
     async def _scenario(self, grading: Grading, scenario: Scenario) -> Outcome:
@@ -99,6 +104,7 @@ class Play:
             broken = Seen(Say("grade.ended.problem"), Say("grade.ended.problem_saw", reason=reason))
             return Outcome(Mark.UNPLAYED, [broken])
         finally:
+            self._cpu = self._taken()
             await self._clear(live)
 
     def _outcome(self, live: Live, verdicts: list[Verdict], part: float) -> Outcome:
@@ -163,13 +169,3 @@ class Play:
 
 def _have_ended(programs: list[Program]) -> bool:
     return all(program.status is not None for program in programs)
-
-
-def _children_seconds() -> float:
-    """How long the cores have worked for programs that have ended."""
-    if sys.platform == "win32":
-        return 0.0
-    import resource
-
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime

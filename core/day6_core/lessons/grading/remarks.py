@@ -34,6 +34,10 @@ def read(path: Path | None) -> dict[str, str]:
     raise Unreadable(str(path))
 
 
+def _line(text: str) -> str:
+    return " ".join(map(str.strip, text.splitlines())).strip()
+
+
 def _rows(text: str) -> dict[str, str] | None:
     """The words, None if this is no table of marks. Spreadsheets save it with other signs between the columns, too."""
     for sign in ",;\t":
@@ -43,6 +47,6 @@ def _rows(text: str) -> dict[str, str] | None:
         except csv.Error:
             continue
         if KEY in (reader.fieldnames or ()):
-            words = {without_guard(row[KEY] or ""): without_guard(row.get(COLUMN) or "").strip() for row in rows}
+            words = {without_guard(row[KEY] or ""): _line(without_guard(row.get(COLUMN) or "")) for row in rows}
             return {name: each for name, each in words.items() if name and each}
     return None
