@@ -184,19 +184,20 @@ def some() -> list[Graded]:
 
 
 def test_lines_say_what_was_asked_what_was_seen_and_where_they_differ() -> None:
-    first, second = some()
-    assert reports.in_text(first.data(), "en").splitlines() == [
+    first, second = reports.data_of(some(), {"a.zip": "Nearly!"})["submissions"]
+    assert reports.in_text(first, "en").splitlines() == [
         'a.zip  =HYPERLINK("http://x")  0.4 of 2; not played: 1',
+        "    Remark: Nearly!",
         "    day3 elsewhere: The turtle starts elsewhere, facing another way  [wrong, 0.4 of 1]",
-        "        asked: turtle1 has drawn a pentagram by driving",
+        "        asked: turtle1 has drawn a pentagram by driving, without teleports",
         "        seen:  There is no straight line yet.",
         "        where: corner 3: asked (5.5, 8.2) ± 0.2 m, seen (5.9, 8.1) after 12.0 s",
         "    day3 other-turtle: A turtle with another name draws it, too  [not played, 0 of 1]",
         "        asked: the machine keeps up with the scenario",
         f"        seen:  {Say('grade.busy_saw', seconds='2').text('en')}",
     ]
-    assert "应在 (5.5, 8.2) ± 0.2 米" in reports.in_text(first.data(), "zh")
-    assert reports.in_text(second.data(), "zh") == "b.zip  没有收：坏"
+    assert "应在 (5.5, 8.2) ± 0.2 米" in reports.in_text(first, "zh")
+    assert reports.in_text(second, "zh") == "b.zip  没有收：坏"
 
 
 def test_everything_is_made_of_one_plain_structure() -> None:

@@ -79,7 +79,7 @@ def test_there_are_cheats_for_every_day() -> None:
 @pytest.mark.parametrize(
     ("forgery", "points", "where"),
     [
-        ("elsewhere: draws four lines", 0.6, "corner 6: asked"),
+        ("elsewhere: draws four lines", 0.6, "corner 1: asked"),
         (
             "elsewhere: draws lines of five lengths",
             0.2,

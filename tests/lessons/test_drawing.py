@@ -199,8 +199,8 @@ def test_what_is_right_so_far_may_still_become_a_pentagram(sides: int, part: flo
     verdict = driver.look()
     assert (verdict.ok, verdict.going, round(verdict.part, 2)) == (False, True, part)
     assert not driver.look(later=30.0).going  # it has stood still for too long
-    assert verdict.where is not None and f"corner {sides + 2}: " in verdict.where.text("en")
-    assert "never reached" in verdict.where.text("en")
+    assert verdict.where is not None and f"corner {sides + 2 if sides < 4 else 1}: " in verdict.where.text("en")
+    assert "ends before it" in verdict.where.text("en")
 
 
 def test_the_first_corner_that_is_not_there_is_told_with_both_places_and_the_time() -> None:

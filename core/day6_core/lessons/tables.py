@@ -18,7 +18,7 @@ _STYLE = """\
 body{font-family:"Noto Sans CJK SC","Microsoft YaHei","PingFang SC",system-ui,sans-serif;margin:2rem;color:#222;background:#fff}
 table{border-collapse:collapse;margin:1rem 0}
 th,td{border:1px solid #bbb;padding:.3rem .6rem;text-align:left;vertical-align:top}
-th{background:#eee}
+th{background:#eee;white-space:nowrap}
 td.number{text-align:right}
 .good{background:#e2f3e2}.bad{background:#fbe3e0}.late{background:#fdf3d0}.open{background:#e8e8ee}
 small{color:#666}

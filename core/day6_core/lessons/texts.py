@@ -228,7 +228,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "rviz.saw_none": ("RViz isn't open.", "RViz 还没有打开。"),
     # Drawing
     "trail": ("{turtle} has drawn a {shape}", "{turtle} 要画出{shape}"),
-    "trail.driven": ("{turtle} has drawn a {shape} by driving", "{turtle} 要自己开着画出{shape}"),
+    "trail.driven": (
+        "{turtle} has drawn a {shape} by driving, without teleports",
+        "{turtle} 要靠行驶画出{shape}，不能用 teleport 挪动",
+    ),
     "shape.pentagram": ("pentagram", "五角星"),
     "shape.square": ("square", "正方形"),
     "shape.triangle": ("triangle", "等边三角形"),
@@ -249,8 +252,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "第 {corner} 个角：应在 ({x}, {y}) ± {slack} 米，实际在 ({seen_x}, {seen_y})，第 {seconds} 秒",
     ),
     "trail.where_none": (
-        "corner {corner}: asked ({x}, {y}) ± {slack} m, never reached",
-        "第 {corner} 个角：应在 ({x}, {y}) ± {slack} 米，没有到过",
+        "corner {corner}: asked ({x}, {y}) ± {slack} m, the drawing ends before it",
+        "第 {corner} 个角：应在 ({x}, {y}) ± {slack} 米，还没画到",
     ),
     "trail.saw_open": ("The ends are {gap} m apart.", "起点和终点还差 {gap} 米。"),
     "trail.saw_round": ("It isn't round.", "还不圆。"),

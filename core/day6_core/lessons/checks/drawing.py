@@ -184,7 +184,7 @@ def _where(stroke: Stroke, legs: Sequence[Leg], form: Shape) -> Say | None:
     for number in range(1, form.sides):
         heading += turn
         corner = corner[0] + length * math.cos(heading), corner[1] + length * math.sin(heading)
-        values = {"corner": number + 2, "x": f"{corner[0]:.1f}", "y": f"{corner[1] + HEIGHT:.1f}"}
+        values = {"corner": (number + 1) % form.sides + 1, "x": f"{corner[0]:.1f}", "y": f"{corner[1] + HEIGHT:.1f}"}
         values["slack"] = f"{LENGTH_SLACK * length:.1f}"
         if number >= len(legs):
             return Say("trail.where_none", **values)

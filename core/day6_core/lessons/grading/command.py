@@ -76,7 +76,7 @@ def main(arguments: list[str]) -> int:
 
     def told(graded: Graded) -> None:
         with lock:
-            print(lines(reports.in_text(graded.data(), language)), flush=True)
+            print(lines(reports.in_text(reports.data_of([graded], words)["submissions"][0], language)), flush=True)
 
     def again(count: int) -> None:
         print(

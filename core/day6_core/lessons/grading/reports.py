@@ -48,6 +48,8 @@ def in_text(submission: Data, language: str) -> str:
         return one_line(_text("grade.line_refused", language, file=submission["file"], reason=reason))
     points = _points(submission)
     found = [_text("grade.line", language, file=submission["file"], pupil=submission["calls_itself"], points=points)]
+    if submission["remark"]:
+        found.append(f"    {_text('grade.line_remark', language, text=submission['remark'])}")
     for each in submission["scenarios"]:
         if each["mark"] != "right":
             mark = Say(f"grade.mark.{each['mark']}")
@@ -139,7 +141,10 @@ def _section(one: Data) -> list[str]:
         title = Texts({language: f"{_name(each)}: {text}" for language, text in each["title"].items()})
         for number, check in enumerate(each["checks"] or [{"ok": True, "at": None}]):
             first = [title, _mark(each)] if not number else ["", ""]
-            texts = [Texts(check[what], "" if check["ok"] else "bad") if what in check else "" for what in _WHAT]
+            texts = [
+                Texts(check[what], "" if check["ok"] else _CLASSES[each["mark"]]) if what in check else ""
+                for what in _WHAT
+            ]
             held = Cell("" if check["at"] is None else f"{check['at']:.1f} s", "number")
             rows.append([*first, *texts, held])
     return [*parts, html_table(head, rows)]
