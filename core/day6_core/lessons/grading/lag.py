@@ -18,7 +18,7 @@ EVERY = 0.05
 """Seconds between two looks at the clock."""
 
 WORST = 0.12
-"""Seconds that a world may stand still: a turtle that a program turns by 72° a second, by the clock, is then as wrong as it may be."""
+"""Seconds that a world may stand still: a turtle that a program turns by 72° a second is then as wrong as it may be."""
 
 SHARE = 0.05
 """The part of its time that it may stand still in all."""
