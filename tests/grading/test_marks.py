@@ -35,7 +35,7 @@ def ends(scenario: str, mark: Mark, lagged: list[float] = CALM, cpu: float = 0.1
     checks = [Seen(SOME.asked, ok=True, at=1.0).data() if mark is Mark.RIGHT else SOME.data()]
     return {
         "lesson": "day3", "scenario": scenario, "mark": mark.value, "points": float(mark is Mark.RIGHT), "checks": checks,
-        "seconds": 10.0, "ended": at, "lag": lagged, "cpu": cpu,
+        "seconds": 10.0, "ended": at, "lag": lagged, "cpu": cpu, "timed": True,
     }  # fmt: skip
 
 
@@ -80,7 +80,7 @@ RIGHT, WRONG, UNPLAYED = ("right", 1.0), ("wrong", 0.0), ("unplayed", 0.0)
     [
         (CALM, [], 0.1, False),
         (LATE, [], 0.1, True),
-        ([0.05, 0.6], [], 0.1, True),  # never long, but more than a twentieth of the time
+        ([0.05, 0.6], [], 0.1, True),  # never long, but again and again
         (CALM, [[5.0, 0.3]], 0.1, True),  # not the world, but who else waited for the machine
         (CALM, [[15.0, 0.3]], 0.1, False),  # not while it was played
         (LATE, [], 1000.0, False),  # its own programs took all cores
@@ -113,6 +113,14 @@ def test_what_lags_again_is_not_played_and_never_wrong(second: list[float], mark
     assert grader.asked[1]["only"] == {"day3": ["elsewhere", "other-turtle"]}  # the second waits for the first
     busy = Seen(Say("grade.busy"), Say("grade.busy_saw", seconds="0.4")).data()
     assert (graded.results[0].checks == [busy]) is (mark == UNPLAYED)
+
+
+def test_what_time_does_not_matter_for_is_not_played_again() -> None:
+    said = {**ends("elsewhere", Mark.WRONG, LATE), "timed": False}
+    graded, again = Told(
+        [PUPIL, begins("elsewhere"), said, begins("other-turtle"), ends("other-turtle", Mark.RIGHT), end()]
+    ).one()
+    assert (marks(graded), again) == ([WRONG, RIGHT], [])
 
 
 def test_what_is_right_stays_right_however_busy_the_machine_was() -> None:
@@ -162,8 +170,9 @@ def test_the_worlds_clock_is_compared_with_the_walls(monkeypatch: pytest.MonkeyP
     with pytest.raises(asyncio.CancelledError):
         asyncio.run(found.watch(SimpleNamespace(sleep=sleep)))  # type: ignore[arg-type]
     assert (round(found.worst, 3), round(found.total, 3)) == (0.3, 0.31)
-    assert worst_of(10.0, found, [], 0.0) == 0.3
-    assert worst_of(10.0, Lag(0.1, 0.2), [0.05], 0.0) == 0.0
+    assert worst_of(10.0, found, [], 0.0, 0.12) == 0.3
+    assert worst_of(10.0, found, [], 0.0) == worst_of(10.0, Lag(0.1, 0.2), [0.05], 0.0, 0.12) == 0.0
+    assert worst_of(0.1, Lag(0.02, 0.04), [0.03], 0.0, 0.12) == 0.0  # short, and hardly late
 
 
 # -- what is written ---------------------------------------------------------------------------------------------------

@@ -271,6 +271,7 @@ def test_the_same_seed_draws_the_same_and_another_one_does_not() -> None:
         ("run: [{shout: x}]\ncheck: [{node: /a}]", "no action 'shout'"),
         ("needs: [before]\ncheck: [{node: /a}]", "no earlier scenario"),
         ("within: 1000\ncheck: [{node: /a}]", "within"),
+        ("stall: 0\ncheck: [{node: /a}]", "stall: a number of seconds"),
         ("must: [nodes]\ncheck: [{node: /a}]", "no 'nodes' among the checks; did you mean 'node'"),
         ("check: [{trail: {driven: 1}}]", "'driven' has to be true or false, not 1"),
         ("checks: [{node: /a}]", "unknown key 'checks'"),

@@ -22,6 +22,7 @@ from typing import Any
 from day6_core.lessons.catalogue import days
 from day6_core.lessons.grading import shield
 from day6_core.lessons.grading.grades import ANSWERS, Grade, Graded
+from day6_core.lessons.grading.lag import STALL
 from day6_core.lessons.grading.marks import Mark, Seen, both
 from day6_core.lessons.grading.scenarios import Grading, longest
 from day6_core.lessons.texts import Say
@@ -218,10 +219,11 @@ class Grader:
         how = graded.ended if graded.ended in ("time", "processes", "memory", "problem") else "killed"
         wanted, saw = Say(f"grade.ended.{how}", **values), Say(f"grade.ended.{how}_saw", **values)
         mark = {"time": Mark.LATE, "problem": Mark.UNPLAYED}.get(how, Mark.WRONG)
+        stalls = {(grading.lesson, each.name): each.stall for grading in self._gradings for each in grading.scenarios}
         for result in played:
             if result.ended is None and result.scenario != ANSWERS:
                 result.conclude(Mark.UNPLAYED if result.began is None else mark, wanted, saw)
-            result.look_for_lag(graded.stalls, ended)
+            result.look_for_lag(graded.stalls, ended, stalls.get((result.lesson, result.scenario), STALL))
 
 
 def _is_among(result: Grade, only: Mapping[str, list[str]] | None) -> bool:

@@ -37,6 +37,7 @@ class Grade:
     ended: float | None = field(default=None, repr=False)
     lag: Lag = field(default_factory=Lag, repr=False)
     cpu: float = field(default=0.0, repr=False)
+    timed: bool = field(default=True, repr=False)
 
     @property
     def passed(self) -> bool:
@@ -53,18 +54,19 @@ class Grade:
             self.began = said["began"]
             return
         self.mark, self.points, self.checks = Mark(said["mark"]), said["points"], said["checks"]
-        self.seconds, self.ended, self.lag, self.cpu = said["seconds"], said["ended"], Lag(*said["lag"]), said["cpu"]
+        self.seconds, self.ended, self.lag = said["seconds"], said["ended"], Lag(*said["lag"])
+        self.cpu, self.timed = said["cpu"], said["timed"]
 
     def conclude(self, mark: Mark, asked: Say, seen: Say) -> None:
         """Mark what no check could tell."""
         self.mark, self.points, self.checks = mark, 0.0, [Seen(asked, seen).data()]
 
-    def look_for_lag(self, stalls: list[list[float]], ended: float) -> None:
-        """Whether the machine kept up while it was played. `stalls`: when another process had to wait, and for how long."""
-        if self.began is not None:
+    def look_for_lag(self, stalls: list[list[float]], ended: float, stall: float) -> None:
+        """Whether the machine kept up while it was played. `stalls`: when other processes had to wait, and for how long."""
+        if self.began is not None and self.timed:
             end = ended if self.ended is None else self.ended
             beside = [late for at, late in stalls if self.began <= at <= end]
-            self.stood_still = worst_of(end - self.began, self.lag, beside, self.cpu)
+            self.stood_still = worst_of(end - self.began, self.lag, beside, self.cpu, stall)
 
     def data(self) -> dict[str, Any]:
         """As it is written down."""

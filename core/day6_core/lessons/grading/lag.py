@@ -17,11 +17,12 @@ if TYPE_CHECKING:
 EVERY = 0.05
 """Seconds between two looks at the clock."""
 
-WORST = 0.12
-"""Seconds that a world may stand still: a turtle that a program turns by 72° a second is then as wrong as it may be."""
+STALL = 0.5
+"""Seconds that everything may stand still before a scenario does not count, if it does not say otherwise."""
 
+STALLS = 4
+"""How many times as much it may stand still in all; or for this part of its time, if that is more."""
 SHARE = 0.05
-"""The part of its time that it may stand still in all."""
 
 OWN_SHARE = 0.6
 """The part of all cores that programs have to take for the lag to be their own."""
@@ -46,16 +47,18 @@ class Lag:
             self.add(max(0.0, time.monotonic() - began - EVERY))
 
 
-def worst_of(seconds: float, world: Lag, beside: Iterable[float], cpu: float) -> float:
+def worst_of(seconds: float, world: Lag, beside: Iterable[float], cpu: float, stall: float = STALL) -> float:
     """The longest time for which a scenario stood still; 0 if it kept up, or if its own programs held up the machine.
 
-    `beside` is how late another process was meanwhile, `cpu` how many seconds of the cores its programs took.
+    `beside` is how late other processes were meanwhile, `cpu` how many seconds of the cores its programs took, `stall` how long
+    it may stand still.
     """
     own = OWN_SHARE * _cores() * seconds
     other = Lag()
     for late in beside:
         other.add(late)
-    lagged = any(each.worst > WORST or each.total > SHARE * seconds for each in (world, other))
+    most = max(STALLS * stall, SHARE * seconds)
+    lagged = any(each.worst > stall or each.total > most for each in (world, other))
     return round(max(world.worst, other.worst), 2) if lagged and cpu < own else 0.0
 
 

@@ -47,6 +47,8 @@ class Outcome:
     mark: Mark
     checks: list[Seen] = field(default_factory=list)
     points: float = 0.0
+    timed: bool = True
+    """Whether it might have gone otherwise on a machine that is less busy."""
 
     @property
     def problems(self) -> list[tuple[Say, Say | None]]:

@@ -59,7 +59,7 @@ class Play:
             missing = next((each for each in scenario.needs if each not in right), None)
             if missing is not None:
                 needed = Seen(Say("grade.needs", name=missing), Say("grade.needs_saw"))
-                outcome = Outcome(Mark.UNPLAYED, [needed])
+                outcome = Outcome(Mark.UNPLAYED, [needed], timed=False)
             else:
                 watch = self._session.spawn(lag.watch(self._session))
                 outcome = await self._scenario(grading, scenario)
@@ -70,7 +70,7 @@ class Play:
             told(
                 scenario=scenario.name, mark=outcome.mark.value, points=outcome.points,
                 checks=[each.data() for each in outcome.checks], seconds=round(ended - began, 2), ended=ended,
-                lag=[lag.worst, lag.total], cpu=self._cpu - took,
+                lag=[lag.worst, lag.total], timed=outcome.timed, cpu=self._cpu - took,
             )  # fmt: skip
 
     async def _scenario(self, grading: Grading, scenario: Scenario) -> Outcome:
@@ -80,7 +80,7 @@ class Play:
             found = self._file(patterns)
             if found is None:
                 missing = Seen(Say("grade.no_file", patterns=patterns), Say("grade.no_file_saw"))
-                return Outcome(Mark.WRONG, [missing])
+                return Outcome(Mark.WRONG, [missing], timed=False)
             values[name] = found
         live = Live(self._desk, self._session, grading.path.parent)
         stage = GraderStage(live, self._session, self._built)
@@ -95,19 +95,20 @@ class Play:
             verdicts = await self._judged(live, checks, scenario.within)
             if not scenario.run:
                 before = [replace(each, ok=False) for each in before]
-            return self._outcome(live, verdicts, points(checks, verdicts, before, scenario.must))
+            return self._outcome(live, verdicts, points(checks, verdicts, before, scenario.must), bool(scenario.run))
         except NotPlayed as problem:
-            return Outcome(problem.mark, [Seen(problem.wanted, self._with_output(live, problem.saw))])
+            seen = [Seen(problem.wanted, self._with_output(live, problem.saw))]
+            return Outcome(problem.mark, seen, timed=problem.timed)
         except Exception as error:
             # A scenario with a mistake of its author must not take the others with it.
             reason = f"{type(error).__name__}: {error}"[:200]
             broken = Seen(Say("grade.ended.problem"), Say("grade.ended.problem_saw", reason=reason))
-            return Outcome(Mark.UNPLAYED, [broken])
+            return Outcome(Mark.UNPLAYED, [broken], timed=False)
         finally:
             self._cpu = self._taken()
             await self._clear(live)
 
-    def _outcome(self, live: Live, verdicts: list[Verdict], part: float) -> Outcome:
+    def _outcome(self, live: Live, verdicts: list[Verdict], part: float, timed: bool) -> Outcome:
         """What the last look at the checks is marked with."""
         seen = [
             Seen(each.wanted, each.saw, each.where, each.ok, self._held.get(at)) for at, each in enumerate(verdicts)
@@ -118,7 +119,7 @@ class Play:
         first = wrong[0]
         seen[first] = replace(seen[first], seen=self._with_output(live, seen[first].seen))
         late = bool(live.running()) and all(verdicts[at].going for at in wrong)
-        return Outcome(Mark.LATE if late else Mark.WRONG, seen, part)
+        return Outcome(Mark.LATE if late else Mark.WRONG, seen, part, timed)
 
     def _file(self, patterns: tuple[str, ...]) -> str | None:
         for pattern in patterns:

@@ -17,6 +17,7 @@ from day6_core.lessons.actions import action_mistake, filled
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import Action
 from day6_core.lessons.flaws import line_of, meant
+from day6_core.lessons.grading.lag import STALL
 from day6_core.lessons.grading.limits import ANSWER_SECONDS, BUILD_SECONDS, ENDING_SECONDS, START_SECONDS
 from day6_core.lessons.player import LONGEST_WAIT
 from day6_core.lessons.source import NAME, LessonSource
@@ -27,7 +28,10 @@ ACTIONS = {"start": {"program"}, "publish": {"topic", "type", "fields"}, "call":
 """Actions that only scenarios have, done by the grader itself, and what each needs."""
 
 _OPTIONAL = {"start": {"arguments"}, "publish": {"count", "every"}, "call": {"fields"}, "build": set()}
-_HEAD, _KEYS = {"grading", "order", "title"}, {"values", "files", "before", "run", "check", "must", "within", "needs"}
+_HEAD, _KEYS = (
+    {"grading", "order", "title"},
+    {"values", "files", "before", "run", "check", "must", "within", "needs", "stall"},
+)
 
 
 @dataclass(frozen=True)
@@ -47,6 +51,9 @@ class Scenario:
     needs: tuple[str, ...] = ()
     must: tuple[str, ...] = field(default=(), repr=False)
     """Names of checks; without one of each that holds there are no points."""
+
+    stall: float = field(default=STALL, repr=False)
+    """Seconds for which a busy machine may hold it up without making wrong what is right."""
 
     @property
     def longest(self) -> float:
@@ -187,9 +194,14 @@ class _Reader:
         if isinstance(within, bool) or not isinstance(within, (int, float)) or not 0 < within <= MOST_WITHIN:
             self._wrong(at, f"within: a number of seconds up to {MOST_WITHIN:g}")
             within = WITHIN
+        stall = data.get("stall", STALL)
+        if isinstance(stall, bool) or not isinstance(stall, (int, float)) or not 0 < stall <= MOST_WITHIN:
+            self._wrong(at, f"stall: a number of seconds up to {MOST_WITHIN:g}")
+            stall = STALL
         return Scenario(
             name, line, titles, values, files, tuple(lists["before"]), tuple(lists["run"]), tuple(lists["check"]),
             float(within), tuple(map(str, lists["needs"])), tuple(map(str, lists["must"])),
+            float(stall),
         )  # fmt: skip
 
     @staticmethod

@@ -167,12 +167,14 @@ def limit(seconds: float) -> None:
 def watch(child: int, seconds: float, processes: Callable[[], list[int]], late: Callable[[float], object]) -> str:
     """Wait for `child` and reap everybody; returns '' when it ended, or 'time', 'processes', 'memory', 'killed'.
 
-    `processes` are those that count. `late` hears of each look how many seconds too late the machine let it come. What still runs
-    afterwards is for the caller to end.
+    `processes` are those that count. `late` hears of each look for how many seconds the machine kept this process, or one of
+    those, waiting for a core. What still runs afterwards is for the caller to end.
     """
     if sys.platform == "win32":
         raise NotImplementedError  # nothing is graded there: `command.main` says so
     deadline = time.monotonic() + seconds
+    before: dict[int, tuple[bool, float]] = {}
+    looked = time.monotonic()
     while True:
         with contextlib.suppress(ChildProcessError):
             while (found := os.waitpid(-1, os.WNOHANG))[0]:
@@ -185,9 +187,14 @@ def watch(child: int, seconds: float, processes: Callable[[], list[int]], late: 
             return "processes"
         if sum(map(_memory, pids)) > MOST_MEMORY:
             return "memory"
-        slept = time.monotonic()
+        now = {pid: _worked(pid) for pid in pids}
+        took, looked = time.monotonic() - looked, time.monotonic()
+        waited = [
+            took - (now[pid][1] - before[pid][1]) for pid in pids if pid in before and before[pid][0] and now[pid][0]
+        ]
+        before = now
         time.sleep(LOOK_SECONDS)
-        late(max(0.0, time.monotonic() - slept - LOOK_SECONDS))
+        late(max(0.0, time.monotonic() - looked - LOOK_SECONDS, *waited))
 
 
 def all_processes() -> list[int]:
@@ -227,14 +234,18 @@ def seconds_taken() -> float:
     import resource
 
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    taken = used.ru_utime + used.ru_stime
-    if sys.platform == "linux":
-        mark = os.environ.get(f"{MARK}_GRADE", "")
-        for pid in descendants(os.getpid(), mark) if mark else all_processes():
-            with contextlib.suppress(OSError, ValueError, IndexError):
-                stat = Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()
-                taken += sum(map(int, stat[11:15])) / os.sysconf("SC_CLK_TCK")
-    return taken
+    mark = os.environ.get(f"{MARK}_GRADE", "")
+    pids = [] if sys.platform != "linux" else descendants(os.getpid(), mark) if mark else all_processes()
+    return used.ru_utime + used.ru_stime + sum(_worked(pid)[1] for pid in pids)
+
+
+def _worked(pid: int) -> tuple[bool, float]:
+    """Whether a process runs or wants to, and for how many seconds it and those it has waited for have run in all."""
+    try:
+        stat = Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()
+        return stat[0] == b"R", sum(map(int, stat[11:15])) / os.sysconf("SC_CLK_TCK")
+    except (OSError, ValueError, IndexError):
+        return False, 0.0
 
 
 def _listed() -> Iterator[tuple[int, int]]:
