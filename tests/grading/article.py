@@ -7,6 +7,9 @@ import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from day6_core.lessons.grading.grader import Grader
+from day6_core.lessons.grading.grades import Graded
+
 STAR = """\
 import time
 
@@ -259,3 +262,10 @@ def write(target: Path, changed: Mapping[str, str | None] = {}, manifest: Mappin
         for name, text in files.items():
             archive.writestr(name, text)
     return target
+
+
+class Patient(Grader):
+    """A grader that plays nothing again: what is refused is refused, however busy the machine that runs the tests is."""
+
+    def _again(self, graded: Graded) -> None:
+        """Leave it as it was."""

@@ -9,10 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from day6_core.lessons.grading.grader import Grader
 from day6_core.lessons.grading.grades import Grade, Graded
 from day6_core.lessons.grading.scenarios import gradings
-from tests.grading.article import write
+from tests.grading.article import Patient, write
 from tests.grading.forgeries import ALL, GROUPS, Forgery, together
 
 AT_A_TIME = 8
@@ -36,7 +35,7 @@ def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Grade]:
     def graded(group: str) -> dict[str, Grade]:
         packed = list(_submissions(folder, group))
         chosen = [each for each in gradings() if each.lesson in GROUPS[group][0]]
-        done: list[Graded] = Grader(chosen, answers={}).grade([file for file, _ in packed], AT_A_TIME)
+        done: list[Graded] = Patient(chosen, answers={}).grade([file for file, _ in packed], AT_A_TIME)
         return {
             forgery.id: result
             for each, (_, forgeries) in zip(done, packed, strict=True)

@@ -6,6 +6,7 @@ import asyncio
 import csv
 import io
 import json
+import sys
 import time
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from day6_core.lessons.grading import lag, remarks, reports
+from day6_core.lessons.grading import command, lag, remarks, reports, shield
 from day6_core.lessons.grading.grader import Grader
 from day6_core.lessons.grading.grades import Grade, Graded
 from day6_core.lessons.grading.lag import Lag, worst_of
@@ -175,6 +176,27 @@ def test_the_worlds_clock_is_compared_with_the_walls(monkeypatch: pytest.MonkeyP
     assert worst_of(0.1, Lag(0.02, 0.04), [0.03], 0.0, 0.12) == 0.0  # short, and hardly late
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="nothing is graded on Windows")
+def test_who_wants_a_core_and_gets_none_is_late(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One process runs at each look, but gets a core only at first; another sleeps."""
+    wall = 0.0
+
+    def sleep(seconds: float) -> None:
+        nonlocal wall
+        wall += seconds
+
+    worked = {7: iter([(True, 0.0), (True, 0.15), (True, 0.16), (False, 0.16)]), 8: iter([(False, 0.0)] * 4)}
+    reaped = iter([(0, 0), (0, 0), (0, 0), (0, 0), (5, 0)])
+    monkeypatch.setattr(shield, "_worked", lambda pid: next(worked[pid]))
+    monkeypatch.setattr(shield, "_memory", lambda _: 0)
+    monkeypatch.setattr(shield.os, "waitpid", lambda *_: next(reaped))
+    monkeypatch.setattr(shield.time, "monotonic", lambda: wall)
+    monkeypatch.setattr(shield.time, "sleep", sleep)
+    late: list[float] = []
+    assert shield.watch(5, 60.0, lambda: [7, 8], lambda seconds: late.append(round(seconds, 2))) == ""
+    assert late == [0.0, 0.0, 0.14, 0.0]
+
+
 # -- what is written ---------------------------------------------------------------------------------------------------
 
 EVIL = '=HYPERLINK("http://x")'
@@ -253,6 +275,38 @@ def test_the_teachers_words_stay_as_spreadsheets_save_them(coding: str, sign: st
         csv.writer(text, delimiter=sign).writerows(rows)
         path.write_bytes(text.getvalue().encode(coding))
         assert remarks.read(path) == words
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="nothing is graded on Windows")
+def test_the_teachers_words_stay_when_graded_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """They are written while it is graded, too, and for a pupil who hands in nothing the next time."""
+    table, page, everything = (tmp_path / f"marks.{kind}" for kind in ("csv", "html", "json"))
+    words = ["grade", str(tmp_path / "a.zip"), "--lesson", "day3", "--lang", "en", "--force"]
+    words += ["--csv", str(table), "--html", str(page), "--json", str(everything)]
+    written: list[str] = []
+
+    class Quick(Grader):
+        def grade(self, files: list[Path], jobs: int, told: Any = None, again: Any = None) -> list[Graded]:
+            if written:
+                rows = list(csv.reader(io.StringIO(table.read_text(encoding="utf-8-sig"))))
+                rows[1][rows[0].index("remark")] = written.pop()
+                with table.open("w", encoding="utf-8-sig", newline="") as file:
+                    csv.writer(file).writerows([*rows, ["gone.zip", "", "", "", "", "see me"]])
+            found = some()
+            told(found[0])
+            return found
+
+    monkeypatch.setattr(command, "Grader", Quick)
+    for remark in ("", "=1+1 well done", ""):
+        written += [remark] if remark else []
+        assert command.main(words) == 1
+    assert remarks.read(table) == {"a.zip": "=1+1 well done", "gone.zip": "see me"}
+    assert "'=1+1 well done" in table.read_text(encoding="utf-8-sig")
+    assert "well done" in page.read_text(encoding="utf-8")
+    assert json.loads(everything.read_text(encoding="utf-8"))["submissions"][0]["remark"] == "=1+1 well done"
+    assert "Remark: =1+1 well done" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("text", [b"PK\x03\x04\xff\xfe\0\0", b"name,words\r\na,b\r\n", b'file,remark\r\n"a'])

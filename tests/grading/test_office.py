@@ -152,12 +152,16 @@ def test_bad_calls_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     file = str(write(tmp_path / "a.zip"))
     there = tmp_path / "there.csv"
     there.write_text("mine")
+    book = tmp_path / "book.csv"
+    book.write_bytes(b"PK\x03\x04\0")
     (tmp_path / "empty").mkdir()
     (tmp_path / "bad").mkdir()
     (tmp_path / "bad" / "x.md").write_text("---\ngrading: x\n---\n# one\n")
     for words, said in (
         ([file, "--lesson", "day9"], "no scenarios for 'day9'"),
         ([file, "--csv", str(there)], "--force"),
+        ([file, "--json", str(there)], "--force"),
+        ([file, "--csv", str(book), "--force"], "There may be words of yours in it"),
         ([file, "--scenarios", str(tmp_path / "empty")], "no scenario in"),
         ([file, "--scenarios", str(tmp_path / "bad")], "x.md:4: '## zh TITLE' is missing"),
         ([file, "--scenarios", str(tmp_path / "nowhere")], "Not a directory"),
@@ -165,7 +169,7 @@ def test_bad_calls_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     ):
         assert main(["grade", *words, "--lang", "en"]) == 2
         assert said in capsys.readouterr().err
-    assert there.read_text() == "mine"
+    assert (there.read_text(), book.read_bytes()) == ("mine", b"PK\x03\x04\0")
 
 
 @pytest.mark.process
@@ -174,7 +178,8 @@ def test_a_teachers_own_scenario_and_both_reports(tmp_path: Path, capsys: pytest
     folder.mkdir()
     (folder / "own.md").write_text(
         "---\ngrading: own\ntitle: {zh: 自己的, en: My own}\n---\n\n# prints\n\n~~~yaml\nvalues:\n  word: word\n"
-        "run:\n  - type: python3 ~/echo.py @word@\ncheck:\n  - ran: {line: echo.py, status: 0, prints: 'heard @word@'}\n~~~\n\n"
+        "run:\n  - type: python3 ~/echo.py @word@\n"
+        "check:\n  - ran: {line: echo.py, status: 0, prints: 'heard @word@'}\nstall: 60\n~~~\n\n"
         "## zh 说出听到的词\n## en It says the word\n",
         encoding="utf-8",
     )

@@ -20,7 +20,7 @@ from day6_core.lessons.grading.grader import Grader
 from day6_core.lessons.grading.grades import Graded
 from day6_core.lessons.grading.marks import Mark
 from day6_core.lessons.grading.scenarios import gradings, read_grading
-from tests.grading.article import INNER, write
+from tests.grading.article import INNER, Patient, write
 from tests.support.waiting import communicate, until
 
 pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform != "linux", reason="namespaces are Linux's")]
@@ -79,7 +79,7 @@ def _graded(tmp_path: Path, programs: dict[str, str], *, within: int = 6, shield
     text = day4.path.read_text(encoding="utf-8")
     assert "within: 6\n" in text
     patient.write_text(text.replace("within: 6\n", f"within: {within}\n"), encoding="utf-8")
-    grader = Grader([read_grading(patient)], seconds=90, shielded=shielded, answers={})
+    grader = Patient([read_grading(patient)], seconds=90, shielded=shielded, answers={})
     done = grader.grade([*files, write(tmp_path / "good.zip")], len(files) + 1)
     return {graded.file.stem: graded for graded in done}
 
@@ -147,7 +147,7 @@ def test_nothing_outside_can_be_written(tmp_path: Path) -> None:
 def test_a_submission_that_takes_too_long_keeps_what_it_had_passed(tmp_path: Path) -> None:
     files = [write(tmp_path / "slow.zip", {"home/star.py": "import time\n\ntime.sleep(600)\n"})]
     chosen = sorted((each for each in gradings() if each.lesson in ("day3", "day4")), key=lambda each: -each.order)
-    done = Grader(chosen, seconds=20, answers={}).grade(files, 1)[0]
+    done = Patient(chosen, seconds=20, answers={}).grade(files, 1)[0]
     assert {(each.lesson, each.passed) for each in done.results} == {("day4", True), ("day3", False)}
     assert "ends within 20 s" in _said(done)
 
