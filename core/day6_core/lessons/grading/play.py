@@ -119,7 +119,8 @@ class Play:
         first = wrong[0]
         seen[first] = replace(seen[first], seen=self._with_output(live, seen[first].seen))
         late = bool(live.running()) and all(verdicts[at].going for at in wrong)
-        return Outcome(Mark.LATE if late else Mark.WRONG, seen, part, timed)
+        cheated = any(each.cheated for each in verdicts)  # no machine is to blame for that
+        return Outcome(Mark.LATE if late else Mark.WRONG, seen, part, timed and not cheated)
 
     def _file(self, patterns: tuple[str, ...]) -> str | None:
         for pattern in patterns:
