@@ -241,6 +241,8 @@ def seconds_taken() -> float:
 
 def _worked(pid: int) -> tuple[bool, float]:
     """Whether a process runs or wants to, and for how many seconds it and those it has waited for have run in all."""
+    if sys.platform != "linux":
+        return False, 0.0
     try:
         stat = Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()
         return stat[0] == b"R", sum(map(int, stat[11:15])) / os.sysconf("SC_CLK_TCK")
