@@ -221,6 +221,9 @@ class _Shell:
 
     starts_programs = False
 
+    def becomes(self, session: Session, before: list[str]) -> None:
+        """Nobody keeps what is run."""
+
     async def run_line(self, line: str, session: Session) -> int:
         watch.end()  # it is the real shell, and there is nobody else to keep waiting
         try:

@@ -82,6 +82,9 @@ class NoPrograms:
     starts_programs = False
     terminals = ()
 
+    def becomes(self, session: Session, before: list[str]) -> None:
+        """Nobody keeps what is run."""
+
 
 class Machine:
     """One graph and one stepped clock. `daemon`: whether commands find a daemon, as in the desktop."""

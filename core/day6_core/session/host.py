@@ -24,6 +24,9 @@ class Host(Protocol):
     def command(self, name: str) -> Main | None:
         """Return the machine's own command of that name, None if it has no such command."""
 
+    def becomes(self, session: Session, before: list[str]) -> None:
+        """Note that a program goes on as another one (`Session.execute`); `before` was its `argv`."""
+
     @property
     def terminals(self) -> tuple[str, ...]:
         """Names of the commands that open a terminal of the machine."""

@@ -89,6 +89,7 @@ class Program:
         finally:
             if self.status is None:
                 self.status = 1
+            self.session.status = self.status
             self.session.close()
             self.done.set()
             self._notify_watchers()

@@ -113,6 +113,8 @@ class Session:
         """Called with True when the program is stopped and with False when it is resumed, to pass that on to its processes."""
         self.task: Task | None = None
         """The task that runs `main`."""
+        self.status: int | None = None
+        """How it ended; known when what was deferred is called."""
         self._children: list[Task] = []
         self._deferred: list[Callable[[], object]] = []
         self._nodes: list[Node] = []
@@ -278,7 +280,9 @@ class Session:
 
     async def execute(self, main: Callable[[Session], Awaitable[int | None]], argv: list[str]) -> int:
         """Go on as another program with the same process number, streams and environment. Returns its status."""
-        self.argv = argv
+        before, self.argv = self.argv, argv
+        if self.host is not None:
+            self.host.becomes(self, before)
         return (await main(self)) or 0
 
     async def run_python(self, args: list[str]) -> int:

@@ -14,7 +14,7 @@ import stat
 import threading
 import time
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Protocol, TextIO
 
@@ -182,12 +182,75 @@ class OutputStream:
         """Return whether it is a terminal."""
         return False
 
+    @property
+    def raw(self) -> OutputStream:
+        """On a terminal: return what takes text as a pty delivers it, with its newlines done. Else return self."""
+        return self
+
     def fileno(self) -> int | None:
         """The file descriptor a child process may inherit, None if there is none."""
         return None
 
     def close(self) -> None:
         """Close the writing end."""
+
+
+class Overheard(OutputStream):
+    """Another output, of which `keep` is told what was written; what an inherited descriptor takes is not."""
+
+    def __init__(self, target: OutputStream, keep: Callable[[str], None]) -> None:
+        self.target = target
+        self._keep = keep
+        self.encoding = target.encoding
+        self.terminal = target.terminal
+
+    @property
+    def columns(self) -> int:
+        """Width of the other one."""
+        return self.target.columns
+
+    @property
+    def raw(self) -> OutputStream:
+        """The other one's, overheard too."""
+        return Overheard(self.target.raw, self._keep)
+
+    def write(self, text: str) -> int:
+        """Write to the other one, then tell."""
+        written = self.target.write(text)
+        self._keep(text)
+        return written
+
+    def control(self, sequence: str) -> None:
+        """Write an escape sequence to the other one; nobody is told."""
+        self.target.control(sequence)
+
+    def flush(self) -> None:
+        """Flush the other one."""
+        self.target.flush()
+
+    async def drain(self) -> None:
+        """Wait for the other one's reader."""
+        await self.target.drain()
+
+    def keyboard(self) -> InputStream | None:
+        """The keys of the other one's terminal."""
+        return self.target.keyboard()
+
+    def wait_for_room(self) -> None:
+        """Wait for room in the other one."""
+        self.target.wait_for_room()
+
+    def isatty(self) -> bool:
+        """Return whether the other one is a terminal."""
+        return self.target.isatty()
+
+    def fileno(self) -> int | None:
+        """The other one's descriptor."""
+        return self.target.fileno()
+
+    def close(self) -> None:
+        """Close the other one."""
+        self.target.close()
 
 
 class Pipe:

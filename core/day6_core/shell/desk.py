@@ -7,6 +7,7 @@ import logging
 import os
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
@@ -26,6 +27,7 @@ from day6_core.session.streams import InputStream, OutputStream
 from day6_core.shell.language.interpreter import Shell
 from day6_core.shell.language.redirection import Streams
 from day6_core.shell.overview import DeskOverview
+from day6_core.shell.runs import Runs
 from day6_core.shell.user import login_name
 
 if TYPE_CHECKING:
@@ -44,6 +46,8 @@ class Wanted(NamedTuple):
 
 
 FIRST_PID = 1001
+MOST_CLOSED = 20
+"""Closed terminals of which is known what was run in them."""
 MOST_PROGRAMS = 1000
 """A runaway `while true; do … & done` ends with a message instead of the memory."""
 HOST = "day6"
@@ -104,6 +108,8 @@ class Desk:
         self.home = (default_home() if home is None else home).expanduser().resolve()
         self.room: Path | None = None
         """Another home folder for new terminals, while a drill has one of its own."""
+        self.closed_runs: deque[Runs] = deque(maxlen=MOST_CLOSED)
+        """What was run in terminals that are closed."""
         self.searching: Callable[[], str] = lambda: ""
         """'drill' or 'exam' while the pupil is to find a fault himself: whatever names faults asks, and is quiet then."""
         self.may_change_distribution = False
@@ -115,6 +121,8 @@ class Desk:
         self._domain_text = os.environ.get("ROS_DOMAIN_ID", "0") if domain_id is None else str(domain_id)
         self._link_opened = False
         self.clock = WorldClock() if clock is None else clock
+        self.began_ns = self.clock.now_ns()
+        """When it was made (epoch nanoseconds): nothing was typed before."""
         self.graphs: dict[int, Graph] = {}
         """By domain; more than one once a terminal exports another ROS_DOMAIN_ID."""
         self.graph = self.graph_of(self.domain_id)

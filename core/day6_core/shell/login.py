@@ -56,11 +56,12 @@ async def login(session: Session, terminal: Terminal) -> int:
             if source.strip():
                 history.add(source)
                 shell.wanted_distribution = "" if terminal.desk.may_change_distribution else None
-                terminal.runs.begin(source, shell.cwd, terminal.desk.clock.now_ns())
+                shell.typed = terminal.runs.begin(source, shell.cwd, terminal.desk.clock.now_ns())
                 try:
                     await shell.run_typed(source, streams)
                 finally:
                     terminal.runs.end(shell.status, terminal.desk.clock.now_ns())
+                    shell.typed = None
                 if shell.wanted_distribution:
                     terminal.desk.wanted_distribution = Wanted(shell.wanted_distribution, terminal, source)
     except ExitShell as end:

@@ -1,16 +1,127 @@
-"""What was run in a terminal: the lines, how each ended, and the end of what each printed."""
+"""What was run in a terminal: the lines, the simple commands of each, how they ended, and the end of what they printed."""
 
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_core.session.streams import OutputStream, Overheard
+
+if TYPE_CHECKING:
+    from day6_core.shell.language.words import Word
 
 MOST_RUNS = 200
 LONGEST_OUTPUT = 32 * 1024
-"""Characters that are kept of what one line printed: its end."""
+"""Characters that are kept of what one line printed, and one command: its end."""
 
 LONGEST_OLD_OUTPUT = 4 * 1024
 """Characters that are kept of it once the next line was run."""
+
+MOST_COMMANDS = 100
+"""Commands of one line that are kept: so many of its first, and of its last."""
+
+
+class Kept:
+    """The end of a text that goes on. Any thread adds to it."""
+
+    def __init__(self) -> None:
+        self.written = 0
+        """How many characters there were in all."""
+        self._parts: deque[str] = deque()
+        self._size = 0
+
+    @property
+    def text(self) -> str:
+        return "".join(list(self._parts))
+
+    def keep(self, text: str, longest: int = LONGEST_OUTPUT) -> None:
+        """Add to it."""
+        self.written += len(text)
+        self._parts.append(text[-longest:])
+        self._size += min(len(text), longest)
+        while self._size > longest and len(self._parts) > 1:
+            self._size -= len(self._parts.popleft())
+
+    def forget_most(self, longest: int) -> None:
+        """Keep the very end only."""
+        if self._size > longest:
+            text = self.text[-longest:]
+            self._parts, self._size = deque([text]), len(text)
+
+
+class Ran:
+    """A simple command as the shell ran it, or still runs it: then `status` and `ended_ns` are None.
+
+    That may be one of many in a line: in a pipe, a loop, a function, a script of bash, or behind `timeout`, `env`, `xargs`.
+    """
+
+    __slots__ = ("_elsewhere", "_screen", "_words", "argv", "began_ns", "cwd", "ended_ns", "is_function", "status")
+
+    def __init__(
+        self, argv: Sequence[str], words: Sequence[Word], cwd: Path, began_ns: int, is_function: bool = False
+    ) -> None:
+        self.argv = argv
+        """Its words after all expansions."""
+        self.cwd = cwd
+        self.began_ns = began_ns
+        self.ended_ns: int | None = None
+        self.status: int | None = None
+        self.is_function = is_function
+        """Whether it called a function; what that ran has records of its own."""
+        self._words = words
+        self._screen: Kept | None = None
+        self._elsewhere: Kept | None = None
+
+    @property
+    def source(self) -> str:
+        """Its words before any expansion."""
+        return " ".join(word.source for word in self._words)
+
+    @property
+    def screen(self) -> str:
+        """The end of what it printed to a terminal; not what commands printed that it ran itself."""
+        return self._screen.text if self._screen is not None else ""
+
+    @property
+    def elsewhere(self) -> str:
+        """The end of what it printed into a pipe, a file, a `$(…)`."""
+        return self._elsewhere.text if self._elsewhere is not None else ""
+
+    def keep(self, text: str) -> None:
+        """Add to what it printed to a terminal. Any thread."""
+        if self._screen is None:
+            self._screen = Kept()
+        self._screen.keep(text)
+
+    def keep_elsewhere(self, text: str) -> None:
+        """Add to what it printed elsewhere. Any thread."""
+        if self._elsewhere is None:
+            self._elsewhere = Kept()
+        self._elsewhere.keep(text)
+
+    def forget_most(self, longest: int) -> None:
+        """Keep the very end of both only."""
+        for kept in (self._screen, self._elsewhere):
+            if kept is not None:
+                kept.forget_most(longest)
+
+    def end(self, status: int | None, now_ns: int) -> None:
+        """Note how it ended."""
+        self.status, self.ended_ns = status, now_ns
+
+    def overhear(self, stdout: OutputStream, stderr: OutputStream) -> tuple[OutputStream, OutputStream]:
+        """Return its streams as it is to write to them, so that what it prints is kept."""
+        first = self._overheard(stdout)
+        return first, first if stderr is stdout else self._overheard(stderr)
+
+    def _overheard(self, stream: OutputStream) -> OutputStream:
+        if isinstance(stream, Overheard):
+            stream = stream.target  # that is the record of what runs this one
+        if type(stream) is OutputStream:
+            return stream
+        return Overheard(stream, self.keep if stream.isatty() else self.keep_elsewhere)
 
 
 class Run:
@@ -23,17 +134,21 @@ class Run:
         self.began_ns = began_ns
         self.ended_ns: int | None = None
         self.status: int | None = None
-        self.written = 0
-        """Characters it printed, with those that are not kept any more."""
+        self.commands: list[Ran] = []
+        """The simple commands that it ran, the first ones and the last ones if there were very many."""
         self._explained = 0
-        """How many of them there were when it last explained some itself (`ls x; why`)."""
-        self._parts: deque[str] = deque()
-        self._size = 0
+        """How much had been printed when it last explained some itself (`ls x; why`)."""
+        self._output = Kept()
 
     @property
     def output(self) -> str:
         """The end of what the terminal was given while this ran, with its control sequences."""
-        return "".join(list(self._parts))
+        return self._output.text
+
+    @property
+    def written(self) -> int:
+        """Characters it printed, with those that are not kept any more."""
+        return self._output.written
 
     @property
     def unexplained(self) -> str:
@@ -47,16 +162,20 @@ class Run:
 
     def keep(self, text: str, longest: int = LONGEST_OUTPUT) -> None:
         """Add to the output. Any thread."""
-        self.written += len(text)
-        self._parts.append(text[-longest:])
-        self._size += min(len(text), longest)
-        while self._size > longest and len(self._parts) > 1:
-            self._size -= len(self._parts.popleft())
+        self._output.keep(text, longest)
+
+    def note(self, ran: Ran) -> None:
+        """Note that one of its commands runs now."""
+        if len(self.commands) == 2 * MOST_COMMANDS:
+            del self.commands[MOST_COMMANDS]
+        self.commands.append(ran)
 
     def forget_most(self) -> None:
-        """Keep the very end of the output only."""
-        text = self.output[-LONGEST_OLD_OUTPUT:]
-        self._parts, self._size = deque([text]), len(text)
+        """Keep the very end of the output only, and of each command's a share of as much."""
+        self._output.forget_most(LONGEST_OLD_OUTPUT)
+        share = LONGEST_OLD_OUTPUT * 2 // max(2, len(self.commands))
+        for ran in list(self.commands):
+            ran.forget_most(share)
 
 
 class Runs:

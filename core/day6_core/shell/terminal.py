@@ -384,6 +384,7 @@ class Terminal:
         self.desk.end_programs([*mine, self.program])
         if self in self.desk.terminals:
             self.desk.terminals.remove(self)
+            self.desk.closed_runs.append(self.runs)
 
 
 def _ends_line(text: str, before: bool) -> bool:
@@ -423,6 +424,10 @@ class TtyOutput(OutputStream):
 
     def isatty(self) -> bool:
         return True
+
+    @property
+    def raw(self) -> OutputStream:
+        return self.terminal.output
 
 
 class RawTtyOutput(TtyOutput):

@@ -132,6 +132,7 @@ class _Copy:
         inner = Shell(shell.desk, env={}, cwd=session.cwd, interactive=False, name=shell.name)
         inner.variables.adopt(session.env)
         inner.depth, inner.runs, inner.background = shell.depth + 1, shell.runs, shell.background
+        inner.typed = shell.typed
         inner.unbound_status = NOT_FOUND if "c" in self.options else 1
         inner.arguments, inner.zero, inner.script = arguments, zero, script
         inner.aliases = {}

@@ -78,6 +78,7 @@ async def timeout(session: Session) -> int:
     program = shell.desk.start_program(
         argv, find_command(argv[0], shell), streams, env=session.env, cwd=session.cwd, shell=shell
     )
+    shell.note(program.session)
 
     def interrupt() -> bool:
         program.interrupt()

@@ -7,7 +7,7 @@ background work on a copy.
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
@@ -33,11 +33,15 @@ from day6_core.shell.language.simple import Prepared, prepare
 from day6_core.shell.language.specials import add_specials, copy_specials
 from day6_core.shell.language.subshells import subshell_main, write_error
 from day6_core.shell.language.traps import run_trap, trapped
-from day6_core.shell.language.words import SyntaxProblem
+from day6_core.shell.language.words import SyntaxProblem, Word
+from day6_core.shell.runs import Ran
 
 if TYPE_CHECKING:
     from day6_core.shell.desk import Desk
-    from day6_core.shell.runs import Runs
+    from day6_core.shell.runs import Run, Runs
+
+_NO_FUNCTIONS = ("command", "builtin", "exec")
+"""What runs a command of that name even where there is a function."""
 
 
 class Shell(ShellState):
@@ -67,6 +71,10 @@ class Shell(ShellState):
         """Whether Ctrl-C came between two commands of the line."""
         self.runs: Runs | None = None
         """What the script of `day6-tui exec` has printed, if something in it will ask `why`; a terminal has its own."""
+        self.typed: Run | None = None
+        """The line typed in a terminal whose commands it runs: they are kept there."""
+        self.words: Sequence[Word] = ()
+        """Those of the simple command that it runs, before any expansion."""
         self.wanted: WeakKeyDictionary[Session, Exception] = WeakKeyDictionary()
         """What built-ins request after they have returned: to exit, to break out of a loop …"""
         self.streams_of: WeakKeyDictionary[Session, Streams] = WeakKeyDictionary()
@@ -134,7 +142,7 @@ class Shell(ShellState):
         twin.unbound_status = 1
         twin.condition_depth = self.condition_depth
         twin.substitutions = self.substitutions
-        twin.runs = self.runs
+        twin.runs, twin.typed = self.runs, self.typed
         twin.outer_jobs = self.jobs if self.outer_jobs is None or self.jobs.jobs else self.outer_jobs
         return twin
 
@@ -177,6 +185,19 @@ class Shell(ShellState):
     def all_streams(self, session: Session) -> Streams:
         """The streams of a command that this shell runs."""
         return self.streams_of.get(session) or Streams(session.stdin, session.stdout, session.stderr)
+
+    def note(self, session: Session, *, is_function: bool = False) -> None:
+        """Keep what command a session runs from now on, if what this shell runs is kept: what it prints, how it ends."""
+        if self.typed is None:
+            return
+        now_ns = self.desk.clock.now_ns
+        ran = Ran(session.argv, self.words, session.cwd, now_ns(), is_function)
+        self.typed.note(ran)
+        session.stdout, session.stderr = ran.overhear(session.stdout, session.stderr)
+        session.defer(lambda: ran.end(session.status, now_ns()))
+
+    def becomes(self, session: Session, before: list[str]) -> None:
+        self.note(session, is_function=session.argv[0] in self.functions and before[0] not in _NO_FUNCTIONS)
 
     def command(self, name: str) -> Main | None:
         """The built-in command of that name."""
@@ -322,6 +343,7 @@ class Shell(ShellState):
         self, prepared: Prepared, command: syntax.SimpleCommand, source: str, tty: InputStream, streams: Streams
     ) -> None:
         program = self.start(prepared.argv, prepared.main, prepared.streams, env=prepared.env, shell=self)
+        self.note(program.session, is_function=prepared.argv[0] in self.functions)
         self.streams_of[program.session] = prepared.streams
         printed = Printed(tty)
         await self._foreground(Job([program], source, tty), streams)

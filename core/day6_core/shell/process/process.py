@@ -319,7 +319,8 @@ class Process:
         except BaseException:
             self._take_unread()
             raise
-        self._read(master, terminal.output)
+        shown = session.stdout if session.stdout.terminal is terminal else session.stderr
+        self._read(master, shown.raw)
         self._read_pipes()
         session.stdin.pass_keys_to(self)
 
@@ -335,9 +336,9 @@ class Process:
         feeds = stdin is None and type(session.stdin) is not InputStream
         session.stdout.flush()
         session.stderr.flush()
-        screen = session.stdout.terminal or session.stderr.terminal
-        if screen is not None:
-            self._open_screen(screen)
+        shown = session.stdout if session.stdout.terminal is not None else session.stderr
+        if shown.terminal is not None:
+            self._open_screen(shown.terminal)
         feed: int | None = None
         source = subprocess.PIPE if feeds else subprocess.DEVNULL if stdin is None else stdin
         if feeds and sys.platform != "win32":
@@ -362,8 +363,8 @@ class Process:
             if self._slave is not None:
                 os.close(self._slave)
                 self._slave = None
-        if self._master is not None and screen is not None:
-            self._read(self._master, screen.output)
+        if self._master is not None:
+            self._read(self._master, shown.raw)
         self._read_pipes()
         pipe = self._popen.stdin if feed is None else os.fdopen(feed, "wb")
         if pipe is not None:
