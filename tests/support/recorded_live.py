@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shlex
 import sys
 import tempfile
 from collections import Counter
@@ -30,7 +31,8 @@ from day6_core.lessons.live import Arrival, Heard, Live
 from day6_core.lessons.texts import Say
 from day6_core.ros.programs.rviz2.model.status import StatusList
 from day6_core.ros.programs.turtlesim.model import PIXELS_PER_METRE
-from day6_core.shell.runs import Run
+from day6_core.shell.language.words import Word
+from day6_core.shell.runs import Ran, Run
 
 ROOT = Path(__file__).resolve().parents[2]
 HOME = "/home/student"
@@ -175,6 +177,10 @@ class RecordingLive(Live):
         self._looked.add("terminals")
         return super().runs(since_ns, new=new)
 
+    def places(self, since_ns: int) -> list[list[Path]]:
+        self._looked |= {"terminals", "files"}
+        return super().places(since_ns)
+
     def variables(self) -> list[dict[str, str]]:
         self._looked.add("files")  # `sourced` looks whether a package is there
         return super().variables()
@@ -244,11 +250,17 @@ class RecordingLive(Live):
             "closed": terminal.closed,
             "running": list(terminal.running),
             "variables": {name: variables[name] for name in VARIABLES if name in variables},
+            "cwd": str(terminal.shell.cwd),
             "runs": [
-                [each.number, each.source, self._since(each.began_ns), self._since(each.ended_ns), each.status, each.output]
+                [each.number, each.source, self._since(each.began_ns), self._since(each.ended_ns), each.status, each.output,
+                 [self._ran(ran) for ran in each.commands]]
                 for each in terminal.runs.all
             ],
         }  # fmt: skip
+
+    def _ran(self, ran: Ran) -> Json:
+        times = self._since(ran.began_ns), self._since(ran.ended_ns)
+        return [list(ran.argv), ran.source, str(ran.cwd), *times, ran.status, ran.is_function, ran.screen, ran.elsewhere]
 
 
 class _RecordedProgram:
@@ -364,6 +376,7 @@ class ToldDesk(SimpleNamespace):
 
     def __init__(self, home: Path) -> None:
         super().__init__(home=home, login_home=home, terminals=[], display=SimpleNamespace(windows=[]), programs={})
+        self.closed_runs: list[Any] = []
         self.now_ns = self.wall_ns = BEGAN_NS
         self.python: dict[str, Json] = {}
         self.clock = SimpleNamespace(
@@ -453,9 +466,29 @@ class ToldLive(Live):
         return SimpleNamespace(
             closed=told["closed"],
             running=told["running"],
-            runs=SimpleNamespace(all=[_run(each) for each in told["runs"]]),
-            shell=SimpleNamespace(environment=variables),
+            runs=SimpleNamespace(all=[self._run(each) for each in told["runs"]]),
+            shell=SimpleNamespace(environment=variables, cwd=self._place(told.get("cwd", HOME))),
         )
+
+    def _place(self, told: str) -> Path:
+        return Path(told.replace(HOME, str(self.home)))
+
+    def _run(self, told: Json) -> Run:
+        number, source, began, ended, status, output, *commands = told
+        run = Run(number, source, self.home, _time(began))
+        run.status, run.ended_ns = status, None if ended is None else _time(ended)
+        run.keep(output)
+        for each in commands[0] if commands else [[shlex.split(source), source, HOME, began, ended, status, False, output, ""]]:
+            run.note(self._ran(each))
+        return run
+
+    def _ran(self, told: Json) -> Ran:
+        argv, source, cwd, began, ended, status, is_function, screen, elsewhere = told
+        ran = Ran(argv, [Word((), source)], self._place(cwd), _time(began), is_function)
+        ran.keep(screen)
+        ran.keep_elsewhere(elsewhere)
+        ran.status, ran.ended_ns = status, None if ended is None else _time(ended)
+        return ran
 
     def lay(self, files: Json) -> None:
         """Make the files of the home folder that moments are about what they were."""
@@ -482,14 +515,6 @@ class ToldLive(Live):
 
 def _time(since: int) -> int:
     return BEGAN_NS + since * 1000
-
-
-def _run(told: Json) -> Run:
-    number, source, began, ended, status, output = told
-    run = Run(number, source, Path(HOME), _time(began))
-    run.status, run.ended_ns = status, None if ended is None else _time(ended)
-    run.keep(output)
-    return run
 
 
 def _message_of(kind: str, content: Json) -> Any:
@@ -556,8 +581,16 @@ def thinned(told: Json, messages: int, characters: int) -> Json:
     if "heard" in told:
         found["heard"] = {topic: _some(each, messages) for topic, each in told["heard"].items()}
     if "runs" in told:
-        found["runs"] = [[*run[:-1], run[-1][-characters:] if characters else ""] for run in told["runs"]]
+        found["runs"] = [[*run[:5], _end(run[5], characters), [_thinned(ran, characters) for ran in run[6]]] for run in told["runs"]]
     return found
+
+
+def _thinned(ran: Json, characters: int) -> Json:
+    return [*ran[:-2], *(_end(text, characters) for text in ran[-2:])]
+
+
+def _end(text: str, characters: int) -> str:
+    return text[-characters:] if characters else ""
 
 
 def _some(arrivals: Json, most: int) -> Json:

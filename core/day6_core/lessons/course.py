@@ -32,22 +32,31 @@ if TYPE_CHECKING:
     from day6_core.shell.desk import Desk
 
 
-async def new_course(desk: Desk, session: Session, pupil: str = "", folder: Path | None = None) -> Course:
-    """Read how far a pupil is in the lessons; `folder`: those of a teacher, instead of the six days."""
+async def new_course(
+    desk: Desk, session: Session, pupil: str = "", folder: Path | None = None, since_ns: int | None = None
+) -> Course:
+    """Read how far a pupil is in the lessons; `folder`: those of a teacher, instead of the six days.
+
+    `since_ns`: when the lessons were asked for (epoch nanoseconds). What is typed counts from then on in the one that is opened
+    first.
+    """
     kept = KeptProgress(desk.home, pupil)
     lessons = await in_thread(lambda: offer(folder))
     await kept.load()
-    return Course(desk, session, lessons, kept)
+    return Course(desk, session, lessons, kept, since_ns)
 
 
 class Course:
     """One pupil's way through the lessons."""
 
-    def __init__(self, desk: Desk, session: Session, offer: LessonOffer, kept: KeptProgress) -> None:
+    def __init__(
+        self, desk: Desk, session: Session, offer: LessonOffer, kept: KeptProgress, since_ns: int | None = None
+    ) -> None:
         self._desk = desk
         self._session = session
         self._requests: deque[Callable[[], object]] = deque()
         self._wanted = Signal()
+        self._since_ns = since_ns
         self.version = 0
         """Grows with every change of what is shown."""
         self.state = State()
@@ -153,7 +162,8 @@ class Course:
         index = next((at for at, each in enumerate(lesson.steps) if each.name == wanted), 0)
         if not step and index < len(lesson.steps) - 1 and progress.step(name, lesson.steps[index].name).solved:
             index += 1  # it was solved, and then the pupil stopped
-        opened = self.opened = OpenLesson(self._desk, self._session, lesson)
+        opened = self.opened = OpenLesson(self._desk, self._session, lesson, self._since_ns)
+        self._since_ns = None
         self._desk.searching = self.searching
         if lesson.is_drill:
             self._go_to(opened, 0)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from day6_core.session.display import Window
     from day6_core.session.session import Session
     from day6_core.shell.desk import Desk
-    from day6_core.shell.runs import Run
+    from day6_core.shell.runs import Ran, Run
     from day6_core.shell.terminal import Terminal
     from rclpy.node import Node
     from rclpy.subscription import MessageInfo, Subscription
@@ -72,10 +72,11 @@ class Heard:
 class Live:
     """The machine for the checks of one lesson. Used on the scheduler's thread.
 
-    Without a session it tells how things are, on any thread, and nothing of messages and parameters.
+    Without a session it tells how things are, on any thread, and nothing of messages and parameters. `since_ns`: since when what
+    is typed counts (epoch nanoseconds), if that is not from now on.
     """
 
-    def __init__(self, desk: Desk, session: Session | None, folder: Path) -> None:
+    def __init__(self, desk: Desk, session: Session | None, folder: Path, since_ns: int | None = None) -> None:
         self.desk = desk
         self._session = session
         self.folder = folder
@@ -92,7 +93,7 @@ class Live:
         """Topics whose last messages come to who listens later."""
         self._parameters: dict[tuple[str, str], tuple[int, Any]] = {}
         self._asked: dict[tuple[str, str], int] = {}
-        self.lesson_began_ns = self.step_began_ns = self.now_ns()
+        self.lesson_began_ns = self.step_began_ns = self.now_ns() if since_ns is None else since_ns
 
     @property
     def session(self) -> Session:
@@ -106,11 +107,11 @@ class Live:
         """Real time, which stamps and arrivals have."""
         return self.desk.clock.now_ns()
 
-    def begin_step(self) -> None:
-        """Forget what the checks remembered: a new step begins."""
+    def begin_step(self, since_ns: int | None = None) -> None:
+        """Forget what the checks remembered: a new step begins, now or at a moment before."""
         self._memories.clear()
         self.answer = ""
-        self.step_began_ns = self.now_ns()
+        self.step_began_ns = self.now_ns() if since_ns is None else since_ns
         for topic, heard in list(self._heard.items()):
             last = heard.arrivals(heard.count - 1) if topic in self._lasting else []
             self._heard[topic] = Heard()
@@ -256,15 +257,35 @@ class Live:
 
         `new`: only those of terminals whose very first line was run after it.
         """
+        every = [terminal.runs.all for terminal in self.desk.terminals] + [each.all for each in self.desk.closed_runs]
         found = [
             run
-            for terminal in self.desk.terminals
-            for all_runs in [terminal.runs.all]
+            for all_runs in every
             for run in all_runs
             if (run.ended_ns is None or run.ended_ns >= since_ns)
             and (not new or (all_runs[0].number == 1 and all_runs[0].began_ns >= since_ns))
         ]
         return sorted(found, key=lambda run: run.began_ns)
+
+    def commands(self, since_ns: int, *, new: bool = False) -> list[Ran]:
+        """The simple commands that were run in all terminals, or still ran, after a moment; the oldest first."""
+        found = [ran for run in self.runs(0) for ran in list(run.commands) if ran.ended_ns is None or ran.ended_ns >= since_ns]
+        if new:
+            theirs = {id(ran) for run in self.runs(since_ns, new=True) for ran in list(run.commands)}
+            found = [ran for ran in found if id(ran) in theirs]
+        return sorted(found, key=lambda ran: ran.began_ns)
+
+    def unfinished(self) -> list[Ran]:
+        """The simple commands that run now, in the foreground or the background."""
+        return [ran for ran in self.commands(self.now_ns()) if ran.ended_ns is None]
+
+    def places(self, since_ns: int) -> list[list[Path]]:
+        """For each terminal the folders in which its commands were run after a moment, and the one where it is now."""
+        return [
+            [ran.cwd for run in terminal.runs.all for ran in list(run.commands) if ran.began_ns >= since_ns]
+            + [terminal.shell.cwd]
+            for terminal in self.terminals
+        ]
 
     def running(self) -> list[str]:
         """The lines that run now, in the foreground or the background."""

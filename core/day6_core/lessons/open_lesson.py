@@ -25,13 +25,17 @@ LOOK_SECONDS = 0.25
 
 
 class OpenLesson:
-    """One lesson from its opening to its closing. Everything that takes time raises StageError where it does not work."""
+    """One lesson from its opening to its closing. Everything that takes time raises StageError where it does not work.
 
-    def __init__(self, desk: Desk, session: Session, lesson: Lesson) -> None:
+    `since_ns`: when it was asked for; what is typed counts from then on.
+    """
+
+    def __init__(self, desk: Desk, session: Session, lesson: Lesson, since_ns: int | None = None) -> None:
         self.lesson = lesson
         self.step = lesson.steps[0]
         """Where the pupil is."""
-        self.live = Live(desk, session, lesson.path.parent)
+        self.live = Live(desk, session, lesson.path.parent, since_ns)
+        self._since_ns = since_ns
         self.stage = Stage(self.live, session)
         self.file = FollowedFile(lesson.path)
         self.demonstration: Demonstration | None = None
@@ -65,7 +69,8 @@ class OpenLesson:
     def begin(self, step: Step) -> None:
         """Go to a step: what was done counts no longer."""
         self.step = step
-        self.live.begin_step()
+        self.live.begin_step(self._since_ns)
+        self._since_ns = None
         self.began = time.monotonic()
         self.shown = False
 

@@ -12,14 +12,17 @@ if TYPE_CHECKING:
     from day6_core.shell.desk import Desk
 
 
-def lessons_of(desk: Desk, pupil: str, folder: Path | None, first: str = "", demo: str = "") -> Main:
+def lessons_of(
+    desk: Desk, pupil: str, folder: Path | None, first: str = "", demo: str = "", since_ns: int | None = None
+) -> Main:
     """The main function of a program that opens the window.
 
-    `first` is a lesson that is opened at once; with `demo`, a language, it is played by itself from its beginning.
+    `first` is a lesson that is opened at once; with `demo`, a language, it is played by itself from its beginning. `since_ns`:
+    when it was asked for, as for `new_course`.
     """
 
     async def main(session: Session) -> int:
-        course = await new_course(desk, session, pupil, folder)
+        course = await new_course(desk, session, pupil, folder, since_ns)
         if first:
             course.open(first, "*" if demo else "")
         else:

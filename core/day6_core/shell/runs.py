@@ -81,7 +81,9 @@ class Ran:
 
     @property
     def screen(self) -> str:
-        """The end of what it printed to a terminal; not what commands printed that it ran itself."""
+        """The end of what it printed to a terminal, with what commands printed that it ran itself; a function, `eval`, `source`
+        print nothing: the shell runs their commands.
+        """
         return self._screen.text if self._screen is not None else ""
 
     @property
@@ -117,8 +119,6 @@ class Ran:
         return first, first if stderr is stdout else self._overheard(stderr)
 
     def _overheard(self, stream: OutputStream) -> OutputStream:
-        if isinstance(stream, Overheard):
-            stream = stream.target  # that is the record of what runs this one
         if type(stream) is OutputStream:
             return stream
         return Overheard(stream, self.keep if stream.isatty() else self.keep_elsewhere)
@@ -173,7 +173,7 @@ class Run:
     def forget_most(self) -> None:
         """Keep the very end of the output only, and of each command's a share of as much."""
         self._output.forget_most(LONGEST_OLD_OUTPUT)
-        share = LONGEST_OLD_OUTPUT * 2 // max(2, len(self.commands))
+        share = min(LONGEST_OLD_OUTPUT, LONGEST_OUTPUT // max(1, len(self.commands)))
         for ran in list(self.commands):
             ran.forget_most(share)
 

@@ -99,8 +99,11 @@ class Lessons(Feature):
         words = self._look.texts("lesson.done.key")
         return [Piece(f" {words} ", colours.choice, self.toggle), Piece("  ", colours.bar)]
 
-    def open(self, first: str = "", *, demo: bool = False) -> None:
-        """Open the window at a lesson, else at that of the last time; with `demo` it is played by itself."""
+    def open(self, first: str = "", *, demo: bool = False, from_start: bool = False) -> None:
+        """Open the window at a lesson, else at that of the last time; with `demo` it is played by itself.
+
+        What is typed counts from now on, with `from_start` since the desktop's first prompt.
+        """
         desk, self._named = self._machine.desk, bool(first)
         if desk is None:
             self._wanted = True  # a quick key: the desk comes right after the first frame
@@ -120,6 +123,7 @@ class Lessons(Feature):
                 self._folder,
                 first,
                 self._look.texts.language if demo else "",
+                desk.began_ns if from_start else desk.clock.now_ns(),
             ),
         )
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _log = logging.getLogger(__name__)
 
-MODULES = ("graph", "messages", "terminals", "files", "robot", "drawing", "judged", "hidden")
+MODULES = ("graph", "messages", "commands", "terminals", "files", "robot", "drawing", "judged", "hidden")
 COMBINERS = ("any", "all", "not")
 
 

@@ -1,21 +1,25 @@
-"""Checks of terminals and windows: what was run, what runs, what is open."""
+"""Checks of terminals and windows: what was run and runs, by patterns of lines; what is open."""
 
 from __future__ import annotations
 
 import os
 import re
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.lessons.actions import WINDOWS
 from day6_core.lessons.checks import Verdict, check
+from day6_core.lessons.checks.commands import Found, as_wanted, last_line, program_of, single_blanks, told
 from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import TEXTS, Say
 from day6_core.session.plain import plain
+from day6_core.shell.language import parser
+from day6_core.shell.language.words import SyntaxProblem
 
 if TYPE_CHECKING:
     from day6_core.lessons.live import Live
-    from day6_core.shell.runs import Run
+    from day6_core.shell.runs import Ran, Run
 
 
 def plain_output(run: Run) -> str:
@@ -23,49 +27,55 @@ def plain_output(run: Run) -> str:
     return plain(run.output)
 
 
-def single_blanks(line: str) -> str:
-    """A line as `ran` and `running` compare it."""
-    return " ".join(line.split())
-
-
 @check("ran", event=True, patterns=("line", "prints"), one_of={"since": ("lesson", "step")})
 def ran(
     live: Live, line: str, status: int | None = None, prints: str = "", since: str = "lesson", new: bool = False
 ) -> Verdict:
-    wanted = Say("ran" if line.startswith("^") else "ran.with", line=readable(line))
-    if status is not None:
-        wanted = Say("ran.status", inner=wanted) if status == 0 else Say("ran.status_is", inner=wanted, status=status)
-    if prints:
-        wanted = Say("ran.prints", inner=wanted, prints=readable(prints))
-    if new:
-        wanted = Say("ran.new", inner=wanted)
     began = live.step_began_ns if since == "step" else live.lesson_began_ns
-    runs = live.runs(began, new=new)
-    saw = Say("ran.saw_nothing_new" if new else "ran.saw_nothing")
-    if runs and runs[-1].began_ns >= began:  # what still runs from before is not the last command
-        saw = Say("ran.saw_last", line=single_blanks(runs[-1].source))
-    for run in reversed(runs):
-        if not re.search(line, single_blanks(run.source)):
+    commands = live.commands(began, new=new)
+    found = as_wanted([each for each in commands if is_like(line, each)], commands, status, prints)
+    if found.wrong is None and not found.ok:
+        found = _by_whole_line(live, line, began, status, prints, new=new)
+    wanted = told(Say("ran" if line.startswith("^") else "ran.with", line=readable(line)), status, prints, new=new)
+    return Verdict(found.ok, wanted, None if found.ok else found.wrong or last_line(live, began, new=new))
+
+
+def is_like(line: str, ran: Ran) -> bool:
+    """Whether a pattern matches a command as it was typed, or with its words expanded and its program's name alone."""
+    expanded = " ".join([program_of(ran), *ran.argv[1:]])
+    return not ran.is_function and any(re.search(line, single_blanks(each)) for each in (expanded, ran.source))
+
+
+_JOINS = re.compile(r"[|;&\n]")
+
+
+def _by_whole_line(live: Live, line: str, began_ns: int, status: int | None, prints: str, *, new: bool) -> Found:
+    """The same for patterns that match several commands with what joins them (`ros2 pkg list | grep turtle`)."""
+    found = Found(False)
+    for run in reversed(live.runs(began_ns, new=new)):
+        matched = re.search(line, single_blanks(_without_comments(run.source)))
+        if matched is None or not _JOINS.search(matched[0]) or not run.commands:
             continue
-        right_status = status is None or run.status == status
-        right_output = not prints or re.search(prints, plain_output(run)) is not None
-        if right_status and right_output:
-            return Verdict(True, wanted)
-        if run.status is None and not right_status:
-            saw = Say("ran.saw_running")
-        elif not right_status:
-            saw = Say("ran.saw_status", status=run.status)
-        else:
-            saw = Say("ran.saw_prints")
-        break
-    return Verdict(False, wanted, saw)
+        found = as_wanted(run.commands, run.commands, None, prints)
+        if found.ok and status not in (None, run.status):
+            found = Found(False, Say("ran.saw_running") if run.status is None else Say("ran.saw_status", status=run.status))
+        if found.ok:
+            break
+    return found
+
+
+@lru_cache(maxsize=256)
+def _without_comments(source: str) -> str:
+    try:
+        return "; ".join(item.source for item in parser.parse(source).items)
+    except SyntaxProblem:
+        return ""
 
 
 @check("running", patterns=("line",))
 def running(live: Live, line: str) -> Verdict:
-    lines = live.running()
-    ok = any(re.search(line, each) for each in lines)
-    return Verdict(ok, Say("running", line=readable(line)), None if ok else Say("running.saw", lines=tuple(lines)))
+    ok = any(is_like(line, each) for each in live.unfinished())
+    return Verdict(ok, Say("running", line=readable(line)), None if ok else Say("running.saw", lines=tuple(live.running())))
 
 
 @check("terminals")

@@ -197,7 +197,8 @@ class Shell(ShellState):
         session.defer(lambda: ran.end(session.status, now_ns()))
 
     def becomes(self, session: Session, before: list[str]) -> None:
-        self.note(session, is_function=session.argv[0] in self.functions and before[0] not in _NO_FUNCTIONS)
+        if session.argv:  # not for `A=1 | …`
+            self.note(session, is_function=session.argv[0] in self.functions and before[0] not in _NO_FUNCTIONS)
 
     def command(self, name: str) -> Main | None:
         """The built-in command of that name."""
