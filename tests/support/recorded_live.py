@@ -31,6 +31,7 @@ from day6_core.lessons.live import Arrival, Heard, Live
 from day6_core.lessons.texts import Say
 from day6_core.ros.programs.rviz2.model.status import StatusList
 from day6_core.ros.programs.turtlesim.model import PIXELS_PER_METRE
+from day6_core.shell.language.syntax import SimpleCommand
 from day6_core.shell.language.words import Word
 from day6_core.shell.runs import Ran, Run
 
@@ -484,7 +485,9 @@ class ToldLive(Live):
 
     def _ran(self, told: Json) -> Ran:
         argv, source, cwd, began, ended, status, is_function, screen, elsewhere = told
-        ran = Ran(argv, [Word((), source)], self._place(cwd), _time(began), is_function)
+        argv = [word.replace(HOME, str(self.home)) for word in argv]
+        command = SimpleCommand(words=[Word((), source)])
+        ran = Ran(argv, command, self._place(cwd), _time(began), is_function)
         ran.keep(screen)
         ran.keep_elsewhere(elsewhere)
         ran.status, ran.ended_ns = status, None if ended is None else _time(ended)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from day6_core.session.streams import OutputStream, Overheard
 
 if TYPE_CHECKING:
-    from day6_core.shell.language.words import Word
+    from day6_core.shell.language.syntax import SimpleCommand
 
 MOST_RUNS = 200
 LONGEST_OUTPUT = 32 * 1024
@@ -57,10 +57,10 @@ class Ran:
     That may be one of many in a line: in a pipe, a loop, a function, a script of bash, or behind `timeout`, `env`, `xargs`.
     """
 
-    __slots__ = ("_elsewhere", "_screen", "_words", "argv", "began_ns", "cwd", "ended_ns", "is_function", "status")
+    __slots__ = ("_command", "_elsewhere", "_screen", "argv", "began_ns", "cwd", "ended_ns", "is_function", "status")
 
     def __init__(
-        self, argv: Sequence[str], words: Sequence[Word], cwd: Path, began_ns: int, is_function: bool = False
+        self, argv: Sequence[str], command: SimpleCommand | None, cwd: Path, began_ns: int, is_function: bool = False
     ) -> None:
         self.argv = argv
         """Its words after all expansions."""
@@ -70,14 +70,14 @@ class Ran:
         self.status: int | None = None
         self.is_function = is_function
         """Whether it called a function; what that ran has records of its own."""
-        self._words = words
+        self._command = command
         self._screen: Kept | None = None
         self._elsewhere: Kept | None = None
 
     @property
     def source(self) -> str:
-        """Its words before any expansion."""
-        return " ".join(word.source for word in self._words)
+        """As it was typed, before any expansion."""
+        return self._command.source if self._command is not None else ""
 
     @property
     def screen(self) -> str:

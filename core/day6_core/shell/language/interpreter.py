@@ -7,7 +7,7 @@ background work on a copy.
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
@@ -33,7 +33,7 @@ from day6_core.shell.language.simple import Prepared, prepare
 from day6_core.shell.language.specials import add_specials, copy_specials
 from day6_core.shell.language.subshells import subshell_main, write_error
 from day6_core.shell.language.traps import run_trap, trapped
-from day6_core.shell.language.words import SyntaxProblem, Word
+from day6_core.shell.language.words import SyntaxProblem
 from day6_core.shell.runs import Ran
 
 if TYPE_CHECKING:
@@ -73,8 +73,8 @@ class Shell(ShellState):
         """What the script of `day6-tui exec` has printed, if something in it will ask `why`; a terminal has its own."""
         self.typed: Run | None = None
         """The line typed in a terminal whose commands it runs: they are kept there."""
-        self.words: Sequence[Word] = ()
-        """Those of the simple command that it runs, before any expansion."""
+        self.command_now: syntax.SimpleCommand | None = None
+        """The last one that it has begun to run."""
         self.wanted: WeakKeyDictionary[Session, Exception] = WeakKeyDictionary()
         """What built-ins request after they have returned: to exit, to break out of a loop …"""
         self.streams_of: WeakKeyDictionary[Session, Streams] = WeakKeyDictionary()
@@ -191,7 +191,7 @@ class Shell(ShellState):
         if self.typed is None:
             return
         now_ns = self.desk.clock.now_ns
-        ran = Ran(session.argv, self.words, session.cwd, now_ns(), is_function)
+        ran = Ran(session.argv, self.command_now, session.cwd, now_ns(), is_function)
         self.typed.note(ran)
         session.stdout, session.stderr = ran.overhear(session.stdout, session.stderr)
         session.defer(lambda: ran.end(session.status, now_ns()))

@@ -52,7 +52,7 @@ async def prepare(shell: Shell, command: syntax.SimpleCommand, streams: Streams)
 
     shell.substitution_status = 0
     argv = await expand_command(command.words, shell, streams)
-    shell.words = command.words
+    shell.command_now = command
     if argv and argv[0] not in shell.functions:
         check_words(argv[0], list(argv[1:]))
     opened = ExitStack()

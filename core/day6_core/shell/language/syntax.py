@@ -38,6 +38,12 @@ class SimpleCommand:
     words: list[Word] = field(default_factory=list)
     redirections: list[Redirection] = field(default_factory=list)
 
+    @property
+    def source(self) -> str:
+        """Its words and redirections as they were typed; of documents only the first line."""
+        redirected = (f"{'' if each.fd is None else each.fd}{each.operator} {each.target.source}" for each in self.redirections)
+        return " ".join((*(word.source for word in self.words), *redirected))
+
 
 @dataclass
 class Group:
