@@ -66,20 +66,31 @@ def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
     return found
 
 
-@pytest.mark.parametrize("where", WAYS)
-def test_what_was_done_counts_and_what_only_looks_so_does_not(where: str, tmp_path: Path) -> None:
+def found_of(where: str, home: Path) -> list[tuple[bool, bool]]:
+    """For each way of a step whether it is right, and whether it counts."""
+    found = played(where, home)
+    return [(way in WAYS[where]["right"], counts) for way, counts in found.items()]
+
+
+def played(where: str, home: Path) -> dict[str, bool]:
+    """Each way of a step, and whether it counts."""
     ways: dict[str, Any] = WAYS[where]
     checks = about_commands(step_of(where))
     assert checks
-    machine = Machine(tmp_path / "home")
+    machine = Machine(home)
     try:
         if "before" in ways:
             behind = Seat(machine.desk)
             for line in ways["before"].strip().split("\n"):
                 behind.line(line, 1.0)
-        found = {way: is_counted(machine, checks, way) for way in (*ways["right"], *ways["cheats"])}
+        return {way: is_counted(machine, checks, way) for way in (*ways["right"], *ways["cheats"])}
     finally:
         machine.desk.close()
+
+
+@pytest.mark.parametrize("where", WAYS)
+def test_what_was_done_counts_and_what_only_looks_so_does_not(where: str, tmp_path: Path) -> None:
+    ways, found = WAYS[where], played(where, tmp_path / "home")
     assert [way for way in ways["right"] if not found[way]] == [], "right, and refused"
     assert [way for way in ways["cheats"] if found[way]] == [], "a cheat, and counted"
 

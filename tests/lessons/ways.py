@@ -1,0 +1,195 @@
+"""Ways through every step of the shipped lessons, right ones and cheats: what was recorded of it, told otherwise.
+
+`python -m tests.lessons.ways` prints how many ways of each kind count and are refused, for every step and drill, with those of
+`typed_ways.yaml` (typed in the real shell), of `other_ways.yaml` (played with processes: `--played`) and the wrong answers of the
+lesson files.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping
+from copy import deepcopy
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from day6_core.lessons.document import Step
+from day6_core.lessons.reading import read_lesson
+from day6_core.shell.commands import place_of
+from tests.lessons.histories import SHIPPED, judged, read_histories
+from tests.support.recorded_live import HOME, Json
+
+ABOUT_COMMANDS = frozenset({"command", "runs", "visited"})
+ABOUT_ANSWERS = frozenset({"answer"})
+
+Change = Callable[[Json], list[Json]]
+"""What is made of one command of a recorded line, the way `RecordingLive` wrote it down."""
+
+
+class Told(NamedTuple):
+    """One way, and whether it solves the step."""
+
+    name: str
+    is_right: bool
+    is_solved: bool
+
+    @property
+    def is_as_it_should(self) -> bool:
+        return self.is_right == self.is_solved
+
+
+# -- the ways --------------------------------------------------------------------------------------------------------------
+
+
+def _by_path(ran: Json) -> list[Json]:
+    argv = ran[0]
+    return [[[place_of(argv[0]) or argv[0], *argv[1:]], *ran[1:]]]
+
+
+def _through_a_pipe(ran: Json) -> list[Json]:
+    argv, source, cwd, began, ended, status, is_function, screen, elsewhere = ran
+    cat = [["cat"], "cat", cwd, began, ended, status, False, screen, ""]
+    return [[argv, source, cwd, began, ended, status, is_function, "", elsewhere + screen], cat]
+
+
+def _in_a_script(ran: Json) -> list[Json]:
+    return [[["bash", "by_hand.sh"], "bash by_hand.sh", *ran[2:]], ran]
+
+
+def _echoed(ran: Json) -> list[Json]:
+    said = " ".join([*ran[0], ran[7], ran[8]])
+    return [[["echo", said], f"echo '{said}'", HOME, ran[3], ran[3], 0, False, said, ""]]
+
+
+def _in_a_comment(ran: Json) -> list[Json]:
+    name = "sleep" if ran[4] is None else "true"
+    return [[[name, "1000"], f"{name} 1000", HOME, *ran[3:6], False, "", ""]]
+
+
+def _by_a_function(ran: Json) -> list[Json]:
+    return [[*ran[:2], HOME, *ran[3:6], True, "", ""], *_echoed(ran)]
+
+
+def _for_help(ran: Json) -> list[Json]:
+    return [[[*ran[0], "--help"], f"{ran[1]} --help", HOME, *ran[3:]]]
+
+
+def _thrown_away(ran: Json) -> list[Json]:
+    return [[*ran[:2], HOME, *ran[3:7], "", ""]]
+
+
+RIGHT: Mapping[str, Change] = {
+    "by its whole path": _by_path,
+    "through a pipe": _through_a_pipe,
+    "in a script": _in_a_script,
+}
+CHEATS: Mapping[str, Change] = {
+    "echoed, with what it prints": _echoed,
+    "in a comment": _in_a_comment,
+    "a function of that name": _by_a_function,
+    "with --help": _for_help,
+}
+
+
+def changed(moment: Json, change: Change) -> Json:
+    """The moment with every command of every line told otherwise."""
+    told = deepcopy(moment)
+    for terminal in told.get("terminals", ()):
+        for run in terminal["runs"]:
+            if len(run) > 6:
+                run[6] = [each for ran in run[6] for each in change(ran)]
+        if change not in RIGHT.values():
+            terminal["cwd"] = HOME
+    return told
+
+
+def ways_of(step: Step, moments: list[Json], folder: Path) -> list[Told]:
+    """All ways for a step of which this was recorded."""
+    began = max(at for at, moment in enumerate(moments) if "began" in moment)
+    last, first = moments[began:], moments[0]
+    names = {each.name for check in step.checks for each in check.every() if not each.parts}
+    found = []
+
+    def tell(name: str, told: list[Json], *, right: bool) -> None:
+        solved = all(verdict[0] for verdict in judged(step, told, folder)[-1])
+        found.append(Told(name, right, solved))
+
+    for name, change in RIGHT.items():
+        tell(name, [changed(moment, change) for moment in last], right=True)
+    if not names & ABOUT_COMMANDS:
+        tell("without any command", [changed(moment, lambda ran: []) for moment in last], right=True)
+    if names & ABOUT_COMMANDS:
+        for name, change in CHEATS.items():
+            tell(name, [changed(moment, change) for moment in last], right=False)
+    if _begins_without(step, first):
+        end = last[-1]
+        kept = {key: end[key] for key in ("at", "answer", "terminals") if key in end}
+        as_before = {**first, **kept, "began": last[0]["began"]}
+        for name, change in {"typed, and nothing came of it": lambda ran: [ran], **CHEATS}.items():
+            tell(f"nothing came of it: {name}", [changed(as_before, change)], right=False)
+    if "answer" in last[-1]:
+        for letter in "abcd".replace(last[-1]["answer"], ""):
+            told = [{**moment, "answer": letter} if "answer" in moment else moment for moment in last]
+            tell(f"answered {letter}", told, right=False)
+    return found
+
+
+def _begins_without(step: Step, first: Json) -> bool:
+    """Whether some state that the step wants is not there before it."""
+    return any(
+        not verdict[0]
+        for check, verdict in zip(step.checks, first["verdicts"], strict=True)
+        if not {each.name for each in check.every() if not each.parts} & (ABOUT_COMMANDS | ABOUT_ANSWERS)
+    )
+
+
+def every_way() -> dict[str, list[Told]]:
+    """The ways of every step that ships, by `file/step`."""
+    steps = {(path.name, step.name): (step, path.parent) for path in SHIPPED for step in read_lesson(path).steps}
+    found = {}
+    for history in read_histories():
+        for told in history["steps"]:
+            step, folder = steps[history["file"], told["step"]]
+            found[f"{history['file'].removesuffix('.md')}/{step.name}"] = ways_of(step, told["moments"], folder)
+    return found
+
+
+# -- the table -------------------------------------------------------------------------------------------------------------
+
+
+def main() -> int:
+    import tempfile
+
+    import pytest
+    import yaml
+
+    from tests.lessons import test_typed_ways as typed
+
+    others = yaml.safe_load(Path(__file__).with_name("other_ways.yaml").read_text(encoding="utf-8"))
+    wrong = {f"{path.stem}/{step.name}": len(step.wrong) for path in SHIPPED for step in read_lesson(path).steps}
+    totals = [0, 0, 0, 0]
+    for where, ways in every_way().items():
+        file, _, name = where.partition("/")
+        told = [(each.is_right, each.is_as_it_should) for each in ways]
+        keys = [where, file[:2] if file[0].isdigit() else where]
+        key = next((each for each in typed.WAYS if each == where or each == f"{file[:2]}/{name}"), None)
+        if key is not None:
+            with tempfile.TemporaryDirectory(prefix="d6-") as home:
+                counted = typed.found_of(key, Path(home))
+            told += [(right, solved == right) for right, solved in counted]
+        told += [(False, True)] * wrong[where]  # played, and replayed, by tests of their own
+        told += [("good" in way, True) for each in dict.fromkeys(keys) for way in others.get(each, ())]
+        numbers = [
+            sum(1 for right, fine in told if right and fine), sum(1 for right, _ in told if right),
+            sum(1 for right, fine in told if not right and fine), sum(1 for right, _ in told if not right),
+        ]  # fmt: skip
+        totals = [total + number for total, number in zip(totals, numbers, strict=True)]
+        print(f"{where:40} counted {numbers[0]:2}/{numbers[1]:2}   refused {numbers[2]:2}/{numbers[3]:2}", flush=True)
+    print(f"{len(wrong)} steps and drills: counted {totals[0]}/{totals[1]}, refused {totals[2]}/{totals[3]}")
+    if "--played" in sys.argv:
+        return int(pytest.main(["-q", "-m", "", str(Path(__file__).with_name("test_other_ways.py"))]))
+    return int(totals[0] != totals[1] or totals[2] != totals[3])
+
+
+if __name__ == "__main__":
+    sys.exit(main())
