@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping
-from copy import deepcopy
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from day6_core.lessons.checks import Condition
 from day6_core.lessons.document import Step
 from day6_core.lessons.reading import read_lesson
 from day6_core.shell.commands import place_of
@@ -20,7 +21,8 @@ from tests.lessons.histories import SHIPPED, judged, read_histories
 from tests.support.recorded_live import HOME, Json
 
 ABOUT_COMMANDS = frozenset({"command", "runs", "visited"})
-ABOUT_ANSWERS = frozenset({"answer"})
+NO_STATE = ABOUT_COMMANDS | {"answer", "terminals"}
+"""Checks of what the recorded terminals and answers tell."""
 
 Change = Callable[[Json], list[Json]]
 """What is made of one command of a recorded line, the way `RecordingLive` wrote it down."""
@@ -93,38 +95,43 @@ CHEATS: Mapping[str, Change] = {
 
 def changed(moment: Json, change: Change) -> Json:
     """The moment with every command of every line told otherwise."""
-    told = deepcopy(moment)
-    for terminal in told.get("terminals", ()):
-        for run in terminal["runs"]:
-            if len(run) > 6:
-                run[6] = [each for ran in run[6] for each in change(ran)]
-        if change not in RIGHT.values():
-            terminal["cwd"] = HOME
-    return told
+    if "terminals" not in moment:
+        return moment
+    terminals = [
+        {
+            **terminal,
+            "cwd": terminal.get("cwd", HOME) if change in RIGHT.values() else HOME,
+            "runs": [[*run[:6], [each for ran in run[6] for each in change(ran)]] for run in terminal["runs"] if run[6:]],
+        }
+        for terminal in moment["terminals"]
+    ]
+    return {**moment, "terminals": terminals}
 
 
 def ways_of(step: Step, moments: list[Json], folder: Path) -> list[Told]:
     """All ways for a step of which this was recorded."""
     began = max(at for at, moment in enumerate(moments) if "began" in moment)
     last, first = moments[began:], moments[0]
-    names = {each.name for check in step.checks for each in check.every() if not each.parts}
+    names = {name for check in step.checks for name in _names(check)}
     found = []
 
-    def tell(name: str, told: list[Json], *, right: bool) -> None:
-        solved = all(verdict[0] for verdict in judged(step, told, folder)[-1])
+    def tell(name: str, told: list[Json], *, right: bool, asked: Step = step) -> None:
+        solved = all(verdict[0] for verdict in judged(asked, told, folder)[-1])
         found.append(Told(name, right, solved))
 
-    for name, change in RIGHT.items():
-        tell(name, [changed(moment, change) for moment in last], right=True)
-    if not names & ABOUT_COMMANDS:
-        tell("without any command", [changed(moment, lambda ran: []) for moment in last], right=True)
-    if names & ABOUT_COMMANDS:
-        for name, change in CHEATS.items():
-            tell(name, [changed(moment, change) for moment in last], right=False)
+    if names & ABOUT_COMMANDS:  # the other checks hold in all of these: they don't look at commands
+        asked = replace(step, checks=tuple(check for check in step.checks if _names(check) & ABOUT_COMMANDS))
+        short = [{key: moment[key] for key in moment.keys() - {"heard", "files"}} for moment in last]
+        for name, change in (*RIGHT.items(), *CHEATS.items()):
+            tell(name, [changed(moment, change) for moment in short], right=name in RIGHT, asked=asked)
+    else:
+        for name, change in {**RIGHT, "without any command": lambda ran: []}.items():
+            tell(name, [changed(moment, change) for moment in last], right=True)
     if _begins_without(step, first):
         end = last[-1]
         kept = {key: end[key] for key in ("at", "answer", "terminals") if key in end}
         as_before = {**first, **kept, "began": last[0]["began"]}
+        as_before["terminals"] = [{**each, "variables": {}} for each in kept.get("terminals", ())]
         for name, change in {"typed, and nothing came of it": lambda ran: [ran], **CHEATS}.items():
             tell(f"nothing came of it: {name}", [changed(as_before, change)], right=False)
     if "answer" in last[-1]:
@@ -134,12 +141,16 @@ def ways_of(step: Step, moments: list[Json], folder: Path) -> list[Told]:
     return found
 
 
+def _names(check: Condition) -> set[str]:
+    return {each.name for each in check.every() if not each.parts}
+
+
 def _begins_without(step: Step, first: Json) -> bool:
     """Whether some state that the step wants is not there before it."""
     return any(
         not verdict[0]
         for check, verdict in zip(step.checks, first["verdicts"], strict=True)
-        if not {each.name for each in check.every() if not each.parts} & (ABOUT_COMMANDS | ABOUT_ANSWERS)
+        if not _names(check) & NO_STATE
     )
 
 

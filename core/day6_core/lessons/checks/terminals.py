@@ -33,19 +33,24 @@ def ran(
 ) -> Verdict:
     began = live.step_began_ns if since == "step" else live.lesson_began_ns
     commands = live.commands(began, new=new)
-    found = as_wanted([each for each in commands if is_like(line, each)], commands, status, prints)
+    found = as_wanted([each for each in commands if is_like(line, each, prints)], commands, status, prints)
     if found.wrong is None and not found.ok:
         found = _by_whole_line(live, line, began, status, prints, new=new)
     wanted = told(Say("ran" if line.startswith("^") else "ran.with", line=readable(line)), status, prints, new=new)
     return Verdict(found.ok, wanted, None if found.ok else found.wrong or last_line(live, began, new=new))
 
 
-def is_like(line: str, ran: Ran) -> bool:
-    """Whether a pattern matches a command as it was typed, or with its words expanded and its program's name alone."""
+def is_like(line: str, ran: Ran, prints: str = "") -> bool:
+    """Whether a pattern matches a command as it was typed, or with its words expanded and its program's name alone.
+
+    What `echo` is given to say is no command, unless the lesson wants to see it printed.
+    """
     expanded = " ".join([program_of(ran), *ran.argv[1:]])
-    return not ran.is_function and any(re.search(line, single_blanks(each)) for each in (expanded, ran.source))
+    find = re.match if not prints and program_of(ran) in _SAY_ANYTHING else re.search
+    return not ran.is_function and any(find(line, single_blanks(each)) for each in (expanded, ran.source))
 
 
+_SAY_ANYTHING = ("echo", "printf", "true", ":")
 _JOINS = re.compile(r"[|;&\n]")
 
 
