@@ -81,11 +81,11 @@ class Classroom:
         self.desk = Desk(home, domain_id=0, join_link=False)
         self.course: Course = self.begin()
 
-    def begin(self, pupil: str = "anna") -> Course:
+    def begin(self, pupil: str = "anna", since_ns: int | None = None) -> Course:
         made: list[Course] = []
 
         async def main(session: Session) -> int:
-            made.append(await new_course(self.desk, session, pupil, self.folder))
+            made.append(await new_course(self.desk, session, pupil, self.folder, since_ns))
             await made[0].run()
             return 0
 
@@ -156,6 +156,34 @@ def test_what_was_done_before_it_was_asked_is_recognised(room: Classroom) -> Non
     room.ask(room.course.next)
     room.wait(lambda: room.at() == "list" and room.solved())
     assert room.course.state.before_asked
+
+
+@pytest.mark.parametrize("once", ["lesson", "step"])
+def test_what_was_typed_since_the_lesson_was_asked_for_counts_and_nothing_before(room: Classroom, once: str) -> None:
+    room.program.kill()
+    check = f"check:\n  - command: {{words: ls, since: {once}}}\nsolve:\n  - type: ls\n"
+    write_lesson(room.folder / "small.md", {"typed": check, "again": check})
+    terminal = room.desk.open_terminal()
+    room.wait(lambda: terminal.idle)
+
+    def type_line() -> int:
+        terminal.run_line("clear; ls")
+        count = terminal.runs.count + 1
+        room.wait(lambda: terminal.runs.count == count and terminal.idle)
+        return room.desk.clock.now_ns()
+
+    yesterday = type_line() + 1
+    room.course = room.begin(since_ns=yesterday)
+    room.open()
+    assert not room.solved()
+    room.program.kill()
+    type_line()
+    room.course = room.begin(since_ns=yesterday)
+    room.open()
+    assert room.solved() and room.course.state.before_asked
+    room.ask(room.course.next)
+    room.wait(lambda: room.at() == "again")
+    assert room.solved() == (once == "lesson")
 
 
 def test_hints_are_counted_until_the_step_is_solved(room: Classroom) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any
 import pytest
 from rich.segment import Segment
 
-from day6_core.lessons.catalogue import days, drills
+from day6_core.lessons.catalogue import LessonOffer, days, drills, offer
 from day6_core.lessons.state import State
 from day6_tui.app import make_look
 from day6_tui.options import Options
@@ -118,6 +119,26 @@ async def lesson(home: Path, name: str) -> AsyncIterator[tuple[Any, Any]]:
         await until(app, pilot, lambda: app.lessons.pane is not None and app.lessons.pane.course.state.step is not None)
         await until(app, pilot, _shows(app, "student@day6:~$"))
         yield app, pilot
+
+
+@pytest.mark.process
+async def test_what_is_typed_before_the_lesson_has_come_up_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked, may_come = threading.Event(), threading.Event()
+
+    def late(folder: Path | None) -> LessonOffer:
+        asked.set()
+        assert may_come.wait(60)
+        return offer(folder)
+
+    monkeypatch.setattr("day6_core.lessons.course.offer", late)
+    async with opened(tmp_path, 80, 24, lesson="day1") as (app, pilot):
+        await until(app, pilot, _shows(app, "student@day6:~$"))
+        _type(app, "clear; ls\r")
+        runs = app.terminals.current.view.terminal.runs
+        await until(app, pilot, lambda: asked.is_set() and runs.all and runs.all[-1].status == 0)
+        assert app.lessons.pane is None
+        may_come.set()
+        await until(app, pilot, lambda: app.lessons.pane is not None and app.lessons.pane.course.state.solved)
 
 
 @pytest.mark.process
