@@ -302,7 +302,7 @@ class Day6App(TerminalApp):
         if self.options.scene is not None:
             self.scenes.start(self.options.scene)
         elif self.options.lessons is not None or self.options.lesson is not None:
-            self.lessons.open(self.options.lesson or "", demo=self.options.demo, from_start=True)
+            self.lessons.open(self.options.lesson or "", demo=self.options.demo)
         for pane in self.terminals.panes:
             pane.take_early_keys()
         self.lessons.look_back()

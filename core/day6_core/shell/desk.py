@@ -121,8 +121,6 @@ class Desk:
         self._domain_text = os.environ.get("ROS_DOMAIN_ID", "0") if domain_id is None else str(domain_id)
         self._link_opened = False
         self.clock = WorldClock() if clock is None else clock
-        self.began_ns = self.clock.now_ns()
-        """When it was made (epoch nanoseconds): nothing was typed before."""
         self.graphs: dict[int, Graph] = {}
         """By domain; more than one once a terminal exports another ROS_DOMAIN_ID."""
         self.graph = self.graph_of(self.domain_id)

@@ -99,10 +99,10 @@ class Lessons(Feature):
         words = self._look.texts("lesson.done.key")
         return [Piece(f" {words} ", colours.choice, self.toggle), Piece("  ", colours.bar)]
 
-    def open(self, first: str = "", *, demo: bool = False, from_start: bool = False) -> None:
+    def open(self, first: str = "", *, demo: bool = False) -> None:
         """Open the window at a lesson, else at that of the last time; with `demo` it is played by itself.
 
-        What is typed counts from now on, with `from_start` since the desktop's first prompt.
+        What is typed counts from now on, also before the window is there.
         """
         desk, self._named = self._machine.desk, bool(first)
         if desk is None:
@@ -123,7 +123,7 @@ class Lessons(Feature):
                 self._folder,
                 first,
                 self._look.texts.language if demo else "",
-                desk.began_ns if from_start else desk.clock.now_ns(),
+                desk.clock.now_ns(),
             ),
         )
 
