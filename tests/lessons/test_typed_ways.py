@@ -34,9 +34,7 @@ def step_of(where: str) -> Step:
 
 def about_commands(step: Step) -> list[Condition]:
     """The checks of a step that are about commands that were run, and about nothing else."""
-    return [
-        check for check in step.checks if {each.name for each in check.every() if not each.parts} <= ABOUT_COMMANDS
-    ]
+    return [check for check in step.checks if {each.name for each in check.every() if not each.parts} <= ABOUT_COMMANDS]
 
 
 def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
@@ -46,7 +44,8 @@ def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
     seat = Seat(machine.desk)
 
     def solved() -> bool:
-        return all([check.judge(live).ok for check in checks])
+        verdicts = [check.judge(live) for check in checks]  # each is asked every time: what it has seen stays seen
+        return all(verdict.ok for verdict in verdicts)
 
     found = False
     for line in lines.rstrip("\n").split("\n"):
@@ -58,18 +57,12 @@ def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
             seat.settle(0.25)
         if not seat.terminal.idle:
             seat.type("\x03", 0.5)
-            if not seat.terminal.idle:
+            if seat.terminal.reading_keys:
                 seat.type("q")
             until(lambda: seat.settle(0.25) or seat.terminal.idle, every=0.0, told=seat.look)
     found = solved() or found
     seat.terminal.close()
     return found
-
-
-def found_of(where: str, home: Path) -> list[tuple[bool, bool]]:
-    """For each way of a step whether it is right, and whether it counts."""
-    found = played(where, home)
-    return [(way in WAYS[where]["right"], counts) for way, counts in found.items()]
 
 
 def played(where: str, home: Path) -> dict[str, bool]:

@@ -1,18 +1,21 @@
 """Ways through every step of the shipped lessons, right ones and cheats: what was recorded of it, told otherwise.
 
-`python -m tests.lessons.ways` prints how many ways of each kind count and are refused, for every step and drill, with those of
-`typed_ways.yaml` (typed in the real shell), of `other_ways.yaml` (played with processes: `--played`) and the wrong answers of the
-lesson files.
+`python -m tests.lessons.ways` prints how many right ways count and how many cheats are refused, for every step and drill, with
+those of `typed_ways.yaml`, typed in the real shell. `--played` then plays those of `other_ways.yaml`, with processes.
 """
 
 from __future__ import annotations
 
 import sys
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from tests import conftest as surroundings
+
+# isort: split
 from day6_core.lessons.checks import Condition
 from day6_core.lessons.document import Step
 from day6_core.lessons.reading import read_lesson
@@ -101,7 +104,9 @@ def changed(moment: Json, change: Change) -> Json:
         {
             **terminal,
             "cwd": terminal.get("cwd", HOME) if change in RIGHT.values() else HOME,
-            "runs": [[*run[:6], [each for ran in run[6] for each in change(ran)]] for run in terminal["runs"] if run[6:]],
+            "runs": [
+                [*run[:6], [each for ran in run[6] for each in change(ran)]] for run in terminal["runs"] if run[6:]
+            ],
         }
         for terminal in moment["terminals"]
     ]
@@ -134,6 +139,10 @@ def ways_of(step: Step, moments: list[Json], folder: Path) -> list[Told]:
         as_before["terminals"] = [{**each, "variables": {}} for each in kept.get("terminals", ())]
         for name, change in {"typed, and nothing came of it": lambda ran: [ran], **CHEATS}.items():
             tell(f"nothing came of it: {name}", [changed(as_before, change)], right=False)
+    verdicts = judged(step, moments, folder)
+    for number in range(1, len(step.wrong) + 1):
+        ends = [each for moment, each in zip(moments, verdicts, strict=True) if moment["part"] == f"wrong {number}"]
+        found.append(Told(f"the file's wrong answer {number}", False, all(verdict[0] for verdict in ends[-1])))
     if "answer" in last[-1]:
         for letter in "abcd".replace(last[-1]["answer"], ""):
             told = [{**moment, "answer": letter} if "answer" in moment else moment for moment in last]
@@ -172,34 +181,30 @@ def main() -> int:
     import tempfile
 
     import pytest
-    import yaml
 
     from tests.lessons import test_typed_ways as typed
 
-    others = yaml.safe_load(Path(__file__).with_name("other_ways.yaml").read_text(encoding="utf-8"))
-    wrong = {f"{path.stem}/{step.name}": len(step.wrong) for path in SHIPPED for step in read_lesson(path).steps}
-    totals = [0, 0, 0, 0]
-    for where, ways in every_way().items():
+    surroundings.set_environment(surroundings.environment())
+    total, found = Counter[tuple[bool, bool]](), every_way()
+    for where, ways in found.items():
         file, _, name = where.partition("/")
-        told = [(each.is_right, each.is_as_it_should) for each in ways]
-        keys = [where, file[:2] if file[0].isdigit() else where]
-        key = next((each for each in typed.WAYS if each == where or each == f"{file[:2]}/{name}"), None)
+        key = next((each for each in typed.WAYS if each in (where, f"{file[:2]}/{name}")), None)
         if key is not None:
             with tempfile.TemporaryDirectory(prefix="d6-") as home:
-                counted = typed.found_of(key, Path(home))
-            told += [(right, solved == right) for right, solved in counted]
-        told += [(False, True)] * wrong[where]  # played, and replayed, by tests of their own
-        told += [("good" in way, True) for each in dict.fromkeys(keys) for way in others.get(each, ())]
-        numbers = [
-            sum(1 for right, fine in told if right and fine), sum(1 for right, _ in told if right),
-            sum(1 for right, fine in told if not right and fine), sum(1 for right, _ in told if not right),
-        ]  # fmt: skip
-        totals = [total + number for total, number in zip(totals, numbers, strict=True)]
-        print(f"{where:40} counted {numbers[0]:2}/{numbers[1]:2}   refused {numbers[2]:2}/{numbers[3]:2}", flush=True)
-    print(f"{len(wrong)} steps and drills: counted {totals[0]}/{totals[1]}, refused {totals[2]}/{totals[3]}")
+                counted = typed.played(key, Path(home))
+            ways += [Told(way, way in typed.WAYS[key]["right"], counts) for way, counts in counted.items()]
+        count = Counter((each.is_right, each.is_as_it_should) for each in ways)
+        total += count
+        print(f"{where:40} {_row(count)}", *(f"\n    {each}" for each in ways if not each.is_as_it_should), flush=True)
+    print(f"{f'{len(found)} steps and drills':40} {_row(total)}")
     if "--played" in sys.argv:
         return int(pytest.main(["-q", "-m", "", str(Path(__file__).with_name("test_other_ways.py"))]))
-    return int(totals[0] != totals[1] or totals[2] != totals[3])
+    return int(any(not fine for _, fine in total))
+
+
+def _row(count: Counter[tuple[bool, bool]]) -> str:
+    fine = {right: f"{count[right, True]:4} of {count[right, True] + count[right, False]:4}" for right in (True, False)}
+    return f"counted {fine[True]}   refused {fine[False]}"
 
 
 if __name__ == "__main__":

@@ -261,7 +261,16 @@ class RecordingLive(Live):
 
     def _ran(self, ran: Ran) -> Json:
         times = self._since(ran.began_ns), self._since(ran.ended_ns)
-        return [list(ran.argv), ran.source, str(ran.cwd), *times, ran.status, ran.is_function, ran.screen, ran.elsewhere]
+        return [
+            list(ran.argv),
+            ran.source,
+            str(ran.cwd),
+            *times,
+            ran.status,
+            ran.is_function,
+            ran.screen,
+            ran.elsewhere,
+        ]
 
 
 class _RecordedProgram:
@@ -479,7 +488,9 @@ class ToldLive(Live):
         run = Run(number, source, self.home, _time(began))
         run.status, run.ended_ns = status, None if ended is None else _time(ended)
         run.keep(output)
-        for each in commands[0] if commands else [[shlex.split(source), source, HOME, began, ended, status, False, output, ""]]:
+        for each in (
+            commands[0] if commands else [[shlex.split(source), source, HOME, began, ended, status, False, output, ""]]
+        ):
             run.note(self._ran(each))
         return run
 
@@ -584,7 +595,9 @@ def thinned(told: Json, messages: int, characters: int) -> Json:
     if "heard" in told:
         found["heard"] = {topic: _some(each, messages) for topic, each in told["heard"].items()}
     if "runs" in told:
-        found["runs"] = [[*run[:5], _end(run[5], characters), [_thinned(ran, characters) for ran in run[6]]] for run in told["runs"]]
+        found["runs"] = [
+            [*run[:5], _end(run[5], characters), [_thinned(ran, characters) for ran in run[6]]] for run in told["runs"]
+        ]
     return found
 
 

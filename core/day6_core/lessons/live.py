@@ -269,7 +269,12 @@ class Live:
 
     def commands(self, since_ns: int, *, new: bool = False) -> list[Ran]:
         """The simple commands that were run in all terminals, or still ran, after a moment; the oldest first."""
-        found = [ran for run in self.runs(0) for ran in list(run.commands) if ran.ended_ns is None or ran.ended_ns >= since_ns]
+        found = [
+            ran
+            for run in self.runs(0)
+            for ran in list(run.commands)
+            if ran.ended_ns is None or ran.ended_ns >= since_ns
+        ]
         if new:
             theirs = {id(ran) for run in self.runs(since_ns, new=True) for ran in list(run.commands)}
             found = [ran for ran in found if id(ran) in theirs]

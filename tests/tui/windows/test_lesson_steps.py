@@ -122,7 +122,9 @@ async def lesson(home: Path, name: str) -> AsyncIterator[tuple[Any, Any]]:
 
 
 @pytest.mark.process
-async def test_what_is_typed_before_the_lesson_has_come_up_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_what_is_typed_before_the_lesson_has_come_up_counts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     asked, may_come = threading.Event(), threading.Event()
 
     def late(folder: Path | None) -> LessonOffer:

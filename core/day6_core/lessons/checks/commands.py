@@ -178,7 +178,9 @@ def _says_its_words(ran: Ran, text: str) -> bool:
 def told(command: Say, status: int | None, prints: str, *, new: bool) -> Say:
     """What is wanted of a command, in a sentence."""
     if status is not None:
-        command = Say("ran.status", inner=command) if status == 0 else Say("ran.status_is", inner=command, status=status)
+        command = (
+            Say("ran.status", inner=command) if status == 0 else Say("ran.status_is", inner=command, status=status)
+        )
     if prints:
         command = Say("ran.prints", inner=command, prints=readable(prints))
     return Say("ran.new", inner=command) if new else command

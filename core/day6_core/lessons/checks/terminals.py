@@ -63,7 +63,9 @@ def _by_whole_line(live: Live, line: str, began_ns: int, status: int | None, pri
             continue
         found = as_wanted(run.commands, run.commands, None, prints)
         if found.ok and status not in (None, run.status):
-            found = Found(False, Say("ran.saw_running") if run.status is None else Say("ran.saw_status", status=run.status))
+            found = Found(
+                False, Say("ran.saw_running") if run.status is None else Say("ran.saw_status", status=run.status)
+            )
         if found.ok:
             break
     return found
@@ -80,7 +82,9 @@ def _without_comments(source: str) -> str:
 @check("running", patterns=("line",))
 def running(live: Live, line: str) -> Verdict:
     ok = any(is_like(line, each) for each in live.unfinished())
-    return Verdict(ok, Say("running", line=readable(line)), None if ok else Say("running.saw", lines=tuple(live.running())))
+    return Verdict(
+        ok, Say("running", line=readable(line)), None if ok else Say("running.saw", lines=tuple(live.running()))
+    )
 
 
 @check("terminals")

@@ -41,7 +41,9 @@ class SimpleCommand:
     @property
     def source(self) -> str:
         """Its words and redirections as they were typed; of documents only the first line."""
-        redirected = (f"{'' if each.fd is None else each.fd}{each.operator} {each.target.source}" for each in self.redirections)
+        redirected = (
+            f"{'' if each.fd is None else each.fd}{each.operator} {each.target.source}" for each in self.redirections
+        )
         return " ".join((*(word.source for word in self.words), *redirected))
 
 
