@@ -83,3 +83,17 @@ def test_a_command_is_found_with_options_between_its_words_and_by_any_path_of_it
     }
     found = {case: is_counted(machine, [check_of(command=case[0])], case[1]) for case in cases}
     assert found == cases
+
+
+def test_what_goes_on_in_the_background_of_an_old_line_is_looked_at_and_old_lines_are_not(machine: Machine) -> None:
+    from day6_core.lessons.live import Live
+
+    seat = Seat(machine.desk)
+    seat.line("ls; sleep 100 &")
+    seat.line("pwd")
+    machine.go(1.0)
+    live = Live(machine.desk, None, machine.desk.home)
+    assert [ran.argv for ran in live.commands(live.now_ns())] == [["sleep", "100"]]
+    seat.line("kill %1; wait")
+    assert [ran.argv[0] for ran in live.commands(live.lesson_began_ns)] == ["sleep", "kill", "wait"]
+    assert [run.over_ns is not None for run in seat.terminal.runs.all] == [True] * 3

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -257,27 +257,31 @@ class Live:
 
         `new`: only those of terminals whose very first line was run after it.
         """
-        every = [terminal.runs.all for terminal in self.desk.terminals] + [each.all for each in self.desk.closed_runs]
         found = [
             run
-            for all_runs in every
+            for all_runs in self._all_runs()
             for run in all_runs
-            if (run.ended_ns is None or run.ended_ns >= since_ns)
-            and (not new or (all_runs[0].number == 1 and all_runs[0].began_ns >= since_ns))
+            if (run.ended_ns is None or run.ended_ns >= since_ns) and (not new or _is_new(all_runs, since_ns))
         ]
         return sorted(found, key=lambda run: run.began_ns)
+
+    def _all_runs(self) -> Iterator[list[Run]]:
+        """The lines of each terminal, of those that are closed, too."""
+        for runs in [*self.desk.closed_runs, *(terminal.runs for terminal in self.desk.terminals)]:
+            if lines := runs.all:
+                yield lines
 
     def commands(self, since_ns: int, *, new: bool = False) -> list[Ran]:
         """The simple commands that were run in all terminals, or still ran, after a moment; the oldest first."""
         found = [
             ran
-            for run in self.runs(0)
+            for all_runs in self._all_runs()
+            if not new or _is_new(all_runs, since_ns)
+            for run in all_runs
+            if run.over_ns is None or run.over_ns >= since_ns
             for ran in list(run.commands)
             if ran.ended_ns is None or ran.ended_ns >= since_ns
         ]
-        if new:
-            theirs = {id(ran) for run in self.runs(since_ns, new=True) for ran in list(run.commands)}
-            found = [ran for ran in found if id(ran) in theirs]
         return sorted(found, key=lambda ran: ran.began_ns)
 
     def unfinished(self) -> list[Ran]:
@@ -325,6 +329,11 @@ class Live:
         if self._node is not None:
             self._node.destroy_node()
             self._node = None
+
+
+def _is_new(lines: Sequence[Run], since_ns: int) -> bool:
+    """Whether the very first line of a terminal was run after a moment."""
+    return lines[0].number == 1 and lines[0].began_ns >= since_ns
 
 
 def _hidden(name: str) -> bool:

@@ -136,6 +136,7 @@ class Run:
         self.status: int | None = None
         self.commands: list[Ran] = []
         """The simple commands that it ran, the first ones and the last ones if there were very many."""
+        self._over_ns: int | None = None
         self._explained = 0
         """How much had been printed when it last explained some itself (`ls x; why`)."""
         self._output = Kept()
@@ -159,6 +160,15 @@ class Run:
     def explained(self) -> None:
         """Note that what it printed so far was explained, and that the explanation is among it."""
         self._explained = self.written
+
+    @property
+    def over_ns(self) -> int | None:
+        """When it and everything that it left in the background had ended, None as long as something goes on."""
+        if self._over_ns is None and self.ended_ns is not None:
+            ends = [ran.ended_ns for ran in list(self.commands) if ran.ended_ns is not None]
+            if len(ends) == len(self.commands):
+                self._over_ns = max([self.ended_ns, *ends])
+        return self._over_ns
 
     def keep(self, text: str, longest: int = LONGEST_OUTPUT) -> None:
         """Add to the output. Any thread."""

@@ -94,12 +94,12 @@ def is_meant(words: str, ran: Ran, home: Path) -> bool:
     at = 0
     for number, word in enumerate(given):
         if at == len(wanted):
-            return True
+            break
         if any(_is_same(each, word, ran, home) for each in wanted[at].split("|")):
             at += 1
         elif not number or not (word.startswith("-") or given[number - 1].startswith("-")):
             return False  # neither an option nor the value of one
-    return at == len(wanted)
+    return 0 < at == len(wanted)
 
 
 def _is_same(wanted: str, given: str, ran: Ran, home: Path) -> bool:
