@@ -30,7 +30,7 @@ _TYPE = re.compile(r"(\w+)/(msg|srv|action)/(\w+)")
 
 
 class Found(NamedTuple):
-    """The verdict on the commands that are meant: `wrong` says what is not as wanted with the last of them ('': none was run)."""
+    """Whether a command did what is wanted; else `wrong` says what the last one didn't do, None if it was never run."""
 
     ok: bool
     wrong: Say | None = None
@@ -113,7 +113,7 @@ def _is_same(wanted: str, given: str, ran: Ran, home: Path) -> bool:
 
 
 def _uses(variable: str, ran: Ran) -> bool:
-    return re.search(rf"\$\{{?[!#]?{variable}\b", ran.source) is not None
+    return re.search(rf"\$\{{?[!#]?{re.escape(variable)}\b", ran.source) is not None
 
 
 def example(words: str) -> str:
