@@ -6,11 +6,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from tests.inspector.drills import DRILLS
+from tests.inspector.faults_in_messages import IN_MESSAGES
 from tests.inspector.test_healthy import SCENES
 from tests.inspector.tutorials import TUTORIALS
 
 if TYPE_CHECKING:
     from tests.inspector.lab import Lab
+
+
+INJECTED = (*DRILLS, *IN_MESSAGES)
+"""Every fault."""
 
 
 class Scene(NamedTuple):
@@ -27,7 +32,7 @@ def _id(key: str) -> str:
 
 
 ALL = (
-    *(Scene(f"drill {drill.number}", drill.inject, tuple(map(_id, drill.findings))) for drill in DRILLS),
+    *(Scene(f"drill {drill.number}", drill.inject, tuple(map(_id, drill.findings))) for drill in INJECTED),
     *(Scene(f"healthy {scene.__name__}", scene) for scene in SCENES),
     *(Scene(f"tutorial {tutorial.__name__}", tutorial) for tutorial in TUTORIALS),
 )

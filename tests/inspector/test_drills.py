@@ -9,13 +9,14 @@ import pytest
 from day6_core.lessons.remarks import FAULTS
 from tests.inspector.drills import DRILLS, Drill
 from tests.inspector.lab import Lab
+from tests.inspector.scenes import INJECTED
 
 WITHOUT_COMMAND = frozenset({"ctrl_c", "shut_twice", "setuptools", "no_robot_model", "robot_model_deaf"})
 """Findings that no command of a terminal helps: they are harmless, or a matter of RViz's window."""
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("drill", DRILLS, ids=lambda drill: f"{drill.number}-{drill.findings[0]}")
+@pytest.mark.parametrize("drill", INJECTED, ids=lambda drill: f"{drill.number}-{drill.findings[0]}")
 def test_the_fault_is_named_with_what_to_type_next(lab: Lab, drill: Drill) -> None:
     drill.inject(lab)
     found, _ = lab.finds(*drill.findings)
