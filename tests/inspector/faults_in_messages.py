@@ -159,7 +159,10 @@ def two_descriptions(lab: Lab) -> None:
 def no_inertia(lab: Lab) -> None:
     import re
 
-    robot(lab, lambda text: re.sub(r'i(xx|yy|zz)="[^"]*"', r'i\1="0"', text))
+    text = re.sub(r'i(xx|yy|zz)="[^"]*"', r'i\1="0"', shipped_model().read_text(encoding="utf-8"))
+    lab.file("my_car.urdf", text)
+    lab.start("ros2 run day6_world world --ros-args -p robot_file:=my_car.urdf")
+    lab.wait(lambda: lab.windows("world"))
 
 
 def beyond_limits(lab: Lab) -> None:
@@ -269,17 +272,20 @@ IN_MESSAGES: tuple[Drill, ...] = (
         "d17",
         "transforms stamped 1970",
         sends("'/tf', TFMessage, TFMessage(transforms=[tf('odom', 'base_link', stamp=Time(sec=5))])"),
-        ("stamp",),
+        ("stamp_1970",),
     ),
     Drill(
         "d18",
         "transforms stamped in an hour",
         sends("'/tf', TFMessage, TFMessage(transforms=[tf('odom', 'base_link', stamp=now(3600))])"),
-        ("stamp",),
+        ("stamp_future",),
     ),
-    Drill("d19", "a scan without a stamp", sends("'/scan', LaserScan, scan(stamp=Time())", TREE), ("stamp",)),
+    Drill("d19", "a scan without a stamp", sends("'/scan', LaserScan, scan(stamp=Time())", TREE), ("stampless",)),
     Drill(
-        "d20", "odometry of another clock", sends("'/odom', Odometry, odometry(stamp=Time(sec=12))", TREE), ("stamp",)
+        "d20",
+        "odometry of another clock",
+        sends("'/odom', Odometry, odometry(stamp=Time(sec=12))", TREE),
+        ("stamp_1970",),
     ),
     Drill(
         "d21",
@@ -371,11 +377,11 @@ IN_MESSAGES: tuple[Drill, ...] = (
         sends("'/fix', NavSatFix, NavSatFix(header=header('gps'), latitude=116.4, longitude=39.9)"),
         ("out_of_range",),
     ),
-    Drill("d42", "my wheels are missing: other names", wheels_by_other_names, ("unknown_joint", "unknown_joint_near")),
+    Drill("d42", "my wheels are missing: other names", wheels_by_other_names, ("other_joints", "unknown_joint_near")),
     Drill("d43", "my wheels are missing: one is published", one_wheel, ("silent_joint",)),
     Drill("d44", "my wheels are missing: nobody publishes", robot, ("no_joint_states",)),
     Drill("d45", "my wheels are missing: names without positions", no_wheels, ("unequal_joints",)),
     Drill("d46", "two descriptions of one robot", two_descriptions, ("two_descriptions",)),
-    Drill("d47", "inertia 0", no_inertia, ("robot_inertia",)),
+    Drill("d47", "inertia 0", no_inertia, ("world.bad_inertia",)),
     Drill("d48", "an arm in degrees", beyond_limits, ("joint_limits",)),
 )

@@ -14,11 +14,59 @@ TEXTS = {
     "inspector.qos": "{topic}: the QoS of {publisher} is incompatible with {subscriber} ({policy}); nothing arrives",
     "inspector.fight": "{topic}: {count} nodes publish at the same time and fight over it: {nodes}",
     "inspector.twins": "{count} nodes are called {name}: lists and parameters cannot tell them apart",
-    "inspector.unknown_joint": "{topic} names the joint {joint}, which the robot description does not have",
+    "inspector.unknown_joint": "{topic}: {nodes} names the joint {joint}, which the robot description does not have",
     "inspector.unknown_joint_near": (
-        "{topic} names the joint {joint}, which the robot description does not have; did you mean {nearest}?"
+        "{topic}: {nodes} names the joint {joint}, which the robot description does not have, so {link} has no place in TF; did "
+        "you mean {nearest}?"
     ),
-    "inspector.silent_joint": "the joint {joint} can move, but nobody sends its position on {topic}",
+    "inspector.other_joints": (
+        "{topic}: {nodes} names {joint}, but the joints of the robot description are called {joints}: {links} have no place "
+        "in TF"
+    ),
+    "inspector.silent_joint": "{topic}: {nodes} doesn't send the position of {joint}, so {links} has no place in TF",
+    "inspector.no_joint_states": (
+        "nobody publishes {topic}: nobody says how far {joints} has turned, so {links} has no place in TF"
+    ),
+    "inspector.trajectory_joint": "{topic}: {node} commands the joint {joint}, which the robot does not have (nearest: {nearest})",
+    "inspector.joint_limits": (
+        "{topic}: {node} sends {position} for {joint}, whose limits are {low} and {high}: are these degrees? ROS counts in radians"
+    ),
+    "inspector.two_descriptions": (
+        "{nodes} send different robots on /robot_description: whoever starts next gets one of them by chance"
+    ),
+    "inspector.not_finite": "{topic}: {node} sends {value} in {field}; nobody can calculate with that",
+    "inspector.quaternion": (
+        "{topic}: the quaternion {field} of {node} has length {length} instead of 1, so it is no rotation; make it from angles, "
+        "or use w = 1 for none"
+    ),
+    "inspector.data_size": "{topic}: {field} of {node} is {count}, but by the message's other fields it should be {expected}",
+    "inspector.image_encoding": "{topic}: {node} calls the encoding {encoding}; it is written {right}",
+    "inspector.map_resolution": "{topic}: the map of {node} has a resolution of {resolution} m: its cells have no size",
+    "inspector.out_of_range": "{topic}: {node} sends {value} in {field}, which goes from {low} to {high}",
+    "inspector.scan_angles": (
+        "{topic}: {node} sends {ranges} ranges, but angle_min, angle_max and angle_increment ({step}) make {angles}"
+    ),
+    "inspector.scan_degrees": "{topic}: {node} scans up to the angle {angle}: those are degrees, and ROS counts in radians",
+    "inspector.scan_empty": "{topic}: not one of the {ranges} ranges of {node} is a number: this laser sees nothing",
+    "inspector.scan_ranges": "{topic}: {node} says that distances from {low} to {high} m are valid: then none is",
+    "inspector.empty_frame": "{topic}: a {type} of {node} has an empty frame id, so nobody knows where it belongs",
+    "inspector.unknown_frame": (
+        "{topic}: a {type} of {node} is in the frame {frame}, of which nobody sends a transform (nearest: {nearest})"
+    ),
+    "inspector.stampless": "{topic}: header.stamp of {node} is 0: set it to node.get_clock().now().to_msg()",
+    "inspector.stamp_1970": (
+        "{topic}: {node} stamps with {stamp} s, which is 1970: its clock isn't that of the others. Use "
+        "node.get_clock().now().to_msg()"
+    ),
+    "inspector.stamp_past": "{topic}: what {node} sends is stamped {time} ago, so it is too old for TF",
+    "inspector.stamp_future": "{topic}: what {node} sends is stamped {time} ahead of now",
+    "inspector.stamp_clock": (
+        "{topic}: {node} stamps with this computer's time, but /clock says another: it needs use_sim_time"
+    ),
+    "inspector.tf_loop": "the transforms go round in a circle: {frames} (from {nodes}); nothing in it has a place",
+    "inspector.tf_nameless": "{nodes} sends a transform with an empty frame id (the other is {frame})",
+    "inspector.tf_fight": "{nodes} send different transforms from {parent} to {child}: it jumps to and fro",
+    "inspector.two_parents": "the frame {child} has several parents: {parents} (from {nodes}). A frame has one; which one counts changes",
     "inspector.slow": "{topic} arrives {rate} times a second; the eye needs about 20",
     "inspector.late": (
         "this computer is too slow for everything running here: time passes at {pace}x instead of {speed}x, "
@@ -156,9 +204,22 @@ TEXTS = {
     "inspector.robot_model_deaf": (
         "RViz: the RobotModel listens to {topic} and has no description: set its Description Topic to {right}"
     ),
-    "inspector.unseen.terminals": "not checked: the terminals (they exist only on the desktop)",
-    "inspector.unseen.files": "not checked: the files of the workspaces",
-    "inspector.unseen.programs": "not checked: the insides of other programs",
+    "inspector.unseen.terminals": "not looked at: the terminals (they exist only on the desktop)",
+    "inspector.unseen.files": "not looked at: the files of the workspaces",
+    "inspector.unseen.programs": "not looked into, because they tell nothing of themselves: the programs of {names}",
+    "inspector.unseen.messages": "not looked at, because their messages cannot be read here: {names}",
+    "inspector.looked": "looked at: {sights}",
+    "inspector.sight.nodes": "nodes {count}",
+    "inspector.sight.topics": "topics {count}",
+    "inspector.sight.messages": "messages {count}",
+    "inspector.sight.services": "services {count}",
+    "inspector.sight.frames": "frames {count}",
+    "inspector.sight.joints": "joints {count}",
+    "inspector.sight.windows": "RViz and world windows {count}",
+    "inspector.sight.programs": "insides of programs {count}",
+    "inspector.sight.terminals": "terminals {count}",
+    "inspector.sight.packages": "packages {count}",
+    "inspector.sight.machines": "links to other machines {count}",
     "inspector.quiet.drill": (
         "In a drill you find the bug yourself: the inspector is silent until you solve it or give up. Look at what the programs "
         "say, at `ros2 node list`, `ros2 topic list`, `ros2 topic info -v`; `why` explains a message."
@@ -167,8 +228,7 @@ TEXTS = {
         "In an exam you find the bug yourself: the inspector is silent until you solve it. Look at what the programs say, at "
         "`ros2 node list`, `ros2 topic list`, `ros2 topic info -v`."
     ),
-    "inspector.well": "nothing is wrong",
-    "inspector.well_so_far": "nothing is wrong in what was checked",
+    "inspector.well": "no fault found in what was looked at",
     # Beside the car
     "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
     "car.loading": "reading the robot description",

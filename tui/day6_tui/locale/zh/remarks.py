@@ -46,9 +46,46 @@ TEXTS = {
     "inspector.qos": "{topic}：{publisher} 的 QoS 和 {subscriber} 的对不上（{policy}），什么也收不到",
     "inspector.fight": "{topic}：有 {count} 个发布者同时在发，互相打架：{nodes}",
     "inspector.twins": "有 {count} 个节点都叫 {name}：列表和参数分不清它们",
-    "inspector.unknown_joint": "{topic} 里有关节 {joint}，机器人描述里没有这个关节",
-    "inspector.unknown_joint_near": "{topic} 里有关节 {joint}，机器人描述里没有；是不是想写 {nearest}？",
-    "inspector.silent_joint": "关节 {joint} 能动，但没有人在 {topic} 上发它的位置",
+    "inspector.unknown_joint": "{topic}：{nodes} 发了关节 {joint}，机器人描述里没有这个关节",
+    "inspector.unknown_joint_near": (
+        "{topic}：{nodes} 发了关节 {joint}，机器人描述里没有，所以 {link} 在 TF 里没有位置；是不是想写 {nearest}？"
+    ),
+    "inspector.other_joints": "{topic}：{nodes} 发的是 {joint}，机器人描述里的关节却叫 {joints}：{links} 在 TF 里没有位置",
+    "inspector.silent_joint": "{topic}：{nodes} 没有发 {joint} 的位置，所以 {links} 在 TF 里没有位置",
+    "inspector.no_joint_states": "没有人发布 {topic}：没有人说 {joints} 转到了哪里，所以 {links} 在 TF 里没有位置",
+    "inspector.trajectory_joint": "{topic}：{node} 指挥关节 {joint}，机器人没有这个关节（最像的是 {nearest}）",
+    "inspector.joint_limits": (
+        "{topic}：{node} 发的 {joint} 是 {position}，超出了 {low} 到 {high} 的限位：是不是写成了角度？ROS 用弧度"
+    ),
+    "inspector.two_descriptions": "{nodes} 在 /robot_description 上发的不是同一个机器人：后启动的程序收到哪一个全凭运气",
+    "inspector.not_finite": "{topic}：{node} 发的 {field} 是 {value}，谁也没法拿它计算",
+    "inspector.quaternion": (
+        "{topic}：{node} 的四元数 {field} 长度是 {length}，应该是 1，所以它不是旋转；用角度换算，不转就写 w = 1"
+    ),
+    "inspector.data_size": "{topic}：{node} 的 {field} 是 {count}，按消息里别的字段应该是 {expected}",
+    "inspector.image_encoding": "{topic}：{node} 把编码写成 {encoding}，应该写 {right}",
+    "inspector.map_resolution": "{topic}：{node} 的地图分辨率是 {resolution} 米：格子没有大小",
+    "inspector.out_of_range": "{topic}：{node} 发的 {field} 是 {value}，它只能在 {low} 到 {high} 之间",
+    "inspector.scan_angles": (
+        "{topic}：{node} 发了 {ranges} 个距离，可是按 angle_min、angle_max 和 angle_increment（{step}）应该有 {angles} 个"
+    ),
+    "inspector.scan_degrees": "{topic}：{node} 扫描到的角度是 {angle}：这是度，ROS 用弧度",
+    "inspector.scan_empty": "{topic}：{node} 的 {ranges} 个距离没有一个是数：这个激光雷达什么也看不见",
+    "inspector.scan_ranges": "{topic}：{node} 说有效距离从 {low} 到 {high} 米：那就没有一个有效",
+    "inspector.empty_frame": "{topic}：{node} 发的 {type} 里坐标系名是空的，谁也不知道它在哪里",
+    "inspector.unknown_frame": "{topic}：{node} 发的 {type} 在坐标系 {frame} 里，可是没有人发它的变换（最像的是 {nearest}）",
+    "inspector.stampless": "{topic}：{node} 的 header.stamp 是 0：把它设成 node.get_clock().now().to_msg()",
+    "inspector.stamp_1970": (
+        "{topic}：{node} 的时间戳是 {stamp} 秒，也就是 1970 年：它用的不是大家的时钟。"
+        "要用 node.get_clock().now().to_msg()"
+    ),
+    "inspector.stamp_past": "{topic}：{node} 发的东西，时间戳是 {time} 以前，对 TF 来说太旧了",
+    "inspector.stamp_future": "{topic}：{node} 发的东西，时间戳比现在早了 {time}，还在将来",
+    "inspector.stamp_clock": "{topic}：{node} 用的是电脑的时间，可 /clock 说的是另一个时间：它需要 use_sim_time",
+    "inspector.tf_loop": "坐标变换绕成了一个圈：{frames}（{nodes} 发的）；圈里的东西都没有位置",
+    "inspector.tf_nameless": "{nodes} 发的坐标变换里有一个空的坐标系名（另一个是 {frame}）",
+    "inspector.tf_fight": "{nodes} 发的从 {parent} 到 {child} 的变换不一样：它会跳来跳去",
+    "inspector.two_parents": "坐标系 {child} 有几个上级：{parents}（{nodes} 发的）。只能有一个；现在听谁的变来变去",
     "inspector.slow": "{topic} 每秒只来 {rate} 次；眼睛要看得顺，大约需要 20 次",
     "inspector.late": "这台电脑忙不过来：时间只走到 {pace} 倍速，本来应该是 {speed} 倍，所以各个话题的频率都比程序设定的低",
     "inspector.open": "{endpoint} 已开放，{joined} 台已加入；没有口令：能连到这个端口的人都能读取和指挥",
@@ -143,7 +180,20 @@ TEXTS = {
     "inspector.robot_model_deaf": "RViz：RobotModel 听的是 {topic}，没有收到描述：把 Description Topic 设成 {right}",
     "inspector.unseen.terminals": "没有看：终端（只有桌面里才有）",
     "inspector.unseen.files": "没有看：工作空间里的文件",
-    "inspector.unseen.programs": "没有看：别的程序里面",
+    "inspector.unseen.programs": "没有看到里面，因为它们不讲自己的情况：{names} 的程序",
+    "inspector.unseen.messages": "没有看，因为这里读不了它们的消息：{names}",
+    "inspector.looked": "看过：{sights}",
+    "inspector.sight.nodes": "节点 {count}",
+    "inspector.sight.topics": "话题 {count}",
+    "inspector.sight.messages": "消息 {count}",
+    "inspector.sight.services": "服务 {count}",
+    "inspector.sight.frames": "坐标系 {count}",
+    "inspector.sight.joints": "关节 {count}",
+    "inspector.sight.windows": "RViz 和世界的窗口 {count}",
+    "inspector.sight.programs": "程序里面 {count}",
+    "inspector.sight.terminals": "终端 {count}",
+    "inspector.sight.packages": "功能包 {count}",
+    "inspector.sight.machines": "和其他机器的连接 {count}",
     "inspector.quiet.drill": (
         "练习里要自己找问题：解决或放弃以前，检查器什么也不说。看看程序说了什么，再看看 `ros2 node list`、"
         "`ros2 topic list`、`ros2 topic info -v`；看不懂的话，输入 `why`。"
@@ -152,8 +202,7 @@ TEXTS = {
         "考试里要自己找问题：这一题解决以前，检查器什么也不说。看看程序说了什么，再看看 `ros2 node list`、"
         "`ros2 topic list`、`ros2 topic info -v`。"
     ),
-    "inspector.well": "一切正常",
-    "inspector.well_so_far": "看过的地方一切正常",
+    "inspector.well": "看过的地方没有发现问题",
     "rviz.missing.particles": "这里没有 {type} 这个类：它画 nav2_amcl 的粒子（nav2_msgs/ParticleCloud）；它会留在文件里",
     "rviz.missing.nav2_goal": (
         "这里没有 {type} 这个类：它给 Navigation2 一个目标；rviz_default_plugins/SetGoal 会把目标发到 /goal_pose；它会留在文件里"

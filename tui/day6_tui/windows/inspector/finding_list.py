@@ -9,6 +9,7 @@ from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
 from day6_core.ros.programs.day6_inspector.rules import Finding
+from day6_core.ros.programs.day6_inspector.sight import said_of
 from day6_tui.appearance.look import Look
 from day6_tui.windows.parts.pane_list import ListRow, PaneList
 
@@ -27,8 +28,14 @@ class FindingList(PaneList):
         super().__init__(look)
         self._findings: list[Finding] = []
 
-    def show(self, findings: Sequence[Finding], unseen: Sequence[str] = (), quiet: str = "") -> None:
-        """Show these findings, the first one at the top; if there are none, that all is well; then what was not looked at.
+    def show(
+        self,
+        findings: Sequence[Finding],
+        looked: Sequence[tuple[str, int]] = (),
+        unseen: Sequence[tuple[str, str]] = (),
+        quiet: str = "",
+    ) -> None:
+        """Show these findings, the first one at the top, or that there are none; then what was looked at and what was not.
 
         `quiet` ('drill', 'exam'): why nothing is said.
         """
@@ -40,9 +47,8 @@ class FindingList(PaneList):
         if quiet:
             rows = [ListRow(self, -1, texts(f"inspector.quiet.{quiet}"), "", colours.text)]
         elif not findings:
-            well = texts("inspector.well_so_far" if unseen else "inspector.well")
-            rows.append(ListRow(self, -1, well, "", colours.publisher))
-        rows += [ListRow(self, -1, texts(f"inspector.unseen.{part}"), "", colours.muted) for part in unseen]
+            rows.append(ListRow(self, -1, texts("inspector.well"), "", colours.publisher))
+        rows += [ListRow(self, -1, line, "", colours.muted) for line in said_of(looked, unseen, texts)]
         self.set_options([Option(row, disabled=index >= len(findings)) for index, row in enumerate(rows)])
         if findings:
             self.scroll_to(y=offset, animate=False)

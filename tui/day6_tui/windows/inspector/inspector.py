@@ -40,7 +40,8 @@ class InspectorPane(ListPane[Inspector, FindingList]):
         state = (self.inspector.version, self.look.texts.language)
         if state != self._shown and self.list.is_attached:
             self._shown = state
-            self.list.show(self.inspector.findings, self.inspector.unseen, self.inspector.quiet)
+            model = self.inspector
+            self.list.show(model.findings, model.looked, model.unseen, model.quiet)
             self.touch()
         return False
 

@@ -9,7 +9,9 @@ from day6_core.facts.graph import GraphFacts
 from day6_core.facts.workspaces import Package, Workspace
 from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.files import Files
+from day6_core.ros.programs.day6_inspector.hearing import Heard
 from day6_core.ros.programs.day6_inspector.process_reports import ReportedProcess
+from day6_core.ros.programs.day6_inspector.transforms import Transform
 from day6_core.session.overview import TerminalView
 
 
@@ -38,6 +40,10 @@ class RobotFacts:
     """Mistakes that parsers accept: `wheel_tumbles` …, each with the parameters of its text."""
     problem: str = ""
     """Why it cannot be read."""
+    moved: tuple[tuple[str, str], ...] = ()
+    """Joints that can move, each with the link that it moves."""
+    limits: tuple[tuple[str, tuple[float, float]], ...] = ()
+    """Joints with limits: the lower, the upper (radians or metres)."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +66,17 @@ class Facts(GraphFacts):
     robot: RobotFacts | None = None
     """The rest of it."""
     frames: frozenset[str] = frozenset()
-    """Frames that transforms were heard of; none before somebody complained of a frame."""
+    """Frames that transforms are sent of."""
+    transforms: tuple[Transform, ...] = ()
+    """The transforms that are sent now."""
+    heard: tuple[Heard, ...] = ()
+    """What publishers sent lately, as far as it was looked at."""
+    unread: tuple[str, ...] = ()
+    """Topics whose messages cannot be read here."""
+    rival_descriptions: tuple[str, ...] = ()
+    """Nodes that send different robot descriptions."""
+    clock: float | None = None
+    """Seconds that /clock says, None without one."""
     link: LinkState = field(default_factory=LinkState)
     speed: float = 1.0
     """World seconds per real second that the user chose."""
@@ -77,6 +93,10 @@ class Facts(GraphFacts):
     """None before they were looked at."""
     processes: tuple[ReportedProcess, ...] = ()
     """The reports of Python programs that run as processes."""
+    windows: int = 0
+    """RViz windows and worlds that were looked at."""
+    unreported: tuple[str, ...] = ()
+    """Nodes of other processes into which nobody can look."""
     silent_processes: tuple[str, ...] = ()
     """Nodes of programs on this machine that send no reports."""
 

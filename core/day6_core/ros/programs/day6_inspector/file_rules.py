@@ -10,8 +10,10 @@ from day6_core.facts.workspaces import Package, Workspace, sourced_prefixes
 from day6_core.ros.distribution import setup_script
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
+from day6_core.ros.programs.day6_inspector.sight import looks_at
 
 
+@looks_at("packages")
 def of_files(facts: Facts) -> Iterator[Finding]:
     """Yield what is wrong with the workspaces."""
     if facts.files is None:

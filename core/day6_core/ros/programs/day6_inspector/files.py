@@ -43,6 +43,11 @@ class Files(NamedTuple):
     scripts: Mapping[Path, str] = MappingProxyType({})
     """The texts of `Where.scripts`."""
 
+    @property
+    def packages(self) -> int:
+        """How many packages there are."""
+        return sum(len(workspace.packages) for workspace in self.workspaces)
+
     def package(self, name: str) -> tuple[Workspace, Package] | None:
         """Return the first package of that name with its workspace."""
         for workspace in self.workspaces:

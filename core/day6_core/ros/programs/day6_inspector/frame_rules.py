@@ -8,9 +8,8 @@ from collections.abc import Sequence
 from day6_core.advice.matching import Sighting
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
-from day6_core.ros.programs.day6_inspector.outputs import LineOutput, outputs
+from day6_core.ros.programs.day6_inspector.outputs import LineOutput
 
-NO_FRAME = "does not exist"
 OTHER_LINES = 3
 """As many lines after a complaint show that the program got further."""
 
@@ -19,11 +18,6 @@ OLD_NS = 10_000_000_000
 
 _STAMP = re.compile(r"\[(\d{9,10}\.\d+)\]")
 """The time of a line of a log."""
-
-
-def complains_of_frames(facts: Facts) -> bool:
-    """Return whether somebody said that a frame does not exist: then it is worth listening whether that is still so."""
-    return any(NO_FRAME in output.text for output in outputs(facts))
 
 
 def of_extrapolation(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Finding | None:

@@ -9,6 +9,7 @@ from day6_core.link import state_of
 from day6_core.ros.programs.day6_inspector.asking import Asking
 from day6_core.ros.programs.day6_inspector.files import look
 from day6_core.ros.programs.day6_inspector.model import Inspector
+from day6_core.ros.programs.day6_inspector.sight import said_of
 from day6_core.ros.remark_texts import TEXTS
 from day6_core.session.harmless import one_line
 from day6_core.session.session import Session
@@ -66,7 +67,7 @@ async def _tell(session: Session, model: Inspector) -> int:
         if finding.next:
             session.print(f"    {one_line(finding.next)}")
     if not model.findings:
-        session.print(TEXTS["inspector.well_so_far" if model.unseen else "inspector.well"])
-    for part in model.unseen:
-        session.print(TEXTS[f"inspector.unseen.{part}"])
+        session.print(TEXTS["inspector.well"])
+    for line in said_of(model.looked, model.unseen, lambda key, **values: TEXTS[key].format(**values)):
+        session.print(one_line(line))
     return 1 if any(finding.level == "error" for finding in model.findings) else 0

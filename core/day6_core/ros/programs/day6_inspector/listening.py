@@ -1,16 +1,14 @@
-"""What the inspector hears: joint states, the robot description, and frames, through its node that only looks on."""
+"""What the inspector hears all of: joint states and the robot description, through its node that only looks on."""
 
 from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator
-from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
-from tf2_msgs.msg import TFMessage
 
 from day6_core.ros.programs.day6_inspector.facts import RobotFacts
 from day6_core.ros.robot_check import check_robot
@@ -23,11 +21,10 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.subscription import Subscription
 
-JOINT_STATES, DESCRIPTION, TF, TF_STATIC = "/joint_states", "/robot_description", "/tf", "/tf_static"
+JOINT_STATES, DESCRIPTION = "/joint_states", "/robot_description"
 MEMORY = 20
 """Arrivals kept to measure a rate."""
 
-MOST_FRAMES = 2000
 STILL_S = 3.0
 """A topic that has been silent for so long has no rate."""
 
@@ -46,10 +43,6 @@ class Listening:
         self.joints: frozenset[str] | None = None
         """The joints of the description that can move, None while there is none."""
         self.robot: RobotFacts | None = None
-        self.wants_frames = False
-        """Whether somebody asks for `frames`: only then transforms are listened to."""
-        self._frames: dict[str, dict[str, int]] = {TF: {}, TF_STATIC: {}}
-        """Topic -> frame -> when it was heard of last (world nanoseconds)."""
         self._subscriptions: dict[str, Subscription[Any]] = {}
         self.listen()
 
@@ -59,25 +52,14 @@ class Listening:
         for topic, kind, callback, qos in (
             (JOINT_STATES, JointState, self._on_joints, QoSProfile(depth=100)),
             (DESCRIPTION, String, self._on_description, latched),
-            (TF, TFMessage, partial(self._on_transforms, TF), QoSProfile(depth=100)),
-            (TF_STATIC, TFMessage, partial(self._on_transforms, TF_STATIC), latched),
         ):
-            published = self._node.count_publishers(topic) > 0 and (topic not in self._frames or self.wants_frames)
+            published = self._node.count_publishers(topic) > 0
             if published and topic not in self._subscriptions:
                 self._subscriptions[topic] = self._node.create_subscription(kind, topic, callback, qos)
             elif not published and topic in self._subscriptions:
                 self._node.destroy_subscription(self._subscriptions.pop(topic))
                 if topic == DESCRIPTION:
                     self.joints = self.robot = None
-                elif topic in self._frames:
-                    self._frames[topic].clear()
-
-    @property
-    def frames(self) -> frozenset[str]:
-        """The frames that somebody sends now, without a slash before them."""
-        since = self._node.get_clock().now().nanoseconds - int(STILL_S * 1e9)
-        moving = (frame for frame, heard in self._frames[TF].items() if heard >= since)
-        return frozenset((*moving, *self._frames[TF_STATIC]))
 
     def rate(self) -> float | None:
         """Messages a second on /joint_states, None when there were too few or none lately."""
@@ -96,14 +78,6 @@ class Listening:
         names, positions = len(message.name), len(message.position)
         self.unequal = (names, positions) if positions != names else None
 
-    def _on_transforms(self, topic: str, message: TFMessage) -> None:
-        frames = self._frames[topic]
-        now = self._node.get_clock().now().nanoseconds
-        for each in message.transforms:
-            for frame in (each.header.frame_id.lstrip("/"), each.child_frame_id.lstrip("/")):
-                if frame in frames or len(frames) < MOST_FRAMES:
-                    frames[frame] = now
-
     def _on_description(self, message: String) -> None:
         checked = check_robot(message.data)
         robot = checked.robot
@@ -113,9 +87,18 @@ class Listening:
                 RobotFacts(problem=str(checked.diagnostics[0].text) if checked.diagnostics else ""),
             )
             return
-        moving = (joint for joint in robot.joints if joint.type in MOVING_TYPES and joint.mimic is None)
+        moving = [joint for joint in robot.joints if joint.type in MOVING_TYPES and joint.mimic is None]
         self.joints = frozenset(joint.name for joint in moving)
-        self.robot = RobotFacts(frozenset(link.name for link in robot.links), tuple(_mistakes(robot)))
+        self.robot = RobotFacts(
+            frozenset(link.name for link in robot.links),
+            tuple(_mistakes(robot)),
+            moved=tuple((joint.name, joint.child) for joint in moving),
+            limits=tuple(
+                (joint.name, (joint.limit.lower, joint.limit.upper))
+                for joint in moving
+                if joint.limit is not None and joint.type != "continuous" and joint.limit.lower < joint.limit.upper
+            ),
+        )
 
 
 def _mistakes(robot: Robot) -> Iterator[tuple[str, tuple[tuple[str, str], ...]]]:

@@ -9,25 +9,30 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Protocol
 
-from day6_core.facts.graph import facts_of
+from day6_core.facts.graph import facts_of, is_shown
 from day6_core.link.state import LinkState
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.files import Files, Typed, Where
 from day6_core.ros.programs.day6_inspector.finding import Finding
-from day6_core.ros.programs.day6_inspector.frame_rules import complains_of_frames
+from day6_core.ros.programs.day6_inspector.hearing import Hearing
 from day6_core.ros.programs.day6_inspector.listening import JOINT_STATES, Listening
 from day6_core.ros.programs.day6_inspector.pace import ClockPace
 from day6_core.ros.programs.day6_inspector.process_reports import ReportedProcess
 from day6_core.ros.programs.day6_inspector.program_rules import home_of, script_of, typed_as
 from day6_core.ros.programs.day6_inspector.publications import Publications
-from day6_core.ros.programs.day6_inspector.rules import findings
-from day6_core.ros.programs.day6_inspector.windows import rviz_views, world_remarks
+from day6_core.ros.programs.day6_inspector.rules import RULES, findings
+from day6_core.ros.programs.day6_inspector.sight import not_seen, sights
+from day6_core.ros.programs.day6_inspector.windows import rviz_views, watched, world_remarks
 
 if TYPE_CHECKING:
     from day6_core.graph.graph import Graph
     from day6_core.session.clock import WorldClock
     from day6_core.session.overview import Overview, TerminalView
     from rclpy.node import Node
+
+
+COUNTED_AGAIN = 10
+"""Looks after which what was looked at is counted again although nothing else has changed: the window needn't flicker."""
 
 
 class ProcessReports(Protocol):
@@ -66,13 +71,17 @@ class Inspector:
         self._clock_pace = ClockPace(clock)
         self._pace = clock.speed
         self._listening = Listening(node)
+        self._hearing = Hearing(node.handle.node)
         self._publications = Publications(graph)
         self.findings: tuple[Finding, ...] = ()
-        self.unseen: tuple[str, ...] = ()
-        """What could not be looked at: 'terminals', 'files', 'programs', 'domains'."""
+        self.looked: tuple[tuple[str, int], ...] = ()
+        """What was looked at (`sight.SIGHTS`), and how many of it there are."""
+        self.unseen: tuple[tuple[str, str], ...] = ()
+        """What could not be looked at: 'terminals', 'files', 'programs', 'messages', and the names it is about."""
         self.quiet = ""
         """'drill' or 'exam' while nothing is said because the pupil is to find a fault himself."""
         self.version = 0
+        self._looks = 0
 
     def close(self) -> None:
         """Stop following the graph."""
@@ -82,6 +91,8 @@ class Inspector:
         """Look again (on the program's thread)."""
         self._pace = self._clock_pace.now()
         self._listening.listen()
+        self._hearing.look()
+        self._looks += 1
         if self._reports is not None:
             self._reports.ask()
         self.judge()
@@ -92,21 +103,14 @@ class Inspector:
             self._reports.hear()
         quiet = self._overview.searching if self._overview is not None else ""
         facts = self.facts()
-        self._listening.wants_frames = complains_of_frames(facts)
         home = str(self._overview.home) if self._overview is not None else ""
         found = () if quiet else tuple(each.at_home(home) for each in findings(facts))
-        unseen = () if quiet else self._unseen()
-        if (quiet, found, unseen) != (self.quiet, self.findings, self.unseen):
-            self.quiet, self.findings, self.unseen = quiet, found, unseen
-            self.version += 1
-
-    def _unseen(self) -> tuple[str, ...]:
-        missing = {
-            "terminals": self._overview is None,
-            "files": self._files is None,
-            "programs": self._reports is None,
-        }
-        return tuple(key for key, is_missing in missing.items() if is_missing)
+        unseen = () if quiet else not_seen(facts)
+        if (quiet, found, unseen) != (self.quiet, self.findings, self.unseen) or self._looks >= COUNTED_AGAIN:
+            self._looks, looked = 0, () if quiet else sights(RULES, facts)
+            if (quiet, found, unseen, looked) != (self.quiet, self.findings, self.unseen, self.looked):
+                self.quiet, self.findings, self.unseen, self.looked = quiet, found, unseen, looked
+                self.version += 1
 
     # -- files: in a thread --------------------------------------------------------------------------------------------
 
@@ -152,7 +156,7 @@ class Inspector:
             timeless_joints=heard.timeless and published,
             joints=heard.joints,
             robot=heard.robot,
-            frames=heard.frames,
+            **self._hearing.facts(),
             link=self._link(),
             speed=self._clock.speed,
             pace=self._pace,
@@ -162,11 +166,19 @@ class Inspector:
             now_ns=self._clock.now_ns(),
             files=self._files,
             processes=processes,
+            windows=watched(windows),
+            unreported=self._unreported(processes),
             silent_processes=self._reports.silent() if self._reports is not None else (),
         )
 
     def _terminals(self) -> tuple[TerminalView, ...] | None:
         return tuple(self._overview.terminals()) if self._overview is not None else None
+
+    def _unreported(self, processes: tuple[ReportedProcess, ...]) -> tuple[str, ...]:
+        """The nodes of other processes that tell nothing of their insides."""
+        told = {inside.node for process in processes for inside in process.nodes}
+        others = {node.full_name for node in self._graph.nodes if node.origin is not None and is_shown(node.name)}
+        return tuple(sorted(others - told))
 
     def _missed(self, processes: tuple[ReportedProcess, ...]) -> tuple[tuple[str, str, float], ...]:
         received: Mapping[tuple[str, str], int] = {

@@ -23,12 +23,14 @@ from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import ORDER, Finding, finding
 from day6_core.ros.programs.day6_inspector.frame_rules import of_extrapolation, of_frame
 from day6_core.ros.programs.day6_inspector.outputs import LineOutput, outputs, shortened
+from day6_core.ros.programs.day6_inspector.sight import looks_at
 
 _ERROR = re.compile(
     r"^([A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Exists|Exit|Warning)\w*)(?::[ ]?(.*))?$", re.MULTILINE
 )
 
 
+@looks_at("terminals")
 def of_outputs(facts: Facts) -> Iterator[Finding]:
     """Yield what the terminals' last lines say about themselves: of each line the first fault."""
     for output in outputs(facts):

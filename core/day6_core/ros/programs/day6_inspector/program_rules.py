@@ -16,6 +16,7 @@ from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.files import Typed, in_home
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
 from day6_core.ros.programs.day6_inspector.process_reports import Busy, Place, ReportedProcess, Standing
+from day6_core.ros.programs.day6_inspector.sight import looks_at
 from day6_core.session.overview import TerminalView
 
 LONG = 0.7
@@ -35,6 +36,7 @@ _WAITS = {
 }
 
 
+@looks_at("programs")
 def of_programs(facts: Facts) -> Iterator[Finding]:
     """Yield what is wrong inside the programs."""
     for process in facts.processes:
@@ -110,6 +112,7 @@ _HAS_CALLBACKS = re.compile(r"\bcreate_(?:timer|subscription|service)\s*\(")
 _SPINS = re.compile(r"\bspin\w*\s*\(|\bExecutor\b|wait_for_message|\bWaitSet\b")
 
 
+@looks_at("terminals")
 def of_ended(facts: Facts) -> Iterator[Finding]:
     """Yield programs that ended at once because nothing in them spins."""
     for terminal in facts.terminals or ():
@@ -147,6 +150,7 @@ def script_of(source: str, cwd: Path, home: Path) -> Path | None:
     return None
 
 
+@looks_at("terminals", "nodes")
 def of_domains(facts: Facts) -> Iterator[Finding]:
     """Yield domains in which nodes run that a terminal of another domain does not see."""
     terminals = {}

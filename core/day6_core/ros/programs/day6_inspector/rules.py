@@ -18,11 +18,33 @@ from day6_core.ros.programs.day6_inspector.facts import Facts as Facts
 from day6_core.ros.programs.day6_inspector.file_rules import of_files
 from day6_core.ros.programs.day6_inspector.finding import ORDER, finding
 from day6_core.ros.programs.day6_inspector.finding import Finding as Finding
+from day6_core.ros.programs.day6_inspector.message_rules import (
+    of_frames,
+    of_messages,
+    of_positions,
+    of_rival_descriptions,
+    of_stamps,
+    of_transforms,
+)
 from day6_core.ros.programs.day6_inspector.output_rules import of_outputs
 from day6_core.ros.programs.day6_inspector.program_rules import of_domains, of_ended, of_programs
-from day6_core.ros.programs.day6_inspector.robot_rules import of_description, of_joints, of_rviz, of_world
+from day6_core.ros.programs.day6_inspector.robot_rules import (
+    of_description,
+    of_joints,
+    of_missing_joints,
+    of_rviz,
+    of_world,
+    waits_for_joints,
+)
+from day6_core.ros.programs.day6_inspector.sight import Rule, looks_at
 
-SINGLE_VOICED = ("sensor_msgs/msg/JointState", "geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
+SINGLE_VOICED = (
+    "sensor_msgs/msg/JointState",
+    "geometry_msgs/msg/Twist",
+    "geometry_msgs/msg/TwistStamped",
+    "nav_msgs/msg/Odometry",
+    "rosgraph_msgs/msg/Clock",
+)
 """Types of which two publishers on one topic contradict each other."""
 
 WATCHED_MOVING = (
@@ -47,10 +69,11 @@ RVIZ_TOOLS = ("/clicked_point", "/goal_pose", "/initialpose")
 
 def findings(facts: Facts) -> list[Finding]:
     """Return everything that is wrong, the worst first, each once."""
-    found = dict.fromkeys(each for rule in _RULES for each in rule(facts))
+    found = dict.fromkeys(each for rule in RULES for each in rule(facts))
     return sorted(found, key=lambda each: ORDER[each.level])
 
 
+@looks_at("topics")
 def _mismatched_types(facts: Facts) -> Iterator[Finding]:
     for topic, publishers in facts.publishers.items():
         for publisher in dict.fromkeys(publishers):
@@ -68,6 +91,7 @@ def _mismatched_types(facts: Facts) -> Iterator[Finding]:
                     )
 
 
+@looks_at("topics")
 def _mixed_types(facts: Facts) -> Iterator[Finding]:
     """Publishers of two types on one topic, where no subscription shows it already."""
     for topic, publishers in facts.publishers.items():
@@ -79,18 +103,20 @@ def _mixed_types(facts: Facts) -> Iterator[Finding]:
             )
 
 
+@looks_at("topics")
 def _mismatched_qos(facts: Facts) -> Iterator[Finding]:
     for topic, publisher, subscriber, policy in dict.fromkeys(facts.deaf):
         said = {"topic": topic, "publisher": publisher, "subscriber": subscriber, "policy": policy}
         yield finding("error", "qos", **said, then=f"ros2 topic info -v {topic}")
 
 
+@looks_at("topics")
 def _one_sided(facts: Facts) -> Iterator[Finding]:
     """Topics with publishers or subscriptions only; if two such names are alike, the typo is reported instead of both."""
     quiet = (*OWN_TOPICS, "/tf")
     unsubscribed = [topic for topic in facts.publishers if topic not in facts.subscriptions and topic not in quiet]
     unpublished = [topic for topic in facts.subscriptions if topic not in facts.publishers and topic not in quiet]
-    explained = set()
+    explained = {facts.joint_states} if waits_for_joints(facts) else set()
     for published in unsubscribed:
         for subscribed in unpublished:
             same = {endpoint.type for endpoint in facts.publishers[published]} & {
@@ -124,6 +150,7 @@ def _by_rviz_tool(topic: str, facts: Facts) -> bool:
     return topic in RVIZ_TOOLS and all(node.startswith("rviz") for node in nodes)
 
 
+@looks_at("topics")
 def _fights(facts: Facts) -> Iterator[Finding]:
     for topic, publishers in facts.publishers.items():
         if len(publishers) > 1 and any(publisher.type in SINGLE_VOICED for publisher in publishers):
@@ -131,11 +158,13 @@ def _fights(facts: Facts) -> Iterator[Finding]:
             yield finding("warning", "fight", **said, then=f"ros2 topic info -v {topic}")
 
 
+@looks_at("nodes")
 def _twins(facts: Facts) -> Iterator[Finding]:
     for name, count in facts.twins.items():
         yield finding("warning", "twins", name=name, count=count, then=f"ros2 node info {name}")
 
 
+@looks_at("topics", "programs")
 def _missed(facts: Facts) -> Iterator[Finding]:
     """Publishers that said something, or were gone, before anybody who waits for it had found them."""
     for topic, node, seconds in facts.missed:
@@ -146,6 +175,7 @@ def _missed(facts: Facts) -> Iterator[Finding]:
             yield finding("warning", "said_too_soon", topic=topic, node=node, then=then)
 
 
+@looks_at("topics", "nodes")
 def _clockless(facts: Facts) -> Iterator[Finding]:
     """Nodes that wait for simulated time: they subscribe to /clock."""
     if CLOCK in facts.publishers:
@@ -155,6 +185,7 @@ def _clockless(facts: Facts) -> Iterator[Finding]:
             yield finding("error", "no_clock", node=node, then=f"ros2 param set {node} use_sim_time false")
 
 
+@looks_at("services")
 def _services(facts: Facts) -> Iterator[Finding]:
     """Clients of services and actions that nobody offers."""
     for name, nodes in facts.clients.items():
@@ -167,6 +198,7 @@ def _services(facts: Facts) -> Iterator[Finding]:
             yield finding("warning", "no_server", name=name, nodes=nodes[0], then="ros2 service list")
 
 
+@looks_at("messages")
 def _slow(facts: Facts) -> Iterator[Finding]:
     for topic, rate in facts.rates.items():
         moving = any(endpoint.type in WATCHED_MOVING for endpoint in facts.publishers.get(topic, ()))
@@ -174,6 +206,7 @@ def _slow(facts: Facts) -> Iterator[Finding]:
             yield finding("info", "slow", topic=topic, rate=f"{rate:.1f}".rstrip("0").rstrip("."))
 
 
+@looks_at()
 def _late(facts: Facts) -> Iterator[Finding]:
     if facts.pace < ENOUGH * facts.speed:
         yield finding("warning", "late", pace=f"{facts.pace:.2g}", speed=f"{facts.speed:g}")
@@ -223,11 +256,12 @@ def _door(door: Door) -> Finding:
     return finding("error", key, endpoint=endpoint, **reason)
 
 
+@looks_at("machines")
 def _link(facts: Facts) -> Iterator[Finding]:
     return link_findings(facts.link)
 
 
-_RULES = (
+RULES: tuple[Rule, ...] = (
     _link,
     of_outputs,
     of_programs,
@@ -235,7 +269,14 @@ _RULES = (
     _mismatched_types,
     _mixed_types,
     _mismatched_qos,
+    of_messages,
+    of_transforms,
+    of_frames,
+    of_stamps,
     of_joints,
+    of_missing_joints,
+    of_positions,
+    of_rival_descriptions,
     of_description,
     of_rviz,
     of_world,
@@ -250,3 +291,4 @@ _RULES = (
     _slow,
     _late,
 )
+"""All of them, in the order in which findings of one level are shown."""

@@ -44,3 +44,8 @@ def world_remarks(windows: Sequence[Window[object]]) -> tuple[tuple[str, tuple[t
         for remark in cast("WorldModel", each.model).snapshot().status
         if remark.level in ("error", "warning")
     )
+
+
+def watched(windows: Sequence[Window[object]]) -> int:
+    """Return how many windows these two functions look at."""
+    return sum(each.kind in ("rviz2", "world") for each in windows)

@@ -1,0 +1,155 @@
+"""What is sent, as facts: of every publisher what was odd lately, the frames it names, how its stamps stand to the clock."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from day6_core.ros.programs.day6_inspector.message_checks import Odd, is_worth_a_look, odd
+from day6_core.ros.programs.day6_inspector.samples import Sample, Samples
+from day6_core.ros.programs.day6_inspector.transforms import TOPICS, Transforms
+
+if TYPE_CHECKING:
+    from day6_core.graph.endpoints import Publisher
+    from day6_core.graph.node import Node
+
+CLOCK, DESCRIPTION = "/clock", "/robot_description"
+HELD = 10
+"""Looks for which something odd is remembered: what is odd only now and then doesn't flicker."""
+
+BY_NAME = (CLOCK, DESCRIPTION)
+"""Topics that are listened to although nothing in one of their messages alone can be wrong."""
+
+
+class Heard(NamedTuple):
+    """What one publisher sent lately."""
+
+    topic: str
+    node: str
+    type: str
+    messages: int = 0
+    """That were looked at."""
+    odd: tuple[Odd, ...] = ()
+    frames: tuple[str, ...] = ()
+    """Frames that the newest message names: of its header, of its child."""
+    stamp: float | None = None
+    """Seconds of the newest header.stamp, None without one, or if the message may have been kept for long."""
+    ahead: float = 0.0
+    """Seconds by which that is ahead of the clock of the computer that sent it."""
+    joints: tuple[tuple[str, float], ...] = ()
+    """Joints that the newest message names, with their positions (0 where it has none)."""
+
+
+@dataclass
+class _Lately:
+    """What is kept of one publisher."""
+
+    looks: list[int] = field(default_factory=list)
+    """When messages were looked at."""
+    odd: dict[Odd, int] = field(default_factory=dict)
+    """What was odd, and when last."""
+    newest: Sample | None = None
+
+
+class Hearing:
+    """Looks at samples. On the program's thread."""
+
+    def __init__(self, node: Node) -> None:
+        self._samples = Samples(node, lambda topic, cls: topic in BY_NAME or is_worth_a_look(cls))
+        self._transforms = Transforms()
+        self._lately: dict[Publisher, _Lately] = {}
+        self._look = 0
+
+    def look(self) -> None:
+        """Take what has come since the last look."""
+        self._look += 1
+        for sample in self._samples.look():
+            publisher = sample.publisher
+            lately = self._lately.setdefault(publisher, _Lately())
+            lately.newest = sample
+            lately.looks.append(self._look)
+            lately.odd.update(dict.fromkeys(odd(sample.message, publisher.type_name), self._look))
+            if publisher.topic in TOPICS:
+                self._transforms.take(publisher, sample.message, sample.sent_ns)
+        self._transforms.look(self._samples.publishers, TOPICS[0] in self._samples.open)
+        self._lately = {
+            publisher: lately for publisher, lately in self._lately.items() if publisher in self._samples.publishers
+        }
+        for publisher, lately in self._lately.items():
+            self._forget(publisher, lately)
+
+    def _forget(self, publisher: Publisher, lately: _Lately) -> None:
+        lasts = publisher.cache is not None
+        newest = lately.looks[-1]
+        lately.looks = [look for look in lately.looks if self._look - look <= HELD or (lasts and look == newest)]
+        lately.odd = {
+            each: look for each, look in lately.odd.items() if self._look - look <= HELD or (lasts and look == newest)
+        }
+        if not lately.looks:
+            lately.looks, lately.newest = [newest], None
+
+    @property
+    def frames(self) -> frozenset[str]:
+        """All frames that transforms are sent of."""
+        return self._transforms.frames
+
+    def facts(self) -> dict[str, Any]:
+        """Return the facts, by their names."""
+        newest = {publisher: lately.newest for publisher, lately in self._lately.items() if lately.newest is not None}
+        robots = {
+            publisher.node.full_name: sample.message.data
+            for publisher, sample in newest.items()
+            if publisher.topic == DESCRIPTION and publisher.type_name == "std_msgs/msg/String"
+        }
+        clocks = [sample for publisher, sample in newest.items() if publisher.topic == CLOCK]
+        return {
+            "heard": tuple(sorted(_heard(sample, self._lately[publisher]) for publisher, sample in newest.items())),
+            "transforms": self._transforms.now(),
+            "frames": self._transforms.frames,
+            "unread": self._samples.unread,
+            "rival_descriptions": tuple(sorted(robots)) if len(set(robots.values())) > 1 else (),
+            "clock": _seconds(clocks[-1].message.clock) if clocks and hasattr(clocks[-1].message, "clock") else None,
+        }
+
+
+def _heard(sample: Sample, lately: _Lately) -> Heard:
+    publisher, message = sample.publisher, sample.message
+    header = _header(message)
+    frames: tuple[str, ...] = ()
+    stamp = None
+    if header is not None:
+        child = getattr(message, "child_frame_id", None)
+        frames = (header.frame_id, *(() if child is None else (child,)))
+        if hasattr(message, "transforms"):
+            frames = ()
+        stamp = _seconds(header.stamp) if publisher.cache is None else None
+    ahead = stamp - sample.sent_ns / 1e9 if stamp is not None else 0.0
+    names = getattr(message, "joint_names", getattr(message, "name", ()))
+    positions = getattr(message, "position", ())
+    joints: tuple[tuple[str, float], ...] = ()
+    if isinstance(names, list) and len(names) <= 1000 and all(isinstance(each, str) for each in names):
+        values = [*positions] if len(positions) == len(names) else [0.0] * len(names)
+        joints = tuple((name, float(value)) for name, value in zip(names, values, strict=True))
+    return Heard(
+        publisher.topic,
+        publisher.node.full_name,
+        publisher.type_name,
+        len(lately.looks),
+        tuple(sorted(lately.odd)),
+        frames,
+        stamp,
+        ahead,
+        joints,
+    )
+
+
+def _header(message: Any) -> Any:
+    """Return a message's header, or that of its first transform; None without one."""
+    transforms = getattr(message, "transforms", None)
+    first = transforms[0] if isinstance(transforms, list) and transforms else message
+    header = getattr(first, "header", None)
+    return header if hasattr(header, "frame_id") else None
+
+
+def _seconds(time: Any) -> float:
+    return float(time.sec + time.nanosec / 1e9)

@@ -1,0 +1,167 @@
+"""Rules about what is sent: values, frames, stamps, transforms, joints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import timedelta
+
+from day6_core.facts.names import nearest
+from day6_core.ros.programs.day6_inspector.facts import Facts
+from day6_core.ros.programs.day6_inspector.finding import Finding, finding
+from day6_core.ros.programs.day6_inspector.hearing import CLOCK, Heard
+from day6_core.ros.programs.day6_inspector.sight import looks_at
+
+JOINT_STATE, TRANSFORMS = "sensor_msgs/msg/JointState", "tf2_msgs/msg/TFMessage"
+TRAJECTORY = "trajectory_msgs/msg/JointTrajectory"
+PLACED = (
+    "sensor_msgs/msg/LaserScan",
+    "sensor_msgs/msg/PointCloud2",
+    "nav_msgs/msg/Odometry",
+    "nav_msgs/msg/OccupancyGrid",
+)
+"""Types that are of no use where their frame is unknown."""
+
+FAR = 60.0
+"""Seconds: computers' clocks and slow programs differ by less."""
+
+LONG_AGO = 100_000_000.0
+"""1973: a stamp before it counts from the start of something else than 1970."""
+
+PLAYER = "rosbag2_player"
+"""The node that repeats what was said once: its stamps are old."""
+
+BEYOND = 0.02
+"""Part of a joint's range by which it may be beyond its limits."""
+
+
+@looks_at("messages")
+def of_messages(facts: Facts) -> Iterator[Finding]:
+    """Yield what is wrong in messages, whatever else is known."""
+    for heard in facts.heard:
+        for odd in heard.odd:
+            level = "warning" if odd.key != "not_finite" or not _may_be_endless(heard, odd.parameters) else "info"
+            yield finding(level, odd.key, topic=heard.topic, node=heard.node, **dict(odd.parameters), then=_echo(heard))
+
+
+def _may_be_endless(heard: Heard, parameters: tuple[tuple[str, str], ...]) -> bool:
+    """Whether it is a bare number that says by infinity that there is nothing near, as ranges do (REP 117)."""
+    return heard.type.startswith("std_msgs/msg/Float") and dict(parameters)["value"].endswith("inf")
+
+
+def _echo(heard: Heard) -> str:
+    return f"ros2 topic echo {heard.topic} --once"
+
+
+@looks_at("messages", "frames")
+def of_frames(facts: Facts) -> Iterator[Finding]:
+    """Yield messages in frames that nobody knows, as far as anybody sends transforms."""
+    if not facts.transforms:
+        return
+    for heard in facts.heard:
+        if heard.type not in PLACED:
+            continue
+        for frame in heard.frames:
+            said = {"topic": heard.topic, "node": heard.node, "type": heard.type.rpartition("/")[2]}
+            if not frame:
+                yield finding(
+                    "warning", "empty_frame", **said, then=f"ros2 topic echo {heard.topic} --once --field header"
+                )
+            elif frame.lstrip("/") not in facts.frames:
+                near = nearest(frame.lstrip("/"), sorted(facts.frames)) or "-"
+                then = "ros2 run tf2_tools view_frames"
+                yield finding("warning", "unknown_frame", **said, frame=frame, nearest=near, then=then)
+
+
+@looks_at("messages", "nodes")
+def of_stamps(facts: Facts) -> Iterator[Finding]:
+    """Yield stamps that are 0 or of another clock than everybody's."""
+    on_clock = {each.node for each in facts.subscriptions.get(CLOCK, ())}
+    for heard in facts.heard:
+        if heard.stamp is None or heard.type == JOINT_STATE or heard.node.endswith(PLAYER):
+            continue
+        said = {"topic": heard.topic, "node": heard.node}
+        then = f"ros2 topic echo {heard.topic} --once"
+        if heard.stamp == 0:
+            level = "warning" if heard.type in (TRANSFORMS, *PLACED) and facts.transforms else "info"
+            yield finding(level, "stampless", **said, then=then)
+        elif facts.clock is not None:
+            if heard.node not in on_clock and abs(heard.ahead) < FAR < abs(heard.stamp - facts.clock):
+                then = f"ros2 param set {heard.node} use_sim_time true"
+                yield finding("warning", "stamp_clock", **said, then=then)
+        elif heard.node not in on_clock and abs(heard.ahead) > FAR:
+            key = "stamp_1970" if heard.stamp < LONG_AGO else "stamp_past" if heard.ahead < 0 else "stamp_future"
+            yield finding("warning", key, **said, time=_long(abs(heard.ahead)), stamp=f"{heard.stamp:.1f}", then=then)
+
+
+def _long(seconds: float) -> str:
+    """Return a time as one says it to the minute: 1:00:00, or with days."""
+    return str(timedelta(seconds=round(seconds / 60) * 60)).partition(",")[0]
+
+
+@looks_at("frames")
+def of_transforms(facts: Facts) -> Iterator[Finding]:
+    """Yield a tree of frames that is none."""
+    then = "ros2 run tf2_tools view_frames"
+    parents: dict[str, list[str]] = {}
+    for each in facts.transforms:
+        nodes = ", ".join(each.nodes)
+        if not each.parent or not each.child:
+            yield finding(
+                "error", "tf_nameless", nodes=nodes, frame=each.parent or each.child, then="ros2 topic echo /tf"
+            )
+            continue
+        parents.setdefault(each.child, []).append(each.parent)
+        if each.apart:
+            yield finding("warning", "tf_fight", nodes=nodes, parent=each.parent, child=each.child, then=then)
+    for child, several in parents.items():
+        if len(several) > 1:
+            nodes = ", ".join(sorted({node for each in facts.transforms if each.child == child for node in each.nodes}))
+            yield finding("error", "two_parents", child=child, parents=", ".join(several), nodes=nodes, then=then)
+    for loop in _loops({child: several[0] for child, several in parents.items()}):
+        nodes = ", ".join(sorted({node for each in facts.transforms if each.child in loop for node in each.nodes}))
+        yield finding("error", "tf_loop", frames=" → ".join((*loop, loop[0])), nodes=nodes, then=then)
+
+
+def _loops(parents: dict[str, str]) -> Iterator[tuple[str, ...]]:
+    """Yield the loops of a tree that is none, each once, from its first name."""
+    done: set[str] = set()
+    for start in sorted(parents):
+        path: dict[str, None] = {}
+        at: str | None = start
+        while at is not None and at not in done and at not in path:
+            path[at] = None
+            at = parents.get(at)
+        if at is not None and at in path:
+            names = [*path]
+            loop = names[names.index(at) :]
+            first = loop.index(min(loop))
+            yield (*loop[first:], *loop[:first])
+        done |= {*path}
+
+
+@looks_at("messages", "joints")
+def of_positions(facts: Facts) -> Iterator[Finding]:
+    """Yield joints beyond their limits, and trajectories for joints that the robot does not have."""
+    if facts.robot is None:
+        return
+    limits = dict(facts.robot.limits)
+    for heard in facts.heard:
+        said = {"topic": heard.topic, "node": heard.node}
+        for joint, position in heard.joints:
+            if heard.type == TRAJECTORY and facts.joints is not None and joint not in facts.joints:
+                near = nearest(joint, sorted(facts.joints)) or "-"
+                yield finding("error", "trajectory_joint", **said, joint=joint, nearest=near, then=_echo(heard))
+            elif heard.type == JOINT_STATE and joint in limits:
+                low, high = limits[joint]
+                slack = BEYOND * (high - low)
+                if position < low - slack or position > high + slack:
+                    numbers = {"position": f"{position:g}", "low": f"{low:g}", "high": f"{high:g}"}
+                    yield finding("warning", "joint_limits", **said, joint=joint, **numbers, then=_echo(heard))
+
+
+@looks_at("messages")
+def of_rival_descriptions(facts: Facts) -> Iterator[Finding]:
+    """Yield robots of which two programs tell different things."""
+    if facts.rival_descriptions:
+        nodes = ", ".join(facts.rival_descriptions)
+        yield finding("error", "two_descriptions", nodes=nodes, then="ros2 topic info -v /robot_description")
