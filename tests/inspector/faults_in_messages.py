@@ -159,7 +159,7 @@ def two_descriptions(lab: Lab) -> None:
 def no_inertia(lab: Lab) -> None:
     import re
 
-    text = re.sub(r'i(xx|yy|zz)="[^"]*"', r'i\1="0"', shipped_model().read_text(encoding="utf-8"))
+    text = re.sub(r'i(xx|yy|zz)="[^"]*"', r'i\1="0"', shipped_model("day6_bot_gazebo").read_text(encoding="utf-8"))
     lab.file("my_car.urdf", text)
     lab.start("ros2 run day6_world world --ros-args -p robot_file:=my_car.urdf")
     lab.wait(lambda: lab.windows("world"))
@@ -176,6 +176,75 @@ def beyond_limits(lab: Lab) -> None:
     line = "'/joint_states', JointState, JointState(header=header(), name=['arm_joint'], position=[90.0])"
     start(lab, line, number=1)
 
+
+def played(lab: Lab) -> None:
+    """A bag of yesterday: its stamps are old, and that is right."""
+    start(
+        lab,
+        "'/scan', LaserScan, scan(stamp=now(-86400))",
+        TREE.replace("'), tf(", "', stamp=now(-86400)), tf("),
+        name="yesterday",
+    )
+    lab.start("ros2 bag record -o yesterday /scan /tf", 1, shows="Subscribed to topic '/tf'")
+    lab.run("sleep 2", 2)
+    lab.interrupt(1)
+    lab.interrupt(0)
+    lab.start("ros2 bag play -l yesterday", 0, shows="Playback")
+
+
+def measured(lab: Lab) -> None:
+    """What sensors say where there is nothing to measure, and sizes that look odd and are right."""
+    start(
+        lab,
+        TREE,
+        "'/scan', LaserScan, scan(ranges=[math.nan, math.inf, 1.0, 0.0, -math.inf])",
+        "'/half_scan', LaserScan, scan(angle_min=0.0, angle_max=6.28, angle_increment=0.0175, count=360)",
+        "'/battery', BatteryState, BatteryState(percentage=math.nan, voltage=math.nan)",
+        "'/fix', NavSatFix, NavSatFix(latitude=math.nan, longitude=math.nan)",
+        "'/sonar', Range, Range(range=math.inf)",
+        "'/echo', Float32, Float32(data=math.inf)",
+        "'/imu', Imu, Imu(header=header('laser'), orientation=Quaternion(w=0.0), orientation_covariance=[-1.0] * 9)",
+        "'/padded', Image, Image(header=header('laser'), width=3, height=2, encoding='mono8', step=4, data=bytes(8))",
+        "'/jpeg', CompressedImage, CompressedImage(format='jpeg', data=bytes(5))",
+        "'/points', PointCloud2, cloud(160)",
+        "'/map', OccupancyGrid, grid(100)",
+        "'/empty_map', OccupancyGrid, OccupancyGrid(header=header('odom'))",
+        "'/turned', PoseStamped, PoseStamped(header=header('odom'), pose=pose((0.0, 0.0, -0.7071, 0.7071)))",
+        "'/array', Float64MultiArray, Float64MultiArray(data=[1.0, 2.0])",
+    )
+
+
+def handed_over(lab: Lab) -> None:
+    """A cup that is on the table first and in the gripper then: one parent at a time."""
+    gripped = "tf('table' if int(time.time() / 3) % 2 else 'gripper', 'cup')"
+    start(lab, f"'/tf', TFMessage, TFMessage(transforms=[tf('world', 'table'), tf('world', 'gripper'), {gripped}])")
+
+
+def simulated(lab: Lab) -> None:
+    """A simulator's clock begins at 0, and everybody goes by it."""
+    lab.file(
+        "clock.py",
+        SENDER.format(
+            name="simulator",
+            period=0.05,
+            sent="('/clock', Clock, lambda: Clock(clock=Time(sec=int(time.monotonic()) % 1000)))",
+        ),
+    )
+    lab.start("python3 clock.py", 2)
+    lab.wait_node("/simulator")
+    lab.file(
+        "robot.py",
+        SENDER.format(
+            name="robot",
+            period=0.05,
+            sent=f"('/odom', Odometry, lambda: odometry()), ({TREE.replace('TFMessage, ', 'TFMessage, lambda: ', 1)})",
+        ),
+    )
+    lab.start("python3 robot.py --ros-args -p use_sim_time:=true")
+    lab.wait_node("/robot")
+
+
+HEALTHY: tuple[Callable[[Lab], object], ...] = (played, measured, handed_over, simulated)
 
 TREE = "'/tf', TFMessage, TFMessage(transforms=[tf('odom', 'base_link'), tf('base_link', 'laser')])"
 WHEELS = "name=['left_wheel_joint', 'right_wheel_joint']"

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.inspector.drills import HEAD, LISTENER, MODEL, TALKER, package, robot, rviz
+from tests.inspector.faults_in_messages import HEALTHY
 from tests.inspector.lab import Lab
 
 
@@ -248,7 +249,7 @@ SCENES: tuple[Callable[[Lab], object], ...] = (
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.__name__)
+@pytest.mark.parametrize("scene", (*SCENES, *HEALTHY), ids=lambda scene: scene.__name__)
 def test_a_healthy_scene_gives_no_alarm(lab: Lab, scene: Callable[[Lab], object]) -> None:
     scene(lab)
     said = lab.stays_silent()

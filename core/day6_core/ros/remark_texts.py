@@ -27,9 +27,12 @@ TEXTS = {
     "inspector.no_joint_states": (
         "nobody publishes {topic}: nobody says how far {joints} has turned, so {links} has no place in TF"
     ),
-    "inspector.trajectory_joint": "{topic}: {node} commands the joint {joint}, which the robot does not have (nearest: {nearest})",
+    "inspector.trajectory_joint": (
+        "{topic}: {node} commands the joint {joint}, which the robot does not have (nearest: {nearest})"
+    ),
     "inspector.joint_limits": (
-        "{topic}: {node} sends {position} for {joint}, whose limits are {low} and {high}: are these degrees? ROS counts in radians"
+        "{topic}: {node} sends {position} for {joint}, whose limits are {low} and {high}: are these degrees? ROS counts in "
+        "radians"
     ),
     "inspector.two_descriptions": (
         "{nodes} send different robots on /robot_description: whoever starts next gets one of them by chance"
@@ -66,7 +69,9 @@ TEXTS = {
     "inspector.tf_loop": "the transforms go round in a circle: {frames} (from {nodes}); nothing in it has a place",
     "inspector.tf_nameless": "{nodes} sends a transform with an empty frame id (the other is {frame})",
     "inspector.tf_fight": "{nodes} send different transforms from {parent} to {child}: it jumps to and fro",
-    "inspector.two_parents": "the frame {child} has several parents: {parents} (from {nodes}). A frame has one; which one counts changes",
+    "inspector.two_parents": (
+        "the frame {child} has several parents: {parents} (from {nodes}). A frame has one; which one counts keeps changing"
+    ),
     "inspector.slow": "{topic} arrives {rate} times a second; the eye needs about 20",
     "inspector.late": (
         "this computer is too slow for everything running here: time passes at {pace}x instead of {speed}x, "

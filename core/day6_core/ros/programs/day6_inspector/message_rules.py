@@ -17,9 +17,8 @@ PLACED = (
     "sensor_msgs/msg/LaserScan",
     "sensor_msgs/msg/PointCloud2",
     "nav_msgs/msg/Odometry",
-    "nav_msgs/msg/OccupancyGrid",
 )
-"""Types that are of no use where their frame is unknown."""
+"""Types that are of little use where their frame is unknown. A map's may be the root of everything, without any transform."""
 
 FAR = 60.0
 """Seconds: computers' clocks and slow programs differ by less."""
@@ -58,18 +57,21 @@ def of_frames(facts: Facts) -> Iterator[Finding]:
     if not facts.transforms:
         return
     for heard in facts.heard:
-        if heard.type not in PLACED:
-            continue
-        for frame in heard.frames:
-            said = {"topic": heard.topic, "node": heard.node, "type": heard.type.rpartition("/")[2]}
+        said = {"topic": heard.topic, "node": heard.node, "type": heard.type.rpartition("/")[2]}
+        for frame in heard.frames if heard.type in PLACED else ():
+            near = nearest(frame.lstrip("/"), sorted(facts.frames))
+            level = "warning" if near or _is_placed_by_somebody(heard.topic, facts) else "info"
             if not frame:
-                yield finding(
-                    "warning", "empty_frame", **said, then=f"ros2 topic echo {heard.topic} --once --field header"
-                )
+                yield finding(level, "empty_frame", **said, then=f"ros2 topic echo {heard.topic} --once --field header")
             elif frame.lstrip("/") not in facts.frames:
-                near = nearest(frame.lstrip("/"), sorted(facts.frames)) or "-"
                 then = "ros2 run tf2_tools view_frames"
-                yield finding("warning", "unknown_frame", **said, frame=frame, nearest=near, then=then)
+                yield finding(level, "unknown_frame", **said, frame=frame, nearest=near or "-", then=then)
+
+
+def _is_placed_by_somebody(topic: str, facts: Facts) -> bool:
+    """Whether somebody who listens to a topic listens to transforms, too: only then its frame matters."""
+    by_frames = {each.node for each in facts.subscriptions.get("/tf", ())}
+    return any(each.node in by_frames for each in facts.subscriptions.get(topic, ()))
 
 
 @looks_at("messages", "nodes")
@@ -82,7 +84,7 @@ def of_stamps(facts: Facts) -> Iterator[Finding]:
         said = {"topic": heard.topic, "node": heard.node}
         then = f"ros2 topic echo {heard.topic} --once"
         if heard.stamp == 0:
-            level = "warning" if heard.type in (TRANSFORMS, *PLACED) and facts.transforms else "info"
+            level = "warning" if heard.type == TRANSFORMS or _is_placed_by_somebody(heard.topic, facts) else "info"
             yield finding(level, "stampless", **said, then=then)
         elif facts.clock is not None:
             if heard.node not in on_clock and abs(heard.ahead) < FAR < abs(heard.stamp - facts.clock):

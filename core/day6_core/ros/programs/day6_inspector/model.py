@@ -35,6 +35,10 @@ COUNTED_AGAIN = 10
 """Looks after which what was looked at is counted again although nothing else has changed: the window needn't flicker."""
 
 
+ASKED = 3
+"""Looks after which a program that has told nothing of itself counts as one that doesn't: it may have just begun."""
+
+
 class ProcessReports(Protocol):
     """Asks the other processes (`asking.Asking`)."""
 
@@ -82,6 +86,8 @@ class Inspector:
         """'drill' or 'exam' while nothing is said because the pupil is to find a fault himself."""
         self.version = 0
         self._looks = 0
+        self._untold: dict[str, int] = {}
+        """Nodes of other processes that told nothing, and at how many looks in a row."""
 
     def close(self) -> None:
         """Stop following the graph."""
@@ -92,6 +98,7 @@ class Inspector:
         self._pace = self._clock_pace.now()
         self._listening.listen()
         self._hearing.look()
+        self._note_untold()
         self._looks += 1
         if self._reports is not None:
             self._reports.ask()
@@ -167,18 +174,19 @@ class Inspector:
             files=self._files,
             processes=processes,
             windows=watched(windows),
-            unreported=self._unreported(processes),
+            unreported=tuple(sorted(node for node, looks in self._untold.items() if looks >= ASKED)),
             silent_processes=self._reports.silent() if self._reports is not None else (),
         )
 
     def _terminals(self) -> tuple[TerminalView, ...] | None:
         return tuple(self._overview.terminals()) if self._overview is not None else None
 
-    def _unreported(self, processes: tuple[ReportedProcess, ...]) -> tuple[str, ...]:
-        """The nodes of other processes that tell nothing of their insides."""
+    def _note_untold(self) -> None:
+        """Count for how many looks the nodes of other processes have told nothing of their insides."""
+        processes = self._reports.processes if self._reports is not None else ()
         told = {inside.node for process in processes for inside in process.nodes}
         others = {node.full_name for node in self._graph.nodes if node.origin is not None and is_shown(node.name)}
-        return tuple(sorted(others - told))
+        self._untold = {node: self._untold.get(node, 0) + 1 for node in others - told}
 
     def _missed(self, processes: tuple[ReportedProcess, ...]) -> tuple[tuple[str, str, float], ...]:
         received: Mapping[tuple[str, str], int] = {

@@ -11,6 +11,9 @@ TOPICS = ("/tf", "/tf_static")
 STILL = 4
 """Looks at which an open /tf brought a transform no more: nobody sends it any longer."""
 
+PAUSED = 2
+"""Looks after which a transform that comes again counts as a new one: a cup is put down and picked up again."""
+
 APART = 0.001
 """Metres, or parts of a unit quaternion, by which two programs' values of one transform differ."""
 
@@ -33,6 +36,7 @@ class _Sent:
     """One transform as one publisher sends it."""
 
     first_ns: int
+    """When it came first, without a pause since."""
     last_ns: int
     value: tuple[float, ...]
     unheard: int = 0
@@ -52,6 +56,8 @@ class Transforms:
             value = _value(each.transform)
             before = self._sent.get(key)
             if before is not None:
+                if before.unheard >= PAUSED:
+                    before.first_ns = sent_ns
                 before.last_ns, before.value, before.unheard = sent_ns, value, 0
             elif len(self._sent) < MOST:
                 if publisher.cache is not None:  # a fixed transform is replaced by the next one of its child
