@@ -89,8 +89,8 @@ def test_a_click_on_a_tab_shows_it_though_the_places_change_under_the_mouse(plac
         screen.press("F2")
         screen.wait("4 ~ ━")
         screen.press("F6")
-        screen.wait("nothing is wrong")
-        for text, tab in [("three", "3 sleep"), ("nothing is wrong", "5 Inspector")] * 2:
+        screen.wait("no fault found")
+        for text, tab in [("three", "3 sleep"), ("no fault found", "5 Inspector")] * 2:
             screen.press("Alt-4")
             screen.wait("4 ~ ━")
             mouse.click_on(tab)

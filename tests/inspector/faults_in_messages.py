@@ -453,4 +453,33 @@ IN_MESSAGES: tuple[Drill, ...] = (
     Drill("d46", "two descriptions of one robot", two_descriptions, ("two_descriptions",)),
     Drill("d47", "inertia 0", no_inertia, ("world.bad_inertia",)),
     Drill("d48", "an arm in degrees", beyond_limits, ("joint_limits",)),
+    Drill(
+        "d49",
+        "this computer's time beside a simulator's",
+        both("'/clock', Clock, Clock(clock=Time(sec=100))", "'/odom', Odometry, odometry()"),
+        ("stamp_clock",),
+    ),
+    Drill(
+        "d50",
+        "stamped once and for all",
+        sends("'/tf', TFMessage, TFMessage(transforms=[tf('odom', 'base_link', stamp=now(-600))])"),
+        ("stamp_past",),
+    ),
+    Drill(
+        "d51",
+        "an encoding in capitals",
+        sends(
+            "'/image', Image, Image(header=header('laser'), width=8, height=4, encoding='RGB8', step=24, data=bytes(96))"
+        ),
+        ("image_encoding",),
+    ),
+    Drill(
+        "d52",
+        "an array whose layout says another size",
+        sends(
+            "'/table', Float32MultiArray, Float32MultiArray("
+            "layout=MultiArrayLayout(dim=[MultiArrayDimension(label='row', size=3, stride=3)]), data=[1.0, 2.0])"
+        ),
+        ("data_size",),
+    ),
 )

@@ -122,6 +122,7 @@ def test_the_inspector_is_nowhere_while_it_looks_on(lab: Lab) -> None:
 @pytest.mark.process
 def test_in_a_real_terminal_it_says_what_it_cannot_look_at(lab: Lab) -> None:
     from day6_core.ros.programs.day6_inspector.model import Inspector
+    from day6_core.ros.programs.day6_inspector.sight import not_seen
 
     model = Inspector(lab.inspector._listening._node, lab.desk.clock, lab.desk.graph)
-    assert model._unseen() == ("terminals", "files", "programs")
+    assert not_seen(model.facts()) == (("terminals", ""), ("files", ""))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -11,9 +12,14 @@ from day6_core.advice.card_files import all_cards, names_of
 from day6_core.facts.graph import NodeAndType
 from day6_core.interfaces import checks
 from day6_core.ros.programs.day6_inspector import output_rules
+from day6_core.ros.programs.day6_inspector.facts import RobotFacts, RVizView
 from day6_core.ros.programs.day6_inspector.finding import finding
-from day6_core.ros.programs.day6_inspector.rules import Facts, findings
+from day6_core.ros.programs.day6_inspector.hearing import Heard
+from day6_core.ros.programs.day6_inspector.rules import RULES, Facts, findings
+from day6_core.ros.programs.day6_inspector.sight import SIGHTS, not_seen, sights
+from day6_core.ros.programs.day6_inspector.transforms import Transform
 from day6_core.session.overview import TerminalView
+from tests.support.folded import folded
 
 TWIST, STRING, JOINTS = "geometry_msgs/msg/Twist", "std_msgs/msg/String", "sensor_msgs/msg/JointState"
 WHEELS = frozenset({"left_wheel_joint", "right_wheel_joint"})
@@ -80,15 +86,134 @@ def test_two_publishers_of_joint_states_fight() -> None:
     ]
 
 
-def test_a_joint_the_robot_does_not_have_is_named_with_its_neighbour() -> None:
-    facts = Facts(heard_joints=("left_wheel", "right_wheel_joint"), joints=WHEELS)
-    assert texts(facts) == [
+ROBOT = RobotFacts(moved=tuple((each, each.removesuffix("_joint")) for each in sorted(WHEELS)))
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
         (
-            "error: /joint_states names the joint left_wheel, which the robot description does not have; "
-            "did you mean left_wheel_joint?"
+            ("left_wheel", "right_wheel_joint"),
+            (
+                "error: /joint_states: /turner names the joint left_wheel, which the robot description does not have, so "
+                "left_wheel has no place in TF; did you mean left_wheel_joint?"
+            ),
         ),
-        "warning: the joint left_wheel_joint can move, but nobody sends its position on /joint_states",
-    ]
+        (
+            ("a", "b"),
+            (
+                "error: /joint_states: /turner names a, b, but the joints of the robot description are called left_wheel_joint, "
+                "right_wheel_joint: left_wheel, right_wheel have no place in TF"
+            ),
+        ),
+        (
+            ("left_wheel_joint",),
+            "warning: /joint_states: /turner doesn't send the position of right_wheel_joint, so right_wheel has no place in TF",
+        ),
+        (
+            (*sorted(WHEELS), "arm"),
+            "error: /joint_states: /turner names the joint arm, which the robot description does not have",
+        ),
+    ],
+)
+def test_my_wheels_are_missing_has_one_answer_with_joint_link_and_publisher(names: tuple[str, ...], said: str) -> None:
+    ends = {"/joint_states": (NodeAndType("/turner", JOINTS),)}
+    heard = {"/joint_states": (NodeAndType("/robot_state_publisher", JOINTS),)}
+    view = RVizView("base_link", ("base_link",), ("RobotModel",), True, "/robot_description", ("left_wheel",))
+    described = {"/robot_description": (NodeAndType("/robot_state_publisher", STRING),)}
+    listened = {"/robot_description": (NodeAndType("/rviz", STRING),)}
+    facts = Facts({**ends, **described}, {**heard, **listened}, heard_joints=names, joints=WHEELS, robot=ROBOT)
+    assert texts(facts) == [said]
+    if "left_wheel_joint" not in names:
+        assert texts(replace(facts, rviz=(view,))) == [said], "RViz has no second answer"
+
+
+def test_nobody_publishes_joint_states_is_an_error_where_rviz_waits_for_them() -> None:
+    heard = {"/joint_states": (NodeAndType("/robot_state_publisher", JOINTS),)}
+    view = RVizView("base_link", ("base_link",), ("RobotModel",), True, "/robot_description", ("left_wheel",))
+    described = {"/robot_description": (NodeAndType("/robot_state_publisher", STRING),)}
+    listened = {"/robot_description": (NodeAndType("/rviz", STRING),)}
+    facts = Facts(described, {**heard, **listened}, joints=WHEELS, robot=ROBOT)
+    said = "nobody publishes /joint_states: nobody says how far left_wheel_joint, right_wheel_joint has turned, so"
+    assert [text.startswith(f"info: {said}") for text in texts(facts)] == [True]
+    assert [text.startswith(f"error: {said}") for text in texts(replace(facts, rviz=(view,)))] == [True]
+
+
+TREE = (Transform("odom", "base_link", ("/base",)), Transform("base_link", "laser", ("/base",)))
+SCAN, ODOMETRY = "sensor_msgs/msg/LaserScan", "nav_msgs/msg/Odometry"
+WALL, TICKS = 1_700_000_000.0, {"/clock": (NodeAndType("/robot", "rosgraph_msgs/msg/Clock"),)}
+MAPPED = {
+    "/scan": (NodeAndType("/slam", SCAN),),
+    "/tf": (NodeAndType("/slam", "tf2_msgs/msg/TFMessage"),),
+}
+
+
+def says(stamp: float | None = None, ahead: float = 0.0, frames: tuple[str, ...] = (), **more: Any) -> Heard:
+    return Heard("/scan", "/robot", SCAN, stamp=stamp, ahead=ahead, frames=frames, **more)
+
+
+FOUND: dict[str, tuple[Facts, str]] = {
+    "a tree": (Facts(transforms=TREE), ""),
+    "a loop": (Facts(transforms=(*TREE, Transform("laser", "odom", ("/a",)))), "error tf_loop"),
+    "a frame in itself": (Facts(transforms=(Transform("a", "a", ("/a",)),)), "error tf_loop"),
+    "two parents": (Facts(transforms=(*TREE, Transform("map", "base_link", ("/a",)))), "error two_parents"),
+    "no name": (Facts(transforms=(Transform("", "a", ("/a",)),)), "error tf_nameless"),
+    "two that differ": (Facts(transforms=(Transform("a", "b", ("/a", "/b"), apart=True),)), "warning tf_fight"),
+    "two that agree": (Facts(transforms=(Transform("a", "b", ("/a", "/b")),)), ""),
+    "known": (Facts(heard=(says(frames=("/laser",)),), transforms=TREE, frames=frozenset({"laser"})), ""),
+    "a slip": (
+        Facts(heard=(says(frames=("lasr",)),), transforms=TREE, frames=frozenset({"laser"})),
+        "warning unknown_frame",
+    ),
+    "elsewhere": (
+        Facts(heard=(says(frames=("x",)),), transforms=TREE, frames=frozenset({"laser"})),
+        "info unknown_frame",
+    ),
+    "placed": (
+        Facts({}, MAPPED, heard=(says(frames=("x",)),), transforms=TREE, frames=frozenset({"laser"})),
+        "warning unknown_frame",
+    ),
+    "nowhere": (Facts(heard=(says(frames=("",)),), transforms=TREE), "info empty_frame"),
+    "without any transform": (Facts(heard=(says(frames=("x",)),)), ""),
+    "now": (Facts(heard=(says(WALL, 0.5),)), ""),
+    "no stamp": (Facts(heard=(says(0.0, -WALL),)), "info stampless"),
+    "1970": (Facts(heard=(says(5.0, 5.0 - WALL),)), "warning stamp_1970"),
+    "an hour ago": (Facts(heard=(says(WALL - 3600, -3600),)), "warning stamp_past"),
+    "in an hour": (Facts(heard=(says(WALL + 3600, 3600),)), "warning stamp_future"),
+    "a bag": (Facts(heard=(says(WALL - 3600, -3600)._replace(node="/rosbag2_player"),)), ""),
+    "by the simulator": (Facts({"/clock": ()}, TICKS, heard=(says(5.0, 5.0 - WALL),), clock=5.0), ""),
+    "beside the simulator": (Facts(heard=(says(WALL),), clock=5.0), "warning stamp_clock"),
+    "a clock that is right": (Facts(heard=(says(WALL),), clock=WALL + 1), ""),
+    "rivals": (Facts(rival_descriptions=("/a", "/b")), "error two_descriptions"),
+}
+
+
+@folded("case", FOUND.items(), ids=lambda case: case[0])
+def test_transforms_frames_and_stamps(case: tuple[str, tuple[Facts, str]]) -> None:
+    _, (facts, said) = case
+    found = [f"{each.level} {each.id.removeprefix('inspector.')}" for each in findings(facts)]
+    assert [each for each in found if "unsaid" not in each] == ([said] if said else [])
+
+
+def test_joints_stay_within_their_limits_and_a_trajectory_knows_its_robot() -> None:
+    robot = RobotFacts(limits=(("arm", (-1.5, 1.5)),))
+    near, far = (Heard("/j", "/a", JOINTS, joints=(("arm", position),)) for position in (1.51, 90.0))
+    assert texts(Facts(heard=(near,), robot=robot, joints=frozenset({"arm"}))) == []
+    (said,) = texts(Facts(heard=(far,), robot=robot, joints=frozenset({"arm"})))
+    assert "90 for arm, whose limits are -1.5 and 1.5" in said
+    order = Heard("/t", "/a", "trajectory_msgs/msg/JointTrajectory", joints=(("arm", 0.0), ("am", 0.0)))
+    (said,) = texts(Facts(heard=(order,), robot=robot, joints=frozenset({"arm"})))
+    assert "the joint am, which the robot does not have (nearest: arm)" in said
+
+
+def test_every_rule_says_what_it_looks_at_and_nothing_is_counted_that_no_rule_looks_at() -> None:
+    declared = {sight for rule in RULES for sight in rule.of}
+    assert declared == SIGHTS.keys()
+    assert all(rule.of for rule in RULES if rule.judge.__name__ != "_late"), "the clock is always there"
+    counts = dict(sights(RULES, Facts({"/a": ()}, {"/b": ()}, ("/n",))))
+    assert counts["topics"] == 2 and counts["nodes"] == 1 and counts["joints"] == 0
+    assert "terminals" not in counts and "packages" not in counts, "nobody could look at them"
+    assert ("terminals", "") in not_seen(Facts()) and ("programs", "/a") in not_seen(Facts(unreported=("/a",)))
 
 
 def test_movement_of_one_hertz_is_slow() -> None:

@@ -99,7 +99,7 @@ async def test_the_inspector_names_nothing_until_the_drill_is_solved(tmp_path: P
         await until(app, pilot, _shows(app, "find the bug yourself"))
         model = inspector(app)
         assert model.findings == () and "turtlesm" not in "".join(map(str, model.findings))
-        assert "nothing is wrong" not in screen_text(app) and FINDING not in screen_text(app)
+        assert "no fault found" not in screen_text(app) and FINDING not in screen_text(app)
         await solve(app, pilot)
         await until(app, pilot, lambda: FINDING in screen_text(app).replace("\n", " ") or model.findings)
         assert any(each.id == "inspector.no_package" for each in model.findings)

@@ -55,6 +55,21 @@ class FindingList(PaneList):
             last = len(findings) - 1
             self.highlighted = self._findings.index(chosen) if chosen in self._findings else min(at or 0, last)
 
+    def action_cursor_down(self) -> None:
+        """Go to the next finding; after the last one to the lines below, and at their end back to the first."""
+        is_last = self.highlighted is None or self.highlighted == len(self._findings) - 1
+        if is_last and self.scroll_offset.y < self.max_scroll_y:
+            self.scroll_down(animate=False)
+        else:
+            super().action_cursor_down()
+
+    def action_cursor_up(self) -> None:
+        """Go to the finding before; without any, up in the lines."""
+        if self.highlighted is None:
+            self.scroll_up(animate=False)
+        else:
+            super().action_cursor_up()
+
     def _row(self, index: int, finding: Finding) -> ListRow:
         colours, glyphs = self.look.colours, self.look.glyphs
         mark, style = {

@@ -21,6 +21,10 @@ BY_NAME = (CLOCK, DESCRIPTION)
 """Topics that are listened to although nothing in one of their messages alone can be wrong."""
 
 
+OWN = ("/rosout", "/parameter_events")
+"""Topics of rclpy itself: nobody can send wrong numbers there."""
+
+
 class Heard(NamedTuple):
     """What one publisher sent lately."""
 
@@ -33,7 +37,10 @@ class Heard(NamedTuple):
     frames: tuple[str, ...] = ()
     """Frames that the newest message names: of its header, of its child."""
     stamp: float | None = None
-    """Seconds of the newest header.stamp, None without one, or if the message may have been kept for long."""
+    """Seconds of the newest header.stamp, None without one, or if it may be old or of the world's clock and right.
+
+    A message may have been kept for long; our own programs go by the world's clock, which may be slow or fast.
+    """
     ahead: float = 0.0
     """Seconds by which that is ahead of the clock of the computer that sent it."""
     joints: tuple[tuple[str, float], ...] = ()
@@ -55,7 +62,9 @@ class Hearing:
     """Looks at samples. On the program's thread."""
 
     def __init__(self, node: Node) -> None:
-        self._samples = Samples(node, lambda topic, cls: topic in BY_NAME or is_worth_a_look(cls))
+        self._samples = Samples(
+            node, lambda topic, cls: topic in BY_NAME or (topic not in OWN and is_worth_a_look(cls))
+        )
         self._transforms = Transforms()
         self._lately: dict[Publisher, _Lately] = {}
         self._look = 0
@@ -122,8 +131,10 @@ def _heard(sample: Sample, lately: _Lately) -> Heard:
         frames = (header.frame_id, *(() if child is None else (child,)))
         if hasattr(message, "transforms"):
             frames = ()
-        stamp = _seconds(header.stamp) if publisher.cache is None else None
-    ahead = stamp - sample.sent_ns / 1e9 if stamp is not None else 0.0
+        stamp = _seconds(header.stamp)
+        if publisher.cache is not None or (publisher.origin is None and stamp):
+            stamp = None
+    ahead = round(stamp - sample.sent_ns / 1e9, 1) + 0.0 if stamp is not None else 0.0  # no -0.0
     names = getattr(message, "joint_names", getattr(message, "name", ()))
     positions = getattr(message, "position", ())
     joints: tuple[tuple[str, float], ...] = ()

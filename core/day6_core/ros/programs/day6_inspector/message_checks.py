@@ -12,6 +12,8 @@ from functools import lru_cache
 from itertools import islice
 from typing import Any, NamedTuple
 
+from day6_core.interfaces import type_name
+
 MOST = 100
 """Elements of a sequence of messages that are looked at."""
 
@@ -72,12 +74,7 @@ def odd(message: Any, type_name: str) -> list[Odd]:
 
 def is_worth_a_look(cls: Any) -> bool:
     """Whether anything can be wrong in messages of a class: it has numbers with a fraction, a header, or sizes."""
-    name = _name(cls)
-    return name in CHECKS or any(True for _ in _plan(cls)) or "header" in cls.get_fields_and_field_types()
-
-
-def _name(cls: Any) -> str:
-    return f"{cls.__module__.partition('.')[0]}/msg/{cls.__name__}"
+    return type_name(cls) in CHECKS or any(True for _ in _plan(cls)) or "header" in cls.get_fields_and_field_types()
 
 
 # -- every field -----------------------------------------------------------------------------------------------------------

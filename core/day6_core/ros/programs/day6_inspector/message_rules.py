@@ -20,6 +20,9 @@ PLACED = (
 )
 """Types that are of little use where their frame is unknown. A map's may be the root of everything, without any transform."""
 
+BROKEN = ("not_finite", "data_size", "map_resolution")
+"""What makes a message useless as a whole."""
+
 FAR = 60.0
 """Seconds: computers' clocks and slow programs differ by less."""
 
@@ -38,7 +41,9 @@ def of_messages(facts: Facts) -> Iterator[Finding]:
     """Yield what is wrong in messages, whatever else is known."""
     for heard in facts.heard:
         for odd in heard.odd:
-            level = "warning" if odd.key != "not_finite" or not _may_be_endless(heard, odd.parameters) else "info"
+            level = "error" if odd.key in BROKEN else "warning"
+            if odd.key == "not_finite" and _may_be_endless(heard, odd.parameters):
+                level = "info"
             yield finding(level, odd.key, topic=heard.topic, node=heard.node, **dict(odd.parameters), then=_echo(heard))
 
 
@@ -121,7 +126,7 @@ def of_transforms(facts: Facts) -> Iterator[Finding]:
             yield finding("error", "two_parents", child=child, parents=", ".join(several), nodes=nodes, then=then)
     for loop in _loops({child: several[0] for child, several in parents.items()}):
         nodes = ", ".join(sorted({node for each in facts.transforms if each.child in loop for node in each.nodes}))
-        yield finding("error", "tf_loop", frames=" → ".join((*loop, loop[0])), nodes=nodes, then=then)
+        yield finding("error", "tf_loop", frames=" → ".join((loop[0], *loop[::-1])), nodes=nodes, then=then)
 
 
 def _loops(parents: dict[str, str]) -> Iterator[tuple[str, ...]]:

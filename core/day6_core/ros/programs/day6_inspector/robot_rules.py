@@ -63,7 +63,7 @@ def waits_for_joints(facts: Facts) -> bool:
 @looks_at("joints", "topics")
 def of_missing_joints(facts: Facts) -> Iterator[Finding]:
     """Yield that nobody says where a robot's moving parts are: an error where RViz waits for it."""
-    if facts.robot is not None and waits_for_joints(facts):
+    if facts.robot is not None and facts.robot.moved and waits_for_joints(facts):
         lost = {link for _, link in facts.robot.moved}
         missed = any(lost & {*view.untransformed} for view in facts.rviz)
         joints, links = (", ".join(each) for each in zip(*facts.robot.moved, strict=True))

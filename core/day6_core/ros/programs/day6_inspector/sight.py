@@ -65,9 +65,10 @@ def said_of(
     looked: Sequence[tuple[str, int]], unseen: Sequence[tuple[str, str]], texts: Callable[..., str]
 ) -> Iterator[str]:
     """Yield the lines that say what was looked at and what not, in somebody's language."""
-    if looked:
-        yield texts(
-            "inspector.looked", sights=" · ".join(texts(f"inspector.sight.{key}", count=n) for key, n in looked)
-        )
+    there = [f"{texts(f'inspector.sight.{key}')} {count}" for key, count in looked if count]
+    absent = [texts(f"inspector.sight.{key}") for key, count in looked if not count]
+    for key, those in (("looked", there), ("absent", absent)):
+        if those:
+            yield texts(f"inspector.{key}", sights=" · ".join(those))
     for key, names in unseen:
         yield texts(f"inspector.unseen.{key}", names=names)
