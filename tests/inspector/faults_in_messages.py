@@ -377,7 +377,10 @@ IN_MESSAGES: tuple[Drill, ...] = (
     ),
     Drill("d25", "range_max 0", sends("'/scan', LaserScan, scan(range_max=0.0)", TREE), ("scan_ranges",)),
     Drill(
-        "d26", "a scan in a frame that is nowhere", sends("'/scan', LaserScan, scan('lidar')", TREE), ("unknown_frame",)
+        "d26",
+        "a scan in a frame that is nowhere",
+        sends("'/scan', LaserScan, scan('lidar')", TREE),
+        ("unknown_frame", "unknown_frame_near"),
     ),
     Drill("d27", "a scan without a frame", sends("'/scan', LaserScan, scan('')", TREE), ("empty_frame",)),
     Drill(
@@ -387,7 +390,7 @@ IN_MESSAGES: tuple[Drill, ...] = (
         "d29",
         "odometry of a frame that is nowhere",
         sends("'/odom', Odometry, odometry(child='base_footprint')", TREE),
-        ("unknown_frame",),
+        ("unknown_frame", "unknown_frame_near"),
     ),
     Drill(
         "d30",
@@ -425,7 +428,7 @@ IN_MESSAGES: tuple[Drill, ...] = (
             "'/trajectory', JointTrajectory, JointTrajectory(joint_names=['left_weel_joint'], "
             "points=[JointTrajectoryPoint(positions=[0.0])])"
         ),
-        ("trajectory_joint",),
+        ("trajectory_joint_near",),
     ),
     Drill(
         "d38",

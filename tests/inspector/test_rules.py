@@ -163,7 +163,7 @@ FOUND: dict[str, tuple[Facts, str]] = {
     "known": (Facts(heard=(says(frames=("/laser",)),), transforms=TREE, frames=frozenset({"laser"})), ""),
     "a slip": (
         Facts(heard=(says(frames=("lasr",)),), transforms=TREE, frames=frozenset({"laser"})),
-        "warning unknown_frame",
+        "warning unknown_frame_near",
     ),
     "elsewhere": (
         Facts(heard=(says(frames=("x",)),), transforms=TREE, frames=frozenset({"laser"})),
@@ -203,7 +203,7 @@ def test_joints_stay_within_their_limits_and_a_trajectory_knows_its_robot() -> N
     assert "90 for arm, whose limits are -1.5 and 1.5" in said
     order = Heard("/t", "/a", "trajectory_msgs/msg/JointTrajectory", joints=(("arm", 0.0), ("am", 0.0)))
     (said,) = texts(Facts(heard=(order,), robot=robot, joints=frozenset({"arm"})))
-    assert "the joint am, which the robot does not have (nearest: arm)" in said
+    assert "the joint am, which the robot doesn't have; did you mean arm?" in said
 
 
 def test_every_rule_says_what_it_looks_at_and_nothing_is_counted_that_no_rule_looks_at() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from geometry_msgs.msg import TransformStamped, Twist, Vector3
-from sensor_msgs.msg import Image
+from sensor_msgs.msg import Image, JointState
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 
@@ -16,7 +16,7 @@ from day6_core.graph.names import OBSERVER_PREFIX
 from day6_core.graph.qos import Durability, QoS
 from day6_core.interfaces import copy_message, serialize, type_hash, type_name
 from day6_core.ros.programs.day6_inspector.hearing import HELD, Hearing
-from day6_core.ros.programs.day6_inspector.samples import MUCH, REST, Samples
+from day6_core.ros.programs.day6_inspector.samples import MOST_TOPICS, MUCH, REST, Samples
 from day6_core.ros.programs.day6_inspector.transforms import PAUSED, STILL
 
 LATCHED = QoS(depth=1, durability=Durability.TRANSIENT_LOCAL)
@@ -89,6 +89,40 @@ def test_what_cannot_be_read_is_named_and_what_has_no_numbers_is_not_listened_to
     broken.publish(Twist())
     hearing.look()
     assert hearing.facts()["unread"] == ("/x",)
+
+
+def test_two_of_one_name_and_other_types_on_known_topics_end_nothing(place: Place) -> None:
+    stamped = TransformStamped(header=Header(frame_id="a"), child_frame_id="b")
+    said = [
+        (place.says(topic, type(message), "twin"), message)
+        for topic, message in {
+            "/tf": Twist(),
+            "/clock": Twist(),
+            "/robot_description": Twist(),
+            "/tf_static": TFMessage(),
+            "/a": stamped,
+            "/b": JointState(name=["a"]),
+        }.items()
+    ]
+    said += [(place.says("/a", TransformStamped, "twin", LATCHED), stamped)]
+    hearing = Hearing(place.node)
+    hearing.look()
+    for publisher, message in said:
+        publisher.publish(message)
+    hearing.look()
+    facts = hearing.facts()
+    assert len(facts["heard"]) == len(said) and facts["clock"] is None and facts["transforms"] == ()
+
+
+def test_of_very_many_topics_some_are_passed_over_and_that_is_told(place: Place) -> None:
+    publishers = [place.says(f"/robot{number}/cmd_vel", Twist, f"driver{number}") for number in range(MOST_TOPICS + 3)]
+    hearing = Hearing(place.node)
+    hearing.look()
+    assert sum(bool(each.matched) for each in publishers) == MOST_TOPICS and hearing.facts()["passed_over"] == 3
+    for each in publishers[:3]:
+        each.destroy()
+    hearing.look()
+    assert hearing.facts()["passed_over"] == 0
 
 
 def test_what_was_odd_is_remembered_for_a_while_and_of_a_latched_message_for_ever(place: Place) -> None:

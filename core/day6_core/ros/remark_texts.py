@@ -27,8 +27,9 @@ TEXTS = {
     "inspector.no_joint_states": (
         "nobody publishes {topic}: nobody says how far {joints} has turned, so {links} has no place in TF"
     ),
-    "inspector.trajectory_joint": (
-        "{topic}: {node} commands the joint {joint}, which the robot does not have (nearest: {nearest})"
+    "inspector.trajectory_joint": "{topic}: {node} commands the joint {joint}, which the robot doesn't have",
+    "inspector.trajectory_joint_near": (
+        "{topic}: {node} commands the joint {joint}, which the robot doesn't have; did you mean {nearest}?"
     ),
     "inspector.joint_limits": (
         "{topic}: {node} sends {position} for {joint}, whose limits are {low} and {high}: are these degrees? ROS counts in "
@@ -39,22 +40,23 @@ TEXTS = {
     ),
     "inspector.not_finite": "{topic}: {node} sends {value} in {field}; nobody can calculate with that",
     "inspector.quaternion": (
-        "{topic}: the quaternion {field} of {node} has length {length} instead of 1, so it is no rotation; make it from angles, "
-        "or use w = 1 for none"
+        "{topic}: the quaternion {field} of {node} has length {length} instead of 1, so it isn't a rotation; compute it from "
+        "angles, or write w = 1 for no rotation"
     ),
     "inspector.data_size": "{topic}: {field} of {node} is {count}, but by the message's other fields it should be {expected}",
     "inspector.image_encoding": "{topic}: {node} calls the encoding {encoding}; it is written {right}",
     "inspector.map_resolution": "{topic}: the map of {node} has a resolution of {resolution} m: its cells have no size",
     "inspector.out_of_range": "{topic}: {node} sends {value} in {field}, which goes from {low} to {high}",
     "inspector.scan_angles": (
-        "{topic}: {node} sends {ranges} ranges, but angle_min, angle_max and angle_increment ({step}) make {angles}"
+        "{topic}: {node} sends {ranges} ranges, but angle_min, angle_max and angle_increment ({step}) allow for {angles}"
     ),
     "inspector.scan_degrees": "{topic}: {node} scans up to the angle {angle}: those are degrees, and ROS counts in radians",
     "inspector.scan_empty": "{topic}: not one of the {ranges} ranges of {node} is a number: this laser sees nothing",
-    "inspector.scan_ranges": "{topic}: {node} says that distances from {low} to {high} m are valid: then none is",
+    "inspector.scan_ranges": "{topic}: range_min {low} and range_max {high} m of {node} leave no valid distance",
     "inspector.empty_frame": "{topic}: a {type} of {node} has an empty frame id, so nobody knows where it belongs",
-    "inspector.unknown_frame": (
-        "{topic}: a {type} of {node} is in the frame {frame}, of which nobody sends a transform (nearest: {nearest})"
+    "inspector.unknown_frame": "{topic}: a {type} of {node} is in the frame {frame}, of which nobody sends a transform",
+    "inspector.unknown_frame_near": (
+        "{topic}: a {type} of {node} is in the frame {frame}, of which nobody sends a transform; did you mean {nearest}?"
     ),
     "inspector.stampless": "{topic}: header.stamp of {node} is 0: set it to node.get_clock().now().to_msg()",
     "inspector.stamp_1970": (
@@ -70,7 +72,7 @@ TEXTS = {
     "inspector.tf_nameless": "{nodes} sends a transform with an empty frame id (the other is {frame})",
     "inspector.tf_fight": "{nodes} send different transforms from {parent} to {child}: it jumps to and fro",
     "inspector.two_parents": (
-        "the frame {child} has several parents: {parents} (from {nodes}). A frame has one; which one counts keeps changing"
+        "the frame {child} has several parents: {parents} (from {nodes}). A frame can have only one, so it jumps between them"
     ),
     "inspector.slow": "{topic} arrives {rate} times a second; the eye needs about 20",
     "inspector.late": (
@@ -211,8 +213,9 @@ TEXTS = {
     ),
     "inspector.unseen.terminals": "not looked at: the terminals (they exist only on the desktop)",
     "inspector.unseen.files": "not looked at: the files of the workspaces",
-    "inspector.unseen.programs": "not looked into, because they tell nothing of themselves: the programs of {names}",
-    "inspector.unseen.messages": "not looked at, because their messages cannot be read here: {names}",
+    "inspector.unseen.programs": "not looked into: the programs of {names}, which send no reports",
+    "inspector.unseen.messages": "not looked at: {names}, whose messages cannot be read here",
+    "inspector.unseen.topics": "not looked at: what is sent on {names} more topics, because there are so many",
     "inspector.looked": "looked at: {sights}",
     "inspector.absent": "not there, so not looked at: {sights}",
     "inspector.sight.nodes": "nodes",

@@ -53,7 +53,8 @@ TEXTS = {
     "inspector.other_joints": "{topic}：{nodes} 发的是 {joint}，机器人描述里的关节却叫 {joints}：{links} 在 TF 里没有位置",
     "inspector.silent_joint": "{topic}：{nodes} 没有发 {joint} 的位置，所以 {links} 在 TF 里没有位置",
     "inspector.no_joint_states": "没有人发布 {topic}：没有人说 {joints} 转到了哪里，所以 {links} 在 TF 里没有位置",
-    "inspector.trajectory_joint": "{topic}：{node} 指挥关节 {joint}，机器人没有这个关节（最像的是 {nearest}）",
+    "inspector.trajectory_joint": "{topic}：{node} 指挥关节 {joint}，机器人没有这个关节",
+    "inspector.trajectory_joint_near": "{topic}：{node} 指挥关节 {joint}，机器人没有这个关节；是不是想写 {nearest}？",
     "inspector.joint_limits": (
         "{topic}：{node} 发的 {joint} 是 {position}，超出了 {low} 到 {high} 的限位：是不是写成了角度？ROS 用弧度"
     ),
@@ -71,9 +72,12 @@ TEXTS = {
     ),
     "inspector.scan_degrees": "{topic}：{node} 扫描到的角度是 {angle}：这是度，ROS 用弧度",
     "inspector.scan_empty": "{topic}：{node} 的 {ranges} 个距离没有一个是数：这个激光雷达什么也看不见",
-    "inspector.scan_ranges": "{topic}：{node} 说有效距离从 {low} 到 {high} 米：那就没有一个有效",
+    "inspector.scan_ranges": "{topic}：{node} 的 range_min 是 {low}，range_max 是 {high} 米：没有一个距离有效",
     "inspector.empty_frame": "{topic}：{node} 发的 {type} 里坐标系名是空的，谁也不知道它在哪里",
-    "inspector.unknown_frame": "{topic}：{node} 发的 {type} 在坐标系 {frame} 里，可是没有人发它的变换（最像的是 {nearest}）",
+    "inspector.unknown_frame": "{topic}：{node} 发的 {type} 在坐标系 {frame} 里，可是没有人发它的变换",
+    "inspector.unknown_frame_near": (
+        "{topic}：{node} 发的 {type} 在坐标系 {frame} 里，可是没有人发它的变换；是不是想写 {nearest}？"
+    ),
     "inspector.stampless": "{topic}：{node} 的 header.stamp 是 0：把它设成 node.get_clock().now().to_msg()",
     "inspector.stamp_1970": (
         "{topic}：{node} 的时间戳是 {stamp} 秒，也就是 1970 年：它用的不是大家的时钟。"
@@ -85,7 +89,7 @@ TEXTS = {
     "inspector.tf_loop": "坐标变换绕成了一个圈：{frames}（{nodes} 发的）；圈里的东西都没有位置",
     "inspector.tf_nameless": "{nodes} 发的坐标变换里有一个空的坐标系名（另一个是 {frame}）",
     "inspector.tf_fight": "{nodes} 发的从 {parent} 到 {child} 的变换不一样：它会跳来跳去",
-    "inspector.two_parents": "坐标系 {child} 有几个上级：{parents}（{nodes} 发的）。只能有一个；现在听谁的变来变去",
+    "inspector.two_parents": "坐标系 {child} 有几个上级：{parents}（{nodes} 发的）。只能有一个，所以它在它们之间跳来跳去",
     "inspector.slow": "{topic} 每秒只来 {rate} 次；眼睛要看得顺，大约需要 20 次",
     "inspector.late": "这台电脑忙不过来：时间只走到 {pace} 倍速，本来应该是 {speed} 倍，所以各个话题的频率都比程序设定的低",
     "inspector.open": "{endpoint} 已开放，{joined} 台已加入；没有口令：能连到这个端口的人都能读取和指挥",
@@ -180,8 +184,9 @@ TEXTS = {
     "inspector.robot_model_deaf": "RViz：RobotModel 听的是 {topic}，没有收到描述：把 Description Topic 设成 {right}",
     "inspector.unseen.terminals": "没有看：终端（只有桌面里才有）",
     "inspector.unseen.files": "没有看：工作空间里的文件",
-    "inspector.unseen.programs": "没有看到里面，因为它们不讲自己的情况：{names} 的程序",
-    "inspector.unseen.messages": "没有看，因为这里读不了它们的消息：{names}",
+    "inspector.unseen.programs": "没有看到里面：{names} 的程序，它们不报告自己的情况",
+    "inspector.unseen.messages": "没有看：{names}，这里读不了它们的消息",
+    "inspector.unseen.topics": "没有看：另外 {names} 个话题上发的内容，话题太多了",
     "inspector.looked": "看过：{sights}",
     "inspector.absent": "这里没有，所以没有看：{sights}",
     "inspector.sight.nodes": "节点",

@@ -73,6 +73,8 @@ class Facts(GraphFacts):
     """What publishers sent lately, as far as it was looked at."""
     unread: tuple[str, ...] = ()
     """Topics whose messages cannot be read here."""
+    passed_over: int = 0
+    """Topics that were not listened to, because there are so many."""
     rival_descriptions: tuple[str, ...] = ()
     """Nodes that send different robot descriptions."""
     clock: float | None = None

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.ros.programs.day6_inspector.message_checks import Odd, is_worth_a_look, odd
-from day6_core.ros.programs.day6_inspector.samples import Sample, Samples
+from day6_core.ros.programs.day6_inspector.samples import TRANSFORMS, Sample, Samples
 from day6_core.ros.programs.day6_inspector.transforms import TOPICS, Transforms
 
 if TYPE_CHECKING:
@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from day6_core.graph.node import Node
 
 CLOCK, DESCRIPTION = "/clock", "/robot_description"
+CLOCK_TYPE, STRING = "rosgraph_msgs/msg/Clock", "std_msgs/msg/String"
+JOINT_STATE, TRAJECTORY = "sensor_msgs/msg/JointState", "trajectory_msgs/msg/JointTrajectory"
+MOST_JOINTS = 200
 HELD = 10
 """Looks for which something odd is remembered: what is odd only now and then doesn't flicker."""
 
@@ -78,7 +81,7 @@ class Hearing:
             lately.newest = sample
             lately.looks.append(self._look)
             lately.odd.update(dict.fromkeys(odd(sample.message, publisher.type_name), self._look))
-            if publisher.topic in TOPICS:
+            if publisher.topic in TOPICS and publisher.type_name == TRANSFORMS:
                 self._transforms.take(publisher, sample.message, sample.sent_ns)
         self._transforms.look(self._samples.publishers, TOPICS[0] in self._samples.open)
         self._lately = {
@@ -108,39 +111,41 @@ class Hearing:
         robots = {
             publisher.node.full_name: sample.message.data
             for publisher, sample in newest.items()
-            if publisher.topic == DESCRIPTION and publisher.type_name == "std_msgs/msg/String"
+            if publisher.topic == DESCRIPTION and publisher.type_name == STRING
         }
-        clocks = [sample for publisher, sample in newest.items() if publisher.topic == CLOCK]
+        clocks = [
+            _seconds(sample.message.clock)
+            for publisher, sample in newest.items()
+            if publisher.topic == CLOCK and publisher.type_name == CLOCK_TYPE
+        ]
         return {
-            "heard": tuple(sorted(_heard(sample, self._lately[publisher]) for publisher, sample in newest.items())),
+            "heard": tuple(
+                sorted(
+                    (_heard(sample, self._lately[publisher]) for publisher, sample in newest.items()),
+                    key=lambda heard: heard[:3],
+                )
+            ),
             "transforms": self._transforms.now(),
             "frames": self._transforms.frames,
             "unread": self._samples.unread,
+            "passed_over": self._samples.passed_over,
             "rival_descriptions": tuple(sorted(robots)) if len(set(robots.values())) > 1 else (),
-            "clock": _seconds(clocks[-1].message.clock) if clocks and hasattr(clocks[-1].message, "clock") else None,
+            "clock": clocks[-1] if clocks else None,
         }
 
 
 def _heard(sample: Sample, lately: _Lately) -> Heard:
     publisher, message = sample.publisher, sample.message
-    header = _header(message)
+    header = _header(message, publisher.type_name)
     frames: tuple[str, ...] = ()
     stamp = None
     if header is not None:
-        child = getattr(message, "child_frame_id", None)
-        frames = (header.frame_id, *(() if child is None else (child,)))
-        if hasattr(message, "transforms"):
-            frames = ()
         stamp = _seconds(header.stamp)
         if publisher.cache is not None or (publisher.origin is None and stamp):
             stamp = None
-    ahead = round(stamp - sample.sent_ns / 1e9, 1) + 0.0 if stamp is not None else 0.0  # no -0.0
-    names = getattr(message, "joint_names", getattr(message, "name", ()))
-    positions = getattr(message, "position", ())
-    joints: tuple[tuple[str, float], ...] = ()
-    if isinstance(names, list) and len(names) <= 1000 and all(isinstance(each, str) for each in names):
-        values = [*positions] if len(positions) == len(names) else [0.0] * len(names)
-        joints = tuple((name, float(value)) for name, value in zip(names, values, strict=True))
+        if publisher.type_name != TRANSFORMS:
+            child = getattr(message, "child_frame_id", None)
+            frames = (header.frame_id, *((child,) if isinstance(child, str) else ()))
     return Heard(
         publisher.topic,
         publisher.node.full_name,
@@ -149,17 +154,25 @@ def _heard(sample: Sample, lately: _Lately) -> Heard:
         tuple(sorted(lately.odd)),
         frames,
         stamp,
-        ahead,
-        joints,
+        round(stamp - sample.sent_ns / 1e9, 1) + 0.0 if stamp is not None else 0.0,  # no -0.0
+        _joints(message, publisher.type_name),
     )
 
 
-def _header(message: Any) -> Any:
+def _joints(message: Any, type_name: str) -> tuple[tuple[str, float], ...]:
+    if type_name == TRAJECTORY:
+        return tuple((name, 0.0) for name in message.joint_names[:MOST_JOINTS])
+    if type_name == JOINT_STATE and len(message.position) == len(message.name) <= MOST_JOINTS:
+        return tuple((name, float(value)) for name, value in zip(message.name, message.position, strict=True))
+    return ()
+
+
+def _header(message: Any, type_name: str) -> Any:
     """Return a message's header, or that of its first transform; None without one."""
-    transforms = getattr(message, "transforms", None)
-    first = transforms[0] if isinstance(transforms, list) and transforms else message
-    header = getattr(first, "header", None)
-    return header if hasattr(header, "frame_id") else None
+    if type_name == TRANSFORMS:
+        return message.transforms[0].header if message.transforms else None
+    has_one = type(message).get_fields_and_field_types().get("header") == "std_msgs/Header"
+    return message.header if has_one else None
 
 
 def _seconds(time: Any) -> float:

@@ -15,7 +15,10 @@ from typing import Any, NamedTuple
 from day6_core.interfaces import type_name
 
 MOST = 100
-"""Elements of a sequence of messages that are looked at."""
+"""Elements of a sequence of messages that are looked at; of a sequence within such a sequence, a tenth."""
+
+MOST_NUMBERS = 50_000
+"""Elements of a sequence of numbers that are looked at: that takes less than a millisecond."""
 
 NOT_UNIT = 0.01
 """How far the square of a quaternion's length may be from 1: tf2 ignores transforms beyond (buffer_core.cpp)."""
@@ -92,7 +95,7 @@ def _plan(cls: Any) -> tuple[tuple[str, str, bool], ...]:
     return tuple(found)
 
 
-def walked(message: Any, path: str = "") -> Iterator[tuple[str, str, Any]]:
+def walked(message: Any, path: str = "", most: int = MOST) -> Iterator[tuple[str, str, Any]]:
     """Yield every number and message within a message: where it is, its type, itself; lists of numbers as a whole."""
     for name, kind, many in _plan(message.__class__):
         value = getattr(message, name)
@@ -100,10 +103,10 @@ def walked(message: Any, path: str = "") -> Iterator[tuple[str, str, Any]]:
         if kind in ("double", "float"):
             yield at, "numbers" if many else "number", value
             continue
-        for index, each in enumerate(islice(value, MOST) if many else (value,)):
+        for index, each in enumerate(islice(value, most) if many else (value,)):
             here = f"{at}[{index}]" if many else at
             yield here, kind, each
-            yield from walked(each, f"{here}.")
+            yield from walked(each, f"{here}.", most // 10 if many else most)
 
 
 def _of_fields(message: Any, type_name: str) -> Iterator[Odd]:
@@ -114,7 +117,7 @@ def _of_fields(message: Any, type_name: str) -> Iterator[Odd]:
         elif kind in ("number", "numbers") and "" not in unmeasured:
             last = re.sub(r"\[\d+\]", "", path).rpartition(".")[2]
             if last not in unmeasured and "covariance" not in last:
-                yield from _of_numbers(path, [value] if kind == "number" else value)
+                yield from _of_numbers(path, [value] if kind == "number" else value[:MOST_NUMBERS])
 
 
 def _of_numbers(path: str, values: Sequence[float]) -> Iterator[Odd]:

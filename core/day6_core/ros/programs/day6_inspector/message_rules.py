@@ -8,11 +8,10 @@ from datetime import timedelta
 from day6_core.facts.names import nearest
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
-from day6_core.ros.programs.day6_inspector.hearing import CLOCK, Heard
+from day6_core.ros.programs.day6_inspector.hearing import CLOCK, JOINT_STATE, TRAJECTORY, Heard
+from day6_core.ros.programs.day6_inspector.samples import TRANSFORMS
 from day6_core.ros.programs.day6_inspector.sight import looks_at
 
-JOINT_STATE, TRANSFORMS = "sensor_msgs/msg/JointState", "tf2_msgs/msg/TFMessage"
-TRAJECTORY = "trajectory_msgs/msg/JointTrajectory"
 PLACED = (
     "sensor_msgs/msg/LaserScan",
     "sensor_msgs/msg/PointCloud2",
@@ -70,7 +69,16 @@ def of_frames(facts: Facts) -> Iterator[Finding]:
                 yield finding(level, "empty_frame", **said, then=f"ros2 topic echo {heard.topic} --once --field header")
             elif frame.lstrip("/") not in facts.frames:
                 then = "ros2 run tf2_tools view_frames"
-                yield finding(level, "unknown_frame", **said, frame=frame, nearest=near or "-", then=then)
+                yield _or_near(level, "unknown_frame", near, **said, frame=frame, then=then)
+
+
+def _or_near(level: str, key: str, near: str, *, then: str, **said: str) -> Finding:
+    """The finding `key`, or where a name is near, the one that asks whether that was meant."""
+    return (
+        finding(level, f"{key}_near", **said, nearest=near, then=then)
+        if near
+        else finding(level, key, **said, then=then)
+    )
 
 
 def _is_placed_by_somebody(topic: str, facts: Facts) -> bool:
@@ -156,8 +164,8 @@ def of_positions(facts: Facts) -> Iterator[Finding]:
         said = {"topic": heard.topic, "node": heard.node}
         for joint, position in heard.joints:
             if heard.type == TRAJECTORY and facts.joints is not None and joint not in facts.joints:
-                near = nearest(joint, sorted(facts.joints)) or "-"
-                yield finding("error", "trajectory_joint", **said, joint=joint, nearest=near, then=_echo(heard))
+                near = nearest(joint, sorted(facts.joints))
+                yield _or_near("error", "trajectory_joint", near, **said, joint=joint, then=_echo(heard))
             elif heard.type == JOINT_STATE and joint in limits:
                 low, high = limits[joint]
                 slack = BEYOND * (high - low)

@@ -81,7 +81,7 @@ class Inspector:
         self.looked: tuple[tuple[str, int], ...] = ()
         """What was looked at (`sight.SIGHTS`), and how many of it there are."""
         self.unseen: tuple[tuple[str, str], ...] = ()
-        """What could not be looked at: 'terminals', 'files', 'programs', 'messages', and the names it is about."""
+        """What could not be looked at: 'terminals', 'files', 'programs', 'messages', 'topics', and the names it is about."""
         self.quiet = ""
         """'drill' or 'exam' while nothing is said because the pupil is to find a fault himself."""
         self.version = 0

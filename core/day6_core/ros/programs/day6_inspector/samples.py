@@ -36,6 +36,10 @@ LARGEST = 8_000_000
 """Bytes: a larger message is not looked at."""
 
 
+MOST_TOPICS = 60
+"""Topics that are listened to at the same time: a teacher's desktop sees those of a whole class."""
+
+
 class Sample(NamedTuple):
     """One message that was looked at."""
 
@@ -126,6 +130,8 @@ class Samples:
         """None for topics that nobody asks for."""
         self.unread: tuple[str, ...] = ()
         """Topics whose messages cannot be read here, or are too large."""
+        self.passed_over = 0
+        """Topics that are worth a look, and for which there are too many."""
         self.publishers: frozenset[Publisher] = frozenset()
         self.open: frozenset[str] = frozenset()
         """Topics that were listened to since the last look."""
@@ -140,15 +146,19 @@ class Samples:
         for topic in [each for each in self._taps if each not in offers]:
             self._close(topic)
         found, unread = [], set()
+        self.passed_over = 0
         self.open = frozenset(topic for topic, tap in self._taps.items() if tap is not None and tap.is_open)
         for topic, publishers in offers.items():
-            try:
-                if topic not in self._taps:
+            if topic not in self._taps:
+                try:
                     wanted = self._wants(topic, message_class(publishers[0].type_name))
-                    self._taps[topic] = _Tap(self._node, publishers[0]) if wanted else None
-            except (LookupError, ValueError):
-                unread.add(topic)
-                continue
+                except (LookupError, ValueError):
+                    unread.add(topic)
+                    continue
+                if wanted and sum(tap is not None for tap in self._taps.values()) >= MOST_TOPICS:
+                    self.passed_over += 1
+                    continue
+                self._taps[topic] = _Tap(self._node, publishers[0]) if wanted else None
             if (tap := self._taps[topic]) is not None:
                 seen = list(tap.look(publishers))
                 found += [each for each in seen if each.message is not None]

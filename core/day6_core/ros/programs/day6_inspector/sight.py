@@ -57,6 +57,7 @@ def not_seen(facts: Facts) -> tuple[tuple[str, str], ...]:
         "files": "" if facts.files is None else None,
         "programs": ", ".join(facts.unreported) or None,
         "messages": ", ".join(facts.unread) or None,
+        "topics": str(facts.passed_over or "") or None,
     }
     return tuple((key, names) for key, names in found.items() if names is not None)
 
