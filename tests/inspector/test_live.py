@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from geometry_msgs.msg import TransformStamped, Twist
+from geometry_msgs.msg import TransformStamped, Twist, Vector3
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64MultiArray, Header, String
 from tf2_msgs.msg import TFMessage
@@ -222,6 +222,28 @@ def test_frames_that_nobody_sends_any_more_go(lab: Lab) -> None:
 
 def transform(parent: str, child: str) -> TransformStamped:
     return TransformStamped(header=Header(frame_id=parent), child_frame_id=child)
+
+
+def test_without_a_window_it_prints_what_it_looked_at_and_what_not(lab: Lab) -> None:
+    lab.hears(Twist, "/cmd_vel", "base")
+    publisher = lab.says(Twist, "/cmd_vel", "driver")
+    told = []
+    for speed in (1.0, float("nan")):
+        inspector = lab.start("day6_inspector", "inspector")
+        for _ in range(20):
+            publisher.publish(Twist(linear=Vector3(x=speed)))
+            lab.advance(0.1)
+        lab.until(lambda inspector=inspector: inspector.program.status is not None)
+        told.append(inspector.output.splitlines())
+    well, broken = told
+    assert well[0] == "no fault found in what was looked at" and broken[0].startswith(
+        "error: /cmd_vel: /driver sends nan"
+    )
+    for lines in told:
+        (looked,) = (line for line in lines if line.startswith("looked at: "))
+        assert "nodes 2" in looked and "messages " in looked and "frames" not in looked
+        assert any(line.startswith("not there, so not looked at: ") and "frames" in line for line in lines)
+        assert "not looked at: the terminals (they exist only on the desktop)" in lines
 
 
 def test_what_was_put_right_is_no_longer_said(lab: Lab) -> None:

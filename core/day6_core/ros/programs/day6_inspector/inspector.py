@@ -59,6 +59,7 @@ async def _tell(session: Session, model: Inspector) -> int:
         await session.sleep(SETTLE_SECONDS / 3)
         await _look_once(model)
         model.refresh()
+    model.count()
     if model.quiet:
         session.print(TEXTS[f"inspector.quiet.{model.quiet}"])
         return 0

@@ -85,7 +85,7 @@ class Inspector:
         self.quiet = ""
         """'drill' or 'exam' while nothing is said because the pupil is to find a fault himself."""
         self.version = 0
-        self._looks = 0
+        self._looks = COUNTED_AGAIN
         self._untold: dict[str, int] = {}
         """Nodes of other processes that told nothing, and at how many looks in a row."""
 
@@ -113,11 +113,19 @@ class Inspector:
         home = str(self._overview.home) if self._overview is not None else ""
         found = () if quiet else tuple(each.at_home(home) for each in findings(facts))
         unseen = () if quiet else not_seen(facts)
-        if (quiet, found, unseen) != (self.quiet, self.findings, self.unseen) or self._looks >= COUNTED_AGAIN:
-            self._looks, looked = 0, () if quiet else sights(RULES, facts)
-            if (quiet, found, unseen, looked) != (self.quiet, self.findings, self.unseen, self.looked):
-                self.quiet, self.findings, self.unseen, self.looked = quiet, found, unseen, looked
-                self.version += 1
+        if (quiet, found, unseen) != (self.quiet, self.findings, self.unseen):
+            self.quiet, self.findings, self.unseen = quiet, found, unseen
+            self.version += 1
+            self._looks = COUNTED_AGAIN
+        if self._looks >= COUNTED_AGAIN:
+            self.count(facts)
+
+    def count(self, facts: Facts | None = None) -> None:
+        """Count what is looked at now."""
+        self._looks, looked = 0, () if self.quiet else sights(RULES, facts or self.facts())
+        if looked != self.looked:
+            self.looked = looked
+            self.version += 1
 
     # -- files: in a thread --------------------------------------------------------------------------------------------
 
