@@ -66,6 +66,21 @@ def test_a_quiet_publisher_is_heard_beside_a_loud_one_on_its_topic(place: Place)
     assert {each.publisher.node.name for each in samples.look()} == {"loud", "quiet"}
 
 
+def test_a_topic_of_two_types_and_one_whose_type_changes_are_heard(place: Place) -> None:
+    first = place.says("/a", Twist, "first")
+    samples = Samples(place.node, lambda topic, cls: True)
+    samples.look()
+    second = place.says("/a", Image, "second")
+    samples.look()
+    first.publish(Twist())
+    second.publish(Image())
+    assert {type(each.message) for each in samples.look()} == {Twist, Image}
+    first.destroy()
+    samples.look()
+    second.publish(Image())
+    assert [type(each.message) for each in samples.look()] == [Image]
+
+
 def test_large_messages_count_as_many(place: Place) -> None:
     camera = place.says("/image", Image, "camera")
     samples = Samples(place.node, lambda topic, cls: True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -47,7 +48,7 @@ class Heard(NamedTuple):
     ahead: float = 0.0
     """Seconds by which that is ahead of the clock of the computer that sent it."""
     joints: tuple[tuple[str, float], ...] = ()
-    """Joints that the newest message names, with their positions (0 where it has none)."""
+    """Joints that the newest message names, with their positions, as far as those are numbers (0 in a trajectory)."""
 
 
 @dataclass
@@ -163,7 +164,8 @@ def _joints(message: Any, type_name: str) -> tuple[tuple[str, float], ...]:
     if type_name == TRAJECTORY:
         return tuple((name, 0.0) for name in message.joint_names[:MOST_JOINTS])
     if type_name == JOINT_STATE and len(message.position) == len(message.name) <= MOST_JOINTS:
-        return tuple((name, float(value)) for name, value in zip(message.name, message.position, strict=True))
+        pairs = zip(message.name, message.position, strict=True)
+        return tuple((name, float(value)) for name, value in pairs if math.isfinite(value))
     return ()
 
 

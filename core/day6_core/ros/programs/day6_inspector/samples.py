@@ -126,10 +126,9 @@ class Samples:
         self._node = node
         self._wants = wants
         """Whether the messages of a topic and class are worth a look."""
-        self._taps: dict[str, _Tap | None] = {}
-        """None for topics that nobody asks for."""
-        self.unread: tuple[str, ...] = ()
-        """Topics whose messages cannot be read here, or are too large."""
+        self._taps: dict[tuple[str, str], _Tap | None] = {}
+        """Topic and type -> what listens, None where nobody asks for it."""
+        self._unread: set[str] = set()
         self.passed_over = 0
         """Topics that are worth a look, and for which there are too many."""
         self.publishers: frozenset[Publisher] = frozenset()
@@ -138,34 +137,45 @@ class Samples:
 
     def look(self) -> list[Sample]:
         """Return what has come since the last look."""
-        offers: dict[str, list[Publisher]] = {}
+        offers: dict[tuple[str, str], list[Publisher]] = {}
         for each in self._node.graph.endpoints(EndpointKind.PUBLISHER):
             if isinstance(each, Publisher) and is_shown(each.node.name):
-                offers.setdefault(each.topic, []).append(each)
+                offers.setdefault((each.topic, each.type_name), []).append(each)
         self.publishers = frozenset(each for publishers in offers.values() for each in publishers)
-        for topic in [each for each in self._taps if each not in offers]:
-            self._close(topic)
-        found, unread = [], set()
+        self.open = frozenset(topic for (topic, _), tap in self._taps.items() if tap is not None and tap.is_open)
+        for gone in self._taps.keys() - offers.keys():
+            if (tap := self._taps.pop(gone)) is not None:
+                tap.close()
+        self._unread &= {topic for topic, _ in offers}
         self.passed_over = 0
-        self.open = frozenset(topic for topic, tap in self._taps.items() if tap is not None and tap.is_open)
-        for topic, publishers in offers.items():
-            if topic not in self._taps:
-                try:
-                    wanted = self._wants(topic, message_class(publishers[0].type_name))
-                except (LookupError, ValueError):
-                    unread.add(topic)
-                    continue
-                if wanted and sum(tap is not None for tap in self._taps.values()) >= MOST_TOPICS:
-                    self.passed_over += 1
-                    continue
-                self._taps[topic] = _Tap(self._node, publishers[0]) if wanted else None
-            if (tap := self._taps[topic]) is not None:
-                seen = list(tap.look(publishers))
-                found += [each for each in seen if each.message is not None]
-                unread |= {topic} if len(seen) and not any(each.message is not None for each in seen) else set()
-        self.unread = tuple(sorted(unread | ({*self.unread} & {*offers} - self.open)))
-        return found
+        return [sample for publishers in offers.values() for sample in self._look_at(publishers)]
 
-    def _close(self, topic: str) -> None:
-        if (tap := self._taps.pop(topic)) is not None:
-            tap.close()
+    @property
+    def unread(self) -> tuple[str, ...]:
+        """Topics whose messages cannot be read here, or are too large."""
+        return tuple(sorted(self._unread))
+
+    def _look_at(self, publishers: list[Publisher]) -> list[Sample]:
+        topic, tap = publishers[0].topic, self._tap(publishers[0])
+        came = list(tap.look(publishers)) if tap is not None else []
+        read = [each for each in came if each.message is not None]
+        if read:
+            self._unread.discard(topic)
+        elif came:
+            self._unread.add(topic)
+        return read
+
+    def _tap(self, first: Publisher) -> _Tap | None:
+        """Return what listens to a topic and type, made if somebody asks for it; None if nobody does."""
+        topic, key = first.topic, (first.topic, first.type_name)
+        if key not in self._taps:
+            try:
+                wanted = self._wants(topic, message_class(first.type_name))
+            except (LookupError, ValueError):
+                self._unread.add(topic)
+                return None
+            if wanted and sum(tap is not None for tap in self._taps.values()) >= MOST_TOPICS:
+                self.passed_over += 1
+                return None
+            self._taps[key] = _Tap(self._node, first) if wanted else None
+        return self._taps[key]
