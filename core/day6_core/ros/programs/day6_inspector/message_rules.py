@@ -39,7 +39,7 @@ BEYOND = 0.02
 def of_messages(facts: Facts) -> Iterator[Finding]:
     """Yield what is wrong in messages, whatever else is known."""
     for heard in facts.heard:
-        for odd in heard.odd:
+        for odd in {odd.key: odd for odd in reversed(heard.odd)}.values():  # of each kind the first is enough
             level = "error" if odd.key in BROKEN else "warning"
             if odd.key == "not_finite" and _may_be_endless(heard, odd.parameters):
                 level = "info"
@@ -94,6 +94,8 @@ def of_stamps(facts: Facts) -> Iterator[Finding]:
     for heard in facts.heard:
         if heard.stamp is None or heard.type == JOINT_STATE or heard.node.endswith(PLAYER):
             continue
+        if heard.stamp == 0 and heard.type not in (TRANSFORMS, *PLACED):
+            continue  # of a trajectory, for instance, it means: at once
         said = {"topic": heard.topic, "node": heard.node}
         then = f"ros2 topic echo {heard.topic} --once"
         if heard.stamp == 0:
