@@ -712,7 +712,7 @@ DRILLS: tuple[Drill, ...] = (
         ("extrapolation",),
     ),
     Drill("42", "Fixed Frame unknown", unknown_fixed_frame, ("fixed_frame",)),
-    Drill("42b", "no transform to the wheels", wheels_without_joint_states, ("untransformed",)),
+    Drill("42b", "no transform to the wheels", wheels_without_joint_states, ("no_joint_states",)),
     Drill("42c", "RobotModel missing", no_robot_model, ("no_robot_model",)),
     Drill("42d", "RobotModel without description", robot_model_elsewhere, ("robot_model_deaf",)),
     Drill("42e", "RViz waits for a robot", rviz_alone, ("rviz_no_description",)),

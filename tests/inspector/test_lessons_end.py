@@ -25,7 +25,7 @@ ON_PURPOSE = {
     ("day6", "start"): {"fixed_frame", "no_robot_model"},  # RViz is open: where is the car?
     ("day6", "frame"): {"no_robot_model"},  # the display comes in the next step
     ("day6", "model"): {"untransformed"},  # nobody turns the wheels yet
-    ("day6", "spinner"): {"untransformed", "not_rebuilt"},  # who turns them is written, and built in the next step
+    ("day6", "spinner"): {"no_joint_states", "not_rebuilt"},  # who turns them is written, and built in the next step
     ("day6", "fight"): {"fight"},
 }
 """Lesson and step -> the findings that belong to it."""

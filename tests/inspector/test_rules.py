@@ -96,19 +96,19 @@ ROBOT = RobotFacts(moved=tuple((each, each.removesuffix("_joint")) for each in s
             ("left_wheel", "right_wheel_joint"),
             (
                 "error: /joint_states: /turner names the joint left_wheel, which the robot description does not have, so "
-                "left_wheel has no place in TF; did you mean left_wheel_joint?"
+                "TF has no place for left_wheel; did you mean left_wheel_joint?"
             ),
         ),
         (
             ("a", "b"),
             (
                 "error: /joint_states: /turner names a, b, but the joints of the robot description are called left_wheel_joint, "
-                "right_wheel_joint: left_wheel, right_wheel have no place in TF"
+                "right_wheel_joint: TF has no place for left_wheel, right_wheel"
             ),
         ),
         (
             ("left_wheel_joint",),
-            "warning: /joint_states: /turner doesn't send the position of right_wheel_joint, so right_wheel has no place in TF",
+            "warning: /joint_states: /turner doesn't send the position of right_wheel_joint, so TF has no place for right_wheel",
         ),
         (
             (*sorted(WHEELS), "arm"),
@@ -134,7 +134,7 @@ def test_nobody_publishes_joint_states_is_an_error_where_rviz_waits_for_them() -
     described = {"/robot_description": (NodeAndType("/robot_state_publisher", STRING),)}
     listened = {"/robot_description": (NodeAndType("/rviz", STRING),)}
     facts = Facts(described, {**heard, **listened}, joints=WHEELS, robot=ROBOT)
-    said = "nobody publishes /joint_states: nobody says how far left_wheel_joint, right_wheel_joint has turned, so"
+    said = "nobody publishes /joint_states, so nothing says how far these joints have moved: left_wheel_joint, right_wheel_joint"
     assert [text.startswith(f"info: {said}") for text in texts(facts)] == [True]
     assert [text.startswith(f"error: {said}") for text in texts(replace(facts, rviz=(view,)))] == [True]
 

@@ -16,16 +16,16 @@ TEXTS = {
     "inspector.twins": "{count} nodes are called {name}: lists and parameters cannot tell them apart",
     "inspector.unknown_joint": "{topic}: {nodes} names the joint {joint}, which the robot description does not have",
     "inspector.unknown_joint_near": (
-        "{topic}: {nodes} names the joint {joint}, which the robot description does not have, so {link} has no place in TF; did "
-        "you mean {nearest}?"
+        "{topic}: {nodes} names the joint {joint}, which the robot description does not have, so TF has no place for {link}; "
+        "did you mean {nearest}?"
     ),
     "inspector.other_joints": (
-        "{topic}: {nodes} names {joint}, but the joints of the robot description are called {joints}: {links} have no place "
-        "in TF"
+        "{topic}: {nodes} names {joint}, but the joints of the robot description are called {joints}: TF has no place "
+        "for {links}"
     ),
-    "inspector.silent_joint": "{topic}: {nodes} doesn't send the position of {joint}, so {links} has no place in TF",
+    "inspector.silent_joint": "{topic}: {nodes} doesn't send the position of {joint}, so TF has no place for {links}",
     "inspector.no_joint_states": (
-        "nobody publishes {topic}: nobody says how far {joints} has turned, so {links} has no place in TF"
+        "nobody publishes {topic}, so nothing says how far these joints have moved: {joints}. TF has no place for {links}"
     ),
     "inspector.trajectory_joint": "{topic}: {node} commands the joint {joint}, which the robot doesn't have",
     "inspector.trajectory_joint_near": (
