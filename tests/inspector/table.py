@@ -46,7 +46,7 @@ def main() -> int:
     words = tuple(sys.argv[1:])
     drills = [drill for drill in INJECTED if not words or drill.number.startswith(words)]
     scenes = [scene for scene in HEALTHY_SCENES if not words or scene.__name__.startswith(words)]
-    print(f"{'no.':5}{'drill':42}{'found':28}{'s':>5}  beside it")
+    print(f"{'no.':5}{'drill':56}{'found':28}{'s':>5}  beside it")
     for drill in drills:
         with machine() as lab:
             drill.inject(lab)
@@ -54,14 +54,14 @@ def main() -> int:
             others = [key for key, each in lab.findings.items() if each.level != "info" and key not in drill.findings]
             said = found.id.removeprefix("inspector.") if found is not None else "NOT FOUND"
             found_count += found is not None and seconds < WITHIN
-            print(f"{drill.number:5}{drill.name:42}{said:28}{seconds:5.1f}  {', '.join(others)}", flush=True)
-    print(f"\n{'healthy scene':47}false alarms")
+            print(f"{drill.number:5}{drill.name:56}{said:28}{seconds:5.1f}  {', '.join(others)}", flush=True)
+    print(f"\n{'healthy scene':61}false alarms")
     for scene in scenes:
         with machine() as lab:
             scene(lab)
             said_wrongly = lab.stays_silent()
             alarms += len(said_wrongly)
-            print(f"{scene.__name__:47}{', '.join(said_wrongly) or '-'}", flush=True)
+            print(f"{scene.__name__:61}{', '.join(said_wrongly) or '-'}", flush=True)
     took = time.monotonic() - began
     print(f"\n{found_count} of {len(drills)} drills found, {alarms} false alarms in {len(scenes)} scenes; {took:.0f} s")
     return int(found_count < 0.95 * len(drills) or alarms > 0)
