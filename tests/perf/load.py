@@ -72,6 +72,33 @@ SCENES = {
         _type(("", 13), ("\x1bOQ", 1), ("rviz2 > /dev/null 2>&1 &\n", 5)),
     ),
 }
+STILL = {
+    **{f"ros2 run {name} {name}": name for name in (
+        "rqt_action", "rqt_bag", "rqt_console", "rqt_graph", "rqt_image_view", "rqt_logger_level", "rqt_msg", "rqt_plot",
+        "rqt_publisher", "rqt_py_console", "rqt_reconfigure", "rqt_robot_steering", "rqt_service_caller", "rqt_shell",
+        "rqt_srv", "rqt_tf_tree", "rqt_topic", "joint_state_publisher_gui",
+    )},
+    "ros2 run turtlesim turtlesim_node": "turtlesim",
+    "ros2 run day6_bot car_view": "car",
+    "ros2 run day6_world world": "world",
+    "ros2 run day6_kitchen kitchen": "kitchen",
+    "ros2 run day6_inspector inspector": "inspector",
+    "rviz2": "rviz2",
+    "ros2 launch day6_bot display.launch.py": "rviz2 with a robot",
+}  # fmt: skip
+"""Windows in which nothing happens."""
+
+SCENES.update(
+    **{
+        f"still: {name}": Scene(("--scene", "empty"), _type((f"{line} > /dev/null 2>&1 &\n", 12)))
+        for line, name in STILL.items()
+    },
+    **{
+        "still: terminal": Scene(("--scene", "empty"), _wait(4)),
+        "still: editor": Scene(("--scene", "empty"), _type(("nano notes.py\n", 4), ("print()", 4))),
+        "still: lesson": Scene(("--lesson", "day1"), _wait(12)),
+    },
+)
 """welcome; turtle standing; driven by ten commands a second; the same over many lines; teleop and echo beside it, standing and
 with an arrow held down; the car with turning wheels, and RViz beside it."""
 

@@ -345,9 +345,7 @@ def test_what_was_started_too_late_ends_without_a_word_of_python() -> None:
 
 
 @pytest.mark.parametrize("period", [0, 1, 1000])
-def test_a_program_that_runs_without_end_does_not_stop_the_world(
-    period: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_program_that_runs_without_end_does_not_stop_the_world(period: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """A timer of a nanosecond: its next deadline is always the first one, and no deadline may be passed."""
     wall = 0
 

@@ -59,7 +59,9 @@ def test_every_terminal_is_closed_with_its_desk(tmp_path: Path) -> None:
     assert closed == terminals and desk.terminals == []
 
 
-def test_closing_a_desk_leaves_the_processes_of_another_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_closing_a_desk_leaves_the_processes_of_another_stopped(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from day6_core.shell.process import process as processes
 
     class Pausable:

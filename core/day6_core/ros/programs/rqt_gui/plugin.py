@@ -63,6 +63,8 @@ class PluginPlace:
         """What `Plugin.settings` returned when the perspective was kept; of a file, so of any shape."""
         self._options = options
         self._woken = Signal()
+        self._worked = Signal()
+        """Set after what `follow` and `serve` do, which may have given `repeat` something to do."""
         self._tasks: list[Task] = []
         self._deferred: list[Callable[[], object]] = []
         self._follows_graph = False
@@ -97,7 +99,17 @@ class PluginPlace:
             await self.session.wait(self._woken)
             self._woken.clear()
             work()
+            self._worked.set()
             await self.session.sleep(pause)
+
+    async def repeat(self, work: Callable[[], object], pause: float, needed: Callable[[], object]) -> None:
+        """Call `work` every `pause` world seconds while it is needed; for ever. A window that stands still wakes nobody."""
+        while True:
+            while not needed():
+                self._worked.clear()
+                await self.session.wait(self._worked)
+            await self.session.sleep(pause)
+            work()
 
     def serve(self, requests: Requests) -> None:
         """Carry out the requests of the plugin's window as they come, while the plugin runs."""
@@ -109,6 +121,7 @@ class PluginPlace:
                 await self.session.wait(wanted)
                 wanted.clear()
                 requests.handle()
+                self._worked.set()
 
         self.spawn(run())
 

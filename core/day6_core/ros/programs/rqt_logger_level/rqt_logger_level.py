@@ -25,13 +25,8 @@ class LoggerLevelPlugin(Plugin[LoggerLevels]):
 
     async def run(self) -> None:
         self.place.serve(self.model)
-        self.place.spawn(self._tick())
+        self.place.spawn(self.place.repeat(self.model.tick, 1.0, lambda: self.model.waited is not None))
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
-
-    async def _tick(self) -> None:
-        async for _ in self.place.session.every(1.0):
-            if self.model.waited is not None:
-                self.model.tick()
 
     def close(self) -> None:
         self.model.close()

@@ -112,10 +112,14 @@ class Reconfigure(Requests):
         self._opened.pop(name).close()
         self._show()
 
+    @property
+    def is_waiting(self) -> bool:
+        """Whether a response has not come."""
+        return any(each.waiting for each in self._opened.values())
+
     def tick(self) -> None:
-        """Count the seconds for which a response is waited; called about once a second."""
-        if any(each.waiting for each in self._opened.values()):
-            self._show()
+        """Count the seconds for which a response is waited; called about once a second meanwhile."""
+        self._show()
 
     def take_values(self, node: str, values: dict[str, Any]) -> None:
         """Send values that were read from a file. Raises TypeError for one that no parameter can have."""

@@ -43,13 +43,9 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
 
     async def run(self) -> None:
         self.place.serve(self.model)
-        self.place.spawn(self._tick())
+        self.place.spawn(self.place.repeat(self.model.tick, 1.0, lambda: self.model.is_waiting))
         self.place.spawn(self._select())
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
-
-    async def _tick(self) -> None:
-        async for _ in self.place.session.every(1.0):
-            self.model.tick()
 
     async def _select(self) -> None:
         """Open the nodes that were named, or were open when the perspective was kept; those that are not there are told."""

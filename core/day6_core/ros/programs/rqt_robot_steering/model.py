@@ -94,6 +94,15 @@ class RobotSteering(Requests):
         """What is published."""
         return "geometry_msgs/msg/" + ("TwistStamped" if self.stamped else "Twist")
 
+    @property
+    def is_due(self) -> bool:
+        """Whether there is something to publish after PERIOD."""
+        return self._publisher is not None and not (self._stopped and self._stands)
+
+    @property
+    def _stands(self) -> bool:
+        return all(axis.value == 0 for axis in self.axes.values())
+
     # -- the window's side ---------------------------------------------------------------------------------------------
 
     def set_topic(self, topic: str) -> None:
@@ -136,13 +145,11 @@ class RobotSteering(Requests):
 
     def publish(self) -> None:
         """Publish the velocities; zero only once. Called every PERIOD, and after every change."""
-        linear, angular = self.axes[LINEAR].value, self.axes[ANGULAR].value
-        stops = linear == angular == 0
-        if self._publisher is None or (stops and self._stopped):
+        if not self.is_due or self._publisher is None:
             return
-        self._stopped = stops
+        self._stopped = self._stands
         twist = Twist()
-        twist.linear.x, twist.angular.z = linear / FACTOR, angular / FACTOR
+        twist.linear.x, twist.angular.z = self.axes[LINEAR].value / FACTOR, self.axes[ANGULAR].value / FACTOR
         if self.stamped:
             message = TwistStamped(twist=twist)
             message.header.stamp = self._node.get_clock().now().to_msg()

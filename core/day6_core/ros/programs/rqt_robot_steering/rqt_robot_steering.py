@@ -45,12 +45,8 @@ class RobotSteeringPlugin(Plugin[RobotSteering]):
 
     async def run(self) -> None:
         self.place.serve(self.model)
-        self.place.spawn(self._repeat())
+        self.place.spawn(self.place.repeat(self.model.publish, PERIOD, lambda: self.model.is_due))
         await self.place.follow(self.model.refresh, REFRESH_SECONDS)
-
-    async def _repeat(self) -> None:
-        async for _ in self.place.session.every(PERIOD):
-            self.model.publish()
 
     def close(self) -> None:
         self.model.close()

@@ -27,12 +27,8 @@ class ServiceCallerPlugin(Plugin[ServiceCaller]):
 
     async def run(self) -> None:
         self.model.follow()
-        self.place.spawn(self._step())
+        self.place.spawn(self.place.repeat(self.model.tick, STEP_SECONDS, lambda: self.model.is_waiting))
         await self.place.follow(self.model.follow, REFRESH_SECONDS)
-
-    async def _step(self) -> None:
-        async for _ in self.place.session.every(STEP_SECONDS):
-            self.model.tick()
 
     def close(self) -> None:
         self.model.close()

@@ -33,13 +33,8 @@ class TopicMonitorPlugin(Plugin[TopicMonitor]):
 
     async def run(self) -> None:
         self.model.refresh()
-        self.place.spawn(self._step())
+        self.place.spawn(self.place.repeat(self.model.tick, STEP_SECONDS, lambda: self.model.selected))
         await self.place.follow(self.model.handle_requests, REFRESH_SECONDS)
-
-    async def _step(self) -> None:
-        async for _ in self.place.session.every(STEP_SECONDS):
-            if self.model.selected:
-                self.model.tick()
 
     def settings(self) -> Settings:
         return {"selected_topics": self.model.selected}
