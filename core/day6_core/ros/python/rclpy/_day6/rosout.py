@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from day6_core.graph import Node, Publisher, QoS, Subscription
-from day6_core.graph.qos import Durability
+from day6_core.graph import Node, Publisher, QoS
 from rclpy._day6.handles import INVALID_PUBLISHER
 
 TYPE_NAME = "rcl_interfaces/msg/Log"
