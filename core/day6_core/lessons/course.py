@@ -19,7 +19,7 @@ from day6_core.lessons.demonstration import Demonstration
 from day6_core.lessons.document import HINTS, Lesson
 from day6_core.lessons.exam import Exam, new_exam
 from day6_core.lessons.kept_progress import KeptProgress
-from day6_core.lessons.open_lesson import LOOK_SECONDS, OpenLesson
+from day6_core.lessons.open_lesson import CALM_LOOKS, CALM_SECONDS, LOOK_SECONDS, OpenLesson
 from day6_core.lessons.player import StageError
 from day6_core.lessons.progress import LONGEST_ANSWERS, Progress, StepDone
 from day6_core.lessons.source import LessonMistakes
@@ -59,6 +59,9 @@ class Course:
         self._since_ns = since_ns
         self.version = 0
         """Grows with every change of what is shown."""
+        self._news: object = None
+        self._calm = 0
+        """How many looks found no news."""
         self.state = State()
         self.offer = offer
         self.kept = kept
@@ -114,9 +117,16 @@ class Course:
                     self._session.spawn(self._save())
                 self._wanted.clear()
                 if not self._requests:
-                    await self._session.wait(self._wanted, LOOK_SECONDS)
+                    await self._session.wait(self._wanted, CALM_SECONDS if self._is_calm() else LOOK_SECONDS)
         finally:
             self._leave()
+
+    def _is_calm(self) -> bool:
+        """Whether there has been no news for a while."""
+        news = self.opened.live.stirring if self.opened is not None else None
+        self._calm = self._calm + 1 if news == self._news else 0
+        self._news = news
+        return self._calm > CALM_LOOKS
 
     def _leave(self) -> None:
         if self.opened is not None:

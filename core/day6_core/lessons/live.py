@@ -87,6 +87,7 @@ class Live:
         """What the check that is asked now remembers of this step."""
         self._memories: dict[int, tuple[object, dict[str, Any]]] = {}
         self._node: Node | None = None
+        self._arrived = 0
         self._heard: dict[str, Heard] = {}
         self._subscriptions: dict[str, tuple[Subscription[Any], str]] = {}
         self._lasting: set[str] = set()
@@ -148,6 +149,11 @@ class Live:
         found = self.graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
         return {name: types for name, types in found if not _hidden(name) and self._ends(name)}
 
+    @property
+    def stirring(self) -> object:
+        """Something that is another one as soon as there is news: output, a node, a message that a check listens to."""
+        return tuple((each, each.version) for each in self.desk.terminals), self.graph.nodes, self._arrived
+
     def publishers(self, topic: str) -> list[str]:
         """Full names of the nodes that publish a topic, one for each publisher."""
         return self._nodes_of(EndpointKind.PUBLISHER, topic)
@@ -207,6 +213,7 @@ class Live:
         def take(message: Any, info: MessageInfo) -> None:
             sender = self._sender(topic, info["publisher_gid"])
             self._heard.setdefault(topic, Heard()).add(Arrival(self.now_ns(), message, sender))
+            self._arrived += 1
 
         self._subscriptions[topic] = self.node.create_subscription(kind, topic, take, qos), type_name
 

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 LOOK_SECONDS = 0.25
 """Between two looks at the machine."""
 
+CALM_LOOKS, CALM_SECONDS = 20, 1.0
+"""After so many looks without news (a pupil reads) there are fewer."""
+
 
 class OpenLesson:
     """One lesson from its opening to its closing. Everything that takes time raises StageError where it does not work.

@@ -93,7 +93,7 @@ class KitchenPane(WindowPane[Kitchen]):
 
     def _wake(self) -> None:
         """Ask for a frame: often while dishes move, now and then to see whether some do."""
-        if self.display and (self._moving_rows or self.model.conveyor.moving or self._beats % 4 == 0):
+        if self.display and (self._moving_rows or self.model.conveyor.moving or self._beats % 10 == 0):
             self.look.wake()
         self._beats += 1
 

@@ -13,7 +13,7 @@ from day6_core.ros.programs.day6_kitchen.belts import Belt
 from day6_core.ros.programs.day6_kitchen.model import Kitchen
 from day6_core.session.session import Session
 
-ASK_SECONDS = 0.5
+ASK_SECONDS = 1.0
 """Between two questions to other processes."""
 
 SETTLE_SECONDS = 0.5

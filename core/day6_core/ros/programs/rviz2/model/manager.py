@@ -103,6 +103,8 @@ class RViz:
         self._requests: deque[Callable[[], object]] = deque()
         self._dirty = True
         self._redraw = True
+        self._shown: object = None
+        """Where the view is, and every value of the panel, as of the present scene."""
         buffer.on_data = self._data_came
         self._build()
         threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
@@ -399,7 +401,8 @@ class RViz:
         self.reset()
 
     def tick(self) -> bool:
-        """Do what was asked for, follow what changed, and make the new scene; True if there is one."""
+        """Do what was asked for, follow what changed, and make the new scene; False if everything looks as before."""
+        self._redraw |= bool(self._requests)
         while self._requests:
             self._requests.popleft()()
         self._dirty = False
@@ -423,7 +426,10 @@ class RViz:
         self.selection.update()
         self.selection.draw(scene)
         self.tools.draw(scene)
-        self.scene = scene
+        shown = self.view.origin, self.view.heading, [each.value for top in (self.root, self.time) for each in top.walk()]
+        if not self._redraw and shown == self._shown and scene.looks_like(self.scene):
+            return False
+        self.scene, self._shown = scene, shown
         self.version += 1
         self._redraw = False
         return True

@@ -22,6 +22,10 @@ Colour = tuple[float, float, float, float]
 BOX, CYLINDER, SPHERE, CONE = "box", "cylinder", "sphere", "cone"
 
 
+_PLAIN = (str, float, int, tuple)
+"""What is compared by value."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Shape:
     """A solid of the given full extents; cylinders and cones stand on z (a cone's tip is up)."""
@@ -159,6 +163,17 @@ class Scene:
         """Say whose the objects are that are added from now on."""
         self.marks.append(Mark(owner, key, tuple(map(len, self._solid))))
 
+    def looks_like(self, other: Scene) -> bool:
+        """Whether it would be painted as the other one; arrays are compared by identity."""
+        return self.background == other.background and all(
+            len(own) == len(theirs) and all(map(_looks_like, own, theirs))
+            for own, theirs in zip(self._lists, other._lists, strict=True)
+        )
+
+    @property
+    def _lists(self) -> tuple[list[Any], ...]:
+        return (*self._solid, self.images, self.labels, self.overlays, self.marks)
+
     def beside(self, shape: Shape | None) -> Scene:
         """The scene with one more shape, that cannot be picked."""
         return self if shape is None else replace(self, shapes=[*self.shapes, shape])
@@ -262,3 +277,13 @@ def placed(pose: Transform, point: Vector) -> Vector:
     """A point given in the frame `pose`."""
     x, y, z = rotate(pose.rotation, point)
     return pose.xyz[0] + x, pose.xyz[1] + y, pose.xyz[2] + z
+
+
+def _looks_like(one: Any, other: Any) -> bool:
+    """Whether two objects of a scene look the same."""
+    if one is other:
+        return True
+    return type(one) is type(other) and all(
+        mine is theirs or (isinstance(mine, _PLAIN) and type(mine) is type(theirs) and mine == theirs)
+        for mine, theirs in ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
+    )
