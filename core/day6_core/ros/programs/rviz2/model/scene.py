@@ -23,7 +23,9 @@ BOX, CYLINDER, SPHERE, CONE = "box", "cylinder", "sphere", "cone"
 
 
 _PLAIN = (str, float, int, tuple)
-"""What is compared by value."""
+"""What is compared by value, and so are lists of them that are short."""
+
+_SHORT = 64
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -284,6 +286,12 @@ def _looks_like(one: Any, other: Any) -> bool:
     if one is other:
         return True
     return type(one) is type(other) and all(
-        mine is theirs or (isinstance(mine, _PLAIN) and type(mine) is type(theirs) and mine == theirs)
+        mine is theirs or (type(mine) is type(theirs) and _is_plain(mine) and mine == theirs)
         for mine, theirs in ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
+    )
+
+
+def _is_plain(value: object) -> bool:
+    return isinstance(value, _PLAIN) or (
+        isinstance(value, list) and len(value) <= _SHORT and all(isinstance(each, _PLAIN) for each in value)
     )
