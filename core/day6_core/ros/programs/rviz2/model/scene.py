@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from day6_urdf.kinematics import IDENTITY, Transform, compose, rotate
-from day6_urdf.model import Quaternion, Vector
+from day6_urdf.model import Pose, Quaternion, Vector
 
 if TYPE_CHECKING:
     from day6_core.ros.programs.rviz2.model.views import Camera
@@ -22,7 +22,7 @@ Colour = tuple[float, float, float, float]
 BOX, CYLINDER, SPHERE, CONE = "box", "cylinder", "sphere", "cone"
 
 
-_PLAIN = (str, float, int, tuple)
+_PLAIN = (str, float, int, tuple, Pose)
 """What is compared by value, and so are lists of them that are short."""
 
 _SHORT = 64
