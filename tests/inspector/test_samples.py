@@ -86,7 +86,7 @@ def test_large_messages_count_as_many(place: Place) -> None:
     samples = Samples(place.node, lambda topic, cls: True)
     samples.look()
     (tap,) = camera.matched
-    tap.receive((serialize(Image(data=bytes(200_000))), 0, 1, camera))
+    tap.receive((serialize(Image(data=bytes(200_000))), 0, 1, camera, 0))
     assert [len(each.message.data) for each in samples.look()] == [200_000]
     assert not camera.matched
 
@@ -97,7 +97,7 @@ def test_what_cannot_be_read_is_named_and_what_has_no_numbers_is_not_listened_to
     hearing = Hearing(place.node)
     hearing.look()
     (tap,) = broken.matched
-    tap.receive((b"\0\1\0\0", 0, 1, broken))
+    tap.receive((b"\0\1\0\0", 0, 1, broken, 0))
     hearing.look()
     assert hearing.facts()["unread"] == ("/broken", "/x")
     assert not unknown.matched and not words.matched

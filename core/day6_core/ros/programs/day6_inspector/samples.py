@@ -110,7 +110,7 @@ class _Tap:
     def _on_ready(self, subscription: Subscription) -> None:
         """Keep what has come. On the thread that brought it: nothing is read here."""
         while (sample := subscription.take()) is not None:
-            message, sent_ns, _, publisher = sample
+            message, sent_ns, _, publisher, _ = sample
             self._messages += 1
             self._bytes += len(message) if isinstance(message, bytes) else 0
             kept = self._kept.get(publisher)
