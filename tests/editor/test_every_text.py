@@ -153,6 +153,7 @@ def test_an_unsaved_text_comes_back_with_its_form_also_when_the_file_is_gone(tmp
     editor = Editor(tmp_path, state, "nano")
     editor.open(path)
     editor.keep("a\nb\nc\n")
+    editor.close()
     path.unlink()
     again = Editor(tmp_path, state, "nano")
     again.open(path)

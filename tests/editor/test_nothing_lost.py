@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import stat
 from collections.abc import Callable
@@ -10,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.shell.editing.model import Editor
+from day6_tui.windows.editor.editor import KEEP_SECONDS
 from tests.editor.editor_bench import Bench
 from tests.tui.screens import screen_text
 
@@ -42,7 +45,7 @@ def names(folder: Path) -> list[str]:
 
 async def keep_now(bench: Bench) -> str:
     """Let the second pass after which the unsaved text is kept; return the screen."""
-    bench.pane._edited = 1e-9
+    bench.pane._edited = bench.pane._unsafe = 1e-9
     await bench.step()
     return screen_text(bench.app)
 
@@ -65,7 +68,9 @@ def test_a_save_on_a_full_disk_is_told_and_the_old_file_is_whole(
         await bench.press("#")
         assert "not saved" in await bench.press("ctrl+s")
         assert bench.text == "#old = 1\n" and bench.saved == "old = 1\n" and bench.open
-        assert names(tmp_path) in (["talker.py"], ["state", "talker.py"]), "nothing is left over"
+        assert [name for name in names(tmp_path) if not name.endswith(".lock")] == ["state", "talker.py"], (
+            "nothing is left"
+        )
         disk(False)
         assert "not saved" not in await bench.press("ctrl+s")
 
@@ -263,3 +268,78 @@ def test_copies_of_unsaved_texts_are_for_this_user_alone(tmp_path: Path) -> None
     bench.run(act)
     assert stat.S_IMODE(bench.state.stat().st_mode) == 0o700
     assert [stat.S_IMODE(path.stat().st_mode) for path in bench.state.iterdir()] == [0o600]
+
+
+def kept(bench: Bench) -> list[str]:
+    """The texts of all copies."""
+    return sorted(json.loads(path.read_text(encoding="utf-8"))["text"] for path in bench.state.glob("*.json"))
+
+
+def test_who_types_without_a_pause_has_a_copy_nevertheless(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.press("a")
+        assert kept(bench) == []
+        bench.pane._unsafe -= KEEP_SECONDS
+        await bench.press("b")
+        assert kept(bench) == ["ab"], "a second after the first key, though the last one was typed just now"
+        await bench.press("c")
+        assert kept(bench) == ["ab"], "not with every key"
+        bench.pane._unsafe -= KEEP_SECONDS
+        await bench.press("d")
+        assert kept(bench) == ["abcd"]
+
+    Bench(tmp_path).run(act)
+
+
+def test_a_file_that_goes_from_the_disk_leaves_a_copy_of_its_text(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_text("a = 1\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        bench.path.unlink()
+        await look_now(bench)
+        await keep_now(bench)
+        assert kept(bench) == ["a = 1\n"], "it exists nowhere else"
+
+    Bench(tmp_path).run(act)
+
+
+def test_a_file_that_is_open_elsewhere_is_told_on_both_sides(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        other = Editor(tmp_path, bench.state, "gedit")
+        other.open(bench.path)
+        assert "also open in another window (gedit)" in await look_now(bench)
+        await bench.press("a")
+        await keep_now(bench)
+        other.keep("b")
+        assert kept(bench) == ["a", "b"]
+        await bench.press("ctrl+s")
+        assert kept(bench) == ["b"] and other.changed_outside()
+        other.save("b")
+        assert bench.saved == "b"
+        assert "a" in await bench.press("x")
+        assert "changed elsewhere" in await look_now(bench)
+        other.close()
+        assert "also open" not in await look_now(bench)
+
+    Bench(tmp_path).run(act)
+
+
+def test_several_texts_that_were_left_can_be_chosen_from(tmp_path: Path) -> None:
+    bench = Bench(tmp_path)
+    editors = [Editor(tmp_path, bench.state, "nano") for _ in range(2)]
+    for at, editor in enumerate(editors):
+        editor.open(bench.path)
+        editor.keep(f"# text {at}")
+    for at, editor in enumerate(editors):
+        (copy,) = (path for path in bench.state.glob("*.json") if f"# text {at}" in path.read_text())
+        os.utime(copy, (at, at))
+        editor.close()
+
+    async def act(bench: Bench) -> None:
+        assert "Several texts of this file were not saved" in screen_text(bench.app) and bench.text == "# text 1"
+        await bench.press("down", "enter")
+        assert bench.text == "# text 0" and "unsaved text restored" in screen_text(bench.app)
+        await bench.press("ctrl+s")
+        assert (bench.saved, kept(bench)) == ("# text 0", ["# text 1"])
+
+    bench.run(act)

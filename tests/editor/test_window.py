@@ -276,7 +276,7 @@ def test_asking_to_save_twice_is_not_asking_to_close(tmp_path: Path) -> None:
 def test_what_is_wrong_is_said_with_its_line(tmp_path: Path) -> None:
     async def act(bench: Bench) -> None:
         await bench.paste("def main()\n    pass\n")
-        bench.pane._keep_and_check()
+        bench.pane._check()
         told = "after if, for, while, def and class"  # a colon is missing
         assert told in screen_text(bench.app) or told in await bench.press("up")
 

@@ -50,20 +50,21 @@ def test_a_file_elsewhere_is_called_by_its_name_and_is_outside(editor: Editor, t
 
 def test_save_writes_the_text_and_forgets_the_copy(editor: Editor, tmp_path: Path) -> None:
     editor.keep("two\n")
-    assert len(list((tmp_path / "state").iterdir())) == 1
+    assert len(list((tmp_path / "state").glob("*.json"))) == 1
     editor.save("two\n")
     assert (tmp_path / "src" / "a.py").read_text() == "two\n"
     assert (editor.saved, editor.text, editor.recovered) == ("two\n", "two\n", False)
-    assert list((tmp_path / "state").iterdir()) == []
+    assert list((tmp_path / "state").glob("*.json")) == []
 
 
 def test_a_kept_text_comes_back_and_is_called_recovered(editor: Editor, tmp_path: Path) -> None:
     editor.keep("unsaved\n")
+    editor.close()
     again = Editor(tmp_path / "src", tmp_path / "state", "gedit")
     again.open(tmp_path / "src" / "a.py")
     assert (again.text, again.saved, again.recovered) == ("unsaved\n", "one\n", True)
     again.keep("one\n")  # as it is on the disk: there is nothing to keep
-    assert list((tmp_path / "state").iterdir()) == []
+    assert list((tmp_path / "state").glob("*.json")) == []
     editor.keep("one\n")
     again.open(tmp_path / "src" / "a.py")
     assert not again.recovered and again.version == 2
@@ -75,7 +76,7 @@ def test_save_as_goes_on_with_the_new_file(editor: Editor, tmp_path: Path) -> No
     assert (tmp_path / "src" / "new" / "b.py").read_text() == "draft\n"
     assert (tmp_path / "src" / "a.py").read_text() == "one\n"
     assert (editor.title(), editor.version, editor.saved, editor.text) == ("new/b.py", 2, "draft\n", "draft\n")
-    assert list((tmp_path / "state").iterdir()) == []
+    assert list((tmp_path / "state").glob("*.json")) == []
 
 
 def test_what_somebody_else_wrote_is_noticed_and_can_be_read_again(editor: Editor, tmp_path: Path) -> None:

@@ -1,21 +1,18 @@
 """One text file being edited: read and written completely or not at all, with a copy of what is not saved yet.
 
-The copy lies in the user's state folder, not beside the file: a workspace stays as it is. It survives a crash of
+The copy (`copies.py`) lies in the user's state folder, not beside the file: a workspace stays as it is. It survives a crash of
 day6-tui, a closed window and a full disk, and is offered when the file is opened again.
 """
 
 from __future__ import annotations
 
-import contextlib
 import errno
-import hashlib
-import json
 import os
 from pathlib import Path
 from typing import NamedTuple
 
-from day6_core.session.folder import working_folder
-from day6_core.whole_file import must_stay, overwrite_file, replace_file, write_private
+from day6_core.shell.editing.copies import Copies, Form
+from day6_core.whole_file import must_stay, overwrite_file, replace_file
 
 LARGEST = 4_000_000
 """Bytes of the largest file that is opened: a larger one is not source code, and would slow the editor to a crawl."""
@@ -30,13 +27,6 @@ class Stamp(NamedTuple):
 
     time: int
     size: int
-
-
-class Form(NamedTuple):
-    """The part of a file's bytes that is not in its text: the byte order mark, and the line ending."""
-
-    mark: str = ""
-    newline: str = "\n"
 
 
 MARK = "\ufeff"
@@ -64,11 +54,9 @@ def put_together(form: Form, text: str) -> str:
 class TextFile:
     """A file on the disk, which need not exist yet. `state` is the folder for copies of unsaved texts."""
 
-    def __init__(self, path: Path, state: Path) -> None:
+    def __init__(self, path: Path, state: Path, program: str = "editor") -> None:
         self.path = path
-        self._copy = state / (
-            hashlib.sha256(os.fsencode(os.path.normpath(working_folder() / path))).hexdigest()[:24] + ".json"
-        )
+        self.copies = Copies(path, state, program)
         self.form = Form()
         self._stamp: Stamp | None = None
 
@@ -111,31 +99,15 @@ class TextFile:
             target.parent.mkdir(parents=True, exist_ok=True)
             replace_file(target, data)
         self._stamp = self._look()
-        self.forget()
+        self.copies.forget()
 
     def changed_outside(self) -> bool:
         """Whether another program wrote, created or deleted the file since it was read or written here."""
         return self._look() != self._stamp
 
-    # -- the copy of what is not saved ---------------------------------------------------------------------------------
-
     def keep(self, text: str) -> None:
         """Keep a copy of an unsaved text. Raises OSError."""
-        write_private(self._copy, json.dumps({"path": str(self.path), "text": text, **self.form._asdict()}).encode())
-
-    def kept(self) -> tuple[Form, str] | None:
-        """Return the unsaved text of an earlier session and the form to write it in, None if there is none."""
-        try:
-            found = json.loads(self._copy.read_text(encoding="utf-8"))
-            form = Form(*(str(found.get(name, had)) for name, had in self.form._asdict().items()))
-            return form, str(found["text"])
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
-            return None  # missing or truncated: it is only a second copy
-
-    def forget(self) -> None:
-        """Delete the copy."""
-        with contextlib.suppress(OSError):
-            self._copy.unlink(missing_ok=True)
+        self.copies.keep(self.form, text)
 
     def _look(self) -> Stamp | None:
         try:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from day6_core.shell.editing.checks import Problem, check, language_of
+from day6_core.shell.editing.copies import Copy, Holder
 from day6_core.shell.editing.file import CannotEdit, TextFile
 from day6_core.shell.outside import is_outside
 
@@ -33,6 +34,8 @@ class Editor:
         self.text = ""
         self.recovered = False
         """Whether `text` is the unsaved text of an earlier session."""
+        self.left: list[Copy] = []
+        """Further unsaved texts of this file, of editors that are gone; the last one first."""
         self.version = 0
         """Incremented when another file is opened."""
         self.home = home
@@ -66,15 +69,43 @@ class Editor:
 
     def open(self, path: Path) -> None:
         """Show another file. Raises CannotEdit and then shows what it showed before."""
-        file = TextFile(path, self._state)
+        file = TextFile(path, self._state, self.name)
         saved = file.read()
-        kept = file.kept()
+        self.close()
+        file.copies.hold()
         self.file, self.saved = file, saved
-        self.text, self.recovered = saved, False
-        if kept is not None and kept[1] != saved:
-            file.form, self.text = kept
-            self.recovered = True
+        self.text, self.recovered, self.left = saved, False, []
+        for copy in file.copies.left():
+            if copy.text == saved:
+                file.copies.drop(copy)
+            elif self.recovered:
+                self.left.append(copy)
+            else:
+                self._take(copy)
         self.version += 1
+
+    def choose(self, copy: Copy) -> None:
+        """Show another of the unsaved texts; the rest is offered again the next time."""
+        if self._take(copy):
+            self.left = []
+            self.version += 1
+
+    def _take(self, copy: Copy) -> bool:
+        """Make an unsaved text that was left the one of this window; return False if another editor was faster."""
+        assert self.file is not None
+        if not self.file.copies.take(copy):
+            return False
+        self.file.form, self.text, self.recovered = copy.form, copy.text, True
+        return True
+
+    def others(self) -> list[Holder]:
+        """Return the other editors that have the file open."""
+        return [] if self.file is None else self.file.copies.others()
+
+    def close(self) -> None:
+        """The window is closed; what it kept is offered when the file is opened again."""
+        if self.file is not None:
+            self.file.copies.release()
 
     def is_outside(self, path: Path) -> bool:
         """Whether `path` is outside the folder of the lesson's files, where a change has to be confirmed."""
@@ -89,12 +120,14 @@ class Editor:
 
     def save_as(self, path: Path, text: str) -> None:
         """Write the text to another file and go on with that one. Raises OSError and then nothing has changed."""
-        file = TextFile(path, self._state)
+        file = TextFile(path, self._state, self.name)
         if self.file is not None:
             file.form = self.file.form
         file.write(text)
         if self.file is not None:
-            self.file.forget()
+            self.file.copies.forget()
+            self.close()
+        file.copies.hold()
         self.file, self.saved, self.text, self.recovered = file, text, text, False
         self.version += 1
 
@@ -102,7 +135,7 @@ class Editor:
         """Keep an unsaved text in case it is never saved. Raises OSError."""
         if self.file is not None:
             if text == self.saved:
-                self.file.forget()
+                self.file.copies.forget()
             else:
                 self.file.keep(text)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import time
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -17,6 +18,7 @@ from textual.widgets.text_area import Selection
 from day6_core.session.display import Window
 from day6_core.session.keys import split_keys
 from day6_core.shell.editing.checks import Problem, language_of
+from day6_core.shell.editing.copies import Holder
 from day6_core.shell.editing.model import CannotEdit, Editor
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.menu import Menu, MenuEntry
@@ -30,7 +32,10 @@ from day6_tui.windows import WindowPane
 from day6_tui.windows.editor.area import EditorArea, has_grammar
 
 KEEP_SECONDS = 1.0
-"""Seconds after the last key at which the unsaved text is kept and checked."""
+"""A copy of the unsaved text is written this many seconds after the first key that the last copy lacks, however long one types."""
+
+CHECK_SECONDS = 1.0
+"""Seconds after the last key at which the text is checked."""
 
 LOOK_SECONDS = 1.0
 """How often the file on the disk is looked at."""
@@ -52,8 +57,13 @@ class EditorPane(WindowPane[Editor]):
         self.problem: Problem | None = None
         self._version = -1
         self._edited = 0.0
+        """When the text was changed last, 0 if it has been checked since."""
+        self._unsafe = 0.0
+        """When the first change was made that the copy lacks, 0 if it has all."""
         self._looked = 0.0
-        self._kept = ""
+        self._kept: str | None = ""
+        """The text that is in the file or in the copy; None if it is in neither."""
+        self._others: list[Holder] = []
         self._outside = False
         self._message = ""
         self._sought = ""
@@ -91,11 +101,17 @@ class EditorPane(WindowPane[Editor]):
             return [Piece(f" {texts('editor.not_kept', reason=self._unkept)} ", colours.warning)]
         if self._outside:
             return [Piece(f" {texts('editor.gone' if self._gone else 'editor.outside')} ", colours.warning)]
+        also = [Piece(f" {self._also_open_in(holder)} ", colours.warning) for holder in self._others[:1]]
         if self.problem is not None:
-            return [Piece(f" {self._problem_in_short(self.problem)} ", colours.warning)]
+            return [*also, Piece(f" {self._problem_in_short(self.problem)} ", colours.warning)]
         if self.editor.recovered:
-            return [Piece(f" {texts('editor.recovered')} ", colours.warning)]
-        return []
+            return [*also, Piece(f" {texts('editor.recovered')} ", colours.warning)]
+        return also
+
+    def _also_open_in(self, holder: Holder) -> str:
+        """That another window, or another desktop, has the file open."""
+        here = holder.process == os.getpid()
+        return self.look.texts("editor.also" if here else "editor.also.elsewhere", **holder._asdict())
 
     def _problem_in_short(self, problem: Problem) -> str:
         """What is wrong, in the reader's language where a card knows it, else in the checker's own words."""
@@ -162,9 +178,11 @@ class EditorPane(WindowPane[Editor]):
         if keys := self.typed_ahead():
             self.area.call_next(self.area.take_keys, keys)
             self.post_message(self.KeyboardWanted(self))
-        if self._edited and now - self._edited >= KEEP_SECONDS:
-            self._edited = 0.0
-            self._keep_and_check()
+        if self._unsafe and now - self._unsafe >= KEEP_SECONDS:
+            self._keep(self.area.text)
+            self.touch_frame()
+        if self._edited and now - self._edited >= CHECK_SECONDS:
+            self._check()
         if now - self._looked >= LOOK_SECONDS:
             self._looked = now
             self._look_at_the_disk()
@@ -173,12 +191,16 @@ class EditorPane(WindowPane[Editor]):
     def _look_at_the_disk(self) -> None:
         """Load what another program wrote, unless that would lose text that only this window has."""
         if self._unkept:
-            self._keep_and_check()
+            self._keep(self.area.text)
+            self.touch_frame()
+        if self._others != (others := self.editor.others()):
+            self._others = others
+            self.touch_frame()
         outside = self.editor.changed_outside()
         gone = outside and not self.editor.exists()
         if gone and not self._gone:
             self.editor.saved = ""  # this text now exists nowhere else
-            self._edited = time.monotonic()
+            self._kept, self._unsafe = None, time.monotonic()
         before, self._gone = (self._outside, self._gone), gone
         if outside and not gone and not self.changed:
             self._reload()
@@ -193,6 +215,7 @@ class EditorPane(WindowPane[Editor]):
     def edited(self) -> None:
         """The text was changed."""
         self._edited = time.monotonic()
+        self._unsafe = self._unsafe or self._edited
         self._message = ""
         self._again = ""
         self.touch_frame()
@@ -208,12 +231,22 @@ class EditorPane(WindowPane[Editor]):
         self.area.language = language if known and has_grammar(language) else None
         self.area.load_text(self.editor.text)
         self._kept = self.editor.text
-        self._keep_and_check()
+        self._check()
+        if self.editor.left:
+            self._offer_what_was_left()
 
-    def _keep_and_check(self) -> None:
-        text = self.area.text
-        self._keep(text)
-        problem = self.editor.check(text)
+    def _offer_what_was_left(self) -> None:
+        """Several editors died with this file unsaved: the text of the last one is shown, the others can be chosen."""
+        entries = [MenuEntry(self.look.texts("editor.left.shown"), "", lambda: None)]
+        for copy in self.editor.left:
+            when = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(copy.time))
+            about = self.look.texts("editor.left.copy", when=when, lines=copy.text.count("\n") + 1)
+            entries.append(MenuEntry(about, "", partial(self.editor.choose, copy)))
+        self.lay_over(Menu(self.look, "editor.left", entries))
+
+    def _check(self) -> None:
+        self._edited = 0.0
+        problem = self.editor.check(self.area.text)
         if problem != self.problem:
             self.problem = problem
             self.area.forget_lines()
@@ -221,6 +254,7 @@ class EditorPane(WindowPane[Editor]):
 
     def _keep(self, text: str) -> bool:
         """Keep a copy of the unsaved text; return False, and show why, if that is impossible."""
+        self._unsafe = 0.0
         if text != self._kept or self._unkept:
             try:
                 self.editor.keep(text)
@@ -240,6 +274,7 @@ class EditorPane(WindowPane[Editor]):
         if self.changed and not self._discarded:
             with contextlib.suppress(OSError):  # the window that would say so is gone
                 self.editor.keep(self.area.text)
+        self.editor.close()
 
     # -- doing ---------------------------------------------------------------------------------------------------------
 
@@ -344,8 +379,9 @@ class EditorPane(WindowPane[Editor]):
         except CannotEdit as error:
             self._message = str(error)
         self.area.move_cursor(place)
-        self._outside, self._kept = False, self.area.text
-        self._keep_and_check()
+        self._outside = False
+        self._keep(self.area.text)
+        self._check()
 
     def find(self) -> None:
         """Ask for a text and go to its next occurrence; the same text again goes to the one after that."""
