@@ -16,6 +16,8 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
+from day6_core.reason import fault
+
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
 
@@ -530,7 +532,7 @@ class Day6App(TerminalApp):
         from day6_tui.overlays.message import ErrorModal
 
         if not isinstance(self.desktop.overlay, ErrorModal):
-            self.desktop.open_overlay(ErrorModal(self.look, f"{type(error).__name__}: {error}"))
+            self.desktop.open_overlay(ErrorModal(self.look, fault(error)))
 
     @on(WindowPane.Failed)
     def drop_broken_window(self, event: WindowPane.Failed) -> None:

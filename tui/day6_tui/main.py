@@ -137,7 +137,9 @@ def _thread_failed(failure: threading.ExceptHookArgs) -> None:
             "the thread %s failed", failure.thread and failure.thread.name, exc_info=error
         )
     elif sys.stderr is not None:
-        print(f"day6-tui: {type(error).__name__}: {error}", file=sys.stderr)
+        from day6_core.reason import fault
+
+        print(f"day6-tui: {fault(error)}", file=sys.stderr)
 
 
 def _end_silently_on_ctrl_c() -> None:

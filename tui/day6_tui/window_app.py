@@ -16,6 +16,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from day6_core.reason import fault
+
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
 
@@ -267,7 +269,7 @@ class WindowApp(TerminalApp):
         from day6_tui.overlays.message import ErrorModal
 
         if not isinstance(self.stage.overlay, ErrorModal):
-            self.stage.open_overlay(ErrorModal(self.look, f"{type(error).__name__}: {error}"))
+            self.stage.open_overlay(ErrorModal(self.look, fault(error)))
 
     @on(WindowPane.Failed)
     def drop_broken_window(self, event: WindowPane.Failed) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from day6_core.command_line.texts import Wording
+from day6_core.reason import reason
 from day6_core.whole_file import open_at_once
 
 
@@ -48,7 +49,7 @@ class Values:
         except FileNotFoundError:
             raise self.wrong("file.missing", text=text) from None
         except (OSError, ValueError) as error:
-            raise self.wrong("file", text=text, reason=getattr(error, "strerror", "") or error) from None
+            raise self.wrong("file", text=text, reason=reason(error)) from None
 
     def whole(self, least: int, most: int) -> Callable[[str], int]:
         """Whole numbers."""

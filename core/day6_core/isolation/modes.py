@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from day6_core.isolation.cell import IsolationError, Phrase
 from day6_core.isolation.mode import Mode
+from day6_core.reason import named_reason
 
 NAMES = ("users", "bubblewrap", "landlock", "none")
 """Best first."""
@@ -48,7 +49,7 @@ def _try(name: str) -> ModeOffer:
     except IsolationError as error:
         return ModeOffer(name, None, error.words)
     except OSError as error:
-        return ModeOffer(name, None, Phrase("isolation.no.fails", {"reason": str(error)}))
+        return ModeOffer(name, None, Phrase("isolation.no.fails", {"reason": named_reason(error)}))
     if name == "none":
         return ModeOffer(name, mode)
     if not mode.separates:

@@ -24,6 +24,7 @@ from day6_core.lessons.player import StageError
 from day6_core.lessons.progress import LONGEST_ANSWERS, Progress, StepDone
 from day6_core.lessons.source import LessonMistakes
 from day6_core.lessons.state import State
+from day6_core.reason import named_reason
 from day6_core.session.task import Signal
 from day6_core.session.threads import in_thread
 
@@ -143,7 +144,7 @@ class Course:
         try:
             await work
         except (StageError, OSError, ValueError, KeyError) as error:
-            self._set(problem=str(error))
+            self._set(problem=named_reason(error))
         finally:
             self._set(working=False)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, save
+from day6_core.reason import reason
 from day6_core.session.threads import in_thread
 
 
@@ -30,7 +31,7 @@ class KeptProgress:
         try:
             progress = await in_thread(lambda: load(self._file))
         except (ProgressError, OSError) as error:
-            self.failed = str(error)
+            self.failed = reason(error)
         else:
             progress.pupil = self.progress.pupil
             self.progress = progress
@@ -43,6 +44,6 @@ class KeptProgress:
             await in_thread(lambda: save(self._file, progress))
             self.failed = ""
         except (ProgressError, OSError) as error:
-            self.failed = str(error)
+            self.failed = reason(error)
         finally:
             self._saving = False

@@ -16,6 +16,7 @@ from day6_core.lessons.document import Action, Lesson, Step, Wrong
 from day6_core.lessons.live import Live
 from day6_core.lessons.player import StageError
 from day6_core.lessons.stage import Stage
+from day6_core.reason import named_reason
 from day6_core.session.session import Session
 from day6_core.shell.desk import Desk
 
@@ -139,7 +140,7 @@ class _Rehearsal:
             if not await self._session.until(lambda: self._solved(step), SOLVED_WITHIN, LOOK):
                 played.faults.append(f"is not solved by its solution: {self._missing(step)}")
         except (StageError, OSError, ValueError, KeyError) as error:
-            reason = f"unknown name {error}" if isinstance(error, KeyError) else str(error)
+            reason = f"unknown name {error}" if isinstance(error, KeyError) else named_reason(error)
             played.faults.append(f"could not be played, {self._now}: {reason}")
         played.seconds = time.monotonic() - began
         return played

@@ -13,6 +13,8 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
+from day6_core.reason import fault
+
 if TYPE_CHECKING:
     from day6_core.graph import Graph
     from day6_core.link.classroom.part import ClassPart
@@ -55,7 +57,7 @@ def join(
     try:
         return _joined(graph, _names(listen), _names(connect), one_shot, never_wait, secret, part)
     except Exception as error:
-        _failures[graph] = f"{type(error).__name__}: {error}"
+        _failures[graph] = fault(error)
         raise
 
 

@@ -49,6 +49,7 @@ from day6_core.link.remote import RemoteGraph
 from day6_core.link.services import Services
 from day6_core.link.state import Door, LinkState, read_doors
 from day6_core.link.topics import Topics
+from day6_core.reason import named_reason, reason
 
 if TYPE_CHECKING:
     import zenoh
@@ -147,7 +148,7 @@ class Link:
             raise
         except (zenoh.ZError, OSError) as error:
             self.close()
-            raise LinkError(f"{place.folder}: {error}") from error
+            raise LinkError(f"{place.folder}: {reason(error)}") from error
         self._thread.start()
         if self._listen or self._connect:
             self._gate = Gateway(
@@ -530,4 +531,4 @@ class Link:
             close_inherited_sockets(self._place)
 
     def _report(self, what: str, error: Exception) -> None:
-        self.problems.append(f"{what}: {error}"[:_LONGEST_PROBLEM])
+        self.problems.append(f"{what}: {named_reason(error)}"[:_LONGEST_PROBLEM])

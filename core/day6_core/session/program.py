@@ -6,6 +6,7 @@ import contextlib
 import logging
 
 from day6_core.graph.domain import DomainError
+from day6_core.reason import named_reason
 from day6_core.session.session import Crash, KilledBySignal, Main, Session
 from day6_core.session.streams import WriteError
 from day6_core.session.task import Signal, Task, TaskCancelled, wait_for
@@ -139,7 +140,7 @@ async def _end_of(session: Session, main: Main) -> int:
         return 1
     except Exception as error:
         _log.debug("%s ended by an exception", session.name, exc_info=True)
-        session.print_error(f"{session.name}: {str(error) or type(error).__name__}")
+        session.print_error(f"{session.name}: {named_reason(error)}")
         return 1
 
 

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import IO
 
 from day6_core.guardian import guard, release
+from day6_core.reason import fault
 from day6_core.session.cores import join
 from day6_core.workspace.events import INTERRUPTED, BuildEvent, Events, Result
 
@@ -270,7 +271,7 @@ class Executor:
             work.stderr(traceback.format_exc())
             result = error
         except BaseException as error:  # the build waits until every job has ended
-            work.stderr(f"error: {type(error).__name__}: {error}\n")
+            work.stderr(f"error: {fault(error)}\n")
             result = 1
         if work.stopped and result:
             result = INTERRUPTED

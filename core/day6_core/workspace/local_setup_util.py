@@ -162,7 +162,10 @@ def main(arguments: list[str]) -> int:
             source_package(arguments[2], arguments[1], environment)
         else:
             source_workspace(os.path.dirname(os.path.abspath(__file__)), environment)
-    except (OSError, ValueError) as error:
+    except OSError as error:
+        print(f"{error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
+    except ValueError as error:
         print(error, file=sys.stderr)
         return 1
     for line in _lines(environment, arguments[0]):

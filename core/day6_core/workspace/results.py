@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.plain_xml import plain_xml
+from day6_core.reason import reason
 from day6_core.workspace.events import Console
 from day6_core.workspace.files import BuildOutput
 
@@ -101,7 +102,7 @@ def _read(path: Path, cwd: Path, console: Console) -> TestResult | None:
     try:
         root = plain_xml(path.read_bytes())
     except (ValueError, OSError) as error:
-        console.warn("colcon.colcon_test_result.test_result.xunit", f"Skipping '{name}': {error}")
+        console.warn("colcon.colcon_test_result.test_result.xunit", f"Skipping '{name}': {reason(error)}")
         return None
     suites = [root] if root.tag == "testsuite" else list(root.findall("testsuite")) if root.tag == "testsuites" else []
     result = TestResult(name)

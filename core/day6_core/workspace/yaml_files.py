@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from day6_core.reason import reason
+
 
 def colcon_home(environment: Mapping[str, str]) -> Path:
     """Return the folder of colcon's settings."""
@@ -21,7 +23,7 @@ def content_of(path: Path, warn: Callable[[str], None]) -> dict[str, Any]:
             return {}
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        warn(f"Skipping metadata file '{path}' since it failed to parse: {error}")
+        warn(f"Skipping metadata file '{path}' since it failed to parse: {reason(error)}")
         return {}
     import yaml  # for the few who have such a file
 

@@ -9,6 +9,8 @@ from textual._ansi_sequences import SYNC_END as SYNC_END
 from textual._ansi_sequences import SYNC_START as SYNC_START
 from textual._context import visible_screen_stack
 
+from day6_core.reason import fault
+
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 
@@ -63,5 +65,5 @@ def fail(app: App[Any], error: Exception) -> None:
 
     _log.error("the application failed", exc_info=error)
     app._return_code = 1
-    app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))
+    app._exit_renderables.append(Text(f"day6-tui: {fault(error)}"))
     app._close_messages_no_wait()

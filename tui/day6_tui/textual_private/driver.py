@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 
 from textual import events
 
+from day6_core.reason import fault
+
 try:
     from textual.drivers.linux_driver import LinuxDriver
 except ImportError:  # Windows: Textual has another driver there, and this one is not used
@@ -90,7 +92,7 @@ class TerminalDriver(LinuxDriver):
             self.run_input_thread()
         except Exception as error:
             _log.exception("the terminal's input failed")
-            self._end(FAILED, f"day6-tui: {type(error).__name__}: {error}")
+            self._end(FAILED, f"day6-tui: {fault(error)}")
 
     def run_input_thread(self) -> None:
         """Read until the application ends."""

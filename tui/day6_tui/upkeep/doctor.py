@@ -20,6 +20,7 @@ from day6_core.inbox import Inbox
 from day6_core.isolation.cell import Phrase
 from day6_core.language import language_of
 from day6_core.places import shortened
+from day6_core.reason import fault
 from day6_core.session.harmless import one_line
 from day6_core.width import text_width
 from day6_tui.locale import Texts
@@ -64,7 +65,7 @@ def bounded(check: Callable[[], Iterable[Line]], seconds: float) -> Iterator[Lin
         except TimeoutError as error:
             lines.put(problem("check.late", "check.late.todo", name=name, seconds=str(error)))
         except Exception as error:  # a fault of ours, or a machine that nobody has thought of: the report says so
-            reason = f"{type(error).__name__}: {error}"
+            reason = fault(error)
             lines.put(problem("check.failed", "check.failed.todo", name=name, reason=reason))
         finally:
             lines.put(None)

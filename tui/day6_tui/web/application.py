@@ -9,6 +9,7 @@ from typing import Any
 from aiohttp import web
 
 from day6_core.isolation.cell import IsolationError, Phrase
+from day6_core.reason import named_reason
 from day6_tui.locale import Texts
 from day6_tui.web import link_page, pages, socket
 from day6_tui.web.class_page import ClassPage
@@ -199,7 +200,7 @@ class Application:
         return await socket.talk(request, self._sessions, ticket, lang=lang, is_good=is_good, refused=self._refused)
 
     def _refused(self, name: str, error: Exception) -> None:
-        reason = str(error)
+        reason = named_reason(error)
         if isinstance(error, IsolationError):
             reason = Texts(self._settings.lang)(error.words.key, **error.words.values)
         self._tell("serve.refused", name=name, reason=reason)

@@ -14,6 +14,7 @@ from day6_core.isolation import modes
 from day6_core.isolation.cell import IsolationError, Phrase
 from day6_core.isolation.modes import ModeOffer
 from day6_core.language import language_of
+from day6_core.reason import fault
 from day6_core.session.harmless import one_line
 from day6_tui.locale import Texts
 from day6_tui.web.options import is_loopback, parse
@@ -137,7 +138,7 @@ class _OneLine(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
         """Print a record that is a warning or worse."""
         error = record.exc_info[1] if record.exc_info else None
-        reason = f" ({type(error).__name__}: {error})" if error is not None else ""
+        reason = f" ({fault(error)})" if error is not None else ""
         if record.levelno >= logging.WARNING:
             with contextlib.suppress(OSError):
                 print(f"day6-tui: {one_line(record.getMessage() + reason)}", file=sys.stderr, flush=True)

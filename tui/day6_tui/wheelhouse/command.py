@@ -10,6 +10,7 @@ from pathlib import Path
 
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.language import language_of
+from day6_core.reason import named_reason
 from day6_core.session.harmless import one_line
 from day6_tui.locale import Texts
 from day6_tui.wheelhouse import closure, folder, own_wheel
@@ -62,7 +63,7 @@ def main(words: list[str]) -> int:
     except (closure.FetchError, own_wheel.WheelError) as error:
         return _refuse(texts("wheelhouse.failed", reason=error), 1)
     except OSError as error:
-        return _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error), 1)
+        return _refuse(named_reason(error), 1)
     size = sum(path.stat().st_size for path in options.folder.iterdir())
     print(one_line(texts("wheelhouse.done", count=len(wheels), size=f"{size / 1e6:.0f}", folder=options.folder)))
     print(one_line(texts("wheelhouse.next", file=options.folder / folder.GUIDE)))

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from day6_core.lessons.flaws import Flaw, line_of, meant, path_flaw
 from day6_core.lessons.texts import Say
+from day6_core.reason import fault
 
 if TYPE_CHECKING:
     from day6_core.lessons.live import Live
@@ -143,7 +144,7 @@ class Condition:
             _log.warning("the check %s of a lesson failed", self.name, exc_info=True)
             return Verdict(
                 False,
-                Say("check.failed", name=self.name, reason=f"{type(error).__name__}: {error}"),
+                Say("check.failed", name=self.name, reason=fault(error)),
                 broken=True,
             )
 

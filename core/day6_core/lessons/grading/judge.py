@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_core.lessons.grading import shield
+from day6_core.reason import fault
 
 
 class Report:
@@ -78,7 +79,7 @@ def _play(job: dict[str, Any], home: Path, report: Report) -> None:
         except Exception as error:
             # The grader shows it as ours, not as the pupil's; a traceback has nobody to read it here.
             place = traceback.extract_tb(error.__traceback__)[-1]
-            report.say(problem=f"{type(error).__name__}: {error} ({Path(place.filename).name}:{place.lineno})")
+            report.say(problem=f"{fault(error)} ({Path(place.filename).name}:{place.lineno})")
         finally:
             done.set()
         return 0

@@ -17,6 +17,7 @@ from day6_core.lessons.grading.scenarios import Grading, Scenario
 from day6_core.lessons.grading.stage import GraderStage, NotPlayed, tail
 from day6_core.lessons.live import Live
 from day6_core.lessons.texts import Say
+from day6_core.reason import fault
 from day6_core.session.program import Program
 from day6_core.session.session import Session
 from day6_core.shell.desk import Desk
@@ -101,7 +102,7 @@ class Play:
             return Outcome(problem.mark, seen, timed=problem.timed)
         except Exception as error:
             # A scenario with a mistake of its author must not take the others with it.
-            reason = f"{type(error).__name__}: {error}"[:200]
+            reason = fault(error)[:200]
             broken = Seen(Say("grade.ended.problem"), Say("grade.ended.problem_saw", reason=reason))
             return Outcome(Mark.UNPLAYED, [broken], timed=False)
         finally:

@@ -20,6 +20,7 @@ from enum import Enum
 from pathlib import Path
 
 from day6_core.guardian import MARK
+from day6_core.reason import named_reason
 
 MOST_PROCESSES = 120
 MOST_MEMORY = 2 * 2**30
@@ -90,7 +91,7 @@ def enter(work: Path) -> int:
         Path("/proc/self/uid_map").write_text(f"{_INSIDE} {user} 1", encoding="ascii")
         _mount(libc, "none", "/", "", _REC | _PRIVATE)
     except OSError as error:
-        raise Unshielded(f"user namespace: {error}") from None
+        raise Unshielded(f"user namespace: {named_reason(error)}") from None
     reading, writing = os.pipe()
     child = os.fork()
     if child:
@@ -106,7 +107,7 @@ def enter(work: Path) -> int:
     try:
         _furnish(libc, work)
     except OSError as error:
-        os.write(writing, str(error).encode())
+        os.write(writing, named_reason(error).encode())
         os._exit(1)
     os.close(writing)
     return 0

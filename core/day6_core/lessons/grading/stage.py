@@ -17,6 +17,7 @@ from day6_core.lessons.grading.marks import Mark
 from day6_core.lessons.player import LOOK, StageError
 from day6_core.lessons.stage import Stage
 from day6_core.lessons.texts import Say
+from day6_core.reason import named_reason
 
 if TYPE_CHECKING:
     from day6_core.lessons.live import Live
@@ -51,7 +52,7 @@ class GraderStage(Stage):
         try:
             await super().perform(actions)
         except (StageError, OSError, ValueError, KeyError) as error:
-            raise NotPlayed(Say("grade.action"), Say("grade.action_saw", reason=str(error)[:200])) from None
+            raise NotPlayed(Say("grade.action"), Say("grade.action_saw", reason=named_reason(error)[:200])) from None
 
     async def _do_wait(self, given: object) -> None:
         """Wait for a check, not longer than there is something of the pupil's that could make it hold."""

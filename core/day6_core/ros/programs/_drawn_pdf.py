@@ -7,6 +7,7 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
+from day6_core.reason import named_reason
 from day6_core.ros.programs.rqt_graph.model.image import NO_COLOURS, write_image
 from day6_core.ros.programs.rqt_graph.model.layout import layout
 from day6_core.ros.programs.rqt_graph.model.pdf import written
@@ -68,7 +69,7 @@ async def _by_dot(session: Session, dot: str, source: Path, tell: Callable[[str]
     try:
         drawn, said = await in_thread(run)
     except (OSError, subprocess.TimeoutExpired) as error:
-        tell(f"{NO_PDF}: {error}")
+        tell(f"{NO_PDF}: {named_reason(error)}")
         return b""
     finally:
         for process in running:

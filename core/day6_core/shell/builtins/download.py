@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 from urllib.parse import urlsplit
 
+from day6_core.reason import reason
 from day6_core.session.session import Session
 from day6_core.session.threads import in_thread
 from day6_core.shell.builtins.options import UsageError, parse
@@ -58,7 +59,7 @@ def _ask(url: str, given_up: threading.Event) -> Response:
         unknown = isinstance(error.reason, socket.gaierror)
         return Response(0, "", b"", getattr(error.reason, "strerror", None) or str(error.reason), unknown)
     except (OSError, HTTPException, ValueError) as error:
-        return Response(0, "", b"", str(error) or type(error).__name__)
+        return Response(0, "", b"", reason(error))
 
 
 def _address(text: str) -> str | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from day6_core.reason import reason as reason
 from day6_core.session.session import Session
 from day6_core.shell.language.interpreter import shell_of
 
@@ -80,8 +81,3 @@ def complain(session: Session, text: object) -> None:
 def complain_as_shell(session: Session, text: object) -> None:
     """Print `bash: name: text` to standard error, as built-ins of the shell do."""
     session.print_error(f"{shell_of(session).name}: {session.name}: {text}")
-
-
-def reason(error: OSError) -> str:
-    """The system's words for an error: 'No such file or directory'."""
-    return error.strerror or type(error).__name__

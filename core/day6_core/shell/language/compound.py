@@ -6,6 +6,7 @@ from contextlib import ExitStack
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from day6_core.reason import reason
 from day6_core.session.task import let_others_run
 from day6_core.shell.language import syntax
 from day6_core.shell.language.arithmetic import ArithmeticProblem
@@ -109,7 +110,7 @@ async def _conditional(shell: Shell, command: syntax.Conditional | syntax.Arithm
     try:
         answer = await holds(command.condition, shell, streams)
     except (OSError, ValueError) as error:
-        streams.stderr.write(f"{shell.name}: [[: {error}\n")
+        streams.stderr.write(f"{shell.name}: [[: {reason(error)}\n")
         shell.status = 1 if isinstance(error, ArithmeticProblem) else 2
         return
     shell.status = 0 if answer else 1

@@ -32,7 +32,7 @@ from day6_tui.windows import WindowPane
 from day6_tui.windows.editor.area import EditorArea, has_grammar
 
 KEEP_SECONDS = 1.0
-"""A copy of the unsaved text is written this many seconds after the first key that the last copy lacks, however long one types."""
+"""Seconds after the first key that the last copy lacks, at which the next one is written: also if one types without a pause."""
 
 CHECK_SECONDS = 1.0
 """Seconds after the last key at which the text is checked."""

@@ -12,6 +12,7 @@ from textual import events
 from textual.app import ComposeResult
 from textual.widget import Widget
 
+from day6_core.reason import named_reason
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip
@@ -336,7 +337,7 @@ def _definition(topic: Topic) -> tuple[str, str]:
     try:
         return name, definition_text(name)
     except (LookupError, OSError, ValueError) as error:
-        return topic.types[0], str(error)
+        return topic.types[0], named_reason(error)
 
 
 def _ends(path: Path, ends: Sequence[MonitoredEndpoint]) -> list[Branch]:

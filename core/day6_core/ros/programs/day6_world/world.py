@@ -11,6 +11,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+from day6_core.reason import named_reason
 from day6_core.ros.programs.day6_world._simulation import STEP
 from day6_core.ros.programs.day6_world._world_node import WorldNode
 from day6_core.ros.programs.day6_world.scenery import Scenery, SceneryError, read_scenery, shipped_worlds
@@ -35,7 +36,7 @@ async def main(session: Session) -> int:
         world = WorldNode(node, scenery, partial(session.timer_ns, node), session.clock.wall_ns)
         text = _robot_file(session, node)
     except (SceneryError, OSError) as error:
-        node.get_logger().fatal(str(error))
+        node.get_logger().fatal(named_reason(error))
         return 1
     world.model.is_held = lambda: session.clock.paused
     described = Signal()

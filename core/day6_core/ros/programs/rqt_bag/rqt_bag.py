@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from day6_core.reason import reason
 from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.rqt_bag.model.bags import Bags
 from day6_core.ros.programs.rqt_bag.model.keeping import read_kept
@@ -71,7 +72,7 @@ async def _print(session: Session, names: list[str]) -> int:
         try:
             session.print(await in_thread(partial(lambda path: info.text(info.read_metadata(path)), path)))
         except (RuntimeError, OSError) as error:
-            session.print_error(f"Loading '{name}' failed due to: {error}")
+            session.print_error(f"Loading '{name}' failed due to: {reason(error)}")
             status = 1
     return status
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from day6_core.interfaces import definition_text, get_interface, interface_names, packages
+from day6_core.reason import named_reason
 from day6_core.ros.programs.rqt_py_common.message_form import INTERFACE_ERRORS, FieldRow, field_rows
 from day6_core.ros.programs.rqt_topic.fields import element_type
 
@@ -90,4 +91,4 @@ class TypeBrowser:
         try:
             return definition_text(f"{parts[0]}/{kind}/{parts[1]}")
         except (LookupError, OSError, ValueError) as error:
-            return str(error)
+            return named_reason(error)

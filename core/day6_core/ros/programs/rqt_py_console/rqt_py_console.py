@@ -10,6 +10,7 @@ from __future__ import annotations
 from contextlib import suppress
 from pathlib import Path
 
+from day6_core.reason import named_reason
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.ros.programs.rqt_py_common.command_lines import Kind, Printed
 from day6_core.ros.programs.rqt_py_console.model import NO_DESKTOP, PyConsole
@@ -51,7 +52,7 @@ class PyConsolePlugin(Plugin[PyConsole]):
                 argv, python, output, output, env=dict(session.env), cwd=session.cwd, stdin=keys.reader
             )
         except OSError as error:
-            model.take(f"{error}\n", Kind.ERROR)
+            model.take(f"{named_reason(error)}\n", Kind.ERROR)
             return 1
 
         def send(text: str) -> None:

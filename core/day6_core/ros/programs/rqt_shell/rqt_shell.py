@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from day6_core.reason import named_reason
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, run_alone
 from day6_core.ros.programs.rqt_py_common.command_lines import Kind, Printed
 from day6_core.ros.programs.rqt_shell.model import NO_DESKTOP, RqtShell
@@ -58,7 +59,7 @@ class ShellPlugin(Plugin[RqtShell]):
                 ["bash", "-c", line], bash, output, errors, env=dict(session.env), cwd=session.cwd
             )
         except OSError as error:
-            errors.write(f"{error}\n")
+            errors.write(f"{named_reason(error)}\n")
             return
         try:
             await self._program.wait()

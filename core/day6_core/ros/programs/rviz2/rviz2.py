@@ -12,6 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
+from day6_core.reason import reason
 from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.rclcpp import STOPPED, create_node, log_interrupt
 from day6_core.ros.programs.rviz2.model.config import ConfigError
@@ -176,9 +177,9 @@ def _configure(session: Session, rviz: RViz, options: argparse.Namespace) -> Non
             rviz.config_file = path
         except (OSError, ConfigError) as error:
             rviz.load_text(text)
-            rviz.hint("rviz.hint.config", file=path.name, reason=str(error))
+            rviz.hint("rviz.hint.config", file=path.name, reason=reason(error))
             node_logger = rviz.node.get_logger()
-            node_logger.error(f"{path}: {error}")
+            node_logger.error(f"{path}: {reason(error)}")
     else:
         rviz.load_text(text)
         if name:

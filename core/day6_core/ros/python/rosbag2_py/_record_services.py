@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import rosbag2_interfaces.srv
 
+from day6_core.reason import reason
 from day6_core.ros.differences import value
 from rclpy.exceptions import InvalidTopicNameException
 from rclpy.expand_topic_name import expand_topic_name
@@ -100,8 +101,8 @@ class RecordServices:
         try:
             action()
         except (RuntimeError, OSError) as error:
-            self._log.error(f"Error during '{kind}' request: {error}")
-            return _answer(failed, str(error))
+            self._log.error(f"Error during '{kind}' request: {reason(error)}")
+            return _answer(failed, reason(error))
         return _answer()
 
     # -- now or later --------------------------------------------------------------------------------------------------
@@ -145,7 +146,7 @@ class RecordServices:
         try:
             topic = topic and expand_topic_name(topic, self._node.get_name(), self._node.get_namespace())
         except (InvalidTopicNameException, ValueError) as error:
-            self._log.error(f"Invalid tracking topic name '{topic}' for {kind} request: {error}")
+            self._log.error(f"Invalid tracking topic name '{topic}' for {kind} request: {reason(error)}")
             return _answer(_INVALID_TOPIC[what], f"Invalid tracking_topic_name for {kind} request.")
         by_sent = mode == 1
         if not moment or self._seen.get(topic, (0, 0))[not by_sent] >= moment:

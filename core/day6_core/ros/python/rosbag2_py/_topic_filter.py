@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_core.interfaces import get_interface
+from day6_core.reason import named_reason
 from day6_core.ros.differences import value
 from day6_core.user_pattern import user_pattern
 from rosbag2_py._options import RecordOptions
@@ -173,7 +174,7 @@ def read_static_topics(path: str, log: RcutilsLogger) -> dict[str, str]:
                 raise ValueError(f"not a 'topic_name, topic_type' pair: {pair}")
             found[str(pair[0])] = str(pair[1])
     except (OSError, ValueError, yaml.YAMLError) as error:
-        log.error(f"Failed to read static topics list: {error}")
+        log.error(f"Failed to read static topics list: {named_reason(error)}")
         log.info("Cleared static topics list due to read failure.")
         return {}
     log.info(f"Read {len(found)} static topics")

@@ -7,6 +7,7 @@ from collections.abc import Callable, Coroutine, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.interfaces import DeserializationError, UnknownInterfaceError, deserialize, get_interface
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_bag.model.exporting import ExportError, export
 from day6_core.ros.programs.rqt_bag.model.keeping import Kept
 from day6_core.ros.programs.rqt_bag.model.loading import OpenBag, index_bag, is_bag, open_bag, path_of
@@ -306,7 +307,7 @@ class Bags:
         except (RuntimeError, OSError) as error:
             if not self.timeline.blocks:
                 self._start_anew()  # nothing of it can be shown
-            self.tell(f"Loading '{name}' failed due to: {_reason(error)}", failed=True)
+            self.tell(f"Loading '{name}' failed due to: {reason(error)}", failed=True)
         finally:
             self.loading = False
             self._refresh()
@@ -345,7 +346,7 @@ class Bags:
         try:
             await in_thread(lambda: self.timeline.look_at(left, right))
         except (RuntimeError, OSError) as error:
-            self.tell(str(error), failed=True)
+            self.tell(reason(error), failed=True)
 
     # -- recording and exporting ---------------------------------------------------------------------------------------
 
@@ -373,7 +374,7 @@ class Bags:
         try:
             self.recorder = Recorder(self._node, path, topics, self.timeline)
         except (RuntimeError, OSError) as error:
-            self.tell(f"Error opening bag for recording [{name}]: {_reason(error)}", failed=True)
+            self.tell(f"Error opening bag for recording [{name}]: {reason(error)}", failed=True)
             return
         self.tell("")
         self._records.set()
@@ -401,7 +402,7 @@ class Bags:
             return
         recorder.stop()
         self._start_anew()
-        problem = "" if recorder.failure is None else f"Error writing to bag: {_reason(recorder.failure)}"
+        problem = "" if recorder.failure is None else f"Error writing to bag: {reason(recorder.failure)}"
         self._load_next(str(recorder.path), problem)
 
     def _export(self, name: str, topics: Sequence[str]) -> None:
@@ -432,7 +433,7 @@ class Bags:
         try:
             count = await in_thread(lambda: export(timeline, bags, path, topics, *region, self._progress, cancelled))
         except ExportError as error:
-            self.tell(str(error), failed=True)
+            self.tell(reason(error), failed=True)
         else:
             self.tell(f'{"Cancelled: " if self._cancelled else ""}{count} messages in "{name}"')
 
@@ -461,7 +462,7 @@ class Bags:
             for found in self.timeline.newest(topic, time_ns):
                 return picture(deserialize(found.read().data, get_interface(IMAGE)), columns, rows)
         except (NoPicture, DeserializationError, RuntimeError, OSError) as error:
-            self.tell(f"Error loading image on topic {topic}: {error}", failed=True)
+            self.tell(f"Error loading image on topic {topic}: {reason(error)}", failed=True)
         return None
 
     def close(self) -> None:
@@ -472,7 +473,3 @@ class Bags:
         self.player.close()
         for bag in self.bags:
             bag.close()
-
-
-def _reason(error: Exception) -> str:
-    return error.strerror if isinstance(error, OSError) and error.strerror else str(error)

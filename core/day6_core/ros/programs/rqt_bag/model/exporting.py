@@ -9,6 +9,7 @@ from rosbag2_py._console import quiet
 from rosbag2_py._storage import StorageOptions
 from rosbag2_py._writer import SequentialWriter
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_bag.model.loading import OpenBag
 from day6_core.ros.programs.rqt_bag.model.timeline import Timeline
 
@@ -42,7 +43,7 @@ def export(
     try:
         writer.open(StorageOptions(str(path)))
     except (RuntimeError, OSError) as error:
-        raise ExportError(f"Error opening bag file [{path}] for writing: {error}") from None
+        raise ExportError(f"Error opening bag file [{path}] for writing: {reason(error)}") from None
     count, after = 0, begin_ns - 1
     try:
         for bag in reversed(bags):
@@ -57,6 +58,5 @@ def export(
             progress(100 * (after - begin_ns) // max(1, end_ns - begin_ns))
         writer.close()
     except (RuntimeError, OSError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise ExportError(f"Error exporting message at position {after}: {reason}") from None
+        raise ExportError(f"Error exporting message at position {after}: {reason(error)}") from None
     return count

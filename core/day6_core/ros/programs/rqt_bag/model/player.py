@@ -19,6 +19,7 @@ from rosbag2_py._storage import NANOSECONDS, Message, TopicMetadata
 from rosgraph_msgs.msg import Clock
 
 from day6_core.interfaces import get_interface
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_bag.model.playhead import Playhead
 from day6_core.ros.programs.rqt_bag.model.timeline import MOST_AT_ONCE, Found, Passed, Timeline
 from day6_core.session.task import Signal, let_others_run, wait_for
@@ -198,7 +199,7 @@ class Player:
             except (RuntimeError, OSError) as error:
                 # A damaged bag is played as far as it can be read.
                 if self.topics:  # otherwise it was closed meanwhile
-                    self.problem = str(error)
+                    self.problem = reason(error)
                 self.playhead.set_speed(0.0)
 
     def _topics(self) -> list[str]:

@@ -1,0 +1,19 @@
+"""Why something failed, as real tools say it: "No space left on device", never Python's "[Errno 28] No space left on device"."""
+
+from __future__ import annotations
+
+
+def reason(error: BaseException) -> str:
+    """Return the system's words for an error of the system, else what the error says."""
+    return (isinstance(error, OSError) and error.strerror) or str(error) or type(error).__name__
+
+
+def named_reason(error: BaseException) -> str:
+    """Return the same, behind the name of the file that the error is about."""
+    name = error.filename if isinstance(error, OSError) and isinstance(error.filename, str) else ""
+    return f"{name}: {reason(error)}" if name else reason(error)
+
+
+def fault(error: BaseException) -> str:
+    """Return what a fault of ours is reported as: the kind of the error and its reason, in one line of a traceback's form."""
+    return f"{type(error).__name__}: {named_reason(error)}"
