@@ -170,8 +170,13 @@ def append_private(target: Path, data: bytes) -> None:
             if sys.platform != "win32" and stat.S_ISREG(found.st_mode) and found.st_mode & 0o077:
                 with contextlib.suppress(PermissionError):  # another user's file: theirs to decide
                     os.fchmod(number, stat.S_IMODE(found.st_mode) & ~0o077)
-            while data:
-                data = data[file.write(data) or 0 :]
+            try:
+                while data:
+                    data = data[file.write(data) or 0 :]
+            except OSError:
+                if stat.S_ISREG(found.st_mode):
+                    os.ftruncate(number, found.st_size)  # half a line would become part of the next one
+                raise
 
 
 def make_private_folder(folder: Path) -> None:

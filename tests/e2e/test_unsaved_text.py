@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import signal
 import sys
@@ -72,6 +73,28 @@ def test_it_comes_back_whatever_ended_the_desktop(place: Place, way: str) -> Non
         until(lambda: screen._reap() or screen.status is not None)
     assert not (place.home / "work.txt").exists()
     is_back(place)
+
+
+def test_who_is_killed_while_typing_without_a_pause_has_what_was_typed_before(place: Place) -> None:
+    with desktop(place) as screen:
+        screen.wait("$")
+        screen.line("nano work.txt")
+        screen.wait("work.txt", "^X close")
+        words = 0
+
+        def type_on() -> bool:
+            nonlocal words
+            screen.send(f"w{words}\r")
+            words += 1
+            screen.look(0.05)
+            return any('"w0' in path.read_text() for path in copies(place))
+
+        until(type_on, every=0)
+        screen.kill(signal.SIGKILL)
+        until(lambda: screen._reap() or screen.status is not None)
+    (copy,) = copies(place)
+    back = json.loads(copy.read_text())["text"]
+    assert "".join(f"w{number}\n" for number in range(words)).startswith(back), "and nothing else"
 
 
 @pytest.mark.skipif(ROOT and SETPRIV is None, reason="for root no folder is read-only, and setpriv is not there")

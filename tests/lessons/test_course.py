@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from day6_core.lessons import catalogue
+from day6_core.lessons import catalogue, kept_progress
 from day6_core.lessons.course import Course, new_course
 from day6_core.lessons.demonstration import Demonstration
-from day6_core.lessons.progress import StepDone, file_of, load
+from day6_core.lessons.progress import Progress, StepDone, file_of, load
 from day6_core.session.session import Session
 from day6_core.session.streams import InputStream, OutputStream
 from day6_core.shell.desk import Desk
@@ -260,6 +262,25 @@ def test_progress_of_another_version_is_left_alone_and_told(room: Classroom) -> 
     (room.home / "one.txt").touch()
     room.wait(lambda: room.solved() and "version 99" in room.course.kept.failed)
     assert path.read_text() == '{"version": 99}'
+
+
+def test_progress_that_a_full_disk_does_not_take_is_told_and_written_later(
+    room: Classroom, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real, full = kept_progress.save, [True]
+
+    def save(path: Path, progress: Progress) -> Progress:
+        if full[0]:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+        return real(path, progress)
+
+    monkeypatch.setattr(kept_progress, "save", save)
+    monkeypatch.setattr(kept_progress, "RETRY_SECONDS", 0.0)
+    room.open()
+    (room.home / "one.txt").touch()
+    room.wait(lambda: room.solved() and room.course.kept.failed == os.strerror(errno.ENOSPC))
+    full[0] = False
+    room.wait(lambda: room.saved() and not room.course.kept.failed)
 
 
 def test_a_lesson_that_is_being_written_is_read_again(room: Classroom) -> None:

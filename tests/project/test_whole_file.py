@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import io
 import os
 import re
 import signal
@@ -12,6 +13,7 @@ import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -125,6 +127,7 @@ def test_a_device_is_written_to_and_stays_one(tmp_path: Path) -> None:
 WRITER = """
 import sys
 from pathlib import Path
+from typing import Any
 from day6_core.whole_file import replace_file
 print("ready", flush=True)
 number = 0
@@ -304,3 +307,19 @@ def test_the_history_of_the_terminals_is_private(tmp_path: Path) -> None:
     file.chmod(0o644)
     History(file).add("echo secret")
     assert mode(file) == 0o600 and file.read_text() == "ls\necho secret\n"
+
+
+@posix
+def test_half_a_line_is_not_left_where_the_disk_is_full(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Filling(io.FileIO):
+        def write(self, data: Any) -> int:
+            if len(data) == 3:
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            return super().write(data[:-3])
+
+    file = tmp_path / "f"
+    append_private(file, b"one\n")
+    monkeypatch.setattr("day6_core.whole_file.open", lambda number, *_, **__: Filling(number, "wb"), raising=False)
+    with pytest.raises(OSError, match=os.strerror(errno.ENOSPC)):
+        append_private(file, b"second\n")
+    assert file.read_bytes() == b"one\n"

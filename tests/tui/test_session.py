@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -144,6 +146,24 @@ async def test_saying_no_leaves_the_terminals_at_their_prompts(tmp_path) -> None
         await pilot.press("escape")
         await until(app, pilot, lambda: app.terminals.panes[0].view.at_prompt)
         assert not app.terminals.panes[0].view.terminal.busy
+
+
+async def test_a_session_that_a_full_disk_does_not_take_is_told_and_written_later(tmp_path, monkeypatch) -> None:
+    def full(path: Path, data: bytes) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        with monkeypatch.context() as patched:
+            patched.setattr("day6_tui.features.saved_desktop.write_private", full)
+            app.session.save_meanwhile()
+            assert app.session.save() == os.strerror(errno.ENOSPC)
+            app.session.save_meanwhile()
+            await until(app, pilot, lambda: f"be saved: {os.strerror(errno.ENOSPC)}" in screen_text(app))
+            assert not session_file(tmp_path).exists()
+        app.session.save_meanwhile()  # though nothing has changed
+        await until(app, pilot, session_file(tmp_path).exists)
+        assert app.session.save() == ""
 
 
 async def test_one_idle_terminal_is_no_session(tmp_path) -> None:
@@ -360,7 +380,7 @@ async def test_the_desktop_can_be_left_when_nothing_can_be_saved(tmp_path, monke
         await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
         monkeypatch.setattr(app.arranging, "described", lambda: 1 / 0)
         app.exit()
-    assert app.return_code == 0 and not session_file(tmp_path).exists()
+    assert app.return_code == 1 and not session_file(tmp_path).exists()
 
 
 async def test_what_alone_has_changed_on_the_desktop_is_saved_meanwhile(tmp_path) -> None:

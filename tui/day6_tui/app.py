@@ -33,6 +33,7 @@ from textual.binding import Binding
 from textual.widget import Widget
 
 from day6_core.language import language_of
+from day6_core.reason import fault
 from day6_core.session.harmless import one_line
 from day6_core.shell.process.heap import keep_heap_small
 from day6_tui import actions
@@ -354,17 +355,23 @@ class Day6App(TerminalApp):
         if self.ending is not None:
             output.let_go()
             self.ending.begin()
-        if not is_leaving(self) and self.machine.desk is not None:
-            self._try_last(self.session.save)
-        self._try_last(self.recording.end)
+        if not is_leaving(self) and self.machine.desk is not None and (why := self._last(self.session.save)):
+            from rich.console import Group
+            from rich.text import Text
+
+            told = Text(one_line(f"day6-tui: {self.look.texts('session.not_kept', reason=why)}"))
+            message = told if message is None else Group(message, told)
+            return_code = return_code or int(not self.distributions.next)  # which starts the desktop again
+        self._last(self.recording.end)
         super().exit(result, return_code, message)
 
-    def _try_last(self, act: Callable[[], object]) -> None:
-        """Do something on the way out, which its failure must not bar."""
+    def _last(self, act: Callable[[], str | None]) -> str:
+        """Do something on the way out, which its failure must not bar; return why it failed, or ''."""
         try:
-            act()
-        except Exception:
+            return act() or ""
+        except Exception as error:
             _log.exception("something failed on the way out")
+            return fault(error)
 
     def failed(self, error: Exception) -> None:
         if self.is_headless:

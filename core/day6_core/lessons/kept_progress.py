@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, save
 from day6_core.reason import reason
 from day6_core.session.threads import in_thread
+
+RETRY_SECONDS = 2.0
+"""Seconds between tries where the file cannot be written."""
 
 
 class KeptProgress:
@@ -18,13 +22,15 @@ class KeptProgress:
         """Whether the progress was changed since it was last written."""
         self.failed = ""
         """Why the progress could not be kept."""
+        self._again = 0.0
+        """When to try again after that, on `time.monotonic`."""
         self._file = file_of(home, pupil)
         self._saving = False
 
     @property
     def is_due(self) -> bool:
         """Whether it is time to write: one writing after the other."""
-        return self.unsaved and not self._saving
+        return self.unsaved and not self._saving and time.monotonic() >= self._again
 
     async def load(self) -> None:
         """Read how far the pupil is; the beginning where the file cannot be used."""
@@ -44,6 +50,6 @@ class KeptProgress:
             await in_thread(lambda: save(self._file, progress))
             self.failed = ""
         except (ProgressError, OSError) as error:
-            self.failed = reason(error)
+            self.failed, self.unsaved, self._again = reason(error), True, time.monotonic() + RETRY_SECONDS
         finally:
             self._saving = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import subprocess
@@ -60,3 +61,17 @@ def test_bytes_that_are_not_utf8_are_kept_in_the_file(tmp_path: Path) -> None:
     history.add("echo \udcff")
     assert (tmp_path / "h").read_bytes() == b"echo \xff\n"
     assert History(tmp_path / "h").lines == ["echo \udcff"]
+
+
+def test_lines_that_a_full_disk_did_not_take_are_written_later(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(path: Path, data: bytes) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+
+    history = History(tmp_path / "h")
+    with monkeypatch.context() as patched:
+        patched.setattr("day6_core.shell.line.history.append_private", full)
+        history.add("echo one")
+        history.add("echo two")
+    assert history.lines == ["echo one", "echo two"] and not (tmp_path / "h").exists()
+    history.add("echo three")
+    assert (tmp_path / "h").read_text() == "echo one\necho two\necho three\n"

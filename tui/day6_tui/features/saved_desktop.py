@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from day6_core.reason import reason
 from day6_core.whole_file import write_private
 from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.json_file import read_object
@@ -125,6 +126,10 @@ class SavedDesktop(Feature):
         """What the windows showed that have not come back yet, by their roles in the layout."""
         self._state: object = None
         """What there was when it was saved last."""
+        self._unwritten = ""
+        """Why it could not be saved the last time; '' if it was."""
+        self._told = ""
+        """What of that the user has been told."""
         self.in_lesson = False
         """Whether somebody was in the middle of a lesson; known once it was restored."""
         self._again: tuple[Terminal, str] | None = None
@@ -134,11 +139,12 @@ class SavedDesktop(Feature):
 
     # -- leaving -------------------------------------------------------------------------------------------------------
 
-    def save(self) -> None:
-        """Write down what is there. A disk that is full is no reason to stay: the log says so."""
+    def save(self) -> str:
+        """Write down what is there; return why that was impossible, or ''. A disk that is full is no reason to stay."""
         path, data = self._machine.own_file(FILE), self._taken()
         if path is not None and data is not None:
-            _write(path, data)
+            self._write(path, data)
+        return self._unwritten
 
     def type_again(self, terminal: Terminal, line: str) -> None:
         """Have a line typed again in a terminal that comes back: the desktop starts again because of it."""
@@ -150,11 +156,24 @@ class SavedDesktop(Feature):
         focused = self._desktop.focused_pane
         state = terminals, self._arranging.described(), self._views_now(), focused.slot if focused is not None else ""
         path = self._machine.own_file(FILE)
-        if path is None or state == self._state:
+        if path is None or (state == self._state and not self._unwritten):
             return
+        if self._unwritten != self._told:
+            self._told = self._unwritten
+            if self._told:
+                self._notices.show(self._look.texts("session.not_kept", reason=self._told), NOTICE_SECONDS)
         self._state = state
         if (data := self._taken()) is not None:
-            threading.Thread(target=_write, args=(path, data), name="day6-save-session", daemon=True).start()
+            threading.Thread(target=self._write, args=(path, data), name="day6-save-session", daemon=True).start()
+
+    def _write(self, path: Path, data: bytes) -> None:
+        try:
+            write_private(path, data)
+        except OSError as error:
+            _log.warning("the session could not be saved: %s", error)
+            self._unwritten = reason(error)
+        else:
+            self._unwritten = ""
 
     def _taken(self) -> bytes | None:
         """What is there, as the file has it; None if there is nothing to write."""
@@ -304,13 +323,6 @@ class SavedDesktop(Feature):
                     pane.take_view(view)
                 except ValueError as error:
                     _log.warning("%s: its view cannot be understood: %s", roles[pane.slot], error)
-
-
-def _write(path: Path, data: bytes) -> None:
-    try:
-        write_private(path, data)
-    except OSError as error:
-        _log.warning("the session could not be saved: %s", error)
 
 
 def _source(install: Path, folder: Path, home: Path) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 
 from day6_core.shell.language.lexer import tokenize
@@ -77,6 +78,8 @@ class History:
     def __init__(self, file: Path) -> None:
         self._file = file
         self.lines: list[str] = []
+        self._unwritten = b""
+        """Lines that a full or read-only disk did not take: they go there before the next one."""
         try:
             self.lines = file.read_text(encoding="utf-8", errors="surrogateescape").splitlines()[-KEPT:]
         except OSError:
@@ -90,10 +93,10 @@ class History:
         self.lines.append(line)
         if len(self.lines) > KEPT:
             del self.lines[0]
-        try:
-            append_private(self._file, (line + "\n").encode("utf-8", "surrogateescape"))
-        except OSError:
-            return  # a full or read-only disk must not make the terminal unusable
+        self._unwritten += (line + "\n").encode("utf-8", "surrogateescape")
+        with suppress(OSError):  # as in bash, which says nothing of it either
+            append_private(self._file, self._unwritten)
+            self._unwritten = b""
 
     def search(self, text: str, before: int) -> int | None:
         """Index of the last line before index `before` that contains `text`; None if there is none."""

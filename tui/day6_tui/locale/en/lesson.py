@@ -57,6 +57,7 @@ TEXTS = {
     "lesson.something_runs": (
         "Still running: {names}. End them with Ctrl-C, or press {key} (capital) and I'll do it. Then the drill starts."
     ),
+    "lesson.unsaved": "the progress in lessons ({reason})",
     "lesson.not_saved": "Your progress was not saved: {reason}",
     "lesson.key.choose": "choose",
     "lesson.key.open": "open",

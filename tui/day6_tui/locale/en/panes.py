@@ -22,5 +22,6 @@ TEXTS = {
     "session.back": "Not now",
     "session.start": "Start again",
     "session.restored": "from {when}",
+    "session.not_kept": "layout and terminals can't be saved: {reason}",
     "session.foreign": "not a session of this version; left unchanged",
 }

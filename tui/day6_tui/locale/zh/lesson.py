@@ -51,6 +51,7 @@ TEXTS = {
     "lesson.first": "F5 再按 {key}",
     "lesson.problem": "没有做成：{reason}",
     "lesson.something_runs": "还有程序在运行：{names}。用 Ctrl-C 结束它们，或者按 {key}（大写），我替你结束；练习随后开始。",
+    "lesson.unsaved": "课程进度（{reason}）",
     "lesson.not_saved": "进度没有保存：{reason}",
     "lesson.key.choose": "选择",
     "lesson.key.open": "打开",

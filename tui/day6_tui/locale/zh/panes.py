@@ -20,5 +20,6 @@ TEXTS = {
     "session.back": "不启动",
     "session.start": "重新启动",
     "session.restored": "以上是 {when} 的内容",
+    "session.not_kept": "布局和终端没能保存：{reason}",
     "session.foreign": "不是这个版本保存的，文件原样留着",
 }

@@ -81,6 +81,10 @@ class LessonPane(WindowPane["Course"]):
         """After an editor was closed the terminal is what a step is done in."""
         return self.takes_focus
 
+    def loses_at_the_end(self) -> str:
+        kept = self.course.kept
+        return self.look.texts("lesson.unsaved", reason=kept.failed) if kept.failed and kept.unsaved else ""
+
     def kept_view(self) -> str:
         return self.course.state.lesson.name if self.course.state.lesson is not None else ""
 
