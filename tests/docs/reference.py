@@ -24,10 +24,11 @@ from day6_tui.commands.table import commands
 from day6_tui.locale import Texts
 from day6_tui.overlays.manual import pages as manual_pages
 from tests.docs.pages import DOCS, LANGUAGES
+from tests.docs.writers import LATE, Late
 from tests.support.source_files import ROOT
 
-BEGIN, END = "<!-- generated: files -->\n", "<!-- end of what is generated -->\n"
-"""Between these the table of reference/files.md is generated; the rest of this page is written by hand."""
+END = "<!-- end of what is generated -->\n"
+"""Where a table of reference/files.md ends that is generated; the rest of this page is written by hand."""
 MADE = "<!-- Made by `python -m tests.docs.reference`; what it says is changed where it is declared. -->\n"
 
 # What stands on the pages besides the program's own texts.
@@ -75,6 +76,8 @@ WORDS = {
     "colcon.obeyed": ("The same as in colcon", "和 colcon 一样"),
     "removed": ("removed by `day6-tui uninstall`", "用 `day6-tui uninstall` 删除"),
     "whose.ours": ("`--data`", "`--data`"),
+    "late.what": ("what", "内容"),
+    "late.longest": ("at the latest on the disk after", "最迟多久写到磁盘上"),
     "whose.user": ("`--files`: it is your work", "`--files`：这是你自己的文件"),
     "whose.ros": ("never: a real ROS 2 uses it, too", "不删除：真正的 ROS 2 也用它"),
 }
@@ -251,13 +254,26 @@ def places(language: str) -> str:
     return table((word("what", language), *systems.values(), word("removed", language)), rows)
 
 
+def late(language: str) -> str:
+    """The table of what is not written at once."""
+
+    def longest(each: Late) -> str:
+        return f"{each.seconds:g} s" if each.constant else said(each.until, language)
+
+    head = (word("late.what", language), word("late.longest", language))
+    return table(head, ((said(each.what, language), longest(each)) for each in LATE))
+
+
 def files(language: str) -> str:
-    """The page that is there, with its table as it should be."""
+    """The page that is there, with its tables as they should be."""
     text = (DOCS / language / "reference" / "files.md").read_text(encoding="utf-8")
-    before, begin, rest = text.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    assert begin and end, f"docs/{language}/reference/files.md lacks {BEGIN.strip()} … {END.strip()}"
-    return f"{before}{BEGIN}\n{places(language)}\n{END}{after}"
+    for name, made in (("files", places), ("late", late)):
+        begin = f"<!-- generated: {name} -->\n"
+        before, found, rest = text.partition(begin)
+        _, end, after = rest.partition(END)
+        assert found and end, f"docs/{language}/reference/files.md lacks {begin.strip()} … {END.strip()}"
+        text = f"{before}{begin}\n{made(language)}\n{END}{after}"
+    return text
 
 
 PAGES: dict[str, Callable[[str], str]] = {

@@ -131,7 +131,7 @@ class EventLog(_Logging):
         if self._file is None:
             if self._folder.path is None or event.kind == "end":
                 return
-            self._file = open(self._folder.path / "events.log", "w", encoding="utf-8")  # noqa: SIM115 (closed at the end)
+            self._file = open(self._folder.path / "events.log", "w", encoding="utf-8", buffering=1)  # noqa: SIM115 (closed at the end)
         if event.kind != "tick":
             what = f"{event.text!r}" if event.text else f"{event.result!r}" if event.kind.endswith("ended") else ""
             line = f"[{time.monotonic() - self._began:.6f}] ({event.job or '-'}) {event.kind}: {what}".rstrip()

@@ -41,7 +41,7 @@ TEXTS = {
     "editor.not_found": "{text} not found",
     "editor.lines": "1 to {count}",
     "help.editor": (
-        "A file in your home folder. Errors are underlined and named below while you type. Unsaved text is backed up and "
-        "comes back, whatever happens. You can use any other editor on the same files: changes on disk show up here."
+        "A file in your home folder. Errors are underlined and named below while you type. Unsaved text is backed up every "
+        "second and comes back, whatever happens. You can use any other editor on the same files: changes on disk show up here."
     ),
 }

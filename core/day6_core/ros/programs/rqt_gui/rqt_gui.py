@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from day6_core.session.display import Window
     from rclpy.node import Node
 
+KEEP_SECONDS = 20.0
+"""Seconds after which changed settings of plugins are written at the latest; the real rqt writes them when it is closed."""
+
 
 async def main(session: Session) -> int | None:
     """Show the plugins to choose from, and run those that are open until interrupted; without a display list them."""
@@ -101,6 +104,8 @@ class Container:
         """Of the perspective: plugins that are not here. They stay in it."""
         self._kept = True
         """Whether the perspective is written when something changes: not over one that could not be read."""
+        self._written: list[Instance] = []
+        """What the perspective's file has."""
         self._writing = Lock()
         self._turn = 0
         """Counts what was to be written."""
@@ -118,7 +123,9 @@ class Container:
             await self.switch(options.perspective or await in_thread(self._store.current))
         try:
             while True:
-                await self._session.wait(self._woken)
+                await self._session.wait(self._woken, KEEP_SECONDS)
+                if self._instances() != self._written:
+                    await self._keep()
                 self._woken.clear()
                 while self.model.requests:
                     deed, subject = self.model.requests[0]
@@ -246,9 +253,10 @@ class Container:
 
     async def _keep(self) -> None:
         """Write the perspective, so that the next rqt begins with it."""
+        self._written = self._instances()
         if self._kept:
             self._turn += 1
-            await self._try(partial(self._write, self._turn, self.model.perspective, self._instances()))
+            await self._try(partial(self._write, self._turn, self.model.perspective, self._written))
         self._tell_names(await in_thread(self._store.names))
 
     def _write(self, turn: int, name: str, instances: list[Instance]) -> None:
