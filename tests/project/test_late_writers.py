@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import ast
+from pathlib import Path
 
 import pytest
 
+from day6_core.workspace.events import BuildEvent
+from day6_core.workspace.logs import EventLog, LogFolder
 from tests.docs.writers import AT_ONCE, LATE, Late
 from tests.support.source_files import nodes, trees
 
@@ -55,6 +58,13 @@ def test_every_module_that_writes_is_declared_with_how_long_it_waits() -> None:
 @pytest.mark.parametrize("late", LATE, ids=lambda late: late.modules[0])
 def test_what_is_late_is_so_by_its_own_constant(late: Late) -> None:
     assert all(late.what) and (0 < late.seconds <= 20 if late.constant else all(late.until))
+
+
+def test_a_build_that_is_killed_leaves_its_events(tmp_path: Path) -> None:
+    events = EventLog(LogFolder(tmp_path / "log", "build", pytest.fail))
+    events.handle(BuildEvent("queued", "my_package"))
+    (file,) = (tmp_path / "log").glob("build_*/events.log")
+    assert "(my_package) queued" in file.read_text()
 
 
 @pytest.mark.parametrize(

@@ -128,6 +128,14 @@ def test_the_next_rqt_begins_with_what_was_open_and_its_settings(room: Room) -> 
     assert [curve.path for curve in room.machine.display.windows[-1].model.curves] == ["/turtle1/pose/x"]
 
 
+def test_changed_settings_are_written_while_rqt_goes_on(room: Room) -> None:
+    room.rqt()
+    room.start("rqt_plot")
+    file = room.home / ".config" / "ros.org" / "rqt_gui" / "Default.perspective"
+    room.machine.display.windows[-1].model.add("/turtle1/pose/x")
+    room.machine.until(lambda: "/turtle1/pose/x" in file.read_text())
+
+
 def test_closing_the_menu_ends_the_program_with_all_its_plugins(room: Room) -> None:
     running = room.rqt()
     room.start("rqt_graph")
