@@ -33,7 +33,6 @@ from textual.binding import Binding
 from textual.widget import Widget
 
 from day6_core.language import language_of
-from day6_core.reason import fault
 from day6_core.session.harmless import one_line
 from day6_core.shell.process.heap import keep_heap_small
 from day6_tui import actions
@@ -173,7 +172,7 @@ class Day6App(TerminalApp):
         self.frames = Frames(
             self.draw_frame, fps, work=self.read_flood, congested=self.is_congested, failed=self.frame_failed
         )
-        look.wake = self.frames.wake
+        look.wake, look.wake_after = self.frames.wake, self.frames.wake_after
         self._barred = 0.0
         """When the bars were looked at last."""
         self._titled = 0.0

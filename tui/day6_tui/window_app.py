@@ -183,7 +183,7 @@ class WindowApp(TerminalApp):
         self.foreground = foreground
         self.look = look
         self.frames = Frames(self.draw_frame, fps, congested=self.is_congested, failed=self.frame_failed)
-        self.look.wake = self.frames.wake
+        self.look.wake, self.look.wake_after = self.frames.wake, self.frames.wake_after
         self.stage = WindowStage(look)
         looks = Looks(self, look)
         self.deeds: dict[str, Callable[[], object]] = {

@@ -31,6 +31,7 @@ class Look:
     """The text that says why the language isn't the one that was asked for; '' if it is."""
     reduced_motion: bool = False
     wake: Callable[[], None] = field(default=lambda: None)
+    wake_after: Callable[[float], None] = field(default=lambda seconds: None)
     """Requests a frame: for panes whose size or state the user changed."""
     filters: Sequence[LineFilter] = ()
     """What every line has to go through for this terminal, after the characters: fewer colours."""

@@ -186,7 +186,9 @@ class EditorPane(WindowPane[Editor]):
         if now - self._looked >= LOOK_SECONDS:
             self._looked = now
             self._look_at_the_disk()
-        return True
+        due = [(self._unsafe, KEEP_SECONDS), (self._edited, CHECK_SECONDS), (self._looked, LOOK_SECONDS)]
+        self.look.wake_after(max(0.0, min(since + seconds for since, seconds in due if since) - now))
+        return False
 
     def _look_at_the_disk(self) -> None:
         """Load what another program wrote, unless that would lose text that only this window has."""
