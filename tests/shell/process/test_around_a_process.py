@@ -13,7 +13,8 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.process import heap, launch_process
+from day6_core.session.streams import Captured, TextInput
+from day6_core.shell.process import heap, launch_process, pty_keys
 from day6_core.shell.process import process as process_module
 from day6_core.shell.process.feeder import FULL, Feeder
 from day6_core.shell.process.process import Process, running_processes
@@ -283,6 +284,50 @@ def test_all_that_is_there_is_read_at_once_and_what_breaks_is_the_end() -> None:
     os.close(reading)
     with pytest.raises(OSError):
         process_module._read_waiting(reading)
+
+
+@posix
+def test_keys_put_after_the_end_are_the_next_readers_and_never_another_programs(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(pty_keys, "LOOK_AGAIN", 0.01)
+    monkeypatch.setattr(os, "tcgetpgrp", lambda fd: os.getpid())
+    (reading, writing), (next_reading, next_writing) = os.pipe(), os.pipe()
+    keys = pty_keys.PtyKeys(writing, reading)
+    keys.put(b"x" * 200_000)  # more than there is room for: its thread waits
+    flusher = keys._flusher
+    assert flusher is not None and keys.close()
+    keys.put(b"late\n")
+    os.dup2(next_writing, writing)  # closed, and the number is the next program's at once
+    flusher.join(10)
+    assert not flusher.is_alive() and keys.close() == b"late\n"
+    os.set_blocking(next_reading, False)
+    with pytest.raises(BlockingIOError):
+        os.read(next_reading, 100)
+    for fd in (reading, writing, next_reading, next_writing):
+        os.close(fd)
+
+
+@posix
+def test_what_copies_output_never_reads_that_of_the_program_that_got_its_number(machine: Any) -> None:
+    session, target = SimpleNamespace(scheduler=machine.desk.scheduler, stdin=TextInput("")), Captured()
+    ended = Process(session, ["talker"])  # type: ignore[arg-type]
+    (reading, writing), (next_reading, next_writing) = os.pipe(), os.pipe()
+    os.set_blocking(reading, False)
+    ended._master = reading
+    ended._read(reading, target)
+    os.write(writing, b"its own")
+    until(lambda: target.text == "its own")
+    left = os.dup(reading)
+    ended._close_master()
+    os.dup2(next_reading, reading)
+    os.write(next_writing, b"the next program's")
+    os.write(writing, b"too late")  # from what it left behind
+    until(lambda: not ended._copies[0].is_alive())
+    assert target.text == "its own"
+    assert os.read(next_reading, 100) == b"the next program's"
+    for fd in (left, reading, writing, next_reading, next_writing):
+        os.close(fd)
 
 
 @pytest.mark.process

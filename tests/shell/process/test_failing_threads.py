@@ -42,7 +42,7 @@ class Broken(Captured):
 @posix
 def test_what_copies_output_reads_on_so_that_the_process_can_end() -> None:
     reading, writing = os.pipe()
-    pump = process._Copy(open(reading, "rb"), Broken(), None)  # noqa: SIM115
+    pump = process._Copy(open(reading, "rb"), Broken(), None, process._read_at_once)  # noqa: SIM115
     pump.start()
     for _ in range(100):
         os.write(writing, b"x" * 65536)  # far more than a pipe holds

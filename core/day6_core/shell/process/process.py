@@ -12,14 +12,13 @@ import contextlib
 import io
 import logging
 import os
-import select
 import shlex
 import signal
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import IO
@@ -36,6 +35,7 @@ from day6_core.session.threads import in_thread
 from day6_core.shell.process.feeder import Feeder
 from day6_core.shell.process.prepared import prepared
 from day6_core.shell.process.pty_keys import PtyKeys
+from day6_core.shell.process.readiness import has_output
 
 READ_SIZE = 65536
 _ENDED_BY_CTRL_C = 0xC000013A
@@ -377,6 +377,7 @@ class Process:
             import pty
 
             self._master, self._slave = pty.openpty()
+            os.set_blocking(self._master, False)
             _set_window_size(self._master, terminal.columns, terminal.rows)
 
     def _child_end(self, stream: OutputStream) -> int:
@@ -404,9 +405,14 @@ class Process:
 
     def _read(self, source: int | IO[bytes], target: OutputStream) -> None:
         seen = self._remember if target.isatty() else None
-        copy = _Copy(source, target, seen)
+        copy = _Copy(source, target, seen, self._read_master if isinstance(source, int) else _read_at_once)
         self._copies.append(copy)
         copy.start()
+
+    def _read_master(self, fd: int) -> bytes:
+        """Read what waits in the pty; b'' once our end is closed, when the number may be another program's."""
+        with self._master_lock:
+            return _read_waiting(fd) if self._master == fd else b""
 
     def _remember(self, text: str) -> None:
         self.recent = (self.recent + text)[-LONGEST:]
@@ -454,19 +460,25 @@ class Process:
 class _Copy(threading.Thread):
     """Copies a process's output to a stream, see `_pump`."""
 
-    def __init__(self, source: int | IO[bytes], target: OutputStream, seen: Callable[[str], None] | None) -> None:
+    def __init__(
+        self,
+        source: int | IO[bytes],
+        target: OutputStream,
+        seen: Callable[[str], None] | None,
+        read: Callable[[int], bytes],
+    ) -> None:
         super().__init__(name="day6-output", daemon=True)
-        self._source, self._target, self._seen = source, target, seen
+        self._source, self._target, self._seen, self._read = source, target, seen, read
         self._fd = source if isinstance(source, int) else source.fileno()
         self._waits = False
         """Whether it looks for output and has taken all that it has seen."""
 
     def run(self) -> None:
-        _pump(self._source, self._target, self._seen, self._wait)
+        _pump(self._source, self._target, self._seen, self._wait, self._read)
 
     def _wait(self) -> None:
         self._waits = True
-        _has_output(self._fd, None)
+        has_output(self._fd, None)
         self._waits = False
 
     def is_behind(self) -> bool:
@@ -474,18 +486,7 @@ class _Copy(threading.Thread):
         if sys.platform == "win32" or not self.is_alive():
             return False
         # In this order: it stops waiting before it takes what is there.
-        return not self._waits or _has_output(self._fd, 0.0) or not self._waits
-
-
-def _has_output(fd: int, seconds: float | None) -> bool:
-    """Whether something, or the end, can be read within so many seconds (None: as long as it takes)."""
-    if sys.platform == "win32":
-        return True  # nobody can tell; reading waits
-    if sys.platform == "darwin":  # its poll() knows no terminals
-        return bool(select.select([fd], [], [], seconds)[0])
-    poll = select.poll()
-    poll.register(fd, select.POLLIN)
-    return bool(poll.poll(None if seconds is None else 1000 * seconds))
+        return not self._waits or has_output(self._fd, 0.0) or not self._waits
 
 
 def _pump(
@@ -493,47 +494,48 @@ def _pump(
     target: OutputStream,
     seen: Callable[[str], None] | None,
     wait: Callable[[], None],
+    read: Callable[[int], bytes],
 ) -> None:
     """Copy a process's output to a stream, and tell `seen`, as it comes, until its end; waits while the stream is full.
 
-    `wait` is called before every read and returns when there is something to read.
+    `wait` is called before every `read` and returns when there is something to read.
     """
     decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
     decoder = codecs.getincrementaldecoder("utf-8")("replace" if target.isatty() else "surrogateescape")
     if sys.platform == "win32":
         decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
-    fd = source if isinstance(source, int) else source.fileno()
-    read = _read_waiting if sys.platform != "win32" and not os.get_blocking(fd) else _read_at_once
+    pieces = _pieces(source if isinstance(source, int) else source.fileno(), wait, read)
     try:
-        while True:
-            try:
-                wait()
-                data = read(fd)
-            except OSError:
-                data = b""  # Linux: the last process left the pty
+        for data in pieces:
             text = decoder.decode(data, final=not data)
             if text:
                 target.write(text)
                 if seen is not None:
                     seen(text)
-            if not data:
-                return
             target.wait_for_room()
     except BrokenPipeError:
         return  # the reader is gone; closing our end tells the process, as in any pipeline
     except Exception:
         _log.exception("output of a process could not be taken")
-        _read_off(fd, read)
+        for _ in pieces:
+            pass  # read to the end: the process would wait for a reader for ever
     finally:
         if not isinstance(source, int):
             source.close()
 
 
-def _read_off(fd: int, read: Callable[[int], bytes]) -> None:
-    """Read to the end and discard it: the process would wait for a reader for ever."""
-    with contextlib.suppress(OSError):
-        while read(fd):
-            pass
+def _pieces(fd: int, wait: Callable[[], None], read: Callable[[int], bytes]) -> Iterator[bytes]:
+    """Yield what is read as it comes, and b'' at the end."""
+    data = b"some"
+    while data:
+        try:
+            wait()
+            data = read(fd)
+        except BlockingIOError:
+            continue  # what was there has been discarded
+        except OSError:
+            data = b""  # Linux: the last process left the pty
+        yield data
 
 
 def _read_at_once(fd: int) -> bytes:
@@ -541,23 +543,18 @@ def _read_at_once(fd: int) -> bytes:
 
 
 def _read_waiting(fd: int) -> bytes:
-    """Wait for output of a pty whose side here never blocks (see `PtyKeys`), and return all that is there; b'' at its end.
+    """Return all that waits in a pty whose side here never blocks (see `PtyKeys`); b'' at its end.
 
-    A pty hands out 4 kB at a time, and what follows a read costs more than the read.
+    A pty hands out 4 kB at a time, and what follows a read costs more than the read. Raises BlockingIOError if there is nothing.
     """
     parts: list[bytes] = []
     size = 0
     while size < READ_SIZE:
         try:
             data = os.read(fd, READ_SIZE)
-        except BlockingIOError:
-            if parts:
-                break
-            select.select([fd], [], [])
-            continue
         except OSError:
             if parts:
-                break  # the end is there the next time, too
+                break  # nothing more; the end is there the next time, too
             raise
         if not data:
             break

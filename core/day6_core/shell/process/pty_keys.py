@@ -7,10 +7,11 @@ the rest back and goes on with everything else; this does the same.
 from __future__ import annotations
 
 import os
-import select
 import sys
 import threading
 import time
+
+from day6_core.shell.process.readiness import has_room
 
 MOST_WAITING = 4 * 1024 * 1024
 """Bytes that may wait here; more is refused."""
@@ -111,7 +112,8 @@ class PtyKeys:
         """Write on as the program reads, on a thread of its own; it ends when nothing waits any more."""
         while True:
             with self._lock:
-                self._write()
+                if not self._closed:  # the descriptor may be another program's by now
+                    self._write()
                 if self._closed or not self._waiting:
                     self._flusher = None
                     return
@@ -119,7 +121,4 @@ class PtyKeys:
             if not owned:
                 time.sleep(UNTIL_OWNED)
                 continue
-            try:
-                select.select([], [self._master], [], LOOK_AGAIN)
-            except (OSError, ValueError):
-                continue  # closed meanwhile, which is seen at once
+            has_room(self._master, LOOK_AGAIN)
