@@ -16,6 +16,7 @@ _log = logging.getLogger(__name__)
 SIGINT = 2
 SIGKILL = 9  # signal.SIGKILL does not exist on Windows
 SIGPIPE = 13
+SIGTSTP = 20
 
 
 class Program:
@@ -25,11 +26,17 @@ class Program:
         self.session = session
         self.status: int | None = None
         self.killed_by = 0
-        self.stopped = False
+        self.stopped_by = 0
+        """The signal that has stopped it, 0 while it may run."""
+        session.on_own_stop = self._own_stop
         self.done = Signal()
         self._watchers: list[Signal] = []
         self._task: Task = session.scheduler.spawn(self._run(main), session.name)
         session.task = self._task
+
+    @property
+    def stopped(self) -> bool:
+        return self.stopped_by != 0
 
     @property
     def pid(self) -> int:
@@ -45,7 +52,9 @@ class Program:
     def send(self, number: int) -> None:
         """Deliver a signal by its number; signals whose default action is to be ignored are ignored."""
         action = _SIGNALS.get(number)
-        if action is not None:
+        if number in _STOPPING:
+            self.stop(number)
+        elif action is not None:
             action(self)
         elif number in _ENDING:
             self._task.throw(KilledBySignal(number))
@@ -62,16 +71,23 @@ class Program:
         """SIGKILL: cancel the program's task; only `finally` blocks run."""
         self._task.cancel()
 
-    def stop(self) -> None:
-        """SIGSTOP: the program takes no step until `resume`; its watchers are notified."""
-        self.stopped = True
+    def stop(self, number: int = SIGTSTP) -> None:
+        """SIGTSTP, SIGSTOP …: the program takes no step until `resume`; its watchers are notified."""
+        self.stopped_by = self.stopped_by or number
         self.session.stop()
         self._notify_watchers()
 
     def resume(self) -> None:
         """SIGCONT: let a stopped program go on."""
-        self.stopped = False
+        self.stopped_by = 0
         self.session.resume()
+        self._notify_watchers()
+
+    def _own_stop(self, number: int) -> None:
+        if number:
+            self.stop(number)
+        else:
+            self.resume()
 
     async def _run(self, main: Main) -> None:
         try:
@@ -96,7 +112,7 @@ class Program:
             self._notify_watchers()
 
     def watch(self, signal: Signal) -> None:
-        """Set `signal` whenever the program ended or was stopped (at once, if it has ended)."""
+        """Set `signal` whenever the program ended, was stopped or goes on (at once, if it has ended)."""
         self._watchers.append(signal)
         if self.done.is_set():
             signal.set()
@@ -149,10 +165,11 @@ _SIGNALS = {
     9: Program.kill,
     15: Program.terminate,
     18: Program.resume,
-    19: Program.stop,
-    20: Program.stop,
 }
-"""By Linux signal number: INT KILL TERM CONT STOP TSTP; the effect of `kill -NUMBER` on the simulated machine."""
+"""By Linux signal number: INT KILL TERM CONT; the effect of `kill -NUMBER` on the simulated machine."""
+
+_STOPPING = frozenset({19, 20, 21, 22})
+"""STOP TSTP TTIN TTOU."""
 
 _ENDING = frozenset({1, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 14})
 """Other signals that end a program."""

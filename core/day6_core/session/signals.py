@@ -6,7 +6,8 @@ import signal
 
 NUMBERS = {
     "HUP": 1, "INT": 2, "QUIT": 3, "ILL": 4, "TRAP": 5, "ABRT": 6, "BUS": 7, "FPE": 8, "KILL": 9, "USR1": 10, "SEGV": 11,
-    "USR2": 12, "PIPE": 13, "ALRM": 14, "TERM": 15, "CONT": 18, "STOP": 19, "TSTP": 20, "XCPU": 24,
+    "USR2": 12, "PIPE": 13, "ALRM": 14, "TERM": 15, "CONT": 18, "STOP": 19, "TSTP": 20, "TTIN": 21,
+    "TTOU": 22, "XCPU": 24,
 }  # fmt: skip
 
 TEXTS = {
@@ -28,6 +29,9 @@ TEXTS = {
     24: "CPU time limit exceeded",
 }
 """The shell's message for a program that was ended by a signal."""
+
+STOPPED = {19: "Stopped (signal)", 21: "Stopped (tty input)", 22: "Stopped (tty output)"}
+"""What `jobs -l` says of a program that a signal other than Ctrl-Z's has stopped."""
 
 _NAMES = {number: name for name, number in NUMBERS.items()}
 

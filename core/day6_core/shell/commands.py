@@ -134,9 +134,16 @@ def find_command(name: str, shell: Shell, *, functions: bool = True) -> Main:
         return _file(name, shell)
     if name in _PLACES and not _is_unsourced(name, shell.variables):
         return _ours(name)
+    if name.startswith("%") and shell.interactive and shell.jobs.find(name):
+        return _to_the_front
     if tool := find_tool(name, shell.variables, shell.cwd):
         return running(tool)
     return _saying(f"{shell.name}: {visible(name)}: command not found", 127)
+
+
+async def _to_the_front(session: Session) -> int:
+    """`%1` is `fg %1`."""
+    return await session.execute(_ours("fg"), ["fg", session.argv[0]])
 
 
 def _ours(name: str) -> Main:

@@ -137,6 +137,8 @@ class Desk:
         self._last_pid = FIRST_PID - 1
         self._changed = threading.Condition()
         self._started = False
+        self.processes_stopped = False
+        """Whether the students' processes stand still with the paused world."""
         self._closed = False
         self._hurried = False
 
@@ -270,6 +272,7 @@ class Desk:
         self.clock.set_speed(factor)
 
     def _stop_processes(self, stopped: bool) -> None:
+        self.processes_stopped = stopped
         from day6_core.shell.process.process import running_processes
 
         for process in running_processes(self.scheduler):

@@ -37,22 +37,18 @@ async def login(session: Session, terminal: Terminal) -> int:
     try:
         if Path(shell.variables.get("HOME", "/"), ".bashrc").is_file():
             await shell.run_typed('source "$HOME/.bashrc"', streams)
-        warned = False
         while True:
-            for line in shell.jobs.take_finished():
+            for line in shell.jobs.take_news():
                 session.print(line)
             if not terminal.at_line_start:
                 session.print()
             try:
                 source = await _read_command(editor, shell, terminal)
             except EndOfLines:
-                if any(job.stopped for job in shell.jobs.jobs) and not warned and not terminal.discipline.hung_up:
-                    session.print("exit\nThere are stopped jobs.")
-                    warned = True
-                    continue
                 session.print("exit")
-                return shell.status
-            warned = False
+                if terminal.discipline.hung_up or shell.may_leave(session.stdout):
+                    return shell.status
+                continue
             if source.strip():
                 history.add(source)
                 shell.wanted_distribution = "" if terminal.desk.may_change_distribution else None
@@ -67,8 +63,7 @@ async def login(session: Session, terminal: Terminal) -> int:
     except ExitShell as end:
         return end.status
     finally:
-        for job in shell.jobs.jobs:
-            job.send(1)
+        shell.jobs.hang_up()
         streams.stdout.flush()
 
 
@@ -82,8 +77,7 @@ async def run_command(session: Session, terminal: Terminal, command: str) -> int
     except ExitShell as end:
         return end.status
     finally:
-        for job in shell.jobs.jobs:
-            job.send(1)
+        shell.jobs.hang_up()
 
 
 async def _read_command(editor: LineEditor, shell: Shell, terminal: Terminal) -> str:

@@ -229,8 +229,8 @@ class Terminal:
 
     @property
     def is_stubborn(self) -> bool:
-        """Whether the foreground program still runs although Ctrl-C was pressed three times."""
-        return self.busy and self.discipline.interrupts >= 3
+        """Whether the foreground program still runs although Ctrl-C was pressed three times, and could hear it."""
+        return self.busy and self.discipline.interrupts >= 3 and not self.desk.processes_stopped
 
     @property
     def closed(self) -> bool:

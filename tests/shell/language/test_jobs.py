@@ -38,9 +38,9 @@ def test_jobs_p_and_l_show_process_numbers(three: Any) -> None:
     pids = said(three, "jobs -p")
     assert len(pids) == 3 and pids == sorted(pids)
     assert said(three, "jobs -l") == [
-        f"[1]  {pids[0]} Running                 sleep 30 &",
-        f"[2]- {pids[1]} Stopped                 sleep 20",
-        f"[3]+ {pids[2]} Running                 sleep 40 &",
+        f"[1]  {pids[0]:>5} Running                 sleep 30 &",
+        f"[2]- {pids[1]:>5} Stopped                 sleep 20",
+        f"[3]+ {pids[2]:>5} Running                 sleep 40 &",
     ]
 
 
@@ -116,8 +116,9 @@ def test_a_stopped_job_that_is_ended_wakes_up_for_it(three: Any) -> None:
 
 def test_stop_and_continue_are_signals_too(seat: Any) -> None:
     seat.line("sleep 30 &")
-    seat.line("kill -STOP %1")
+    assert said(seat, "kill -STOP %1") == ["", "[1]+  Stopped                 sleep 30"]
     assert said(seat, "jobs") == ["[1]+  Stopped                 sleep 30"]
+    assert said(seat, "jobs -l")[0].split(None, 2)[2] == "Stopped (signal)        sleep 30"
     seat.line("kill -CONT %1")
     assert said(seat, "jobs") == ["[1]+  Running                 sleep 30 &"]
 

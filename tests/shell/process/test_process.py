@@ -235,6 +235,9 @@ def test_ctrl_backslash_ends_a_program_that_ignores_ctrl_c_and_leaves_no_core_fi
         seat.type("\x03")
         seat.wait(lambda text, presses=presses: text.count("^C") == presses)
     assert seat.terminal.is_stubborn
+    seat.desk.pause()  # what stands still can't hear
+    assert not seat.terminal.is_stubborn
+    seat.desk.resume()
     seat.type("\x1c")
     assert seat.wait_prompt().splitlines()[-3:-1] == ["^C^C^C^\\Quit", "status 131"]
     assert not seat.terminal.is_stubborn

@@ -5,33 +5,63 @@ from __future__ import annotations
 from day6_core.session.program import Program
 from day6_core.session.session import Session
 from day6_core.session.signals import NUMBERS
-from day6_core.shell.builtins.options import complain_as_shell
+from day6_core.shell.builtins.options import UsageError, complain_as_shell, parse
+from day6_core.shell.commands import find_command
 from day6_core.shell.language.control_flow import Interrupted
 from day6_core.shell.language.interpreter import Shell, shell_of
-from day6_core.shell.language.jobs import Job
+from day6_core.shell.language.jobs import Job, JobTable
 from day6_core.shell.language.redirection import Streams
 
 
 async def jobs(session: Session) -> int:
+    """`jobs [-lnprs] [JOB …]`, `jobs -x COMMAND …`, where each `%JOB` stands for its process number."""
     shell = shell_of(session)
-    options = "".join(word[1:] for word in session.argv[1:] if word.startswith("-"))
     table = shell.jobs if shell.jobs.jobs or shell.outer_jobs is None else shell.outer_jobs
-    for job in table.ordered():
-        if "p" in options:
-            session.print(job.programs[0].pid)
-        elif "l" in options:
-            line = table.line(job)
-            mark_end = line.index("]") + 2
-            session.print(f"{line[:mark_end]} {job.programs[0].pid} {line[mark_end:].lstrip()}")
-        else:
-            session.print(table.line(job))
+    if session.argv[1:2] == ["-x"]:
+        found = [table.find(word) if word.startswith("%") else None for word in session.argv[2:]]
+        words = [str(job.pid) if job else word for job, word in zip(found, session.argv[2:], strict=True)]
+        return await session.execute(find_command(words[0], shell), words) if words else 0
+    if (given := _given(session, "lnprs")) is None:
+        return 2
+    options, specs = given
+    chosen = table.ordered()
+    if specs:
+        named = [_job(session, spec, table) for spec in specs]
+        chosen = [job for job in named if job is not None]
+    for job in chosen:
+        if (
+            ("r" in options and job.state != "Running")
+            or ("s" in options and not job.stopped)
+            or ("n" in options and (job.stop_is_told or job.state == "Running"))
+        ):
+            continue
+        session.print(job.pid if "p" in options else table.line(job, job.pid if "l" in options else 0))
+        job.stop_is_told = job.stopped
     shell.jobs.take_finished()
-    return 0
+    return 1 if specs and len(chosen) < len(specs) else 0
 
 
-def _job(session: Session, spec: str) -> Job | None:
-    shell = shell_of(session)
-    job = shell.jobs.find(spec if spec.startswith("%") else f"%{spec}")
+_USAGE = {
+    "jobs": "[-lnprs] [jobspec ...] or jobs -x command [args]",
+    "disown": "[-h] [-ar] [jobspec ... | pid ...]",
+}
+
+
+def _given(session: Session, flags: str) -> tuple[dict[str, str], list[str]] | None:
+    """Options and operands; None, with a message, for a wrong option."""
+    try:
+        return parse(session.argv, flags)
+    except UsageError:
+        wrong = next(
+            f"-{letter}" for word in session.argv[1:] if word[:1] == "-" for letter in word[1:] if letter not in flags
+        )
+        complain_as_shell(session, f"{wrong}: invalid option")
+        session.print_error(f"{session.name}: usage: {session.name} {_USAGE[session.name]}")
+        return None
+
+
+def _job(session: Session, spec: str, table: JobTable | None = None) -> Job | None:
+    job = (table or shell_of(session).jobs).find(spec if spec.startswith("%") else f"%{spec}")
     if job is None:
         complain_as_shell(session, f"{'current' if spec == '%+' else spec}: no such job")
     return job
@@ -69,10 +99,13 @@ async def bg(session: Session) -> int:
 
 
 async def wait(session: Session) -> int:
+    """Wait for jobs; none that stands still is waited for, which bash says in two ways."""
     shell = shell_of(session)
     if len(session.argv) == 1:
         for job in shell.jobs.ordered():
             await job.wait()
+            if job.stopped:
+                complain_as_shell(session, f"warning: job {job.number}[{job.pid}] stopped")
         shell.jobs.take_finished()
         return 0
     status = 0
@@ -83,9 +116,12 @@ async def wait(session: Session) -> int:
             complain_as_shell(session, f"{spec}: no such job" if known else f"pid {spec} is not a child of this shell")
             status = 127
             continue
+        if found.stopped:
+            session.print_error(f"{shell.name}: warning: wait_for_job: job {found.number} is stopped")
         await found.wait()
-        shell.jobs.remove(found)
         status = found.status
+        if found.finished:
+            shell.jobs.remove(found)
     return status
 
 
@@ -183,12 +219,25 @@ def send(program: Program, number: int) -> None:
 
 
 async def disown(session: Session) -> int:
+    """`disown [-h] [-ar] [JOB …]`: out of the table or (`-h`) not ended with the shell; `-r` all that run, `-a` all."""
     shell = shell_of(session)
-    job = _job(session, session.argv[1] if len(session.argv) > 1 else "%+")
-    if job is None:
-        return 1
-    shell.jobs.remove(job)
-    return 0
+    if (given := _given(session, "har")) is None:
+        return 2
+    options, specs = given
+    every = shell.jobs.ordered() if options.keys() & set("ar") and not specs else None
+    found = [_job(session, spec) for spec in specs or ["%+"]] if every is None else every
+    for job in found:
+        if job is None or ("r" in options and job.state != "Running"):
+            continue
+        if "h" in options:
+            job.outlives_shell = True
+            continue
+        if job.stopped:
+            session.print_error(
+                f"{shell.name}: warning: deleting stopped job {job.number} with process group {job.pid}"
+            )
+        shell.jobs.remove(job)
+    return 1 if None in found else 0
 
 
 async def ps(session: Session) -> int:

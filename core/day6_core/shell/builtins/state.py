@@ -126,6 +126,8 @@ async def exit_(session: Session) -> int:
     status = 2 if number is None else number & 0xFF
     if shell.interactive and session.name == "exit":
         session.stderr.write("exit\n")
+        if not shell.may_leave(session.stderr):
+            return 1
     shell.wanted[session] = ExitShell(status)
     return status
 

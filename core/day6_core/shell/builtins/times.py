@@ -88,6 +88,7 @@ async def timeout(session: Session) -> int:
         (program.stop if stopped else program.resume)()
 
     session.on_interrupt, session.on_stop = interrupt, on_stop
+    program.session.on_own_stop = session.on_own_stop
     session.defer(program.kill)
     deadline = session.clock.steady_ns() + nanoseconds(limit) if limit else None
     if await wait_for(program.done, deadline):

@@ -69,6 +69,12 @@ class Shell(ShellState):
         """Jobs being waited for, the innermost last."""
         self._interrupted = False
         """Whether Ctrl-C came between two commands of the line."""
+        self.source = ""
+        """The text of the command with a body that it has begun."""
+        self.last_command = ""
+        """The name of the simple command that it ran last."""
+        self.program: Session | None = None
+        """What it runs in as a subshell."""
         self.runs: Runs | None = None
         """What the script of `day6-tui exec` has printed, if something in it will ask `why`; a terminal has its own."""
         self.typed: Run | None = None
@@ -133,6 +139,14 @@ class Shell(ShellState):
             return False
         front.stop()
         return True
+
+    def may_leave(self, told: OutputStream) -> bool:
+        """Whether `exit` and Ctrl-D may end it: with stopped jobs only a second time in a row, or after `jobs`."""
+        if not self.jobs.any_stopped or self.last_command in ("exit", "jobs"):
+            return True
+        told.write("There are stopped jobs.\n")
+        self.last_command = "exit"
+        return False
 
     def clone(self) -> Shell:
         """A copy for a subshell: changes to it do not come back, and it has no jobs of its own."""
@@ -314,6 +328,7 @@ class Shell(ShellState):
             await self._simple(command, node.source, streams)
             take_statuses(self, [self.status])
         else:
+            self.source = node.source
             await run_compound(self, command, streams)
             if is_last_itself(command):
                 take_statuses(self, [self.status])
@@ -335,6 +350,7 @@ class Shell(ShellState):
         finally:
             prepared.finish(self)
             self.last_argument = prepared.argv[-1] if prepared.argv else ""
+            self.last_command = prepared.argv[0] if prepared.argv else ""
         if "exec" not in prepared.argv[:1]:
             for program in self.listeners[listeners:]:
                 await program.wait()
@@ -378,11 +394,11 @@ class Shell(ShellState):
         return program
 
     async def run_subshell(
-        self, inner: Shell, run: Callable[[], Awaitable[int]], inner_streams: Streams, streams: Streams
+        self, inner: Shell, source: str, run: Callable[[], Awaitable[int]], inner_streams: Streams, streams: Streams
     ) -> None:
         """Run `( … )`: `run()` does its work in the copy `inner`, which has the terminal until it ends."""
         program = self.start(["( )"], subshell_main(inner, run, inner_streams), inner_streams)
-        await self._foreground(Job([program], "( )", inner_streams.stdin), streams)
+        await self._foreground(Job([program], source, inner_streams.stdin), streams)
 
     async def _foreground(self, job: Job, streams: Streams) -> None:
         """Give the job the terminal until it ends or is stopped, and take its status."""
@@ -394,6 +410,12 @@ class Shell(ShellState):
         job.tty.focus()
         try:
             await job.wait()
+            while job.stopped and not self.interactive:
+                # There is no job control in here: what stands still stops all of it, up to what was typed at the terminal.
+                if self.program is not None and self.program.on_own_stop is not None:
+                    self.program.on_own_stop(job.stopped_by)
+                await job.wait_while_stopped()
+                await job.wait()
         except BaseException:
             # The shell itself is being ended (a subshell in a pipeline, a closed terminal), and with it all it started.
             job.send(15)
@@ -404,9 +426,7 @@ class Shell(ShellState):
 
     def _after(self, job: Job, streams: Streams) -> None:
         if job.stopped:
-            self.jobs.add(job)
-            streams.stderr.write(f"\n{self.jobs.line(job)}\n")
-            self.status = 148
+            self.put_aside(job, streams)
             return
         self.jobs.remove(job)
         self.status = job.status
@@ -416,6 +436,14 @@ class Shell(ShellState):
             if self.interactive:
                 streams.stderr.write("\n")
             raise Interrupted
+
+    def put_aside(self, job: Job, streams: Streams) -> None:
+        """Keep a job that was stopped in the foreground, and say so."""
+        job.stop()  # all of a pipeline
+        self.jobs.add(job)
+        job.stop_is_told = True
+        streams.stderr.write(f"\n{self.jobs.line(job)}\n")
+        self.status = job.status
 
     async def resume_in_front(self, job: Job, streams: Streams) -> int:
         """`fg`: continue the job here and wait for it."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from day6_core.session.program import Program
-from day6_core.session.signals import TEXTS
+from day6_core.session.signals import STOPPED, TEXTS
 from day6_core.session.streams import InputStream
 from day6_core.session.task import Signal, wait_for
 
@@ -20,9 +20,18 @@ class Job:
         self._interrupted_late = False
         """Ctrl-C arrived after every program had ended but before the shell went on: it is then the shell's."""
         self.changed = Signal()
-        """Set whenever one of the programs ended or the job was stopped."""
+        """Set whenever one of the programs ended or the job was stopped or goes on."""
+        self.stop_is_told = False
+        """Whether the user has been told that it is stopped, which a job in the background says before the next prompt."""
+        self.outlives_shell = False
+        """Whether the end of the shell does not end it, either (`disown -h`)."""
         for program in programs:
             program.watch(self.changed)
+
+    @property
+    def pid(self) -> int:
+        """The number of its process group: that of its first process."""
+        return self.programs[0].pid
 
     @property
     def finished(self) -> bool:
@@ -33,7 +42,14 @@ class Job:
         return not self.finished and any(program.stopped for program in self.programs)
 
     @property
+    def stopped_by(self) -> int:
+        """The signal that has stopped it, 0 if none has."""
+        return next((program.stopped_by for program in self._alive() if program.stopped), 0)
+
+    @property
     def status(self) -> int:
+        if self.stopped:
+            return 128 + self.stopped_by
         return self.programs[-1].status or 0
 
     @property
@@ -61,6 +77,11 @@ class Job:
             if not (self.finished or self.stopped):
                 await wait_for(self.changed)
 
+    async def wait_while_stopped(self) -> None:
+        while self.stopped:
+            self.changed.clear()
+            await wait_for(self.changed)
+
     def interrupt(self) -> None:
         self._interrupted_late = self.finished
         for program in self._alive():
@@ -86,6 +107,7 @@ class Job:
         self.changed.set()
 
     def resume(self) -> None:
+        self.stop_is_told = False
         for program in self._alive():
             program.resume()
 
@@ -112,6 +134,16 @@ class JobTable:
         if job in self.jobs:
             self.jobs.remove(job)
 
+    @property
+    def any_stopped(self) -> bool:
+        return any(job.stopped for job in self.jobs)
+
+    def hang_up(self) -> None:
+        """The shell ends, and with it its jobs."""
+        for job in self.jobs:
+            if not job.outlives_shell:
+                job.send(1)
+
     def take_finished(self) -> list[str]:
         """Remove the jobs that have ended; return their lines, by number."""
         finished = [job for job in self.ordered() if job.finished]
@@ -119,6 +151,14 @@ class JobTable:
         for job in finished:
             self.jobs.remove(job)
         return lines
+
+    def take_news(self) -> list[str]:
+        """Return what is said before a prompt: which jobs were stopped in the background, and which have ended."""
+        stopped = [job for job in self.ordered() if job.stopped and not job.stop_is_told]
+        for job in stopped:
+            self.add(job)
+            job.stop_is_told = True
+        return [f"\n{self.line(job)}" for job in stopped] + self.take_finished()
 
     def ordered(self) -> list[Job]:
         return sorted(self.jobs, key=lambda job: job.number)
@@ -129,10 +169,11 @@ class JobTable:
             return "+"
         return "-" if current and len(self.jobs) > 1 and self.jobs[-2] is job else " "
 
-    def line(self, job: Job, mark: str | None = None) -> str:
-        """`[1]+  Running                 sleep 10 &`, as `jobs` prints it."""
+    def line(self, job: Job, pid: int = 0) -> str:
+        """`[1]+  Running                 sleep 10 &`, as `jobs` prints it; with a process number as `jobs -l` does."""
+        state = STOPPED.get(job.stopped_by, job.state) if pid else job.state
         ampersand = " &" if job.state == "Running" else ""
-        return f"[{job.number}]{mark or self.mark(job)}  {job.state:<24}{job.source}{ampersand}"
+        return f"[{job.number}]{self.mark(job)} {pid or '':>{5 if pid else 0}} {state:<24}{job.source}{ampersand}"
 
     def find(self, spec: str) -> Job | None:
         """The job that `%1`, `%+`, `%-`, `%%`, `%text`, `%?text` or a process number means."""

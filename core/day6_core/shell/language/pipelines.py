@@ -80,6 +80,7 @@ def _stage_main(shell: Shell, command: syntax.Command, streams: Streams) -> Main
         if prepared is None:
             return 1
         session.host = inner
+        inner.program = session
         session.env = prepared.env
         session.cwd = inner.cwd
         session.stdin, session.stdout, session.stderr = (

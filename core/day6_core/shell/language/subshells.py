@@ -29,6 +29,7 @@ def subshell_main(inner: Shell, run: Callable[[], Awaitable[int]], streams: Stre
         session.on_interrupt = inner.interrupt
         session.on_stop = on_stop
         inner.own_pid = session.pid
+        inner.program = session
         if inner.depth > MAX_DEPTH:
             session.print_error(inner.too_deep)
             return 1

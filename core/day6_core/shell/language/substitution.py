@@ -44,6 +44,9 @@ async def captured_output(shell: Shell, source: str, streams: Streams) -> str:
     program = shell.start(["$()"], subshell_main(inner, run, inner_streams), inner_streams)
     job = Job([program], source, inner_streams.stdin)
     await shell.wait_front(job)
+    if job.stopped:
+        shell.put_aside(job, streams)
+        raise Interrupted
     shell.status = shell.substitution_status = job.status
     if job.interrupted:
         raise Interrupted

@@ -38,6 +38,8 @@ from day6_core.shell.process.pty_keys import PtyKeys
 from day6_core.shell.process.readiness import has_output
 
 READ_SIZE = 65536
+LAST_OUTPUT = 0.5
+"""Seconds for which a program that stopped is not reported because its output is behind."""
 _ENDED_BY_CTRL_C = 0xC000013A
 """The exit status of a program on Windows that Ctrl-C or Ctrl-Break ended (STATUS_CONTROL_C_EXIT)."""
 
@@ -148,6 +150,8 @@ class Process:
         self._mark = ""
         self._may_leave_others = may_leave_others
         self._stopped_for: set[str] = set()
+        self._orders = 0
+        """How often it was told to stop or to go on."""
 
     @property
     def pid(self) -> int:
@@ -169,11 +173,13 @@ class Process:
 
     def pause(self, stopped: bool, reason: str = "job") -> None:
         """Stop it or let it go on, where the system can; it stays stopped as long as any reason ('job', 'world') holds."""
+        before = bool(self._stopped_for)
         if stopped:
             self._stopped_for.add(reason)
         else:
             self._stopped_for.discard(reason)
-        if sys.platform != "win32":
+        if sys.platform != "win32" and bool(self._stopped_for) != before:
+            self._orders += 1
             self.send(NUMBERS["STOP" if self._stopped_for else "CONT"])
 
     def send(self, number: int) -> None:
@@ -249,7 +255,7 @@ class Process:
         try:
             guard(popen.pid)
             self._deliver_early_signals()
-            self.returncode = popen.wait()
+            self.returncode = self._wait(popen)
             self._clear_up(popen.pid)
         except Exception as error:
             self.problem = error
@@ -257,6 +263,37 @@ class Process:
             with _running_lock:
                 _running.discard(self)
             self.ended.set()  # whatever failed: the terminal waits for this
+
+    def _wait(self, popen: subprocess.Popen[bytes]) -> int:
+        """Wait for its end; return its status. Meanwhile announce when it stops or goes on and nobody here told it to."""
+        if sys.platform == "win32":
+            return popen.wait()
+        while True:
+            orders = self._orders
+            try:
+                _, status = os.waitpid(popen.pid, os.WUNTRACED | os.WCONTINUED)
+            except ChildProcessError:
+                return popen.wait()  # somebody else has waited for it
+            if os.WIFEXITED(status) or os.WIFSIGNALED(status):
+                popen.returncode = os.waitstatus_to_exitcode(status)
+                return popen.returncode
+            number = from_system(os.WSTOPSIG(status)) if os.WIFSTOPPED(status) else 0
+            end = time.monotonic() + LAST_OUTPUT
+            for copy in self._copies:  # what it wrote before it stopped comes before the news
+                while copy.is_behind() and time.monotonic() < end:
+                    copy.join(0.005)
+            self.session.scheduler.call_soon_threadsafe(partial(self._changed_itself, number, orders))
+
+    def _changed_itself(self, number: int, orders: int) -> None:
+        """It stopped by this signal, or (0) goes on, after so many orders: if none has come since, it is not what we told it."""
+        if orders != self._orders or bool(number) == bool(self._stopped_for):
+            return
+        if number:
+            self._stopped_for.add("job")
+        else:
+            self._stopped_for.discard("job")
+        if self.session.on_own_stop is not None and bool(number) == bool(self._stopped_for):
+            self.session.on_own_stop(number)
 
     def _clear_up(self, pid: int) -> None:
         """Clean up after it ended: end what it left running, and pass the keys it has not read to the next reader."""
