@@ -254,6 +254,16 @@ PLACES = (
             "每个这样的文件夹里：课程进度（pupils），桌面的布局和终端",
         ),
     ),
+    Place(
+        "packages",
+        "desktop",
+        ".local/lib/day6-tui",
+        "user",
+        (
+            "in each such folder: what pip has installed for the programs there",
+            "每个这样的文件夹里：pip 给那里的程序安装的包",
+        ),
+    ),
     Place("history", "desktop", ".bash_history", "user", ("lines typed in its terminals", "在它的终端里输入过的命令")),
     Place("unsaved", "data", "unsaved", "user", ("copies of texts that were not saved", "没有保存的文本的副本")),
     Place(

@@ -592,4 +592,12 @@ VARIABLES = (
         "internal",
         ("The interpreter of our executables on Windows.", "Windows 上这些可执行文件使用的 Python 解释器。"),
     ),
+    Variable(
+        "DAY6_SITE_PACKAGES",
+        "internal",
+        (
+            "Folders of the packages that programs have besides those that `pip` installs in their home.",
+            "程序除了用 `pip` 装在自己主目录里的包以外，还能用的包所在的文件夹。",
+        ),
+    ),
 )

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from day6_core.ros import differences, distribution
+from day6_core.ros.home_python import VARIABLE, our_packages
 
 _HERE = Path(__file__).resolve().parent
 PYTHON_PATH = _HERE / "python"
@@ -59,6 +60,7 @@ def program_environment(base: Mapping[str, str] | None = None) -> dict[str, str]
     from day6_core.ros.executables import with_executables
 
     env["PATH"] = with_executables(env.get("PATH", os.defpath))
+    env[VARIABLE] = our_packages()
     if os.name == "nt":
         env["DAY6_PYTHON"] = sys.executable
     env.update(_variables())

@@ -15,11 +15,12 @@ import shutil
 import stat
 import sys
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
 
 from day6_core.places import data_folder
+from day6_core.ros.home_python import BELOW_HOME, PIP, interpreter_of
 from day6_core.ros.program_index import COMMANDS
 from day6_core.whole_file import replace_file
 
@@ -48,13 +49,34 @@ def are_on(path: str) -> bool:
 @cache
 def texts(system: str = os.name) -> dict[str, str]:
     """Return the files for a system ('posix' or 'nt'), `{name: text}`."""
-    arguments: dict[str, tuple[str, ...]] = {"python3": (), "python": (), "pytest": ("-m", "pytest"), "day6-tui": _SELF}
-    arguments["launch_test"] = ("-m", "launch_testing.launch_test")
-    arguments.update({name: (*_SELF, name) for name in ros_commands()})
-    if system == "nt":
-        # A batch file is read in the console's old code page, so the interpreter's path is passed in the environment.
-        return {f"{name}.bat": f'@"%DAY6_PYTHON%" {" ".join(words)} %*\r\n' for name, words in arguments.items()}
-    return {name: f'#!/bin/sh\nexec {shlex.join([sys.executable, *words])} "$@"\n' for name, words in arguments.items()}
+    arguments: dict[str, tuple[str, ...]] = {"day6-tui": _SELF, **{name: (*_SELF, name) for name in ros_commands()}}
+    arguments.update(dict.fromkeys(("pip", "pip3"), ("-m", PIP)))
+    make = _batch_file if system == "nt" else _script
+    return dict(
+        [make(name, words) for name, words in arguments.items()]
+        + [make(name, words, OF_HOME) for name, words in _PYTHONS.items()]
+    )
+
+
+_PYTHONS = {"python3": (), "python": (), "pytest": ("-m", "pytest"), "launch_test": ("-m", "launch_testing.launch_test")}
+"""What runs in the home's own environment, if there is one."""
+OF_HOME = interpreter_of(BELOW_HOME)
+"""Its Python, below the home folder."""
+
+
+def _script(name: str, words: Sequence[str], first: Path | None = None) -> tuple[str, str]:
+    """Return a file that runs `first` below the home folder, if it is there, else our Python."""
+    own = f'"$HOME"/{shlex.join([first.as_posix(), *words])}' if first else ""
+    lines = [f'[ -x "$HOME"/{shlex.quote(first.as_posix())} ] && exec {own} "$@"'] if first else []
+    return name, "\n".join(["#!/bin/sh", *lines, f'exec {shlex.join([sys.executable, *words])} "$@"', ""])
+
+
+def _batch_file(name: str, words: Sequence[str], first: Path | None = None) -> tuple[str, str]:
+    # A batch file is read in the console's old code page, so the interpreter's path is passed in the environment.
+    own = f'"%HOME%\\{str(first).replace("/", chr(92))}"'
+    rest = f'"%DAY6_PYTHON%" {" ".join(words)} %*'
+    lines = [f"@if exist {own} {own} {' '.join(words)} %*", f"@if not exist {own} {rest}"] if first else [f"@{rest}"]
+    return f"{name}.bat", "\r\n".join([*lines, ""])
 
 
 @cache
@@ -123,13 +145,13 @@ def remove_executables(folder: Path) -> None:
 
 def is_executable_of_ours(file: Path) -> bool:
     """Return whether a file was written by `write_executables`, of this installation or another one."""
-    return (file.suffix == ".bat" and _begin(file).startswith(b'@"%DAY6_PYTHON%" ')) or _interpreter(file) is not None
+    return (file.suffix == ".bat" and b'"%DAY6_PYTHON%" ' in _begin(file)) or _interpreter(file) is not None
 
 
 def _interpreter(file: Path) -> str | None:
     """Return the interpreter that one of our files calls, None if it is not one of ours."""
     try:
-        first, line = _begin(file).decode("utf-8").split("\n")[:2]
+        first, *_, line, _ = _begin(file).decode("utf-8").split("\n")
         words = shlex.split(line)
     except ValueError:
         return None

@@ -211,10 +211,11 @@ async def _python_in_place(session: Session, args: list[str]) -> int:
     The child stays in our process group, so we have to end it; its guardian does if we are killed.
     """
     from day6_core.guardian import guard_process, release_process
+    from day6_core.ros.home_python import python_of_home
     from day6_core.session.signals import from_system, to_system
 
     done = Signal()
-    popen = subprocess.Popen([sys.executable, *args], env=session.env, cwd=session.cwd)
+    popen = subprocess.Popen([python_of_home(session.env), *args], env=session.env, cwd=session.cwd)
     guard_process(popen.pid)
 
     def wait() -> None:

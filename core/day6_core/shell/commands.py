@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import importlib
 import os
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.ros.executables import are_on
+from day6_core.ros.home_python import activated, scripts_of
 from day6_core.ros.program_index import COMMANDS, named_by, place_of_command
 from day6_core.ros.programs import load
 from day6_core.session.session import Main, Session
@@ -90,6 +92,9 @@ def place_of(name: str) -> str:
 
 def where(name: str, shell: Shell) -> str:
     """The path of any program: ours, else one of the real machine; '' for what is not one."""
+    environment = activated(shell.variables)
+    if environment is not None and (own := shutil.which(name, path=str(scripts_of(environment)))):
+        return own
     if name in _PLACES:
         return "" if _is_unsourced(name, shell.variables) else place_of(name)
     return find_tool(name, shell.variables, shell.cwd)

@@ -17,6 +17,7 @@ from day6_core.graph.domain import DomainError, domain_from_text
 from day6_core.graph.graph import Graph
 from day6_core.places import default_home
 from day6_core.ros.environment import activate, program_environment
+from day6_core.ros.home_python import BELOW_HOME, scripts_of
 from day6_core.session import cores
 from day6_core.session.clock import WorldClock
 from day6_core.session.display import Display
@@ -178,6 +179,9 @@ class Desk:
         kept.update({name: value for name, value in real.items() if name.startswith(("ROS_", "RCUTILS_", "DAY6_"))})
         kept.setdefault("LANG", "C.UTF-8")
         env = program_environment(kept)
+        ours, *others = env["PATH"].split(os.pathsep)
+        scripts = scripts_of(self.login_home / BELOW_HOME)
+        env["PATH"] = os.pathsep.join(dict.fromkeys([ours, str(scripts), *others]))
         env.update(
             HOME=str(self.login_home),
             USER=self.user,

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_core.ros import differences
+from day6_core.ros.home_python import prefix_of, python_of
 from day6_core.workspace.files import NotOurOutput, links_in
 from day6_core.workspace.jobs import JobFailure, Work
 from day6_core.workspace.local_setup_util import Environment, source_package
@@ -91,6 +92,7 @@ class _PythonBuild:
         self.folder = settings.build_base / package.name
         self.library = python_library(self.prefix)
         self.environment = self._child_environment()
+        self._python = python_of(settings.environment)
 
     def run(self) -> int:
         self.output.make_folder(self.folder)
@@ -143,7 +145,7 @@ class _PythonBuild:
     def _write_prefix_files(self) -> None:
         self.output.write_text(
             self.folder / "prefix_override" / "sitecustomize.py",
-            f"import sys\n\nif sys.prefix == {sys.prefix!r}:\n    sys.real_prefix = sys.prefix\n"
+            f"import sys\n\nif sys.prefix == {prefix_of(self._python)!r}:\n    sys.real_prefix = sys.prefix\n"
             f"    sys.prefix = sys.exec_prefix = {str(self.prefix)!r}\n",
         )
         self.output.write_text(
@@ -159,13 +161,13 @@ class _PythonBuild:
                 self._check_data_files(_Description({}))
             self.output.make_folder(self.library)
             ignored = [word for what in _IGNORED for word in ("-W", f"ignore:{what}")]
-            command = [sys.executable, *ignored, "setup.py", "--help-commands"]
+            command = [self._python, *ignored, "setup.py", "--help-commands"]
             reason = f"can't open file '{setup}': [Errno 2] No such file or directory"
-            raise _failed(self.work, AssertionError(f"Expected {command} to pass: {sys.executable}: {reason}\n"))
+            raise _failed(self.work, AssertionError(f"Expected {command} to pass: {self._python}: {reason}\n"))
         # The interpreter that runs setup.py does not need the prefix: setuptools gets every folder as an option.
         env = {**self.environment, "PYTHONPATH": self.environment["PYTHONPATH"].partition(os.pathsep)[2]}
         told = [TAKES_TESTS_REQUIRE] if differences.value("setuptools.takes_tests_require") else []
-        process = self.work.start([sys.executable, str(_CHILD), *told], self.package.path, env)
+        process = self.work.start([self._python, str(_CHILD), *told], self.package.path, env)
         self._first_errors: list[str] = []
         self._first_output: list[str] = []
         self._marked = False
@@ -203,7 +205,7 @@ class _PythonBuild:
         if self._first_errors and not self.work.stopped:
             self.settings.print_error("".join(self._first_errors))
         if reply is None:
-            raise _failed(self.work, subprocess.CalledProcessError(status, [sys.executable, "setup.py", "--dry-run"]))
+            raise _failed(self.work, subprocess.CalledProcessError(status, [self._python, "setup.py", "--dry-run"]))
         try:
             # colcon reads the arguments from the same stream, so that a print() in setup.py, which comes after them, breaks it.
             ast.literal_eval("{}" + "".join(self._first_output))
@@ -213,7 +215,7 @@ class _PythonBuild:
         return description
 
     def _run_commands(self, process: subprocess.Popen[bytes], request: dict[str, Any]) -> int:
-        shown = f"{sys.executable} setup.py {' '.join(request['commands'])}"
+        shown = f"{self._python} setup.py {' '.join(request['commands'])}"
         cwd = Path(request["cwd"])
         self.work.log_command(cwd, shown)
         assert process.stdin is not None

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import itertools
 import os
-import sys
 from html import escape
 from importlib.util import find_spec
 from pathlib import Path
 
+from day6_core.ros.home_python import python_of
 from day6_core.session.harmless import one_line
 from day6_core.workspace.build_cmake import cmake_variables
 from day6_core.workspace.cmake import LISTS, CMakeError, Command, read_commands
@@ -85,7 +85,7 @@ class _Run:
                 self._warn(
                     f"Ignored '--{option}' for package '{self.package.name}' since 'unittest' does not support the usage"
                 )
-        words = [sys.executable, "-m", "unittest", "-v", *(self.settings.option("unittest_args", self.package) or ())]
+        words = [python_of(self.environment), "-m", "unittest", "-v", *(self.settings.option("unittest_args", self.package) or ())]
         return self.work.run(words, self.package.path, self.environment)
 
     def _warn(self, text: str) -> None:
@@ -123,7 +123,7 @@ class _Run:
         result = self._result_of(target)
         self._write_missing(result)
         words = [
-            *(sys.executable, "-m", "launch_testing.launch_test", str(path), *command.after("ARGS", *_KEYWORDS)),
+            *(python_of(self.environment), "-m", "launch_testing.launch_test", str(path), *command.after("ARGS", *_KEYWORDS)),
             *(f"--junit-xml={result.as_posix()}", f"--package-name={self.package.name}"),
         ]
         environment = self._environment_of(command)
@@ -166,7 +166,7 @@ class _Run:
             **({"COVERAGE_FILE": str(self.settings.build_base / name / ".coverage")} if coverage else {}),
             "PYTEST_ADDOPTS": " ".join(f'"{each}"' if " " in each else each for each in options),
         }
-        status = self.work.run([sys.executable, "-m", "pytest", *words], self.package.path, environment)
+        status = self.work.run([python_of(environment), "-m", "pytest", *words], self.package.path, environment)
         return 0 if status == _NO_TESTS else status
 
     def _coverage(self) -> list[str]:

@@ -185,5 +185,5 @@ def _is_system(key: str) -> bool:
 
 
 async def pip(session: Session) -> int:
-    """The pip of the Python that runs student programs, really."""
+    """pip, really: of the Python that runs this home's programs."""
     return await session.run_python(["-m", "pip", *session.argv[1:]])

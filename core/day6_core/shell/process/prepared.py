@@ -33,7 +33,7 @@ def prepared(argv: Sequence[str], name: str = "", tty: int | None = None) -> Seq
     if sys.platform == "win32":
         return argv
     path, *arguments = argv
-    if (nice := _nice()) and (path == sys.executable or path.startswith(_OF_THE_SYSTEM)):
+    if (nice := _nice()) and (_is_python(path) or path.startswith(_OF_THE_SYSTEM)):
         own = os.devnull if tty is None else os.ttyname(tty)
         limit = str(lower_limit(memory_limit()) // 1024)
         return ["/bin/sh", "-c", _SCRIPT, own, limit, nice, "-n", str(NICE), name or path, *arguments]
@@ -49,6 +49,11 @@ def _nice() -> str:
     numbers = (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP)
     ignored = any(signal.getsignal(number) is signal.SIG_IGN for number in numbers)  # they stay so behind sh
     return "" if ignored else _path_of_nice()
+
+
+def _is_python(path: str) -> bool:
+    """Whether it is the Python that runs us, also by the name that it has in an environment."""
+    return path == sys.executable or os.path.realpath(path) == os.path.realpath(sys.executable)
 
 
 @cache

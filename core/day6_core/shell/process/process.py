@@ -25,6 +25,7 @@ from typing import IO
 
 from day6_core.advice.fault import LONGEST
 from day6_core.guardian import MARK, end_marked, guard, new_mark, release
+from day6_core.ros.home_python import python_words
 from day6_core.session.folder import LOST
 from day6_core.session.scheduler import Scheduler
 from day6_core.session.session import KilledBySignal, Session
@@ -57,7 +58,7 @@ def running_processes(scheduler: Scheduler) -> list[Process]:
 
 async def run_python(session: Session, args: list[str]) -> int:
     """Run `python3 ARGS…` for a program until it ends, as `run_process` does; a hint follows an error on the terminal."""
-    process = Process(session, [sys.executable, *args])
+    process = Process(session, python_words(args, session.env))
     status = await _run(session, process)
     launch = session.argv[:2] == ["ros2", "launch"]
     silent = not status and not process.recent and len(session.argv) == 2 and session.argv[1].endswith(".py")
