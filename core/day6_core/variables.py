@@ -439,6 +439,15 @@ VARIABLES = (
         NONE,
     ),
     Variable(
+        "VIRTUAL_ENV",
+        "system",
+        (
+            "A venv that you have activated in a terminal of the desktop: its Python runs your programs.",
+            "你在桌面终端里激活的 venv：用它的 Python 运行你的程序。",
+        ),
+        NONE,
+    ),
+    Variable(
         "PYTHONHOME",
         "system",
         ("Python's own; `day6-tui doctor` warns of it.", "Python 自己的变量；设置了它时 `day6-tui doctor` 会提醒。"),

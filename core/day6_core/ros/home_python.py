@@ -101,7 +101,9 @@ def python_words(arguments: Sequence[str], variables: Mapping[str, str]) -> list
 
 def add_line(environment: Path) -> None:
     """Let programs of an environment import what day6-tui has. Raises OSError."""
-    (packages_of(environment) / LINE_FILE).write_text(LINE, encoding="utf-8")
+    from day6_core.whole_file import replace_file
+
+    replace_file(packages_of(environment) / LINE_FILE, LINE.encode(), sync=False)
 
 
 @cache
