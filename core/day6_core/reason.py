@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 
+LONGEST_NAME = 255
+"""Characters of a path that are shown in an error; one that is itself too long fills the screen."""
+
+
 def reason(error: BaseException) -> str:
     """Return the system's words for an error of the system, else what the error says."""
     return (isinstance(error, OSError) and error.strerror) or str(error) or type(error).__name__
@@ -11,7 +15,7 @@ def reason(error: BaseException) -> str:
 def named_reason(error: BaseException) -> str:
     """Return the same, behind the name of the file that the error is about."""
     name = error.filename if isinstance(error, OSError) and isinstance(error.filename, str) else ""
-    return f"{name}: {reason(error)}" if name else reason(error)
+    return f"{name}: {reason(error)}" if 0 < len(name) <= LONGEST_NAME else reason(error)
 
 
 def fault(error: BaseException) -> str:

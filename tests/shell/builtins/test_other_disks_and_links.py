@@ -26,7 +26,7 @@ from tests.support.waiting import until
 def disks(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The home folder, where nothing can be renamed: as if every folder were a disk of its own."""
 
-    def refused(source: object, goal: object) -> None:
+    def refused(source: object, goal: object, **folders: object) -> None:
         raise OSError(errno.EXDEV, os.strerror(errno.EXDEV))
 
     monkeypatch.setattr("day6_core.shell.builtins.transfer.os.replace", refused)
@@ -71,17 +71,17 @@ def test_a_source_that_cannot_be_removed_is_told(
 ) -> None:
     machine.run("mkdir d; echo 1 > f")
 
-    def refused(path: object) -> None:
+    def refused(path: object, **folders: object) -> None:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
-    monkeypatch.setattr("day6_core.shell.builtins.transfer.shutil.rmtree", refused)
+    monkeypatch.setattr("day6_core.shell.builtins.files.deep.os.rmdir", refused)
     result = machine.run("mv -v d new")
     assert result == (1, "", f"mv: cannot remove 'd': {os.strerror(errno.EACCES)}\n")
     assert (disks / "d").is_dir() and (disks / "new").is_dir()
 
 
 def test_another_reason_than_the_disk_is_told(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
-    def refused(source: object, goal: object) -> None:
+    def refused(source: object, goal: object, **folders: object) -> None:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
     monkeypatch.setattr("day6_core.shell.builtins.transfer.os.replace", refused)

@@ -1,8 +1,7 @@
-"""cut, tr, rev, sed, diff: commands that change and compare lines."""
+"""cut, tr, rev, sed: commands that change lines."""
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Callable, Generator
 
@@ -355,56 +354,3 @@ def _pattern(text: str, extended: bool, flags: int) -> UserPattern:
     if not extended:
         text = re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], text)
     return UserPattern(text, flags)
-
-
-# -- diff --------------------------------------------------------------------------------------------------------------
-
-
-async def diff(session: Session) -> int:
-    try:
-        options, names = parse(session.argv, "uqrbwiN", "U", {"--unified": "u", "--brief": "q"})
-        if len(names) != 2:
-            missing = f"missing operand after '{session.argv[-1]}'" if len(names) < 2 else f"extra operand '{names[2]}'"
-            raise UsageError(f"{missing}\ndiff: Try 'diff --help' for more information.")
-    except UsageError as error:
-        complain(session, error)
-        return 2
-    texts = []
-    for name in names:
-        try:
-            data = await session.stdin.read_all() if name == "-" else await text_named(session, name)
-        except OSError as error:
-            complain(session, f"{name}: {reason(error)}")
-            return 2
-        texts.append(data.removesuffix("\n").split("\n") if data else [])
-    old, new = texts
-    if old == new:
-        return 0
-    if "q" in options:
-        session.print(f"Files {names[0]} and {names[1]} differ")
-    elif "u" in options or "U" in options:
-        context = int(options.get("U", "3")) if options.get("U", "3").isdigit() else 3
-        for line in difflib.unified_diff(old, new, names[0], names[1], n=context, lineterm=""):
-            session.print(line)
-    else:
-        _normal_diff(session, old, new)
-    return 1
-
-
-def _normal_diff(session: Session, old: list[str], new: list[str]) -> None:
-    for kind, a, b, c, d in difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
-        if kind == "equal":
-            continue
-        left = _span(a, b) if kind != "insert" else str(a)
-        right = _span(c, d) if kind != "delete" else str(c)
-        session.print(left + {"replace": "c", "insert": "a", "delete": "d"}[kind] + right)
-        for line in old[a:b]:
-            session.print(f"< {line}")
-        if kind == "replace":
-            session.print("---")
-        for line in new[c:d]:
-            session.print(f"> {line}")
-
-
-def _span(first: int, end: int) -> str:
-    return str(end) if end - first == 1 else f"{first + 1},{end}"

@@ -6,11 +6,14 @@ import errno
 import os
 import stat
 import time
+from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
 from day6_core.session.session import Session
 from day6_core.session.streams import FileOutput, OutputStream, WriteError
+from day6_core.session.task import let_others_run
+from day6_core.shell import deep
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import lines_of
 from day6_core.shell.outside import asking
@@ -207,18 +210,52 @@ async def rm(session: Session) -> int:
     return status
 
 
+async def removed(session: Session, name: str) -> bool:
+    """Remove a file or a whole folder; return False, with a message, if any part of it could not be removed."""
+    return await _removed(session, name, {"r": "r"})
+
+
+@dataclass
+class _Emptied:
+    """A folder from which everything is being removed."""
+
+    name: str
+    left: list[str]
+    """What is still in it, last first."""
+    whole: bool = True
+    """Whether all so far could be removed."""
+
+
 async def _removed(session: Session, name: str, options: dict[str, str]) -> bool:
     """Remove one operand of rm; return False, with a message, if any part of it could not be removed."""
-    recursive = "r" in options or "R" in options
-    refusal = _refusal(session, name) if recursive else ""
-    if refusal:
+    if options.keys() & set("rR") and (refusal := _refusal(session, name)):
         complain(session, refusal)
         return False
-    path = session.cwd / name
+    around: list[_Emptied] = []  # no recursion: a tree may be deeper than Python's stack
+    while True:
+        found = await _begin_to_remove(session, name, options)
+        if isinstance(found, _Emptied):
+            around.append(found)
+        while isinstance(found, bool) or not around[-1].left:
+            if not isinstance(found, bool):
+                folder = around.pop()
+                found = folder.whole and _remove(session, folder.name, options, folder=True)
+            if not around:
+                return found
+            around[-1].whole &= found
+            found = around[-1]
+        name = os.path.join(around[-1].name, around[-1].left.pop())
+        await let_others_run()
+
+
+async def _begin_to_remove(session: Session, name: str, options: dict[str, str]) -> bool | _Emptied:
+    """Remove a file and return whether that went well; of a folder return what has to be removed first."""
+    path = os.path.join(session.cwd, name)
+    recursive = bool(options.keys() & set("rR"))
     try:
         if not name:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
-        found = path.lstat()
+        found = deep.status(path)
         folder = stat.S_ISDIR(found.st_mode)
         if name.endswith("/") and not folder:
             raise NotADirectoryError(errno.ENOTDIR if recursive else errno.EISDIR, "")
@@ -226,7 +263,8 @@ async def _removed(session: Session, name: str, options: dict[str, str]) -> bool
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         if "i" in options and not await _agreed_to_remove(session, name, found):
             return True
-        inner = sorted(os.listdir(path)) if folder else []
+        if folder:
+            return _Emptied(name, sorted(deep.names_in(path), reverse=True))
     except FileNotFoundError as error:
         if "f" not in options:
             complain(session, f"cannot remove '{name}': {reason(error)}")
@@ -234,16 +272,18 @@ async def _removed(session: Session, name: str, options: dict[str, str]) -> bool
     except OSError as error:
         complain(session, f"cannot remove '{name}': {os.strerror(error.errno or 0)}")
         return False
-    whole = all([await _removed(session, os.path.join(name, each), options) for each in inner])
+    return _remove(session, name, options, folder=False)
+
+
+def _remove(session: Session, name: str, options: dict[str, str], *, folder: bool) -> bool:
     try:
-        if whole:
-            path.rmdir() if folder else path.unlink()
+        deep.remove(os.path.join(session.cwd, name), folder=folder)
     except OSError as error:
         complain(session, f"cannot remove '{name}': {reason(error)}")
         return False
-    if whole and "v" in options:
+    if "v" in options:
         session.print(f"removed {'directory ' if folder else ''}'{name}'")
-    return whole
+    return True
 
 
 def _refusal(session: Session, name: str) -> str:
@@ -281,11 +321,16 @@ async def chmod(session: Session) -> int:
     mode, *names = words
     status = 0
     for name in names:
-        path = session.cwd / name
+        waiting = [str(session.cwd / name)]
         try:
-            below = sorted(path.rglob("*")) if recursive and path.is_dir() else []
-            for each in (path, *(entry for entry in below if not entry.is_symlink())):
-                each.chmod(_new_mode(mode, each.stat().st_mode))
+            while waiting:
+                each = waiting.pop()
+                found = deep.status(each, follow=True)
+                deep.set_mode(each, _new_mode(mode, found.st_mode))
+                if recursive and stat.S_ISDIR(found.st_mode):
+                    below = (f"{each}/{inner}" for inner in sorted(deep.names_in(each), reverse=True))
+                    waiting += (entry for entry in below if not deep.is_link(entry))
+                    await let_others_run()
         except ValueError:
             complain(session, f"invalid mode: ‘{mode}’\nTry 'chmod --help' for more information.")
             return 1

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import fnmatch
 import os
+import stat
 from collections.abc import Callable
-from pathlib import Path
 
 from day6_core.session.session import Session
+from day6_core.shell import deep
 from day6_core.shell.builtins.options import complain, reason
 
-Test = Callable[[str, Path], bool]
+Test = Callable[[str, str], bool]
+"""Of a name as it is printed, and its whole path."""
 
 
 class _Wrong(Exception):
@@ -33,33 +35,43 @@ async def find(session: Session) -> int:
             complain(session, f"‘{start}’: No such file or directory")
             status = 1
             continue
-        status = await _walk(session, start, wanted, 0) or status
+        status = await _walk(session, start, wanted) or status
     return status
 
 
-async def _walk(session: Session, name: str, wanted: _Expression, depth: int) -> int:
-    path = session.cwd / name
+async def _walk(session: Session, start: str, wanted: _Expression) -> int:
     status = 0
-    chosen = depth >= wanted.shallowest and wanted.matches(name, path)
-    if chosen and not wanted.delete:
-        session.print(name)
+    waiting = [(start, 0, False)]  # no recursion: a tree may be deeper than Python's stack
+    while waiting:
+        name, depth, emptied = waiting.pop()
+        path = os.path.join(session.cwd, name)
+        if emptied:
+            status = _delete(session, name) or status
+            continue
+        chosen = depth >= wanted.shallowest and wanted.matches(name, path)
+        if chosen and not wanted.delete:
+            session.print(name)
+        if chosen and wanted.delete and name != ".":
+            waiting.append((name, depth, True))  # a folder after what is in it
+        if depth < wanted.deepest and deep.is_folder(path):
+            try:
+                children = sorted(deep.names_in(path), reverse=True)
+            except OSError as error:
+                complain(session, f"‘{name}’: {reason(error)}")
+                status = 1
+                continue
+            waiting += [(f"{name.rstrip('/')}/{child}", depth + 1, False) for child in children]
         await session.stdout.drain()
-    # os.path returns False where pathlib raises: in /proc even reading another user's link is forbidden.
-    if depth < wanted.deepest and os.path.isdir(path) and not os.path.islink(path):
-        try:
-            children = sorted(entry.name for entry in os.scandir(path))
-        except OSError as error:
-            complain(session, f"‘{name}’: {reason(error)}")
-            return 1
-        for child in children:
-            status = await _walk(session, f"{name.rstrip('/')}/{child}", wanted, depth + 1) or status
-    if chosen and wanted.delete and name != ".":  # a folder after what is in it
-        try:
-            path.rmdir() if path.is_dir() and not path.is_symlink() else path.unlink()
-        except OSError as error:
-            complain(session, f"cannot delete ‘{name}’: {reason(error)}")
-            status = 1
     return status
+
+
+def _delete(session: Session, name: str) -> int:
+    try:
+        deep.remove(os.path.join(session.cwd, name), folder=deep.is_folder(os.path.join(session.cwd, name)))
+    except OSError as error:
+        complain(session, f"cannot delete ‘{name}’: {reason(error)}")
+        return 1
+    return 0
 
 
 class _Expression:
@@ -118,7 +130,7 @@ class _Expression:
             return lambda name, path: fnmatch.fnmatchcase(_base(name).lower(), value.lower())
         return lambda name, path: fnmatch.fnmatchcase(_base(name), value)
 
-    def matches(self, name: str, path: Path) -> bool:
+    def matches(self, name: str, path: str) -> bool:
         return any(all(test(name, path) for test in tests) for tests in self._any)
 
 
@@ -130,14 +142,17 @@ def _base(name: str) -> str:
     return name.rstrip("/").rpartition("/")[2] or name
 
 
-def _kind(path: Path) -> str:
-    return "l" if path.is_symlink() else "d" if path.is_dir() else "f" if path.is_file() else "?"
+def _kind(path: str) -> str:
+    mode = deep.mode(path)
+    return "l" if stat.S_ISLNK(mode) else "d" if stat.S_ISDIR(mode) else "f" if stat.S_ISREG(mode) else "?"
 
 
-def _is_empty(path: Path) -> bool:
-    if path.is_dir():
-        return not any(path.iterdir())
-    return path.is_file() and path.stat().st_size == 0
+def _is_empty(path: str) -> bool:
+    try:
+        found = deep.status(path)
+        return not deep.names_in(path) if stat.S_ISDIR(found.st_mode) else stat.S_ISREG(found.st_mode) and not found.st_size
+    except OSError:
+        return False
 
 
 def _size(text: str) -> Test:
@@ -146,8 +161,8 @@ def _size(text: str) -> Test:
         raise _Wrong(f"invalid -size type `{text[-1:]}'")
     block = {"c": 1, "k": 1024, "M": 1024**2, "G": 1024**3}.get(unit, 512)
 
-    def test(name: str, path: Path) -> bool:
-        blocks = -(-path.lstat().st_size // block)
+    def test(name: str, path: str) -> bool:
+        blocks = -(-deep.status(path).st_size // block)
         number = int(digits)
         return blocks > number if sign == "+" else blocks < number if sign == "-" else blocks == number
 

@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 from day6_core.session.session import Session
+from day6_core.shell import deep
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.language.interpreter import shell_of
 from day6_core.width import text_width
@@ -30,7 +31,7 @@ async def ls(session: Session) -> int:
     for name in names or ["."]:
         path = session.cwd / name
         try:
-            kind = path.lstat() if "l" in options else path.stat()
+            kind = deep.status(path, follow="l" not in options)
         except OSError as error:
             complain(session, f"cannot access '{name}': {reason(error)}")
             status = 2
@@ -60,7 +61,7 @@ async def ls(session: Session) -> int:
             inside = [
                 entry
                 for entry in entries
-                if entry not in (".", "..") and (path / entry).is_dir() and not (path / entry).is_symlink()
+                if entry not in (".", "..") and deep.is_folder(path / entry)
             ]
             pending[:0] = [f"{name.rstrip('/')}/{entry}" for entry in inside]
         await session.stdout.drain()
@@ -68,7 +69,7 @@ async def ls(session: Session) -> int:
 
 
 def _entries(path: Path, options: dict[str, str]) -> list[str]:
-    names = os.listdir(path)
+    names = deep.names_in(path)
     if "a" in options:
         names += [".", ".."]
     elif "A" not in options:
@@ -79,14 +80,14 @@ def _entries(path: Path, options: dict[str, str]) -> list[str]:
 def _ordered(path: Path, names: list[str], options: dict[str, str]) -> list[str]:
     names = sorted(names, key=lambda name: (name.lstrip(".").lower(), name))
     if "t" in options:
-        names.sort(key=lambda name: -(path / name).lstat().st_mtime_ns)
+        names.sort(key=lambda name: -deep.status(path / name).st_mtime_ns)
     if "S" in options:
-        names.sort(key=lambda name: -(path / name).lstat().st_size)
+        names.sort(key=lambda name: -deep.status(path / name).st_size)
     return names[::-1] if "r" in options else names
 
 
 def _total_blocks(path: Path, entries: list[str]) -> int:
-    return sum(getattr((path / name).lstat(), "st_blocks", 0) for name in entries) // 2
+    return sum(getattr(deep.status(path / name), "st_blocks", 0) for name in entries) // 2
 
 
 def _list(session: Session, folder: Path, names: list[str], options: dict[str, str]) -> None:
@@ -105,10 +106,7 @@ def _list(session: Session, folder: Path, names: list[str], options: dict[str, s
 
 def _coloured(path: Path, name: str, options: dict[str, str], colour: bool) -> tuple[str, int]:
     """(text to print, width in cells): folders blue, links cyan, executables green, as Ubuntu's ls."""
-    try:
-        mode = path.lstat().st_mode
-    except OSError:
-        mode = 0
+    mode = deep.mode(path)
     suffix, code = "", ""
     if stat.S_ISDIR(mode):
         suffix, code = "/", "01;34"
@@ -165,13 +163,13 @@ def _long(
 ) -> None:
     rows = []
     for name, (text, _) in zip(names, shown, strict=True):
-        status = (folder / name).lstat()
+        status = deep.status(folder / name)
         size = _human(status.st_size) if "h" in options else str(status.st_size)
         when = time.localtime(status.st_mtime)
         recent = abs(time.time() - status.st_mtime) < 182 * 86400
         date = time.strftime("%b ", when) + f"{when.tm_mday:>2} " + time.strftime("%H:%M" if recent else " %Y", when)
         if stat.S_ISLNK(status.st_mode):
-            text += f" -> {os.readlink(folder / name)}"
+            text += f" -> {deep.target_of(folder / name)}"
         rows.append((stat.filemode(status.st_mode), str(status.st_nlink), size, date, text))
     links = max(len(row[1]) for row in rows)
     sizes = max(len(row[2]) for row in rows)
@@ -205,25 +203,30 @@ async def tree(session: Session) -> int:
             session.print(f"{name}  [error opening dir]")
             continue
         session.print(name)
-        _branch(session, path, "", options, deepest, counts)
+        await _branches(session, path, options, deepest, counts)
     folders, files = counts
     text = f"\n{folders} director{'y' if folders == 1 else 'ies'}"
     session.print(text + ("" if "d" in options else f", {files} file{'' if files == 1 else 's'}"))
     return 0
 
 
-def _branch(session: Session, folder: Path, prefix: str, options: dict[str, str], left: int, counts: list[int]) -> None:
-    if left <= 0:
-        return
-    entries = sorted(entry for entry in folder.iterdir() if "a" in options or not entry.name.startswith("."))
-    if "d" in options:
-        entries = [entry for entry in entries if entry.is_dir()]
-    for entry in entries:
-        last = entry is entries[-1]
-        session.print(
-            f"{prefix}{'└── ' if last else '├── '}{_coloured(entry, entry.name, {}, session.stdout.isatty())[0]}"
-        )
-        inside = entry.is_dir() and not entry.is_symlink()
-        counts[0 if inside else 1] += 1
-        if inside:
-            _branch(session, entry, prefix + ("    " if last else "│   "), options, left - 1, counts)
+async def _branches(session: Session, top: Path, options: dict[str, str], deepest: int, counts: list[int]) -> None:
+    around: list[tuple[Path, str, list[str]]] = [(top, "", _shown_by_tree(top, options))]  # what is left in each, last first
+    while around:
+        folder, prefix, left = around[-1]
+        if not left:
+            around.pop()
+            continue
+        name = left.pop()
+        entry = folder / name
+        session.print(f"{prefix}{'├── ' if left else '└── '}{_coloured(entry, name, {}, session.stdout.isatty())[0]}")
+        counts[0 if (inside := deep.is_folder(entry)) else 1] += 1
+        if inside and len(around) < deepest:
+            around.append((entry, prefix + ("│   " if left else "    "), _shown_by_tree(entry, options)))
+        await session.stdout.drain()
+
+
+def _shown_by_tree(folder: Path, options: dict[str, str]) -> list[str]:
+    """The names in a folder, last first."""
+    names = sorted((name for name in deep.names_in(folder) if "a" in options or name[0] != "."), reverse=True)
+    return [name for name in names if deep.is_folder(folder / name, follow=True)] if "d" in options else names

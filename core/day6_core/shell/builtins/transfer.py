@@ -5,12 +5,14 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import shutil
 import stat
+from collections.abc import Callable
 from pathlib import Path
 
 from day6_core.session.session import Session
 from day6_core.session.task import let_others_run
+from day6_core.shell import deep
+from day6_core.shell.builtins.files import removed
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import text_named, write_named
 from day6_core.shell.outside import asking
@@ -48,6 +50,8 @@ class _Transfer:
         self.session = session
         self.options: dict[str, str] = {}
         self.failed = False
+        self._left: list[tuple[str, str] | Callable[[], None]] = []
+        """What is still to be copied of folders, last first, and what follows the last of each: no tree is too deep."""
 
     async def run(self, *, move: bool) -> int:
         session = self.session
@@ -76,6 +80,19 @@ class _Transfer:
             await (self._move if move else self._copy)(name, shown)
         except _Refused as refusal:
             self.complain(str(refusal))
+        await self._copy_what_is_left()
+
+    async def _copy_what_is_left(self) -> None:
+        while self._left:
+            step = self._left.pop()
+            if callable(step):
+                step()
+                continue
+            try:
+                await self._copy(*step, is_inner=True)
+            except _Refused as refusal:
+                self.complain(str(refusal))
+            await let_others_run()
 
     def complain(self, text: str) -> None:
         complain(self.session, text)
@@ -93,17 +110,18 @@ class _Transfer:
 
     async def _may_replace(self, source: os.stat_result, name: str, shown: str) -> bool:
         """Whether `shown`, if it exists, may be overwritten; False skips it silently. Raises _Refused."""
-        goal = self.session.cwd / shown
-        if not shown or not os.path.lexists(goal):
+        goal = os.path.join(self.session.cwd, shown)
+        if not shown or not deep.mode(goal):
             return True
-        folder = goal.is_dir() and not (goal.is_symlink() and not stat.S_ISDIR(source.st_mode))
+        is_folder = deep.is_folder(goal, follow=True)
+        folder = is_folder and not (deep.is_link(goal) and not stat.S_ISDIR(source.st_mode))
         if folder and not stat.S_ISDIR(source.st_mode):
             raise _Refused(f"cannot overwrite directory '{shown}' with non-directory")
-        if stat.S_ISDIR(source.st_mode) and not goal.is_dir():
+        if stat.S_ISDIR(source.st_mode) and not is_folder:
             raise _Refused(f"cannot overwrite non-directory '{shown}' with directory '{name}'")
         if "n" in self.options:
             return False
-        if "u" in self.options and not folder and goal.stat().st_mtime_ns >= source.st_mtime_ns:
+        if "u" in self.options and not folder and deep.status(goal, follow=True).st_mtime_ns >= source.st_mtime_ns:
             return False
         if "i" in self.options and not folder:
             self.session.stderr.write(f"{self.session.name}: overwrite '{shown}'? ")
@@ -116,80 +134,88 @@ class _Transfer:
             if not name:
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
             path = os.path.join(self.session.cwd, name)  # a slash at the end means a folder
-            return os.stat(path) if follow else os.lstat(path)
+            return deep.status(path, follow=follow)
         except OSError as error:
             raise _Refused(f"cannot stat '{name}': {reason(error)}") from None
 
     def _is_inside(self, name: str, shown: str) -> bool:
         """Whether `shown` would lie in the folder `name`, or is it."""
-        folder = (self.session.cwd / name).resolve()
-        goal = (self.session.cwd / shown).resolve()
+        folder, goal = (Path(self.session.cwd, each).resolve() for each in (name, shown))
         return folder == goal or folder in goal.parents
 
     # -- copying -------------------------------------------------------------------------------------------------------
 
-    async def _copy(self, name: str, shown: str) -> None:
+    async def _copy(self, name: str, shown: str, *, is_inner: bool = False) -> None:
         follow = not self._recursive and not {"d", "P"} & self.options.keys()
         source = self._look(name, follow=follow)
         if stat.S_ISDIR(source.st_mode) and not self._recursive:
             raise _Refused(f"-r not specified; omitting directory '{name}'")
-        goal = self.session.cwd / shown
-        own = stream_number(goal) is not None or stream_number(self.session.cwd / name) is not None
+        goal = os.path.join(self.session.cwd, shown)
+        own = not is_inner and any(stream_number(Path(self.session.cwd, each)) is not None for each in (name, shown))
         if own and shown and not stat.S_ISDIR(source.st_mode):
             await self._copy_stream(name, shown)
             return
-        if shown and goal.exists() and _same(self.session.cwd / name, goal, follow=follow):
+        if shown and deep.mode(goal, follow=True) and _same(os.path.join(self.session.cwd, name), goal, follow=follow):
             if stat.S_ISDIR(source.st_mode) and name.rstrip("/") in (".", ".."):
                 raise _Refused(f"cannot copy a directory, '{name}', into itself, '{shown}'")
             raise _Refused(f"'{name}' and '{shown}' are the same file")
-        if stat.S_ISDIR(source.st_mode) and self._is_inside(name, shown):
+        if stat.S_ISDIR(source.st_mode) and not is_inner and self._is_inside(name, shown):
             raise _Refused(f"cannot copy a directory, '{name}', into itself, '{shown}'")
         if await self._may_replace(source, name, shown):
             await self._copy_any(source, name, shown)
 
     async def _copy_any(self, source: os.stat_result, name: str, shown: str) -> None:
         if stat.S_ISDIR(source.st_mode):
-            await self._copy_folder(source, name, shown)
-        elif stat.S_ISLNK(source.st_mode):
+            self._copy_folder(source, name, shown)
+            return
+        if stat.S_ISLNK(source.st_mode):
             self._copy_link(name, shown)
         else:
             await self._copy_file(source, name, shown)
-        if {"p", "a"} & self.options.keys():
-            with contextlib.suppress(OSError):  # a file system that knows no times or modes
-                shutil.copystat(self.session.cwd / name, self.session.cwd / shown, follow_symlinks=False)
+        self._keep_times(source, shown)
 
-    async def _copy_folder(self, source: os.stat_result, name: str, shown: str) -> None:
-        goal = self.session.cwd / shown
-        new = not goal.is_dir()
+    def _keep_times(self, source: os.stat_result, shown: str) -> None:
+        """`-p`, `-a`: the copy is as old as the original, and has its mode."""
+        if not {"p", "a"} & self.options.keys():
+            return
+        goal = os.path.join(self.session.cwd, shown)
+        with contextlib.suppress(OSError, NotImplementedError):  # a file system that knows no times or modes
+            deep.set_times(goal, source)
+            if not stat.S_ISLNK(source.st_mode):
+                deep.set_mode(goal, stat.S_IMODE(source.st_mode))
+
+    def _copy_folder(self, source: os.stat_result, name: str, shown: str) -> None:
+        goal = os.path.join(self.session.cwd, shown)
+        new = not deep.is_folder(goal, follow=True)
         try:
             if new:
-                goal.mkdir(mode=stat.S_IMODE(source.st_mode) | 0o700)
+                deep.make_folder(goal, stat.S_IMODE(source.st_mode) | 0o700)
                 self._report(f"'{name}' -> '{shown}'")
-            inner = sorted(os.listdir(self.session.cwd / name))
+            inner = sorted(deep.names_in(os.path.join(self.session.cwd, name)), reverse=True)
         except OSError as error:
-            what = f"create directory '{shown}'" if new and not goal.is_dir() else f"access '{name}'"
+            what = f"create directory '{shown}'" if new and not deep.is_folder(goal, follow=True) else f"access '{name}'"
             raise _Refused(f"cannot {what}: {reason(error)}") from None
-        for each in inner:
-            await self._one(os.path.join(name, each), os.path.join(shown, each), move=False)
+        self._left.append(lambda: self._keep_times(source, shown))
+        self._left += [(os.path.join(name, each), os.path.join(shown, each)) for each in inner]
 
     def _copy_link(self, name: str, shown: str) -> None:
-        goal = self.session.cwd / shown
+        goal = os.path.join(self.session.cwd, shown)
         try:
-            if os.path.lexists(goal):
-                goal.unlink()
-            goal.symlink_to(os.readlink(self.session.cwd / name))
+            if deep.mode(goal):
+                deep.remove(goal, folder=False)
+            deep.make_link(deep.target_of(os.path.join(self.session.cwd, name)), goal)
         except OSError as error:
             raise _Refused(f"cannot create symbolic link '{shown}': {reason(error)}") from None
         self._report(f"'{name}' -> '{shown}'")
 
     async def _copy_file(self, source: os.stat_result, name: str, shown: str) -> None:
-        goal = self.session.cwd / shown
+        goal = os.path.join(self.session.cwd, shown)
         try:
-            reading = os.open(self.session.cwd / name, os.O_RDONLY | _FLAGS | getattr(os, "O_NONBLOCK", 0))
+            reading = deep.open_file(os.path.join(self.session.cwd, name), os.O_RDONLY | _FLAGS | getattr(os, "O_NONBLOCK", 0))
         except OSError as error:
             raise _Refused(f"cannot open '{name}' for reading: {reason(error)}") from None
         with open(reading, "rb", buffering=0) as data:
-            if goal.is_symlink() and not goal.exists():
+            if deep.is_link(goal) and not deep.mode(goal, follow=True):
                 raise _Refused(f"not writing through dangling symlink '{shown}'")
             try:
                 writing = self._create(shown, stat.S_IMODE(source.st_mode))
@@ -208,19 +234,19 @@ class _Transfer:
 
     def _create(self, shown: str, mode: int) -> int:
         """Open the new or old file `shown` to be written. Raises OSError."""
-        goal = self.session.cwd / shown
+        goal = os.path.join(self.session.cwd, shown)
         if not shown:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
-        if shown.endswith("/") and not goal.is_dir():
+        if shown.endswith("/") and not deep.is_folder(goal, follow=True):
             raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR))
         flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | _FLAGS
         try:
-            return os.open(goal, flags, mode & 0o777)
+            return deep.open_file(goal, flags, mode & 0o777)
         except OSError:
-            if "f" not in self.options or not goal.is_file():
+            if "f" not in self.options or not stat.S_ISREG(deep.mode(goal, follow=True)):
                 raise
-        goal.unlink()
-        return os.open(goal, flags, mode & 0o777)
+        deep.remove(goal, folder=False)
+        return deep.open_file(goal, flags, mode & 0o777)
 
     async def _pour(self, read: object, writing: int, shown: str) -> None:
         """Copy the contents. On a full disk, the part that fits is written, as with GNU's."""
@@ -239,10 +265,10 @@ class _Transfer:
 
     async def _move(self, name: str, shown: str) -> None:
         source = self._look(name, follow=False)
-        goal = self.session.cwd / shown
+        goal = os.path.join(self.session.cwd, shown)
         if os.path.basename(name.rstrip("/")) in (".", ".."):
             raise _Refused(f"cannot move '{name}' to '{shown}': {os.strerror(errno.EBUSY)}")
-        if shown and os.path.lexists(goal) and _same(self.session.cwd / name, goal, follow=False):
+        if shown and os.path.lexists(goal) and _same(os.path.join(self.session.cwd, name), goal, follow=False):
             raise _Refused(f"'{name}' and '{shown}' are the same file")
         if stat.S_ISDIR(source.st_mode) and self._is_inside(name, shown):
             raise _Refused(f"cannot move '{name}' to a subdirectory of itself, '{shown}'")
@@ -251,41 +277,34 @@ class _Transfer:
         try:
             if not shown:
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
-            if shown.endswith("/") and not stat.S_ISDIR(source.st_mode) and not goal.is_dir():
+            if shown.endswith("/") and not stat.S_ISDIR(source.st_mode) and not os.path.isdir(goal):
                 raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR))
-            os.replace(self.session.cwd / name, goal)
+            deep.rename(os.path.join(self.session.cwd, name), goal)
         except OSError as error:
             if error.errno != errno.EXDEV:
                 raise _Refused(f"cannot move '{name}' to '{shown}': {reason(error)}") from None
-            await self._move_to_another_disk(source, name, shown)
+            if not await self._moved_to_another_disk(source, name, shown):
+                self.failed = True
+                return
         self._report(f"renamed '{name}' -> '{shown}'")
 
-    async def _move_to_another_disk(self, source: os.stat_result, name: str, shown: str) -> None:
-        """Copy it, and remove the original only when every part has been copied."""
+    async def _moved_to_another_disk(self, source: os.stat_result, name: str, shown: str) -> bool:
+        """Copy it, and remove the original only when every part has been copied; return whether all of that went well."""
         copier = _Transfer(self.session)
         copier.options = {"a": "a"}
         await copier._copy_any(source, name, shown)
-        if copier.failed:
-            self.failed = True
-            return
-        path = self.session.cwd / name
-        try:
-            if stat.S_ISDIR(source.st_mode):
-                shutil.rmtree(path)
-            else:
-                path.unlink()
-        except OSError as error:
-            raise _Refused(f"cannot remove '{name}': {reason(error)}") from None
+        await copier._copy_what_is_left()
+        return not copier.failed and await removed(self.session, name)
 
 
 _FLAGS = getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
 
 
-def _same(source: Path, goal: Path, *, follow: bool) -> bool:
+def _same(source: str, goal: str, *, follow: bool) -> bool:
     """Whether both names mean the same file, which a copy would truncate and a move would delete."""
     try:
-        if os.path.samefile(source, goal):
-            return follow or not goal.is_symlink() or os.path.samestat(source.lstat(), goal.lstat())
+        if os.path.samestat(deep.status(source, follow=True), deep.status(goal, follow=True)):
+            return follow or not deep.is_link(goal) or os.path.samestat(deep.status(source), deep.status(goal))
     except OSError:
         return False
     return False
