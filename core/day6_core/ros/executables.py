@@ -58,7 +58,12 @@ def texts(system: str = os.name) -> dict[str, str]:
     )
 
 
-_PYTHONS = {"python3": (), "python": (), "pytest": ("-m", "pytest"), "launch_test": ("-m", "launch_testing.launch_test")}
+_PYTHONS = {
+    "python3": (),
+    "python": (),
+    "pytest": ("-m", "pytest"),
+    "launch_test": ("-m", "launch_testing.launch_test"),
+}
 """What runs in the home's own environment, if there is one."""
 OF_HOME = interpreter_of(BELOW_HOME)
 """Its Python, below the home folder."""

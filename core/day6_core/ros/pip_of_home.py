@@ -34,10 +34,8 @@ _TEXTS = {
         "pip 安装的包放在 {folder} 里：给这个主目录里的程序用，不影响 day6-tui 自己。",
     ),
     "no_venv": (
-        "pip: this Python ({python}) has no module venv, which keeps your packages apart from day6-tui's. "
-        "Install it (Debian, Ubuntu: sudo apt install python3-venv), then try again.",
-        "pip：这个 Python（{python}）没有 venv 模块，没法把你的包和 day6-tui 的分开。"
-        "请先安装它（Debian、Ubuntu：sudo apt install python3-venv），再试一次。",
+        "pip: {python} has no module venv, which keeps your packages apart (Debian, Ubuntu: sudo apt install python3-venv)",
+        "pip：{python} 没有 venv 模块，没法把你的包单独存放（Debian、Ubuntu：sudo apt install python3-venv）",
     ),
     "no_pip": (
         "pip: this Python ({python}) has no pip. Install it in a real terminal: {command}",

@@ -112,7 +112,7 @@ class Session:
         self.on_stop: Callable[[bool], None] | None = None
         """Called with True when the program is stopped and with False when it is resumed, to pass that on to its processes."""
         self.on_own_stop: Callable[[int], None] | None = None
-        """Called with the number of the signal when one of its processes was stopped from elsewhere, and with 0 when it goes on."""
+        """Called with the signal when one of its processes was stopped from elsewhere, and with 0 when it goes on."""
         self.task: Task | None = None
         """The task that runs `main`."""
         self.status: int | None = None

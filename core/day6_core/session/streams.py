@@ -18,6 +18,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Protocol, TextIO
 
+from day6_core import deep
 from day6_core.session.blocking_files import WITHOUT_END, refuse
 from day6_core.session.task import Signal, let_others_run, wait_for
 
@@ -447,10 +448,10 @@ class FileInput(InputStream):
     """Reads a file (`< FILE`). The constructor raises OSError as `open` does."""
 
     def __init__(self, path: Path) -> None:
-        mode = path.stat().st_mode
+        mode = deep.status(path, follow=True).st_mode
         if str(path) not in WITHOUT_END:  # those are read a line at a time, and other programs get their turn
             refuse(str(path), mode, writing=False)
-        number = os.open(path, os.O_RDONLY | _AT_ONCE)
+        number = deep.open_file(path, os.O_RDONLY | _AT_ONCE)
         self._file: TextIO = _text(os.fdopen(number, "rb"))
 
     def fileno(self) -> int | None:

@@ -85,7 +85,13 @@ class _Run:
                 self._warn(
                     f"Ignored '--{option}' for package '{self.package.name}' since 'unittest' does not support the usage"
                 )
-        words = [python_of(self.environment), "-m", "unittest", "-v", *(self.settings.option("unittest_args", self.package) or ())]
+        words = [
+            python_of(self.environment),
+            "-m",
+            "unittest",
+            "-v",
+            *(self.settings.option("unittest_args", self.package) or ()),
+        ]
         return self.work.run(words, self.package.path, self.environment)
 
     def _warn(self, text: str) -> None:
@@ -123,7 +129,13 @@ class _Run:
         result = self._result_of(target)
         self._write_missing(result)
         words = [
-            *(python_of(self.environment), "-m", "launch_testing.launch_test", str(path), *command.after("ARGS", *_KEYWORDS)),
+            *(
+                python_of(self.environment),
+                "-m",
+                "launch_testing.launch_test",
+                str(path),
+                *command.after("ARGS", *_KEYWORDS),
+            ),
             *(f"--junit-xml={result.as_posix()}", f"--package-name={self.package.name}"),
         ]
         environment = self._environment_of(command)

@@ -161,7 +161,7 @@ def test_only_what_changes_packages_makes_an_environment(line: str, changes: boo
 @pytest.mark.parametrize(
     ("missing", "language", "told"),
     [
-        ("venv", "en", "has no module venv"),
+        ("venv", "en", "has no module venv, which keeps your packages apart"),
         ("venv", "zh", "没有 venv 模块"),
         ("pip", "en", "has no pip. Install it in a real terminal: sudo apt install python3-venv python3-pip"),
         ("pip", "zh", "没有 pip。请在真正的终端里安装：sudo apt install python3-venv python3-pip"),

@@ -58,7 +58,9 @@ def played(seat: Any, scene: Scene) -> list[str]:
     return masked(seat.look())
 
 
-@pytest.mark.parametrize("scene", list(filter(is_quick, read())), ids=lambda scene: " ".join(scene.keys).replace("\r", ""))
+@pytest.mark.parametrize(
+    "scene", list(filter(is_quick, read())), ids=lambda scene: " ".join(scene.keys).replace("\r", "")
+)
 def test_stopped_jobs_are_as_in_bash(seat: Any, scene: Scene) -> None:
     assert played(seat, scene) == scene.screen
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Generator
 from day6_core.session.session import Session
 from day6_core.session.task import in_turns
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
-from day6_core.shell.builtins.text import lines_of, text_named, unescape
+from day6_core.shell.builtins.text import lines_of, unescape
 from day6_core.shell.outside import agreed, keys_of
 from day6_core.user_pattern import Match, TooComplex, UserPattern
 

@@ -7,12 +7,11 @@ import errno
 import os
 import stat
 
+from day6_core import deep
 from day6_core.session.session import Session
 from day6_core.session.task import let_others_run
-from day6_core.shell import deep
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
-from day6_core.shell.builtins.text import LONGEST_TEXT, text_named
-from day6_core.shell.own_streams import stream_number
+from day6_core.shell.builtins.text import text_named
 
 _KINDS = {stat.S_IFREG: "regular file", stat.S_IFDIR: "directory", stat.S_IFIFO: "fifo", stat.S_IFSOCK: "socket"}
 _LONG = {"--unified": "u", "--brief": "q", "--recursive": "r", "--new-file": "N", "--report-identical-files": "s"}
@@ -118,7 +117,9 @@ class _Comparison:
             if within:
                 self._differ(" ".join(filter(None, ("diff", self._words, old, new))))
             self.status = max(self.status, 1)
-            self._lines(old, new, *(text.removesuffix("\n").split("\n") if text else [] for text in texts if text is not None))
+            self._lines(
+                old, new, *(text.removesuffix("\n").split("\n") if text else [] for text in texts if text is not None)
+            )
         await self.session.stdout.drain()
 
     async def _text(self, name: str, may_be_missing: bool) -> str | None:
@@ -129,13 +130,7 @@ class _Comparison:
                 return await self.session.stdin.read_all()
             if may_be_missing and not deep.mode(path):
                 return ""
-            if len(os.fsencode(path)) <= deep.LONGEST or stream_number(path) is not None:
-                return await text_named(self.session, name)
-            with open(deep.open_file(path, os.O_RDONLY), encoding="utf-8", errors="surrogateescape", newline="\n") as file:
-                text = file.read(LONGEST_TEXT + 1)
-            if len(text) > LONGEST_TEXT:
-                raise OSError(errno.ENOMEM, "Cannot allocate memory")
-            return text
+            return await text_named(self.session, name)
         except OSError as error:
             self._problem(name, error)
             return None

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from day6_core import deep
 from day6_core.session.session import Session
 from day6_core.session.streams import FileOutput, OutputStream, WriteError
 from day6_core.session.task import let_others_run
-from day6_core.shell import deep
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import lines_of
 from day6_core.shell.outside import asking

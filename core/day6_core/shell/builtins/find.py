@@ -7,8 +7,8 @@ import os
 import stat
 from collections.abc import Callable
 
+from day6_core import deep
 from day6_core.session.session import Session
-from day6_core.shell import deep
 from day6_core.shell.builtins.options import complain, reason
 
 Test = Callable[[str, str], bool]
@@ -150,7 +150,11 @@ def _kind(path: str) -> str:
 def _is_empty(path: str) -> bool:
     try:
         found = deep.status(path)
-        return not deep.names_in(path) if stat.S_ISDIR(found.st_mode) else stat.S_ISREG(found.st_mode) and not found.st_size
+        return (
+            not deep.names_in(path)
+            if stat.S_ISDIR(found.st_mode)
+            else stat.S_ISREG(found.st_mode) and not found.st_size
+        )
     except OSError:
         return False
 

@@ -8,8 +8,8 @@ import stat
 import time
 from pathlib import Path
 
+from day6_core import deep
 from day6_core.session.session import Session
-from day6_core.shell import deep
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.language.interpreter import shell_of
 from day6_core.width import text_width
@@ -58,11 +58,7 @@ async def ls(session: Session) -> int:
             session.print(f"total {_total_blocks(path, entries)}")
         _list(session, path, entries, options)
         if "R" in options:
-            inside = [
-                entry
-                for entry in entries
-                if entry not in (".", "..") and deep.is_folder(path / entry)
-            ]
+            inside = [entry for entry in entries if entry not in (".", "..") and deep.is_folder(path / entry)]
             pending[:0] = [f"{name.rstrip('/')}/{entry}" for entry in inside]
         await session.stdout.drain()
     return status
@@ -211,7 +207,9 @@ async def tree(session: Session) -> int:
 
 
 async def _branches(session: Session, top: Path, options: dict[str, str], deepest: int, counts: list[int]) -> None:
-    around: list[tuple[Path, str, list[str]]] = [(top, "", _shown_by_tree(top, options))]  # what is left in each, last first
+    around: list[tuple[Path, str, list[str]]] = [
+        (top, "", _shown_by_tree(top, options))
+    ]  # what is left in each, last first
     while around:
         folder, prefix, left = around[-1]
         if not left:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import re
+import stat
 from collections import deque
 
+from day6_core import deep
 from day6_core.session.session import Session
 from day6_core.session.task import in_turns
-from day6_core.shell.builtins.options import UsageError, complain, parse
+from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import lines_of
 from day6_core.user_pattern import TooComplex, UserPattern
 
@@ -123,12 +125,19 @@ _CLASSES = {
 def _all_files(session: Session, names: list[str]) -> list[str]:
     found: list[str] = []
     for name in names or [""]:
-        path = session.cwd / name
-        if path.is_dir():
-            inside = sorted(file for file in path.rglob("*") if file.is_file())
-            found.extend(os.path.join(name, file.relative_to(path)) for file in inside)
-        else:
+        if not deep.is_folder(session.cwd / name, follow=True):
             found.append(name)
+            continue
+        waiting = [name]
+        while waiting:
+            inner = waiting.pop()
+            if deep.is_folder(path := os.path.join(session.cwd, inner), follow=inner == name):
+                try:
+                    waiting += (os.path.join(inner, each) for each in sorted(deep.names_in(path), reverse=True))
+                except OSError as error:
+                    complain(session, f"{inner}: {reason(error)}")
+            elif stat.S_ISREG(deep.mode(path, follow=True)):
+                found.append(inner)
     return found
 
 

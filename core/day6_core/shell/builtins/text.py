@@ -9,6 +9,7 @@ from collections import deque
 from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 
+from day6_core import deep
 from day6_core.session.blocking_files import refuse
 from day6_core.session.session import Session
 from day6_core.session.streams import FileInput, InputStream
@@ -61,7 +62,7 @@ async def lines_of(
         else:
             try:
                 own = own_input(session.cwd / name, table_of(session))
-                if own is None and (session.cwd / name).is_dir():
+                if own is None and deep.is_folder(session.cwd / name, follow=True):
                     raise IsADirectoryError(21, "Is a directory")
                 stream = own or FileInput(session.cwd / name)
             except OSError as error:
@@ -94,8 +95,8 @@ async def script_named(session: Session, name: str) -> str:
 
 def whole_text(path: Path) -> str:
     """Read a file at once. Raises OSError, also for a file that is too large (/dev/zero has no end)."""
-    refuse(str(path), path.stat().st_mode, writing=False)
-    with path.open(encoding="utf-8", errors="surrogateescape", newline="\n") as file:
+    refuse(str(path), deep.status(path, follow=True).st_mode, writing=False)
+    with open(deep.open_file(path, os.O_RDONLY), encoding="utf-8", errors="surrogateescape", newline="\n") as file:
         text = file.read(LONGEST_TEXT + 1)
     if len(text) > LONGEST_TEXT:
         raise OSError(errno.ENOMEM, "Cannot allocate memory")

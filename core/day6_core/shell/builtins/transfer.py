@@ -9,9 +9,9 @@ import stat
 from collections.abc import Callable
 from pathlib import Path
 
+from day6_core import deep
 from day6_core.session.session import Session
 from day6_core.session.task import let_others_run
-from day6_core.shell import deep
 from day6_core.shell.builtins.files import removed
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import text_named, write_named
@@ -193,7 +193,9 @@ class _Transfer:
                 self._report(f"'{name}' -> '{shown}'")
             inner = sorted(deep.names_in(os.path.join(self.session.cwd, name)), reverse=True)
         except OSError as error:
-            what = f"create directory '{shown}'" if new and not deep.is_folder(goal, follow=True) else f"access '{name}'"
+            what = (
+                f"create directory '{shown}'" if new and not deep.is_folder(goal, follow=True) else f"access '{name}'"
+            )
             raise _Refused(f"cannot {what}: {reason(error)}") from None
         self._left.append(lambda: self._keep_times(source, shown))
         self._left += [(os.path.join(name, each), os.path.join(shown, each)) for each in inner]
@@ -211,7 +213,9 @@ class _Transfer:
     async def _copy_file(self, source: os.stat_result, name: str, shown: str) -> None:
         goal = os.path.join(self.session.cwd, shown)
         try:
-            reading = deep.open_file(os.path.join(self.session.cwd, name), os.O_RDONLY | _FLAGS | getattr(os, "O_NONBLOCK", 0))
+            reading = deep.open_file(
+                os.path.join(self.session.cwd, name), os.O_RDONLY | _FLAGS | getattr(os, "O_NONBLOCK", 0)
+            )
         except OSError as error:
             raise _Refused(f"cannot open '{name}' for reading: {reason(error)}") from None
         with open(reading, "rb", buffering=0) as data:

@@ -8,7 +8,6 @@ output it simply inherits that. It leads a session of its own, runs at nice +10,
 from __future__ import annotations
 
 import codecs
-import contextlib
 import io
 import logging
 import os

@@ -94,7 +94,7 @@ def rename(path: str | os.PathLike[str], goal: str | os.PathLike[str]) -> None:
 
 def target_of(path: str | os.PathLike[str]) -> str:
     with _reaching(path) as (short, folder):
-        return os.fsdecode(os.readlink(short, dir_fd=folder))
+        return os.readlink(os.fsdecode(short), dir_fd=folder)
 
 
 def make_link(target: str, path: str | os.PathLike[str]) -> None:
