@@ -15,12 +15,12 @@ import shutil
 import stat
 import sys
 import tempfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
 from day6_core.places import data_folder
-from day6_core.ros.home_python import BELOW_HOME, PIP, interpreter_of
+from day6_core.ros.home_python import BELOW_HOME, THEN, interpreter_of, python_of
 from day6_core.ros.program_index import COMMANDS
 from day6_core.whole_file import replace_file
 
@@ -28,9 +28,22 @@ _SELF = ("-m", "day6_tui.main")
 """The arguments with which our Python is `day6-tui`, wherever its own script may be."""
 
 
+PIP = "day6_core.ros.pip_of_home"
+_OF_SETUP = frozenset({"install", "develop"})
+"""Commands of a setup.py that install."""
+
+
 def ros_commands() -> list[str]:
     """Return every command of ROS that exists here: ros2, colcon, rviz2 …"""
     return ["ros2", "colcon", *COMMANDS]
+
+
+def python_words(arguments: Sequence[str], variables: Mapping[str, str]) -> list[str]:
+    """Return what `python3 ARG…` runs in a home: pip by `pip_of_home`, so that it never changes day6-tui's own packages."""
+    if arguments[:2] == ["-m", "pip"]:
+        return [sys.executable, "-m", PIP, *arguments[2:]]
+    installs = arguments and os.path.basename(arguments[0]) == "setup.py" and _OF_SETUP.intersection(arguments)
+    return [sys.executable, "-m", PIP, THEN, *arguments] if installs else [python_of(variables), *arguments]
 
 
 def with_executables(path: str) -> str:

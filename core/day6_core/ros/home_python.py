@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
@@ -23,11 +23,8 @@ LINE_FILE = "day6-tui.pth"
 LINE = f"import os, site; list(map(site.addsitedir, filter(None, os.getenv({VARIABLE!r}, '').split(os.pathsep))))\n"
 """What Python runs at its start in such an environment: the packages behind its own, with their `.pth` files."""
 
-PIP = "day6_core.ros.pip_of_home"
 THEN = "--then"
-"""What tells it to make the environment and run the words behind it with that one's Python."""
-_OF_SETUP = frozenset({"install", "develop"})
-"""Commands of a setup.py that install."""
+"""What tells `pip_of_home` to make the environment and run the words behind it with that one's Python."""
 
 _VERSION = f"python{sys.version_info.major}.{sys.version_info.minor}{getattr(sys, 'abiflags', '')}"
 BELOW_HOME = Path(FOLDER, _VERSION)
@@ -89,14 +86,6 @@ def python_of_home(variables: Mapping[str, str]) -> str:
 def prefix_of(python: str) -> str:
     """Return what `sys.prefix` is in a Python that `python_of` has named."""
     return sys.prefix if python == sys.executable else str(Path(python).parents[1])
-
-
-def python_words(arguments: Sequence[str], variables: Mapping[str, str]) -> list[str]:
-    """Return what `python3 ARG…` runs in a home: pip by `pip_of_home`, so that it never changes day6-tui's own packages."""
-    if arguments[:2] == ["-m", "pip"]:
-        return [sys.executable, "-m", PIP, *arguments[2:]]
-    installs = arguments and os.path.basename(arguments[0]) == "setup.py" and _OF_SETUP.intersection(arguments)
-    return [sys.executable, "-m", PIP, THEN, *arguments] if installs else [python_of(variables), *arguments]
 
 
 def add_line(environment: Path) -> None:

@@ -27,7 +27,9 @@ def dig(folder: Path, depth: int = DEPTH, name: str = NAME) -> None:
         inner = os.open(name, os.O_RDONLY, dir_fd=here)
         os.close(here)
         here = inner
-    os.close(os.open("last", os.O_WRONLY | os.O_CREAT, dir_fd=here))
+    file = os.open("last", os.O_WRONLY | os.O_CREAT, dir_fd=here)
+    os.write(file, b"a line\n")
+    os.close(file)
     os.close(here)
 
 
@@ -67,7 +69,7 @@ def test_rm_ls_find_chmod_and_tree_reach_its_end(machine: Any, home: Path) -> No
     found = machine.run("find top")
     assert (found.status, found.err) == (0, "") and len(found.out.splitlines()) == DEPTH + 2
     assert found.out.splitlines()[-1].endswith(f"/{NAME}/last")
-    assert machine.run("grep -rc x top").out.endswith("/last:0\n")
+    assert machine.run("grep -r line top").out.endswith("/last:a line\n")
     drawn = machine.run("tree -L 2000 top")
     assert drawn.out.endswith(f"─ last\n\n{DEPTH} directories, 1 file\n") and drawn.err == ""
     assert machine.run("chmod -R 700 top") == (0, "", "")

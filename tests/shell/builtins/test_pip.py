@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 from day6_core.ros import home_python, pip_of_home
-from day6_core.ros.home_python import BELOW_HOME, interpreter_of, packages_of, python_of, python_words, scripts_of
+from day6_core.ros.executables import python_words
+from day6_core.ros.home_python import BELOW_HOME, interpreter_of, packages_of, python_of, scripts_of
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="written for Unix's folders")
 

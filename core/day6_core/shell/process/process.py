@@ -24,7 +24,7 @@ from typing import IO
 
 from day6_core.advice.fault import LONGEST
 from day6_core.guardian import MARK, end_marked, guard, new_mark, release
-from day6_core.ros.home_python import python_words
+from day6_core.ros.executables import python_words
 from day6_core.session.folder import LOST
 from day6_core.session.scheduler import Scheduler
 from day6_core.session.session import KilledBySignal, Session
