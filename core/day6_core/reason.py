@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 LONGEST_NAME = 255
 """Characters of a path that are shown in an error; one that is itself too long fills the screen."""
 

@@ -55,7 +55,9 @@ def test_the_shipped_car_at_60_by_18() -> None:
 
 
 def test_a_scale_whose_power_of_ten_was_rounded_up_is_drawn() -> None:
-    box = '<robot name="r"><link name="b"><visual><geometry><box size="{} 0.35 0.1"/></geometry></visual></link></robot>'
+    box = (
+        '<robot name="r"><link name="b"><visual><geometry><box size="{} 0.35 0.1"/></geometry></visual></link></robot>'
+    )
     for length in range(440, 450):
         assert len(picture(parse_robot(box.format(length / 1000)), 120, 43)) == 43
 

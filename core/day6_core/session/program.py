@@ -17,6 +17,8 @@ SIGINT = 2
 SIGKILL = 9  # signal.SIGKILL does not exist on Windows
 SIGPIPE = 13
 SIGTSTP = 20
+
+
 class Program:
     """A running cooperative program. `status` is None until it has ended; `killed_by` is the signal that ended it, or 0."""
 

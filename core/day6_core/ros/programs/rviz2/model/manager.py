@@ -426,7 +426,11 @@ class RViz:
         self.selection.update()
         self.selection.draw(scene)
         self.tools.draw(scene)
-        shown = self.view.origin, self.view.heading, [each.value for top in (self.root, self.time) for each in top.walk()]
+        shown = (
+            self.view.origin,
+            self.view.heading,
+            [each.value for top in (self.root, self.time) for each in top.walk()],
+        )
         if not self._redraw and shown == self._shown and scene.looks_like(self.scene):
             return False
         self.scene, self._shown = scene, shown
