@@ -204,7 +204,7 @@ class SavedDesktop(Feature):
         }
         return json.dumps(found, ensure_ascii=False).encode(errors="replace")
 
-    def _views_now(self) -> dict[str, str]:
+    def _views_now(self) -> dict[int, str]:
         """What the windows show, by their slots, without those that have nothing to keep or fail to say it."""
         views = {}
         for pane in self._desktop.panes.values():
