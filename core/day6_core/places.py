@@ -285,6 +285,13 @@ PLACES = (
         mark=".config/day6-tui",
     ),
     Place(
+        "packages_of_shell",
+        "user",
+        ".local/lib/day6-tui",
+        "user",
+        ("what pip has installed in day6-tui shell", "pip 在 day6-tui shell 里安装的包"),
+    ),
+    Place(
         "perspectives",
         "user",
         ".config/ros.org/rqt_gui",
