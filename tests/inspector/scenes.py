@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tests.inspector.drills import DRILLS
 from tests.inspector.faults_in_messages import HEALTHY, IN_MESSAGES
+from tests.inspector.inner_drills import INNER_DRILLS
 from tests.inspector.test_healthy import SCENES
 from tests.inspector.tutorials import TUTORIALS
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 HEALTHY_SCENES = (*SCENES, *HEALTHY)
 """What must give no alarm."""
 
-INJECTED = (*DRILLS, *IN_MESSAGES)
+INJECTED = (*DRILLS, *IN_MESSAGES, *INNER_DRILLS)
 """Every fault."""
 
 

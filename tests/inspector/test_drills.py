@@ -8,6 +8,7 @@ import pytest
 
 from day6_core.lessons.remarks import FAULTS
 from tests.inspector.drills import DRILLS, Drill
+from tests.inspector.inner_drills import INNER_DRILLS
 from tests.inspector.lab import Lab
 from tests.inspector.scenes import INJECTED
 

@@ -159,8 +159,30 @@ TEXTS = {
         "{program} ended at once: nothing in it spins, so no callback could run. It needs rclpy.spin(node)"
     ),
     "inspector.calls_in_callback": (
-        "{node}: {what} waits for an answer with call() ({where}); while it waits, the answer cannot arrive. Use "
-        "call_async"
+        "{node}: {what} waits for the answer of {name} ({where}), but it occupies the only thread, which would have to "
+        "take that answer. Use call_async and a done callback"
+    ),
+    "inspector.calls_in_group": (
+        "{node}: {what} waits for the answer of {name} ({where}), but the client is in the same "
+        "MutuallyExclusiveCallbackGroup as {what}, so nobody takes the answer. Give the client a group of its own"
+    ),
+    "inspector.calls_own_service": (
+        "{node}: {what} waits for {name} ({where}), which {other} of the same program serves; {other} cannot run while "
+        "{what} occupies the only thread. Call a function instead, or use call_async"
+    ),
+    "inspector.calls_own_in_group": (
+        "{node}: {what} waits for {name} ({where}), which {other} of the same program serves; {other} cannot run: it is in "
+        "the same MutuallyExclusiveCallbackGroup as {what}. Give one of them a group of its own"
+    ),
+    "inspector.future_in_callback": (
+        "{node}: {what} waits for a future ({where}: {text}), but the callback that completes it cannot run meanwhile. "
+        "Use add_done_callback"
+    ),
+    "inspector.event_in_callback": (
+        "{node}: {what} waits for an event ({where}: {text}); no other callback runs meanwhile, so none can set it"
+    ),
+    "inspector.input_in_callback": (
+        "{node}: {what} waits for the keyboard ({where}: {text}); no other callback runs meanwhile. Ask in a thread of its own"
     ),
     "inspector.spins_in_callback": (
         "{node}: {what} spins inside a callback ({where}); that never returns. Use call_async and a done callback"
@@ -173,6 +195,108 @@ TEXTS = {
     "inspector.call_alone": "{node}: call() at {where} waits for ever: a second thread has to spin the node",
     "inspector.program_waits_service": "{node} waits at {where} for the service {name}, which nobody offers",
     "inspector.program_waits_action": "{node} waits at {where} for the action {name}, which nobody offers",
+    "inspector.program_waits_near": (
+        "{node} waits at {where} for {name}, but only {near} is offered: is one of the names a typo?"
+    ),
+    "inspector.program_waits_type": (
+        "{node} waits at {where} for {name}: it is offered, but with another type ({type})"
+    ),
+    "inspector.stays_in_init": (
+        "{node}: its __init__ doesn't return ({where}: {text}), so the program never gets to spin. Put the loop into a timer"
+    ),
+    "inspector.thread_died": (
+        "{program}: the error {error} ({where}) ended the thread {thread}; the rest of the program goes on without it"
+    ),
+    "inspector.exception_shown": "{where}: the program reported {error} and goes on",
+    "inspector.swallowed": (
+        "{node}: {what} fails at every call, and nobody sees it: {error} (raised at {raised}) is caught at {where}, which "
+        "does nothing. At least log it there"
+    ),
+    "inspector.timer_late": (
+        "{node}: the timer of {what} ({where}) should run {wanted} times a second, but only gets to {rate}: its callbacks "
+        "take longer than its period"
+    ),
+    "inspector.timer_zero": (
+        "{node}: the timer of {what} ({where}) has a period of 0: it runs as often as it can ({rate} times a second) and "
+        "leaves no time for anything else"
+    ),
+    "inspector.timer_seldom": (
+        "{node}: the timer of {what} ({where}) waits {period} seconds for each call; create_timer takes seconds, not "
+        "milliseconds"
+    ),
+    "inspector.losses": (
+        "{node} lost {lost} of the last {count} messages on {topic}: {rate} arrive a second, and {what} ({where}) cannot "
+        "keep up; the oldest waiting ones are overwritten"
+    ),
+    "inspector.flood": (
+        "{node} publishes {rate} messages a second on {topic}: is there a loop without a pause? Use a timer"
+    ),
+    "inspector.grows_publishers": (
+        "{node} makes more and more publishers ({count} by now, the last one on {name}): create_publisher belongs in "
+        "__init__, not in a callback or loop"
+    ),
+    "inspector.grows_subscriptions": (
+        "{node} makes more and more subscriptions ({count} by now, the last one on {name}): create_subscription belongs "
+        "in __init__, not in a callback or loop"
+    ),
+    "inspector.grows_clients": (
+        "{node} makes more and more clients ({count} by now, the last one of {name}): create_client belongs in __init__, "
+        "not in a callback or loop"
+    ),
+    "inspector.grows_services": (
+        "{node} makes more and more services ({count} by now, the last one is {name}): create_service belongs in "
+        "__init__, not in a callback or loop"
+    ),
+    "inspector.grows_timers": (
+        "{node} makes more and more timers ({count} by now): {name} belongs in __init__, not in a callback or loop"
+    ),
+    "inspector.goal_unsettled": (
+        "{node}: {what} ({where}) of the action {name} returned without succeed(), abort() or canceled(), so the goal "
+        "counts as aborted"
+    ),
+    "inspector.goal_waits": (
+        "{node}: a goal of {name} was accepted, but nothing executes it: {what} has to call goal_handle.execute()"
+    ),
+    "inspector.cancel_ignored": (
+        "{node}: a goal of {name} is to be canceled, but {what} goes on: it has to look at goal_handle.is_cancel_requested "
+        "and call canceled()"
+    ),
+    "inspector.cancel_unheard": (
+        "{node}: somebody wants to cancel a goal of {name}, but {what} occupies the only thread: use a "
+        "MultiThreadedExecutor and a ReentrantCallbackGroup"
+    ),
+    "inspector.empty_list": (
+        "{node}: the parameter {name} is an empty list of bytes (BYTE_ARRAY), and no other list can be set: if [] was meant as "
+        "a list of texts or numbers, declare it with Parameter.Type.STRING_ARRAY or the like"
+    ),
+    "inspector.launch_text": (
+        '{node}: the parameter {name} is {value}: the launch file made a text of a LaunchConfiguration (f"…", str() or +) '
+        "before it had a value; put it into a list instead"
+    ),
+    "inspector.launch_argument": (
+        '{node} was started with {value}: the launch file made a text of a LaunchConfiguration (f"…", str() or +) before '
+        "it had a value; put it into a list instead"
+    ),
+    "inspector.sync_silent": "{node} wants to match messages of {topics}, but nothing comes on {silent}",
+    "inspector.sync_no_callback": (
+        "{node} matches messages of {topics}, but nobody is called: registerCallback is missing"
+    ),
+    "inspector.sync_timeless": (
+        "{node} wants to match messages of {topics}, but some have no header.stamp: allow_headerless=True would take the time of "
+        "their arrival"
+    ),
+    "inspector.sync_queue": (
+        "{node} never matches messages of {topics}: when the others arrive, {short} has already dropped what belongs to "
+        "them ({gap} s older). {size} messages are too few: enlarge queue_size"
+    ),
+    "inspector.sync_stamps": (
+        "{node} never matches messages of {topics}: their stamps lie {gap} s apart, and slop allows {slop} s. Does one of them "
+        "use another clock?"
+    ),
+    "inspector.sync_exact": (
+        "{node} never matches messages of {topics}: their stamps are never exactly equal ({gap} s apart). Use "
+        "ApproximateTimeSynchronizer"
+    ),
     "inspector.hidden_error": "{node} lost an exception that nobody saw: {error} ({where})",
     "inspector.no_clock": "{node} uses simulated time, but nobody has sent /clock: its timers stand still",
     "inspector.tells_nothing": (

@@ -150,7 +150,31 @@ TEXTS = {
     "inspector.never_spun": "{node} 从来没有 spin：它的回调不会运行。{program} 里要写 rclpy.spin(node)",
     "inspector.spin_ended": "{node}：现在没有人 spin 它，它的回调都在等。{program} 是离开了 spin，还是在睡觉？",
     "inspector.ended_unspun": "{program} 马上就结束了：里面没有 spin，回调没有机会运行。要写 rclpy.spin(node)",
-    "inspector.calls_in_callback": "{node}：{what} 用 call() 等回答（{where}）；它一等，就没有人能收回答了。要用 call_async",
+    "inspector.calls_in_callback": (
+        "{node}：{what} 在等 {name} 的回答（{where}），可是唯一的线程被它自己占着，没有人能收这个回答。"
+        "要用 call_async 和完成后的回调"
+    ),
+    "inspector.calls_in_group": (
+        "{node}：{what} 在等 {name} 的回答（{where}），可是这个客户端和 {what} 在同一个 MutuallyExclusiveCallbackGroup 里，"
+        "回答没人收。给客户端单独一个组"
+    ),
+    "inspector.calls_own_service": (
+        "{node}：{what} 在等 {name}（{where}），这个服务由同一个程序里的 {other} 提供；"
+        "{what} 占着唯一的线程，{other} 就运行不了。直接调用函数，或者用 call_async"
+    ),
+    "inspector.calls_own_in_group": (
+        "{node}：{what} 在等 {name}（{where}），这个服务由同一个程序里的 {other} 提供；{other} 运行不了："
+        "它和 {what} 在同一个 MutuallyExclusiveCallbackGroup 里。给其中一个单独的组"
+    ),
+    "inspector.future_in_callback": (
+        "{node}：{what} 在等一个 future（{where}：{text}），可是让它完成的那个回调这时不能运行。要用 add_done_callback"
+    ),
+    "inspector.event_in_callback": (
+        "{node}：{what} 在等一个事件（{where}：{text}）；这段时间别的回调都不能运行，也就没有谁能触发它"
+    ),
+    "inspector.input_in_callback": (
+        "{node}：{what} 在等键盘输入（{where}：{text}）；这段时间别的回调都不能运行。放到单独的线程里去问"
+    ),
     "inspector.spins_in_callback": "{node}：{what} 在回调里又 spin（{where}），这样永远不会返回。要用 call_async 和完成后的回调",
     "inspector.rate_in_callback": "{node}：{what} 用 Rate 睡觉（{where}），可它的定时器这时不能运行。要用定时器",
     "inspector.waits_in_callback": "{node}：{what} 在等服务（{where}）；这段时间别的回调都不能运行",
@@ -160,6 +184,83 @@ TEXTS = {
     "inspector.call_alone": "{node}：{where} 的 call() 会永远等下去：要有第二个线程来 spin 这个节点",
     "inspector.program_waits_service": "{node} 在 {where} 等服务 {name}，但没有人提供它",
     "inspector.program_waits_action": "{node} 在 {where} 等动作 {name}，但没有人提供它",
+    "inspector.program_waits_near": "{node} 在 {where} 等 {name}，可是只有 {near}：是不是有一个名字写错了？",
+    "inspector.program_waits_type": "{node} 在 {where} 等 {name}：有人提供它，但类型不一样（{type}）",
+    "inspector.stays_in_init": (
+        "{node}：它的 __init__ 一直不返回（{where}：{text}），所以程序走不到 spin。把循环改成定时器"
+    ),
+    "inspector.thread_died": "{program}：错误 {error}（{where}）让线程 {thread} 结束了；程序的其余部分还在继续，只是少了它",
+    "inspector.exception_shown": "{where}：程序报告了 {error}，然后继续运行",
+    "inspector.swallowed": (
+        "{node}：{what} 每次都失败，却没人看见：{error}（出在 {raised}）在 {where} 被接住，那里什么也不做。至少把它打印出来"
+    ),
+    "inspector.timer_late": (
+        "{node}：{what}（{where}）的定时器应该每秒运行 {wanted} 次，实际只有 {rate} 次：回调用的时间比周期长"
+    ),
+    "inspector.timer_zero": (
+        "{node}：{what}（{where}）的定时器周期是 0：它会不停地运行（每秒 {rate} 次），别的事都没时间做"
+    ),
+    "inspector.timer_seldom": (
+        "{node}：{what}（{where}）的定时器每 {period} 秒才调用一次；create_timer 的单位是秒，不是毫秒"
+    ),
+    "inspector.losses": (
+        "{node} 在 {topic} 上丢了最近 {count} 条消息里的 {lost} 条：每秒来 {rate} 条，{what}（{where}）处理不过来，"
+        "排队最久的会被覆盖"
+    ),
+    "inspector.flood": "{node} 在 {topic} 上每秒发布 {rate} 条消息：是不是有个循环没有停顿？要用定时器",
+    "inspector.grows_publishers": (
+        "{node} 的发布者越来越多（已经有 {count} 个，最后一个在 {name} 上）：create_publisher 要写在 __init__ 里，"
+        "不要写在回调或循环里"
+    ),
+    "inspector.grows_subscriptions": (
+        "{node} 的订阅越来越多（已经有 {count} 个，最后一个在 {name} 上）：create_subscription 要写在 __init__ 里，"
+        "不要写在回调或循环里"
+    ),
+    "inspector.grows_clients": (
+        "{node} 的客户端越来越多（已经有 {count} 个，最后一个是 {name} 的）：create_client 要写在 __init__ 里，"
+        "不要写在回调或循环里"
+    ),
+    "inspector.grows_services": (
+        "{node} 的服务越来越多（已经有 {count} 个，最后一个是 {name}）：create_service 要写在 __init__ 里，不要写在回调或循环里"
+    ),
+    "inspector.grows_timers": "{node} 的定时器越来越多（已经有 {count} 个）：{name} 要写在 __init__ 里，不要写在回调或循环里",
+    "inspector.goal_unsettled": (
+        "{node}：动作 {name} 的 {what}（{where}）返回了，却没有调用 succeed()、abort() 或 canceled()，所以这个目标算作失败"
+    ),
+    "inspector.goal_waits": "{node}：{name} 的一个目标接受了，却没有人执行它：{what} 里要调用 goal_handle.execute()",
+    "inspector.cancel_ignored": (
+        "{node}：有人取消了 {name} 的一个目标，可是 {what} 还在继续：要检查 goal_handle.is_cancel_requested，再调用 canceled()"
+    ),
+    "inspector.cancel_unheard": (
+        "{node}：有人想取消 {name} 的一个目标，可是 {what} 占着唯一的线程：要用 MultiThreadedExecutor 和 ReentrantCallbackGroup"
+    ),
+    "inspector.empty_list": (
+        "{node}：参数 {name} 是一个空的字节列表（BYTE_ARRAY），别的列表都设不进去：如果 [] 是想写文字或数字的列表，"
+        "声明时要用 Parameter.Type.STRING_ARRAY 之类的类型"
+    ),
+    "inspector.launch_text": (
+        '{node}：参数 {name} 的值是 {value}：launch 文件太早把 LaunchConfiguration 变成了文字（f"…"、str() 或 +），'
+        "那时它还没有值；要把它放进列表里"
+    ),
+    "inspector.launch_argument": (
+        '{node} 启动时得到的是 {value}：launch 文件太早把 LaunchConfiguration 变成了文字（f"…"、str() 或 +），'
+        "那时它还没有值；要把它放进列表里"
+    ),
+    "inspector.sync_silent": "{node} 想把 {topics} 的消息配在一起，可是 {silent} 上什么也没来",
+    "inspector.sync_no_callback": "{node} 把 {topics} 的消息配好了，却没有调用谁：少了 registerCallback",
+    "inspector.sync_timeless": (
+        "{node} 想把 {topics} 的消息配在一起，可是有的没有 header.stamp：allow_headerless=True 会用收到的时间"
+    ),
+    "inspector.sync_queue": (
+        "{node} 一直配不上 {topics} 的消息：别的消息到的时候，{short} 里该和它配的（早 {gap} 秒）已经扔掉了。"
+        "{size} 条太少，要把 queue_size 改大"
+    ),
+    "inspector.sync_stamps": (
+        "{node} 一直配不上 {topics} 的消息：它们的时间相差 {gap} 秒，而 slop 只允许 {slop} 秒。是不是有一个用了别的时钟？"
+    ),
+    "inspector.sync_exact": (
+        "{node} 一直配不上 {topics} 的消息：它们的时间从来不完全相等（相差 {gap} 秒）。要用 ApproximateTimeSynchronizer"
+    ),
     "inspector.hidden_error": "{node} 丢了一个没人看见的异常：{error}（{where}）",
     "inspector.no_clock": "{node} 用的是仿真时间，但没有人发过 /clock：它的定时器都停着",
     "inspector.tells_nothing": "{node}：它的程序没有回应；可能被停住了（Ctrl-Z），或者太忙，所以没法看到它里面",

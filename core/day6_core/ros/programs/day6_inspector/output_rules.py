@@ -23,11 +23,18 @@ from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.finding import ORDER, Finding, finding
 from day6_core.ros.programs.day6_inspector.frame_rules import of_extrapolation, of_frame
 from day6_core.ros.programs.day6_inspector.outputs import LineOutput, outputs, shortened
+from day6_core.ros.programs.day6_inspector.program_rules import thread_died
 from day6_core.ros.programs.day6_inspector.sight import looks_at
 
 _ERROR = re.compile(
     r"^([A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Exists|Exit|Warning)\w*)(?::[ ]?(.*))?$", re.MULTILINE
 )
+
+_THREAD = re.compile(r"^(?:\[[\w.-]+-\d+\] )?Exception in thread (.+?):(?: .*)?$", re.MULTILINE)
+"""How Python begins to report a thread that an exception has ended."""
+
+_CHAINED = re.compile(r"^(?:\[[\w.-]+-\d+\] )?(?:During handling of the above|The above exception was)", re.MULTILINE)
+"""How an exception begins to name another one that led to it, whose report stands above."""
 
 
 @looks_at("terminals")
@@ -216,7 +223,23 @@ def _traceback(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Fi
     if kind == "KeyboardInterrupt":
         return finding("info", "ctrl_c", line=output.source)
     said = f"{kind}: {message}" if message else kind
+    thread = _ended_thread(output.text)
+    if thread:
+        if any(hidden.thread for process in facts.processes for hidden in process.hidden):
+            return None  # the program itself has told it
+        return thread_died(output.source, thread, shortened(said), _where(output), _open(output))
+    if output.running and not output.line.source.startswith("ros2 launch"):
+        return finding("warning", "exception_shown", where=_where(output), error=shortened(said), then=_open(output))
     return finding("error", "exception", where=_where(output), error=shortened(said), then=_open(output))
+
+
+def _ended_thread(text: str) -> str:
+    """Return the thread whose exception is the last one of an output, '' where it is the program's own."""
+    report = next(reversed(list(_THREAD.finditer(text))), None)
+    if report is None:
+        return ""
+    after = text[report.end() :]
+    return report[1] if after.count("Traceback (most recent") - len(_CHAINED.findall(after)) == 1 else ""
 
 
 # -- commands that wait -----------------------------------------------------------------------------------------------------

@@ -53,12 +53,18 @@ class Busy(NamedTuple):
     seconds: float
     """For how long at least."""
     waits_for: str
-    """What of rclpy it waits in: 'call', 'spin', 'rate', 'service', '' for none."""
+    """What it waits in: 'call', 'spin', 'rate', 'service', 'future', 'event', '' for none."""
     place: Place
+    waits_on: str = ""
+    """The service whose answer it waits for."""
+    blocked: str = ""
+    """Why that cannot come meanwhile: 'thread' or 'group'; '' if it can, or nobody knows."""
+    other: str = ""
+    """The callback of the same program that cannot run meanwhile."""
 
 
 class Standing(NamedTuple):
-    """A thread outside callbacks that waits in rclpy: 'rate' while nobody spins, 'service' or 'action' that is not there."""
+    """A thread outside callbacks: 'rate' or 'call' while nobody spins, 'service' or 'action' that is not there, 'init'."""
 
     kind: str
     name: str
@@ -67,10 +73,21 @@ class Standing(NamedTuple):
 
 
 class Hidden(NamedTuple):
-    """An exception of a callback that nobody has seen."""
+    """An exception of a callback that nobody has seen, or one that ended a thread."""
 
     node: str
     error: str
+    place: Place
+    thread: str = ""
+    """The name of the thread that has ended."""
+
+
+class Sign(NamedTuple):
+    """Something measured inside a program that may be wrong (`rclpy._day6.signs`): `sign_rules` judges it."""
+
+    kind: str
+    node: str
+    values: dict[str, object]
     place: Place
 
 
@@ -84,6 +101,7 @@ class ReportedProcess(NamedTuple):
     busy: tuple[Busy, ...] = ()
     standing: tuple[Standing, ...] = ()
     hidden: tuple[Hidden, ...] = ()
+    signs: tuple[Sign, ...] = ()
 
     @property
     def program(self) -> str:
@@ -119,6 +137,9 @@ def read_process(zid: str, answer: bytes) -> ReportedProcess | None:
                     float(each["seconds"]),
                     _text(each["waits_for"]),
                     _place(each),
+                    _text(each["waits_on"]),
+                    _text(each["blocked"]),
+                    _text(each["other"]),
                 )
                 for each in told["busy"][:MOST]
             ),
@@ -126,7 +147,14 @@ def read_process(zid: str, answer: bytes) -> ReportedProcess | None:
                 Standing(_text(each["kind"]), _text(each["name"]), float(each["seconds"]), _place(each))
                 for each in told["standing"][:MOST]
             ),
-            tuple(Hidden(_text(each["node"]), _text(each["error"]), _place(each)) for each in told["hidden"][:MOST]),
+            tuple(
+                Hidden(_text(each["node"]), _text(each["error"]), _place(each), _text(each["thread"]))
+                for each in told["hidden"][:MOST]
+            ),
+            tuple(
+                Sign(_text(each["kind"]), _text(each["node"]), _values(each["values"]), _place(each))
+                for each in told["signs"][:MOST]
+            ),
         )
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return None
@@ -138,6 +166,13 @@ def _text(value: object) -> str:
 
 def _counts(value: Any) -> dict[str, int]:
     return {_text(topic): int(count) for topic, count in list(value.items())[:MOST]}
+
+
+def _values(value: Any) -> dict[str, object]:
+    return {
+        _text(name): each if isinstance(each, (int, float)) else _text(each)
+        for name, each in list(value.items())[:MOST]
+    }
 
 
 def _place(value: Any) -> Place:

@@ -11,12 +11,14 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
+from day6_core.facts.names import are_alike
 from day6_core.graph.domain import VARIABLE, DomainError, domain_from_text
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.files import Typed, in_home
 from day6_core.ros.programs.day6_inspector.finding import Finding, finding
-from day6_core.ros.programs.day6_inspector.process_reports import Busy, Place, ReportedProcess, Standing
+from day6_core.ros.programs.day6_inspector.process_reports import Busy, ReportedProcess, Standing
 from day6_core.ros.programs.day6_inspector.sight import looks_at
+from day6_core.ros.programs.day6_inspector.sign_rules import of_signs, opened
 from day6_core.session.overview import TerminalView
 
 LONG = 0.7
@@ -28,12 +30,36 @@ LONG_FOR_NOBODY = 10.0
 LATE = 0.7
 """Seconds by which a timer has to be overdue."""
 
+LONG_BEGINNING = 2.5
+"""Seconds that a node's __init__ may take."""
+
+WRONG_KIND = 1.5
+"""Seconds after which a service that is there, and for which somebody waits, is of another type."""
+
 _WAITS = {
     "call": "calls_in_callback",
+    "future": "calls_in_callback",
     "spin": "spins_in_callback",
     "rate": "rate_in_callback",
     "service": "waits_in_callback",
+    "event": "event_in_callback",
 }
+_ANSWERS = {
+    ("thread", False): "calls_in_callback",
+    ("group", False): "calls_in_group",
+    ("thread", True): "calls_own_service",
+    ("group", True): "calls_own_in_group",
+}
+"""Why an answer cannot come, and whether a callback of the same program would give it -> the finding."""
+
+_READS = (
+    (re.compile(r"\bsleep\s*\("), "sleeps_in_callback"),
+    (re.compile(r"\binput\s*\("), "input_in_callback"),
+)
+"""What the line says at which a callback stays."""
+
+_EARLY = re.compile(r"<launch(?:_ros)?\.substitutions\.")
+"""How a substitution looks that was made a text before its time."""
 
 
 @looks_at("programs")
@@ -41,28 +67,33 @@ def of_programs(facts: Facts) -> Iterator[Finding]:
     """Yield what is wrong inside the programs."""
     for process in facts.processes:
         yield from _of_process(facts, process)
+    yield from of_signs(facts)
     for node in facts.silent_processes:
         yield finding("info", "tells_nothing", node=node)
-
-
-def _nano(place: Place) -> str:
-    return f"nano +{place.line} {shlex.quote(place.file)}" if place.file else ""
 
 
 def _of_process(facts: Facts, process: ReportedProcess) -> Iterator[Finding]:
     held_up = any(inside.late >= LATE or inside.waiting for inside in process.nodes)
     for busy in process.busy:
-        if busy.seconds >= (LONG if held_up or busy.waits_for else LONG_FOR_NOBODY):
+        certain = busy.blocked or busy.waits_for in ("spin", "service")
+        if busy.seconds >= (LONG if held_up or certain else LONG_FOR_NOBODY):
             yield _busy(busy)
     for standing in process.standing:
         if standing.seconds >= LONG:
             found = _standing(facts, process, standing)
             if found is not None:
                 yield found
+    for argument in process.arguments:
+        if _EARLY.search(argument):
+            node = process.nodes[0].node if process.nodes else process.program
+            yield finding("error", "launch_argument", node=node, value=argument)
     for hidden in process.hidden:
+        if hidden.thread:
+            yield thread_died(process.program, hidden.thread, hidden.error, hidden.place.short, opened(hidden.place))
+            continue
         node = hidden.node or (process.nodes[0].node if process.nodes else process.program)
         said = {"node": node, "error": hidden.error, "where": hidden.place.short}
-        yield finding("error", "hidden_error", **said, then=_nano(hidden.place))
+        yield finding("error", "hidden_error", **said, then=opened(hidden.place))
     blocked = {busy.node for busy in process.busy}
     script = Path(process.arguments[0]) if process.arguments else Path()
     edit = f"nano {shlex.quote(str(script))}" if script.suffix == ".py" else ""
@@ -70,35 +101,53 @@ def _of_process(facts: Facts, process: ReportedProcess) -> Iterator[Finding]:
         if inside.stands:
             then = f"ros2 param set {shlex.quote(inside.node)} use_sim_time false"
             yield finding("error", "no_clock", node=inside.node, then=then)
-        elif inside.node in blocked or any(each.kind in ("rate", "call") for each in process.standing):
+        elif inside.node in blocked or any(each.kind in ("rate", "call", "init") for each in process.standing):
             continue
         elif not inside.spins and (inside.late >= LATE or inside.waiting):
             key = "spin_ended" if inside.spun else "never_spun"
             yield finding("error", key, node=inside.node, program=process.program, then=edit)
 
 
+def thread_died(program: str, thread: str, error: str, where: str, then: str) -> Finding:
+    """Return the finding about a thread that an exception has ended."""
+    return finding("error", "thread_died", program=program, thread=thread, error=error, where=where, then=then)
+
+
 def _busy(busy: Busy) -> Finding:
-    key = _WAITS.get(busy.waits_for, "")
-    if not key:
-        key = "sleeps_in_callback" if re.search(r"\bsleep\s*\(", busy.place.text) else "stays_in_callback"
     said = {"node": busy.node, "what": busy.what, "where": busy.place.short, "text": busy.place.text}
-    return finding("error", key, **said, then=_nano(busy.place))
+    key = _WAITS.get(busy.waits_for, "")
+    if busy.waits_on and busy.blocked:
+        key = _ANSWERS[busy.blocked, bool(busy.other)]
+        said |= {"name": busy.waits_on, "other": busy.other}
+    elif busy.waits_for == "future":
+        key = "future_in_callback"
+    key = key or next((key for reads, key in _READS if reads.search(busy.place.text)), "stays_in_callback")
+    return finding("error", key, **said, then=opened(busy.place))
 
 
 def _standing(facts: Facts, process: ReportedProcess, standing: Standing) -> Finding | None:
     node = process.nodes[0].node if process.nodes else process.program
     said = {"node": node, "where": standing.place.short}
     if standing.kind == "rate":
-        return finding("error", "rate_alone", **said, then=_nano(standing.place))
+        return finding("error", "rate_alone", **said, then=opened(standing.place))
     if standing.kind == "call":
-        return finding("error", "call_alone", **said, then=_nano(standing.place))
+        return finding("error", "call_alone", **said, then=opened(standing.place))
+    if standing.kind == "init":
+        late = standing.seconds >= LONG_BEGINNING and any(each.late >= LATE or each.waiting for each in process.nodes)
+        text = {"text": standing.place.text}
+        return finding("error", "stays_in_init", **said, **text, then=opened(standing.place)) if late else None
+    there = facts.actions if standing.kind == "action" else facts.services
+    said |= {"name": standing.name}
     if standing.name in facts.servers:
-        return None
-    if standing.kind == "service":
-        return finding("error", "program_waits_service", **said, name=standing.name, then="ros2 service list")
-    if standing.kind == "action":
-        return finding("error", "program_waits_action", **said, name=standing.name, then="ros2 action list")
-    return None
+        if standing.seconds < WRONG_KIND or standing.name not in there:
+            return None
+        then = f"ros2 {standing.kind} type {shlex.quote(standing.name)}"
+        return finding("error", "program_waits_type", **said, type=", ".join(there[standing.name]), then=then)
+    then = f"ros2 {standing.kind} list"
+    near = [each for each in there if are_alike(standing.name, each)]
+    if near:
+        return finding("error", "program_waits_near", **said, near=near[0], then=then)
+    return finding("error", f"program_waits_{standing.kind}", **said, then=then)
 
 
 # -- what terminals say without words --------------------------------------------------------------------------------------

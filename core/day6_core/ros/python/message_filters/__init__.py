@@ -217,6 +217,9 @@ class TimeSynchronizer(SimpleFilter):
         self.connectInput(fs)
         self.queue_size = queue_size
         self.lock = threading.Lock()
+        self._matches = 0
+        self._timeless = 0
+        """Matches that were found, and messages without a time, for the inspector."""
 
     def connectInput(self, fs: Sequence[SimpleFilter]) -> None:
         """Connect to the filters' outputs."""
@@ -235,6 +238,7 @@ class TimeSynchronizer(SimpleFilter):
             if not common:
                 return
             together = min(common)
+            self._matches += 1
             self.signalMessage(*(queue[together] for queue in self.queues))
             for queue in self.queues:
                 for time in [time for time in queue if time <= together]:
@@ -277,6 +281,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             else _stamp_of(msg, self.time_getter, self.allow_headerless, "message_filters_approx")
         )
         if stamp is None:
+            self._timeless += 1
             return
         time = stamp.nanoseconds
         if my_queue_index is not None and self.queue_offset:
@@ -285,6 +290,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             self._keep(msg, time, my_queue)
             chosen = self._nearest(time, my_queue_index)
             if chosen is not None:
+                self._matches += 1
                 self.signalMessage(*(queue[time] for queue, time in zip(self.queues, chosen, strict=True)))
                 for queue, time in zip(self.queues, chosen, strict=True):
                     del queue[time]

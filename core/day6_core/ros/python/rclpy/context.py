@@ -303,7 +303,10 @@ class Context:
         self._has_joined = True
         try:
             from day6_core.link import join
+            from rclpy._day6.lost_errors import follow_threads
 
+            if graph.report_process is None:
+                follow_threads(lambda: bool(_valid_contexts()))
             graph.report_process = _report_process
             join(graph)
         except Exception as error:

@@ -74,6 +74,8 @@ class Timer(Entity):
     """
 
     _kind = TIMER
+    _missed = 0
+    """Calls that were skipped; of a timer without a period, those that came late."""
 
     def __init__(
         self,
@@ -175,9 +177,9 @@ class Timer(Entity):
         self._last = now
         self._next = due + self._period
         if self._next <= now:
-            self._next = (
-                now if self._period == 0 else self._next + (1 + (now - self._next) // self._period) * self._period
-            )
+            missed = 1 if self._period == 0 else 1 + (now - self._next) // self._period
+            self._next = now if self._period == 0 else self._next + missed * self._period
+            self._missed += missed
 
     def _info(self, due: int, now: int) -> TimerInfo:
         """Return the TimerInfo of a call that was due at `due` and is made at `now` (ns by the timer's clock)."""

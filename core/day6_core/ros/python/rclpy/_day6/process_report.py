@@ -8,26 +8,22 @@ long something has lasted is known from one question to the next.
 from __future__ import annotations
 
 import json
-import linecache
 import os
 import sys
-import sysconfig
 import threading
 import time
-from pathlib import Path
-from types import FrameType, TracebackType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from types import FrameType
+from typing import Any, NamedTuple
 
+from rclpy._day6.blocking import CALL, RATE, SERVICE, SPINS, what_it_waits_for
 from rclpy._day6.executor import Executor
-from rclpy._day6.lost_errors import LOST
-from rclpy._day6.rounds import ExecutorRounds
-from rclpy.client import Client
+from rclpy._day6.lost_errors import LOST, LostError
+from rclpy._day6.own_lines import is_own, place_in, raised_at, said
+from rclpy._day6.signs import signs_of
 from rclpy.context import _valid_contexts
+from rclpy.node import Node
 from rclpy.subscription import Subscription
-from rclpy.timer import Rate, Timer
-
-if TYPE_CHECKING:
-    from rclpy.node import Node
+from rclpy.timer import Timer
 
 MOST = 100
 """Nodes, endpoints … that one answer names."""
@@ -38,17 +34,8 @@ ACTIVE_S = 1.2
 LONGER = 1.5
 """Times the longest pause that a node has made between two callbacks: less is its habit."""
 
-_OURS = tuple(
-    str(Path(each).resolve()) + os.sep
-    for each in (Path(__file__).parents[2], Path(__file__).parents[4], sysconfig.get_paths()["stdlib"])
-)
-_INSTALLED = f"{os.sep}install{os.sep}"
 _EXECUTE, _RUN_TASK = Executor._execute.__code__, Executor._run_task.__code__
-_SPINS = frozenset(
-    {ExecutorRounds._next.__code__, ExecutorRounds._wait.__code__, Executor.spin_until_future_complete.__code__}
-)
-_CALL, _RATE = Client.call.__code__, Rate.sleep.__code__
-_SERVICE = Client.wait_for_service.__code__
+_INIT = "__init__"
 _ACTION = ("wait_for_server", f"{os.sep}action{os.sep}client.py")
 
 _since: dict[object, float] = {}
@@ -73,7 +60,7 @@ def tell() -> bytes:
     stacks = {
         number: _stack(frame) for number, frame in sys._current_frames().items() if number != threading.get_ident()
     }
-    spinning = any(frame.f_code in _SPINS or _runs(frame) for stack in stacks.values() for frame in stack)
+    spinning = any(frame.f_code in SPINS or _runs(frame) for stack in stacks.values() for frame in stack)
     seen: dict[object, float] = {}
     busy, standing = [], []
     for number, stack in stacks.items():
@@ -84,6 +71,7 @@ def tell() -> bytes:
                 busy.append(told)
         else:
             standing += _standing(stack, number, spinning, now, seen)
+    signs = signs_of(nodes, now, lambda key: _lasting(key, now, seen))
     _since.clear()
     _since.update(seen)
     answer = {
@@ -93,6 +81,7 @@ def tell() -> bytes:
         "busy": busy,
         "standing": standing,
         "hidden": _hidden(contexts),
+        "signs": signs[:MOST],
     }
     return json.dumps(answer).encode("utf-8", "backslashreplace")
 
@@ -104,21 +93,6 @@ def _stack(frame: FrameType | None) -> list[FrameType]:
         found.append(frame)
         frame = frame.f_back
     return found
-
-
-def _is_students(file: str) -> bool:
-    return not file.startswith("<") and (not os.path.abspath(file).startswith(_OURS) or _INSTALLED in file)
-
-
-def _place(frames: list[FrameType]) -> dict[str, Any]:
-    """The innermost line that is the student's."""
-    frame = next((each for each in frames if _is_students(each.f_code.co_filename)), None)
-    return _line(frame.f_code.co_filename, frame.f_lineno) if frame is not None else _line("", 0)
-
-
-def _line(file: str, line: int) -> dict[str, Any]:
-    text = linecache.getline(file, line).strip() if file else ""
-    return {"file": os.path.abspath(file) if file else "", "line": line, "text": text}
 
 
 def _lasting(key: object, now: float, seen: dict[object, float]) -> float:
@@ -136,35 +110,26 @@ def _busy(
     outermost = stack[-1].f_locals
     entity = outermost.get("entity")
     work = entity if entity is not None else outermost.get("task")
-    mine = [frame for frame in stack if _is_students(frame.f_code.co_filename)]
+    mine = [frame for frame in stack if is_own(frame.f_code.co_filename)]
     if work is None or not mine:
         return None
     if entity is not None:
         node = next((each for each in nodes if each.handle.scope is entity._scope), None)
     else:  # a task does not know whose it is
         node = next((each for each in nodes if each.handle.scope.executor is outermost["self"]), None)
-    waits_for = ""
-    for frame in stack[:-1]:
-        waits_for = _waits_for(frame) or waits_for
+    waits = what_it_waits_for(stack, nodes)
     return {
         "node": _full_name(node) if node is not None else "",
         "what": mine[-1].f_code.co_name,
         "seconds": _lasting((thread, id(stack[-1]), id(work), _mark(entity)), now, seen),
-        "waits_for": waits_for,
-        **_place(stack),
+        **waits,
+        **place_in(stack),
     }
 
 
 def _runs(frame: FrameType) -> bool:
     """Whether an executor runs a callback, or the next part of one, in this frame."""
     return frame.f_code is _EXECUTE or frame.f_code is _RUN_TASK
-
-
-def _waits_for(frame: FrameType) -> str:
-    code = frame.f_code
-    if code in _SPINS:
-        return "spin"
-    return {_CALL: "call", _RATE: "rate", _SERVICE: "service"}.get(code, "")
 
 
 def _mark(entity: object) -> int:
@@ -183,18 +148,20 @@ def _standing(
     for frame in stack:
         code = frame.f_code
         kind = name = ""
-        if code is _RATE and not spinning:
+        if code is RATE and not spinning:
             kind = "rate"
-        elif code is _CALL and not spinning:
+        elif code is CALL and not spinning:
             kind = "call"
-        elif code is _SERVICE:
+        elif code is SERVICE:
             kind, name = "service", str(frame.f_locals["self"].service_name)
         elif code.co_name == _ACTION[0] and code.co_filename.endswith(_ACTION[1]):
             client = frame.f_locals["self"]
             kind, name = "action", str(client._handle.name)
+        elif code.co_name == _INIT and not spinning and is_own(code.co_filename):
+            kind = "init" if isinstance(frame.f_locals.get("self"), Node) else ""
         if kind:
             seconds = _lasting((thread, kind, id(frame.f_locals["self"])), now, seen)
-            return [{"kind": kind, "name": name, "seconds": seconds, **_place(stack)}]
+            return [{"kind": kind, "name": name, "seconds": seconds, **place_in(stack)}]
     return []
 
 
@@ -256,23 +223,12 @@ def _late(timer: Timer) -> float:
 
 
 def _hidden(contexts: list[Any]) -> list[dict[str, Any]]:
-    errors = [(each.node, each.error) for each in list(LOST)]
+    errors = list(LOST)
     for context in contexts:
         for executor in list(context._executors):
-            errors += [("", error) for each in list(getattr(executor, "_failed", ())) if (error := each._exception)]
-    return [{"node": node, "error": _said(error), **_raised_at(error)} for node, error in errors]
-
-
-def _said(error: BaseException) -> str:
-    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
-
-
-def _raised_at(error: BaseException) -> dict[str, Any]:
-    place = _line("", 0)
-    trace: TracebackType | None = error.__traceback__
-    while trace is not None:
-        file = trace.tb_frame.f_code.co_filename
-        if _is_students(file):
-            place = _line(file, trace.tb_lineno)
-        trace = trace.tb_next
-    return place
+            failed = list(getattr(executor, "_failed", ()))
+            errors += [LostError("", error) for each in failed if (error := each._exception)]
+    return [
+        {"node": each.node, "thread": each.thread, "error": said(each.error), **raised_at(each.error.__traceback__)}
+        for each in errors
+    ]

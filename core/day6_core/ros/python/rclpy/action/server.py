@@ -126,6 +126,8 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         self._result_service = handle.service("get_result", parts.GetResultService, result_service_qos_profile)
         self._feedback_pub = handle.publisher("feedback", parts.FeedbackMessage, feedback_pub_qos_profile)
         self._status_pub = handle.publisher("status", parts.GoalStatusMessage, status_pub_qos_profile)
+        self._unsettled: ExecuteCallback[GoalT, ResultT, FeedbackT] | None = None
+        """The function that returned and left its goal as it was, for the inspector."""
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._result_futures: dict[bytes, Future[Any]] = {}
         self._result_timeout_ns = int(float(result_timeout) * S_TO_NS)
@@ -230,6 +232,8 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         self._logger.debug(f"Executing goal with ID {goal_uuid}")
         try:
             result = await await_or_execute(execute_callback, goal_handle)
+            if goal_handle.is_active:
+                self._unsettled = execute_callback
         except Exception as error:
             result = self._action_type.Result()
             self._logger.error(f"Error raised in execute callback: {error}")

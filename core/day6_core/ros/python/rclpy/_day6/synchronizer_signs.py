@@ -1,0 +1,77 @@
+"""What the synchronizers of message_filters behind a node's subscriptions have, and why nothing may come of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+from message_filters import ApproximateTimeSynchronizer, SimpleFilter, TimeSynchronizer
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+
+def of_synchronizers(node: Node) -> Iterator[dict[str, Any]]:
+    """Yield for each synchronizer its inputs with the messages of each, matches, and how the times lie that it keeps."""
+    inputs: dict[TimeSynchronizer, dict[int, Any]] = {}
+    for subscription in list(node._rclpy_entities.subscriptions):
+        behind = getattr(subscription.callback, "__self__", None)
+        if isinstance(behind, SimpleFilter):
+            for synchronizer, number in _synchronizers(behind, set()):
+                inputs.setdefault(synchronizer, {})[number] = subscription._endpoint
+    for synchronizer, ends in inputs.items():
+        yield _of_one(synchronizer, [ends[number] for number in sorted(ends)])
+
+
+def _synchronizers(behind: SimpleFilter, seen: set[int]) -> Iterator[tuple[TimeSynchronizer, int]]:
+    """The synchronizers that a filter leads to, through others as well, each with the number of the input."""
+    if id(behind) in seen:
+        return
+    seen.add(id(behind))
+    for callback, arguments in list(behind.callbacks.values()):
+        owner = getattr(callback, "__self__", None)
+        if isinstance(owner, TimeSynchronizer) and len(arguments) == 2:
+            yield owner, arguments[1]
+        elif isinstance(owner, SimpleFilter):
+            yield from _synchronizers(owner, seen)
+
+
+def _of_one(synchronizer: TimeSynchronizer, ends: list[Any]) -> dict[str, Any]:
+    approximate = isinstance(synchronizer, ApproximateTimeSynchronizer)
+    with synchronizer.lock:
+        times = [sorted(queue) for queue in synchronizer.queues]
+    gap, shorter = _nearest(times, synchronizer.queue_size)
+    silent = [end for end in ends if not end.received]
+    return {
+        "topics": ", ".join(end.topic for end in ends),
+        "silent": ", ".join(end.topic for end in silent),
+        "unpublished": sum(not end.publisher_count for end in silent),
+        "least": min((int(end.received) for end in ends), default=0),
+        "most": max((int(end.received) for end in ends), default=0),
+        "matches": synchronizer._matches,
+        "timeless": synchronizer._timeless,
+        "callbacks": len(synchronizer.callbacks),
+        "slop": synchronizer.slop.nanoseconds / 1e9 if approximate else 0.0,  # type: ignore[attr-defined]
+        "queue_size": synchronizer.queue_size,
+        "gap": gap / 1e9,
+        "short": ends[shorter].topic if 0 <= shorter < len(ends) else "",
+    }
+
+
+def _nearest(times: list[list[int]], size: int) -> tuple[int, int]:
+    """The largest distance (ns) between what is nearest in two of the inputs.
+
+    Also the input of these that is full and has nothing so old any more, -1 if there is none.
+    """
+    worst, short = 0, -1
+    for (number, one), (another, other) in combinations(enumerate(times), 2):
+        if one and other:
+            distance = min(abs(each - theirs) for each in one for theirs in other)
+            if distance > worst:
+                worst, short = distance, -1
+                if one[-1] < other[0] and len(other) >= size:
+                    short = another
+                elif other[-1] < one[0] and len(one) >= size:
+                    short = number
+    return worst, short
