@@ -526,7 +526,7 @@ DRILLS: tuple[Drill, ...] = (
         "20",
         "call() in a callback",
         program(SERVICE_NODE.format(body="self.client.call(Trigger.Request())"), node="/mine"),
-        ("calls_in_callback",),
+        ("calls_own_service",),
     ),
     Drill(
         "20b",

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tests.inspector.drills import HEAD, NODE, SERVICE_NODE, Drill, program
+from tests.inspector.drills import HEAD, NODE, Drill, program
 
 if TYPE_CHECKING:
     from tests.inspector.lab import Lab
@@ -329,21 +329,15 @@ INNER_DRILLS: tuple[Drill, ...] = (
         beside(SERVES, CLIENT.format("    client.call(Trigger.Request())"), node="/mine"),
         ("calls_in_callback",),
     ),
+    Drill("i6b", "call() within one exclusive group", beside(SERVES, GROUPED, node="/mine"), ("calls_in_group",)),
     Drill(
-        "i6b",
-        "call() for a service of the same node",
-        program(SERVICE_NODE.format(body="self.client.call(Trigger.Request())"), node="/mine"),
-        ("calls_own_service",),
-    ),
-    Drill("i6c", "call() within one exclusive group", beside(SERVES, GROUPED, node="/mine"), ("calls_in_group",)),
-    Drill(
-        "i6d",
+        "i6c",
         "the service is in the group of who calls",
         program(GROUPED_SERVER, node="/mine"),
         ("calls_own_in_group",),
     ),
     Drill(
-        "i6e",
+        "i6d",
         "a loop until a future is done",
         beside(
             SERVES,
@@ -355,7 +349,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         ("calls_in_callback",),
     ),
     Drill(
-        "i6f",
+        "i6e",
         "an event that another callback sets",
         program(
             "import threading\n" + NODE + "came = threading.Event()\n"
@@ -365,13 +359,13 @@ INNER_DRILLS: tuple[Drill, ...] = (
         ("event_in_callback",),
     ),
     Drill(
-        "i6g",
+        "i6f",
         "input() in a callback",
         program(NODE + "node.create_timer(0.2, lambda: input('speed? '))\n" + SPIN, shows="speed?"),
         ("input_in_callback",),
     ),
     Drill(
-        "i6h",
+        "i6g",
         "while True in __init__",
         program(
             "class Mine(Node):\n    def __init__(self):\n        super().__init__('mine')\n"
@@ -383,7 +377,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         ("stays_in_init",),
     ),
     Drill(
-        "i6i",
+        "i6h",
         "the second spin is never reached",
         program(
             NODE
@@ -395,13 +389,13 @@ INNER_DRILLS: tuple[Drill, ...] = (
         ("never_spun",),
     ),
     Drill(
-        "i6j",
+        "i6i",
         "waits for a service with a slip in its name",
         beside(SERVES, NODE + "node.create_client(Trigger, 'triger').wait_for_service()\n", node="/mine"),
         ("program_waits_near",),
     ),
     Drill(
-        "i6k",
+        "i6j",
         "waits for a service of another type",
         beside(
             SERVES,
@@ -436,9 +430,9 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "i7c",
         "QoS keeps one input silent",
         program(
-            SYNC + IMAGES + "node.create_timer(0.1, lambda: sent(scans, LaserScan()))\n"
-            "node.destroy_publisher(scans)\n"
-            "scans = node.create_publisher(LaserScan, 'scan', QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT))\n"
+            SYNC.replace("'scan', 10)", "'scan', QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT))")
+            + IMAGES
+            + "node.create_timer(0.1, lambda: sent(scans, LaserScan()))\n"
             "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\nmatched.registerCallback(both)\n" + SPIN,
             node="/mine",
         ),

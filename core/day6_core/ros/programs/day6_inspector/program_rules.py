@@ -38,7 +38,7 @@ WRONG_KIND = 1.5
 
 _WAITS = {
     "call": "calls_in_callback",
-    "future": "calls_in_callback",
+    "future": "future_in_callback",
     "spin": "spins_in_callback",
     "rate": "rate_in_callback",
     "service": "waits_in_callback",
@@ -116,11 +116,9 @@ def thread_died(program: str, thread: str, error: str, where: str, then: str) ->
 def _busy(busy: Busy) -> Finding:
     said = {"node": busy.node, "what": busy.what, "where": busy.place.short, "text": busy.place.text}
     key = _WAITS.get(busy.waits_for, "")
-    if busy.waits_on and busy.blocked:
-        key = _ANSWERS[busy.blocked, bool(busy.other)]
+    if busy.waits_for in ("call", "future") and busy.waits_on and busy.blocked:
+        key = _ANSWERS.get((busy.blocked, bool(busy.other)), "stays_in_callback")
         said |= {"name": busy.waits_on, "other": busy.other}
-    elif busy.waits_for == "future":
-        key = "future_in_callback"
     key = key or next((key for reads, key in _READS if reads.search(busy.place.text)), "stays_in_callback")
     return finding("error", key, **said, then=opened(busy.place))
 

@@ -122,14 +122,19 @@ def _one_sided(facts: Facts) -> Iterator[Finding]:
             same = {endpoint.type for endpoint in facts.publishers[published]} & {
                 endpoint.type for endpoint in facts.subscriptions[subscribed]
             }
-            if same and are_alike(published, subscribed):
+            if same and are_alike(published, subscribed) and not _relays(facts, subscribed, published):
                 explained |= {published, subscribed}
                 yield finding("warning", "near", published=published, subscribed=subscribed, then="ros2 topic list -v")
     for topic in unpublished:
         if topic not in explained:
             then = f"ros2 topic info -v {topic}"
             wanted = {each.type for each in facts.subscriptions[topic]}
-            sent = any(each.type in wanted for other in unsubscribed for each in facts.publishers[other])
+            nodes = {each.node for each in facts.subscriptions[topic]}
+            sent = any(
+                each.type in wanted and {each.node} != nodes
+                for other in unsubscribed
+                for each in facts.publishers[other]
+            )
             # Turtlesim without anybody who drives it is no fault; one who sends the same elsewhere may be.
             yield finding(
                 "warning" if sent else "info",
@@ -142,6 +147,12 @@ def _one_sided(facts: Facts) -> Iterator[Finding]:
         if topic not in explained and not _by_rviz_tool(topic, facts):
             then = f"ros2 topic echo {topic}"
             yield finding("info", "unheard", topic=topic, nodes=node_names(facts.publishers[topic]), then=then)
+
+
+def _relays(facts: Facts, subscribed: str, published: str) -> bool:
+    """Whether one node alone takes one topic and sends the other, whose name only has something more, or less, at its end."""
+    nodes = {each.node for each in (*facts.subscriptions[subscribed], *facts.publishers[published])}
+    return len(nodes) == 1 and (subscribed.startswith(published) or published.startswith(subscribed))
 
 
 def _by_rviz_tool(topic: str, facts: Facts) -> bool:

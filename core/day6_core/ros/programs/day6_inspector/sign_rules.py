@@ -65,13 +65,13 @@ def _number(value: Any) -> float:
 
 def _late(sign: Sign) -> Finding | None:
     values = sign.values
-    period, rate = _number(values["period"]), _number(values["rate"])
-    if not period:
+    wanted, rate = _number(values["wanted"]), _number(values["rate"])
+    if not wanted:
         return _said("warning", "timer_zero", sign, what=values["what"], rate=_roughly(rate))
     if _number(values["share"]) < MISSED:
         return None
-    wanted = f"{1 / period:,.3g}" if period >= 0.01 else f"{1 / period:,.0f}"
-    return _said("warning", "timer_late", sign, what=values["what"], wanted=wanted, rate=_roughly(rate))
+    said = f"{wanted:,.0f}" if wanted >= 100 else f"{wanted:.3g}"
+    return _said("warning", "timer_late", sign, what=values["what"], wanted=said, rate=_roughly(rate))
 
 
 def _roughly(rate: float) -> str:

@@ -74,14 +74,15 @@ def _of_timer(node: str, timer: Timer) -> Iterator[Sign]:
     place = place_of(timer.callback)
     if timer._canceled or timer._handle._destroyed or timer._clock._is_simulated() or not place["file"]:
         return
-    said = {"what": name_of(timer.callback), "period": period}
+    said = {"what": name_of(timer.callback)}
     if halves is not None and all(half.grown[0] for half in halves):
         share = min(1.0 if not period else half.grown[0] * period / half.seconds for half in halves)
         rate = sum(half.grown[0] for half in halves) / _seconds(halves)
-        done = rate if not period else max(0.0, 1 / period - rate)
-        yield _sign("late", node, place, {**said, "share": min(share, 1.0), "rate": done})
+        wanted = 1 / period if period else 0.0
+        done = max(0.0, wanted - rate) if period else rate
+        yield _sign("late", node, place, {**said, "wanted": wanted, "share": min(share, 1.0), "rate": done})
     elif period >= 1.0 and timer._missed == 0:
-        yield _sign("seldom", node, place, said)
+        yield _sign("seldom", node, place, {**said, "period": period})
 
 
 def _seconds(halves: tuple[Half, Half]) -> float:
@@ -123,7 +124,11 @@ def _growing(node: str, owner: Node) -> Iterator[Sign]:
         each = list(getattr(entities, kind))
         halves = _lately.halves((id(owner), kind), len(each))
         if halves is not None and all(half.grown[0] > 0 for half in halves):
-            name = "" if kind == "timers" else str(getattr(each[-1], "service_name", "") or each[-1]._handle._endpoint.topic)
+            name = (
+                ""
+                if kind == "timers"
+                else str(getattr(each[-1], "service_name", "") or each[-1]._handle._endpoint.topic)
+            )
             grown = sum(half.grown[0] for half in halves)
             least = min(half.grown[0] for half in halves)
             values = {"kind": kind, "name": name, "count": len(each), "grown": grown, "least": least}
