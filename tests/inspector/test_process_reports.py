@@ -34,7 +34,8 @@ GOOD: dict[str, Any] = {
     ],
     "busy": [],
     "standing": [],
-    "hidden": [{"node": "", "error": "ValueError", "file": "/a/talker.py", "line": 3, "text": "x"}],
+    "hidden": [{"node": "", "thread": "", "error": "ValueError", "file": "/a/talker.py", "line": 3, "text": "x"}],
+    "signs": [],
 }
 
 

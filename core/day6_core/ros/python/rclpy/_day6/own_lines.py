@@ -16,12 +16,17 @@ _OURS = tuple(
     for each in (Path(__file__).parents[2], Path(__file__).parents[4], sysconfig.get_paths()["stdlib"])
 )
 _INSTALLED = f"{os.sep}install{os.sep}"
+"""What colcon has built is the student's, though its folders are called as Python's."""
+_LIBRARIES = tuple(f"{os.sep}{folder}{os.sep}" for folder in ("site-packages", "dist-packages"))
 
 
-@lru_cache(maxsize=1000)
+@lru_cache(maxsize=5000)
 def is_own(file: str) -> bool:
-    """Return whether a file is the student's: none of ours, none of Python's library."""
-    return not file.startswith("<") and (not os.path.abspath(file).startswith(_OURS) or _INSTALLED in file)
+    """Return whether a file is the student's: none of ours, of Python's library or of an installed package."""
+    if file.startswith("<"):
+        return False
+    path = os.path.abspath(file)
+    return _INSTALLED in path or not (path.startswith(_OURS) or any(folder in path for folder in _LIBRARIES))
 
 
 def place_in(frames: Iterable[FrameType]) -> dict[str, Any]:

@@ -31,6 +31,9 @@ CALLBACKS = 3
 FOR_S = 3.0
 """So long after the last question everything is as before it."""
 
+MOST_FILES, LONGEST_FILE = 200, 500_000
+"""Files that are read, and characters of one."""
+
 _ANYTHING = frozenset({"Exception", "BaseException"})
 _SLIPS = frozenset({"AttributeError", "NameError", "TypeError"})
 """Exceptions that are always slips of the program."""
@@ -103,6 +106,8 @@ def swallowed(nodes: list[Node]) -> Iterator[tuple[str, dict[str, Any], dict[str
 def _read_files() -> None:
     for module in list(sys.modules.values()):
         file = getattr(module, "__file__", None)
+        if len(_files) >= MOST_FILES:
+            return
         if isinstance(file, str) and file.endswith(".py") and file not in _files and is_own(file):
             _files[file] = _silent_in(file)
             _functions.update({(file, line): function for line, function in _files[file].items()})
@@ -111,8 +116,8 @@ def _read_files() -> None:
 def _silent_in(file: str) -> dict[int, _Function]:
     try:
         with open(file, encoding="utf-8") as opened:
-            text = opened.read()
-        tree = ast.parse(text) if "except" in text else None
+            text = opened.read(LONGEST_FILE + 1)
+        tree = ast.parse(text) if "except" in text and len(text) <= LONGEST_FILE else None
     except (OSError, ValueError, SyntaxError, RecursionError):
         return {}
     found = {}
