@@ -140,21 +140,23 @@ def _growing(node: str, owner: Node) -> Iterator[Sign]:
 
 
 def _of_action(node: str, server: ActionServer[Any, Any, Any], lasting: Lasting) -> Iterator[Sign]:
-    from rclpy.action._protocol import ACCEPTED, CANCELING, EXECUTING
+    from action_msgs.msg import GoalStatus
 
     name = str(server._handle.name)
     if server._unsettled is not None:
         values: dict[str, object] = {"name": name, "what": name_of(server._unsettled)}
         yield _sign("goal_unsettled", node, place_of(server._unsettled), values)
     goals = list(server._goal_handles.values())
-    runs = any(each._state in (EXECUTING, CANCELING) for each in goals)
+    runs = any(each._state in (GoalStatus.STATUS_EXECUTING, GoalStatus.STATUS_CANCELING) for each in goals)
     for goal in goals:
-        kind = {ACCEPTED: "goal_waits", CANCELING: "cancel_ignored"}.get(goal._state, "")
+        kind = {GoalStatus.STATUS_ACCEPTED: "goal_waits", GoalStatus.STATUS_CANCELING: "cancel_ignored"}.get(
+            goal._state, ""
+        )
         if kind and not goal._destroyed and not (kind == "goal_waits" and runs):
             callback = server._handle_accepted_callback if kind == "goal_waits" else server._execute_callback
             values = {"name": name, "what": name_of(callback), "seconds": lasting((kind, id(goal)))}
             yield _sign(kind, node, place_of(callback), values)
-    if server._cancel_service.queue and any(each._state == EXECUTING for each in goals):
+    if server._cancel_service.queue and any(each._state == GoalStatus.STATUS_EXECUTING for each in goals):
         values = {"name": name, "what": name_of(server._execute_callback), "seconds": lasting(("cancel", id(server)))}
         yield _sign("cancel_unheard", node, place_of(server._execute_callback), values)
 

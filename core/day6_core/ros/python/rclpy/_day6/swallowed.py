@@ -205,8 +205,3 @@ def _note(function: _Function, line: int, error: BaseException, trace: Traceback
                 place = raised_at(trace)
                 handler.raised = f"{os.path.basename(place['file'])}:{place['line']}"
             return
-
-
-def is_watching() -> bool:
-    """Return whether callbacks are looked at now."""
-    return Executor._execute is not _plain
