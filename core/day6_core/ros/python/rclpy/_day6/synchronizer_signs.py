@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
-
-from message_filters import ApproximateTimeSynchronizer, SimpleFilter, TimeSynchronizer
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -14,31 +13,32 @@ if TYPE_CHECKING:
 
 def of_synchronizers(node: Node) -> Iterator[dict[str, Any]]:
     """Yield for each synchronizer its inputs with the messages of each, matches, and how the times lie that it keeps."""
-    inputs: dict[TimeSynchronizer, dict[int, Any]] = {}
+    filters: Any = sys.modules["message_filters"]  # rclpy imports nothing that is above it; the program has
+    inputs: dict[Any, dict[int, Any]] = {}
     for subscription in list(node._rclpy_entities.subscriptions):
         behind = getattr(subscription.callback, "__self__", None)
-        if isinstance(behind, SimpleFilter):
-            for synchronizer, number in _synchronizers(behind, set()):
+        if isinstance(behind, filters.SimpleFilter):
+            for synchronizer, number in _synchronizers(filters, behind, set()):
                 inputs.setdefault(synchronizer, {})[number] = subscription._endpoint
     for synchronizer, ends in inputs.items():
         yield _of_one(synchronizer, [ends[number] for number in sorted(ends)])
 
 
-def _synchronizers(behind: SimpleFilter, seen: set[int]) -> Iterator[tuple[TimeSynchronizer, int]]:
+def _synchronizers(filters: Any, behind: Any, seen: set[int]) -> Iterator[tuple[Any, int]]:
     """The synchronizers that a filter leads to, through others as well, each with the number of the input."""
     if id(behind) in seen:
         return
     seen.add(id(behind))
     for callback, arguments in list(behind.callbacks.values()):
         owner = getattr(callback, "__self__", None)
-        if isinstance(owner, TimeSynchronizer) and len(arguments) == 2:
+        if isinstance(owner, filters.TimeSynchronizer) and len(arguments) == 2:
             yield owner, arguments[1]
-        elif isinstance(owner, SimpleFilter):
-            yield from _synchronizers(owner, seen)
+        elif isinstance(owner, filters.SimpleFilter):
+            yield from _synchronizers(filters, owner, seen)
 
 
-def _of_one(synchronizer: TimeSynchronizer, ends: list[Any]) -> dict[str, Any]:
-    approximate = isinstance(synchronizer, ApproximateTimeSynchronizer)
+def _of_one(synchronizer: Any, ends: list[Any]) -> dict[str, Any]:
+    slop = getattr(synchronizer, "slop", None)  # only an approximate one has it
     with synchronizer.lock:
         times = [sorted(queue) for queue in synchronizer.queues]
     gap, shorter = _nearest(times, synchronizer.queue_size)
@@ -52,7 +52,7 @@ def _of_one(synchronizer: TimeSynchronizer, ends: list[Any]) -> dict[str, Any]:
         "matches": synchronizer._matches,
         "timeless": synchronizer._timeless,
         "callbacks": len(synchronizer.callbacks),
-        "slop": synchronizer.slop.nanoseconds / 1e9 if approximate else 0.0,  # type: ignore[attr-defined]
+        "slop": slop.nanoseconds / 1e9 if slop is not None else 0.0,
         "queue_size": synchronizer.queue_size,
         "gap": gap / 1e9,
         "short": ends[shorter].topic if 0 <= shorter < len(ends) else "",
