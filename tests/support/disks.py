@@ -7,6 +7,7 @@ Root may write everywhere, so what is tried on a read-only folder runs without t
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -88,8 +89,9 @@ class Disk:
         )
 
     def is_told(self, text: str) -> bool:
-        """Whether `text` says why nothing was written, without a word of Python."""
-        return "Traceback" not in text and any(reason in text for reason in REASONS[self.kind])
+        """Whether `text` says why nothing was written, without a word of Python but the last line of a real tool's traceback."""
+        python = "Traceback" in text or re.search(r"(?<!Error: )\[Errno", text) is not None
+        return not python and any(reason in text for reason in REASONS[self.kind])
 
 
 @pytest.fixture(params=KINDS)
