@@ -309,7 +309,7 @@ async def test_leaving_does_not_ask_while_only_shells_wait(desk: FakeDesk) -> No
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
         await pilot.press("ctrl+q")
         await pilot.pause()
-    assert app.return_code == 0
+    assert app.return_code == 1, "it has left; the home of this desk takes no layout"
 
 
 # -- themes ------------------------------------------------------------------------------------------------------------
