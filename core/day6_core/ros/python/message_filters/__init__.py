@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import rclpy.logging
+from day6_core.sign_sources import sources
 from message_filters.message_traits import get_time_from_message_header
 from message_filters.simple_filter import SimpleFilter as SimpleFilter
 from rclpy.clock import ROSClock
@@ -18,6 +19,8 @@ from rclpy.logging import LoggingSeverity
 from rclpy.time import Time
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from rclpy.node import Node
 
 _LATER = {
@@ -35,6 +38,14 @@ def __getattr__(name: str) -> Any:
             return getattr(import_module(f"{__name__}.{module}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
+
+def _signs(node: Node) -> Iterator[dict[str, Any]]:
+    from message_filters._signs import of_synchronizers
+
+    return of_synchronizers(node)
+
+
+sources["sync"] = _signs
 
 _HEADERLESS = (
     "can not use message filters messages without timestamp infomation when "

@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+from day6_core.sign_sources import sources
 from rclpy._day6.lately import WINDOW_S, Half, Lately
 from rclpy._day6.own_lines import line_of, name_of, place_of
 from rclpy._day6.swallowed import swallowed
@@ -59,10 +60,8 @@ def _of_node(node: Node, lasting: Lasting) -> Iterator[Sign]:
     for each in list(node._rclpy_entities.waitables):
         if servers is not None and isinstance(each, servers.ActionServer):
             yield from _of_action(name, each, lasting)
-    if "message_filters" in sys.modules:
-        from rclpy._day6.synchronizer_signs import of_synchronizers
-
-        yield from (_sign("sync", name, line_of("", 0), values) for values in of_synchronizers(node))
+    for kind, tell in sources.items():
+        yield from (_sign(kind, name, line_of("", 0), values) for values in tell(node))
 
 
 # -- too fast ----------------------------------------------------------------------------------------------------------

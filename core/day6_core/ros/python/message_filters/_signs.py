@@ -1,11 +1,12 @@
-"""What the synchronizers of message_filters behind a node's subscriptions have, and why nothing may come of it."""
+"""What the synchronizers behind a node's subscriptions have, and why nothing may come of it: for day6-tui's inspector."""
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
+
+import message_filters as filters
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -13,18 +14,17 @@ if TYPE_CHECKING:
 
 def of_synchronizers(node: Node) -> Iterator[dict[str, Any]]:
     """Yield for each synchronizer its inputs with the messages of each, matches, and how the times lie that it keeps."""
-    filters: Any = sys.modules["message_filters"]  # rclpy imports nothing that is above it; the program has
     inputs: dict[Any, dict[int, Any]] = {}
     for subscription in list(node._rclpy_entities.subscriptions):
         behind = getattr(subscription.callback, "__self__", None)
         if isinstance(behind, filters.SimpleFilter):
-            for synchronizer, number in _synchronizers(filters, behind, set()):
+            for synchronizer, number in _synchronizers(behind, set()):
                 inputs.setdefault(synchronizer, {})[number] = subscription._endpoint
     for synchronizer, ends in inputs.items():
         yield _of_one(synchronizer, [ends[number] for number in sorted(ends)])
 
 
-def _synchronizers(filters: Any, behind: Any, seen: set[int]) -> Iterator[tuple[Any, int]]:
+def _synchronizers(behind: Any, seen: set[int]) -> Iterator[tuple[Any, int]]:
     """The synchronizers that a filter leads to, through others as well, each with the number of the input."""
     if id(behind) in seen:
         return
@@ -34,7 +34,7 @@ def _synchronizers(filters: Any, behind: Any, seen: set[int]) -> Iterator[tuple[
         if isinstance(owner, filters.TimeSynchronizer) and len(arguments) == 2:
             yield owner, arguments[1]
         elif isinstance(owner, filters.SimpleFilter):
-            yield from _synchronizers(filters, owner, seen)
+            yield from _synchronizers(owner, seen)
 
 
 def _of_one(synchronizer: Any, ends: list[Any]) -> dict[str, Any]:
