@@ -99,8 +99,10 @@ class Session:
 
     def is_killed(self) -> None:
         before = [self.whole(text) for text in (self.safe, self.text)]
+        self.editor.close()  # as the system does with what a process held
         self.open()
-        assert self.whole(self.text) in before, "the text that was kept or saved last comes back"
+        copies = {path.name: path.read_bytes() for path in (self.folder / "state").iterdir()}
+        assert self.whole(self.text) in before, f"the text that was kept or saved last comes back: {copies}"
 
     def disk(self) -> None:
         self.full = not self.full

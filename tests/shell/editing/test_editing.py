@@ -77,19 +77,24 @@ def test_a_link_stays_a_link(tmp_path: Path, state: Path) -> None:
 def test_unsaved_text_comes_back_after_a_crash(tmp_path: Path, state: Path) -> None:
     path = tmp_path / "a.py"
     path.write_text("old\n")
-    opened(path, state).keep("typed and never saved\n")
+    killed = opened(path, state)
+    killed.keep("typed and never saved\n")
+    killed.close()  # as the system does with what a process held
     again = opened(path, state)
     assert (again.text, again.recovered) == ("typed and never saved\n", True)
     assert path.read_text() == "old\n"
     again.save(again.text)
+    again.close()
     assert not opened(path, state).recovered
 
 
 def test_a_kept_copy_that_was_cut_short_does_no_harm(tmp_path: Path, state: Path) -> None:
     path = tmp_path / "a.py"
     path.write_text("old\n")
-    opened(path, state).keep("typed\n")
-    (copy,) = state.iterdir()
+    killed = opened(path, state)
+    killed.keep("typed\n")
+    killed.close()
+    (copy,) = state.glob("*.json")
     copy.write_bytes(copy.read_bytes()[:20])
     assert opened(path, state).text == "old\n"
 
