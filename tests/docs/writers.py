@@ -153,6 +153,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
         "day6_core/link/paths.py",
         "day6_core/link/state.py",
         "day6_core/ros/executables.py",
+        "day6_core/ros/home_python.py",
         "day6_core/ros/programs/rqt_bag/model/loading.py",
         "day6_core/ros/python/rosbag2_py/_reader.py",
         "day6_core/ros/ros2/cli/lone_daemon.py",

@@ -401,7 +401,7 @@ class Link:
                 self._take_backlog()
                 self._maintain_connection()
             except Exception as error:
-                # A listener of the graph failed, or the system refused a socket: the link goes on.
+                # A fault of ours, or the system refused a socket: the link goes on.
                 self._report("the link's thread", error)
 
     def _take_backlog(self) -> None:

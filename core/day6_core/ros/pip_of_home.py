@@ -14,6 +14,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from day6_core.language import language_of, said
+from day6_core.reason import reason
 from day6_core.ros.home_python import (
     THEN,
     VARIABLE,
@@ -96,8 +97,7 @@ def _make(folder: Path, variables: Mapping[str, str]) -> None:
         venv.EnvBuilder(symlinks=os.name != "nt", with_pip=False).create(folder)
         add_line(folder)
     except (OSError, subprocess.CalledProcessError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise _Told(_say("not_made", variables, folder=_shown(folder, variables), reason=reason)) from None
+        raise _Told(_say("not_made", variables, folder=_shown(folder, variables), reason=reason(error))) from None
 
 
 def _has_pip(python: str) -> bool:

@@ -112,7 +112,7 @@ async def test_a_line_that_is_wrapped_is_clicked_as_one(tmp_path) -> None:
     ("error", "means"),
     [
         ("ValueError: invalid method signature", "has no self in its brackets"),
-        ("__main__.Boom: signature", "The program ended with an error"),
+        ("__main__.Boom: signature", "An error that the program didn't handle"),
     ],
 )
 async def test_a_clicked_error_has_the_card_for_where_it_came_from(tmp_path, error: str, means: str) -> None:

@@ -6,6 +6,8 @@ import asyncio
 from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any
 
+from day6_core.reason import fault
+
 Report = Callable[[str, Exception], None]
 """Told what failed (the key of a text) and why."""
 
@@ -42,7 +44,7 @@ class Background:
         try:
             await work
         except Exception as error:
-            reason = f"{type(error).__name__}: {error}"
+            reason = fault(error)
             if self._last.get(what) != reason:
                 self._last[what] = reason
                 self._report(what, error)

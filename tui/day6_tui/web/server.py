@@ -19,6 +19,7 @@ from day6_core.isolation.cell import Phrase
 from day6_core.isolation.modes import ModeOffer
 from day6_core.link.addresses import own_address
 from day6_core.link.file_lock import FileLock
+from day6_core.reason import fault
 from day6_tui.web import class_list, connections
 from day6_tui.web.application import Application
 from day6_tui.web.entrance import Entrance
@@ -56,7 +57,7 @@ class Server:
         self._runner: web.AppRunner | None = None
 
     def _failed(self, what: str, error: Exception) -> None:
-        self._tell_all("serve.failed", what=Phrase(what), reason=f"{type(error).__name__}: {error}")
+        self._tell_all("serve.failed", what=Phrase(what), reason=fault(error))
 
     def _tell_all(self, key: str, **values: object) -> None:
         """Tell whoever has started the server, and the teacher."""
