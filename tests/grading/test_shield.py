@@ -185,7 +185,7 @@ def test_a_program_that_could_not_run_in_time_is_not_played_and_never_wrong(tmp_
     scenario = tmp_path / "own.md"
     scenario.write_text(
         "---\ngrading: own\ntitle: {zh: a, en: b}\n---\n# sleeps\n~~~yaml\nrun:\n  - type: python3 ~/sleeps.py\n"
-        "check:\n  - ran: {line: sleeps.py, prints: in time}\nwithin: 20\n~~~\n## zh a\n## en b\n"
+        "check:\n  - ran: {line: sleeps.py, prints: in time}\nwithin: 8\n~~~\n## zh a\n## en b\n"
     )
     program = "import time\nbegan = time.monotonic()\ntime.sleep(1.0)\nprint('in time' if time.monotonic() < began + 1.3 else 'late')\n"
     grader = Grader([read_grading(scenario)], answers={})
@@ -193,13 +193,14 @@ def test_a_program_that_could_not_run_in_time_is_not_played_and_never_wrong(tmp_
     done = threading.Event()
 
     def hold_up() -> None:
-        while not done.wait(0.3):
-            pids = [pid for warden in list(grader._wardens) for pid in (warden.pid, *shield.descendants(warden.pid))]
-            for number, seconds in ((signal.SIGSTOP, 1.5), (signal.SIGCONT, 0.0)):
-                for pid in pids:
-                    with contextlib.suppress(ProcessLookupError, PermissionError):
-                        os.kill(pid, number)
-                done.wait(seconds)
+        while not done.wait(0.5):
+            for number, times in ((signal.SIGSTOP, 30), (signal.SIGCONT, 1)):
+                for _ in range(times):  # those that began meanwhile, too
+                    wardens = [warden.pid for warden in list(grader._wardens)]
+                    for pid in [each for warden in wardens for each in (warden, *shield.descendants(warden))]:
+                        with contextlib.suppress(ProcessLookupError, PermissionError):
+                            os.kill(pid, number)
+                    done.wait(0.05)
 
     holder = threading.Thread(target=hold_up)
     holder.start()

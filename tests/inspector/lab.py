@@ -8,6 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from day6_core.graph.graph import GraphEvent
+from day6_core.graph.node import Node
 from day6_core.ros.programs import load
 from day6_core.ros.programs.day6_inspector.finding import Finding
 from day6_core.ros.programs.day6_inspector.model import Inspector
@@ -61,8 +63,11 @@ class Lab:
             found = [(key, each.text) for key, each in self.findings.items() if each.level != "info" and key != "late"]
             self._said.update(found)
 
-        def changed(event: object) -> None:
-            self._changed_at = self._looks
+        def changed(event: GraphEvent) -> None:
+            subject = event.subject
+            node = subject if isinstance(subject, Node) else subject.node
+            if not node.is_observer:  # the inspector opens and leaves topics all the time
+                self._changed_at = self._looks
 
         self.inspector.refresh = refresh  # type: ignore[method-assign]
         self.desk.graph.add_listener(changed)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import threading
 from collections import deque
 from collections.abc import Callable
@@ -39,3 +40,5 @@ def follow_threads(is_valid: Callable[[], bool]) -> None:
         before(args)
 
     threading.excepthook = ended
+    # Python ends in another order around a hook of ours: nodes that are left over would not be destroyed.
+    atexit.register(setattr, threading, "excepthook", before)
