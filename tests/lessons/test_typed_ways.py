@@ -5,6 +5,7 @@ The shell is the real one, in one process and on a stepped clock; only the check
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,7 @@ def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
             if seat.terminal.idle:
                 break
             seat.settle(0.25)
+            time.sleep(0.01)  # what works in a thread, as find does, needs time of the wall
         if not seat.terminal.idle:
             seat.type("\x03", 0.5)
             if seat.terminal.reading_keys:
