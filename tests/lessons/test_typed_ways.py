@@ -5,7 +5,7 @@ The shell is the real one, in one process and on a stepped clock; only the check
 
 from __future__ import annotations
 
-import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -38,8 +38,13 @@ def about_commands(step: Step) -> list[Condition]:
     return [check for check in step.checks if {each.name for each in check.every() if not each.parts} <= ABOUT_COMMANDS]
 
 
-def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
-    """Type a way in a terminal of its own, and ask the checks all the time."""
+def is_counted(
+    machine: Machine, checks: list[Condition], lines: str, wait: Callable[[], object] = lambda: None
+) -> bool:
+    """Type a way in a terminal of its own, and ask the checks all the time.
+
+    `wait` gives time of the wall to what works in a thread, as find does; within the tests threads need none.
+    """
     machine.go(1.0)
     live = Live(machine.desk, None, machine.desk.home)
     seat = Seat(machine.desk)
@@ -56,7 +61,7 @@ def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
             if seat.terminal.idle:
                 break
             seat.settle(0.25)
-            time.sleep(0.01)  # what works in a thread, as find does, needs time of the wall
+            wait()
         if not seat.terminal.idle:
             seat.type("\x03", 0.5)
             if seat.terminal.reading_keys:
@@ -67,7 +72,7 @@ def is_counted(machine: Machine, checks: list[Condition], lines: str) -> bool:
     return found
 
 
-def played(where: str, home: Path) -> dict[str, bool]:
+def played(where: str, home: Path, wait: Callable[[], object] = lambda: None) -> dict[str, bool]:
     """Each way of a step, and whether it counts."""
     ways: dict[str, Any] = WAYS[where]
     checks = about_commands(step_of(where))
@@ -78,7 +83,7 @@ def played(where: str, home: Path) -> dict[str, bool]:
             behind = Seat(machine.desk)
             for line in ways["before"].strip().split("\n"):
                 behind.line(line, 1.0)
-        return {way: is_counted(machine, checks, way) for way in (*ways["right"], *ways["cheats"])}
+        return {way: is_counted(machine, checks, way, wait) for way in (*ways["right"], *ways["cheats"])}
     finally:
         machine.desk.close()
 
