@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from pathlib import Path
 
 import pytest
 
 from day6_core.shell.editing.model import Editor
+from day6_tui.windows.editor.editor import KEEP_SECONDS, LOOK_SECONDS
 from tests.editor.editor_bench import Bench
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import opened, screen_text, step
@@ -370,3 +372,18 @@ def test_code_on_an_empty_folder_makes_a_new_file_and_types_into_it(tmp_path: Pa
             assert (folder / "talker.py").read_text(encoding="utf-8").strip() == "x=1"
 
     asyncio.run(play())
+
+
+def test_an_editor_that_stands_still_asks_for_a_frame_only_when_something_is_due(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        asked: list[float] = []
+        bench.pane.look.wake_after = asked.append
+        now = time.monotonic()
+        assert bench.pane.pull(now) is False and 0 < asked[-1] <= LOOK_SECONDS
+        await bench.press("a")
+        now = time.monotonic()
+        assert bench.pane.pull(now) is False and 0 <= asked[-1] <= KEEP_SECONDS, "for the copy of what was typed"
+        assert bench.pane.pull(now + 10.0) is False and asked[-1] > 0
+        assert list(bench.state.rglob("*.json")), "the copy"
+
+    Bench(tmp_path).run(act)

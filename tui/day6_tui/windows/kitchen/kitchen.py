@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from rich.style import Style
@@ -37,13 +36,10 @@ from day6_tui.windows.kitchen.styles import styles_of
 from day6_tui.windows.kitchen.words import KitchenWords
 from day6_tui.windows.parts.buttons import Button, button_line
 
-if TYPE_CHECKING:
-    from textual.timer import Timer
-
 STEP_SECONDS = 0.1
 """Between two pictures while dishes are moving."""
 
-REST_SECONDS = 0.4
+REST_SECONDS = 1.0
 """Between two looks while none is."""
 
 RATE_SECONDS = 0.5
@@ -86,18 +82,6 @@ class KitchenPane(WindowPane[Kitchen]):
         self._explained = True
         self._styles_of: tuple[object, dict[str, Style]] = (None, {})
         """The colours of the desktop, and the styles made of them."""
-        self._timer: Timer | None = None
-
-    def on_mount(self) -> None:
-        self._timer = self.set_interval(STEP_SECONDS, self._wake)
-
-    def _wake(self) -> None:
-        """Ask for a frame: often while dishes move, now and then to see whether some do."""
-        if self.display and (self._moving_rows or self.model.conveyor.moving or self._beats % 10 == 0):
-            self.look.wake()
-        self._beats += 1
-
-    _beats = 0
 
     # -- frame ---------------------------------------------------------------------------------------------------------
 
@@ -158,6 +142,8 @@ class KitchenPane(WindowPane[Kitchen]):
             self._drawn = state
         if moves:
             self._move_dishes()
+        moving = self._moving_rows or model.conveyor.moving
+        self.look.wake_after(STEP_SECONDS if moving else REST_SECONDS)
         return False
 
     def _read_rates(self, now: float) -> None:
