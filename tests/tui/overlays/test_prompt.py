@@ -5,8 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from textual import events
 
+from day6_tui.overlays.input_line import InputLine
 from day6_tui.overlays.prompt import Prompt, before_replacing
+from tests.e2e.hostile import SEQUENCES, foreign
 from tests.tui.fakes import FakeDesk
 from tests.tui.screens import opened, screen_text, step
 
@@ -52,3 +55,17 @@ async def test_a_file_that_is_there_is_replaced_only_after_a_second_enter(desk: 
         await pilot.press("enter")
         await step(app, pilot)
         assert taken == ["there.svg", "new.svg"]
+
+
+async def test_what_is_pasted_into_a_line_cannot_command_the_terminal(desk: FakeDesk) -> None:
+    async with opened(desk, 80, 24) as (app, pilot):
+        taken: list[str] = []
+        text = "".join(SEQUENCES[name] for name in ("print", "PM", "C1", "directions"))
+        app.desktop.open_overlay(Prompt(app.look, "Line", "", taken.append))
+        await step(app, pilot)
+        app.desktop.overlay.query_one(InputLine).post_message(events.Paste(text))
+        await step(app, pilot)
+        shown = screen_text(app)
+        assert "[5i" in shown and foreign(shown.replace("\n", "").encode(), desktop=True) == []
+        await pilot.press("enter")
+        assert taken == [" ".join(text.split())], "only the picture of it is changed"

@@ -4,14 +4,30 @@ from __future__ import annotations
 
 from typing import Any
 
+from rich.highlighter import Highlighter
+from rich.text import Text
 from textual import events
 from textual.widgets import Input
 
+from day6_core.session.harmless import same_length
 from day6_tui.appearance.look import Look
 from day6_tui.overlays.modal import Modal
 from day6_tui.screen.key_order import is_letter
 from day6_tui.textual_private.access import run_binding
 from day6_tui.textual_private.survival import Surviving
+
+
+class _Harmless(Highlighter):
+    """Shows what is typed and pasted without the sequences in it, which the user's terminal would obey."""
+
+    def __init__(self, look: Look) -> None:
+        self._look = look
+
+    def __call__(self, text: str | Text) -> Text:
+        return Text(same_length(str(text), pictures=self._look.glyphs.chinese), no_wrap=True, overflow="ignore", end="")
+
+    def highlight(self, text: Text) -> None:
+        """Nothing more."""
 
 
 class InputLine(Surviving, Input):
@@ -22,7 +38,7 @@ class InputLine(Surviving, Input):
     """
 
     def __init__(self, look: Look, value: str = "", *, placeholder: str = "") -> None:
-        super().__init__(value, placeholder, compact=True, select_on_focus=False)
+        super().__init__(value, placeholder, highlighter=_Harmless(look), compact=True, select_on_focus=False)
         self.cursor_blink = False
         self._look = look
 
