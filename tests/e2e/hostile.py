@@ -44,6 +44,7 @@ _OF_THE_DESKTOP = re.compile(
     r"|>0q|16t|14t|c"  # whether it shows pictures
     r"|[HJ]|2J|0?K)"
     r"|\x1b]22;[a-z-]*\x07"  # the shape of the mouse's pointer
+    r"|\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\"  # whether it shows pictures of kitty
 )
 _OF_A_COMMAND = re.compile(
     "[\n\t]|\r\n"

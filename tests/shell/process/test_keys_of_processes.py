@@ -86,6 +86,17 @@ def test_a_program_that_reads_late_gets_every_key_in_its_order(seat: Any) -> Non
     assert (seat.desk.home / "got").read_bytes().decode() == text
 
 
+def test_a_key_that_is_no_character_becomes_a_question_mark(seat: Any) -> None:
+    """A terminal can name half of a pair (`CSI 57343 u`); bytes that aren't UTF-8 go through as they are."""
+    (seat.desk.home / "reader.py").write_text(READER.format(size=4))
+    (seat.desk.home / "go").touch()
+    seat.line("python3 reader.py")
+    seat.wait(lambda shown: "ready" in shown)
+    seat.terminal.send("a\udfff\udcffb")
+    seat.wait_prompt()
+    assert (seat.desk.home / "got").read_bytes() == b"a?\xffb"
+
+
 def test_what_does_not_fit_beyond_all_bounds_beeps(seat: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(pty_keys, "MOST_WAITING", 100_000)
     (seat.desk.home / "sleeper.py").write_text(SLEEPER.format(mode=MODES["cbreak"]))

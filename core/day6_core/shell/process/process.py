@@ -26,6 +26,7 @@ from day6_core.advice.fault import LONGEST
 from day6_core.guardian import MARK, end_marked, guard, new_mark, release
 from day6_core.ros.executables import python_words
 from day6_core.session.folder import LOST
+from day6_core.session.harmless import KEEP_BYTES
 from day6_core.session.scheduler import Scheduler
 from day6_core.session.session import KilledBySignal, Session
 from day6_core.session.signals import NUMBERS, from_system, to_system
@@ -211,7 +212,7 @@ class Process:
     def keys(self, text: str) -> None:
         """Send typed keys to the pty, whose line discipline does the echo and the signals."""
         keys = self._keys
-        if keys is not None and not keys.put(text.encode("utf-8", "surrogateescape")):
+        if keys is not None and not keys.put(text.encode("utf-8", KEEP_BYTES)):
             terminal = self.session.stdin.terminal_of()
             if terminal is not None:
                 terminal.output.write("\a")  # it does not read, and more than a person types is waiting already
@@ -608,7 +609,7 @@ async def _feed(source: InputStream, feeder: Feeder) -> None:
     """Copy a session's input into its process."""
     try:
         while not feeder.broken and (line := await source.read_line()):
-            if not feeder.put(line.encode("utf-8", "surrogateescape")):
+            if not feeder.put(line.encode("utf-8", KEEP_BYTES)):
                 source.push_back(line)
             while feeder.is_full:
                 feeder.has_room.clear()
