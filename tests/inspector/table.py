@@ -1,9 +1,9 @@
 """Prints the inspector's table: `python -m tests.inspector.table` plays every drill and every healthy scene.
 
-With words only what begins with one of them: `d` for the faults in messages, `d4` for some of them. Each has a machine of its
-own. A drill is found if one of its findings comes within five seconds of its symptom. What else is
-said as a warning or an error beside it is listed: it may be another face of the same fault. In a healthy scene every warning
-and every error is a false alarm.
+With words only what begins with one of them: `d` for the faults in messages, `i` for those inside programs, `d4` for some of
+them; then what was said is printed, too, or the screen where nothing was. Each has a machine of its own. A drill is found if one
+of its findings comes within five seconds of its symptom. What else is said as a warning or an error beside it is listed: it may
+be another face of the same fault. In a healthy scene every warning and every error is a false alarm.
 """
 
 from __future__ import annotations
@@ -55,6 +55,8 @@ def main() -> int:
             said = found.id.removeprefix("inspector.") if found is not None else "NOT FOUND"
             found_count += found is not None and seconds < WITHIN
             print(f"{drill.number:5}{drill.name:56}{said:28}{seconds:5.1f}  {', '.join(others)}", flush=True)
+            if words:
+                print("    ", found.text if found is not None else lab.screen())
     print(f"\n{'healthy scene':61}false alarms")
     for scene in scenes:
         with machine() as lab:

@@ -2,7 +2,7 @@
 
 An endpoint with `origin` set represents one in another process; the link (`day6_core.link`) creates and removes those. Delivery
 needs no lock: the graph replaces the tuples of matched endpoints as a whole, and queues are `deque`s. Only a publisher that keeps
-messages for late joiners has one, so that each message reaches a late joiner once and in order.
+messages for late joiners uses one, so that each message reaches a late joiner once and in order.
 """
 
 from __future__ import annotations
@@ -151,7 +151,7 @@ class Publisher(Endpoint):
         self.keep: Copier = copy
         """Turns a message into what the cache holds; `copy` turns that into a message again."""
         self._joining = threading.RLock()
-        """Held while a message is kept or a late joiner gets what was: never while one is delivered."""
+        """Held while a message is kept, or a late joiner gets what was kept; not while others get a message."""
         self._deadline: DeadlineWatch | None = None
         self._lease: LeaseWatch | None = None
         if is_finite(self.qos.deadline):

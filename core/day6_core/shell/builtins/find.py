@@ -66,8 +66,9 @@ async def _walk(session: Session, start: str, wanted: _Expression) -> int:
 
 
 def _delete(session: Session, name: str) -> int:
+    path = os.path.join(session.cwd, name)
     try:
-        deep.remove(os.path.join(session.cwd, name), folder=deep.is_folder(os.path.join(session.cwd, name)))
+        deep.remove(path, folder=deep.is_folder(path))
     except OSError as error:
         complain(session, f"cannot delete ‘{name}’: {reason(error)}")
         return 1
