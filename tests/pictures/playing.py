@@ -42,6 +42,9 @@ FILMED = 0.1
 CALM = 0.4
 """Seconds after which a screen that says nothing more is complete."""
 
+UNMARKED_CALM = 2.0
+"""The same before the first picture that is marked as whole."""
+
 _ASKS, _TELLS = b"\x1b[?2026$p", "\x1b[?2026;2$y"
 _WHOLE = b"\x1b[?2026l"
 _KITTY = re.compile(rb"\x1b_G[^\x1b]*\x1b\\")
@@ -83,14 +86,19 @@ class Camera(Terminal):
             self.send(_larger(answers))
 
     def frame(self, seconds: float = 0.0) -> Frame:
-        """The first whole picture from now on, or the last one if nothing more is written."""
+        """The first whole picture from now on, or the last one if nothing more is written.
+
+        A program that was slow to hear that it may mark its pictures has perhaps drawn all of them without marks.
+        """
         start = last = len(self.output)
-        calm = time.monotonic() + CALM
-        while self.output.rfind(_WHOLE) < (start if time.monotonic() < calm else 0):  # a first one there has to be
+        changed = time.monotonic()
+        while (marked := self.output.rfind(_WHOLE)) < start:
             self.look(0.01)
             if len(self.output) != last:
-                last, calm = len(self.output), time.monotonic() + CALM
-        end = self.output.rfind(_WHOLE)
+                last, changed = len(self.output), time.monotonic()
+            elif time.monotonic() > changed + (UNMARKED_CALM if marked < 0 else CALM):
+                break
+        end = last if marked < 0 else marked
         fresh = bytes(self.output[self._developed : end]).decode("utf-8", "replace")
         self._developed = end
         self._cells.feed(picture_of(fresh))
