@@ -31,6 +31,9 @@ AS_IN_PYTHON = (
 WHOLE = re.compile(r"\{type\((\w+)\)\.__name__\}: \{\1\}")
 """How a fault is told with its kind, other than by `fault`."""
 
+BY_HAND = re.compile(r"\.strerror\)? (?:or\b|if isinstance\(\w+, OSError\) else None)")
+"""How the words of an error are picked, other than by `reason`."""
+
 OF_PARSERS = {
     "day6_core/ros/programs/rqt_topic/model.py",
     "day6_core/ros/programs/tf2_tools/frame_tree.py",
@@ -97,6 +100,10 @@ def test_a_fault_is_told_in_one_way() -> None:
     assert {
         path for path in found if not path.startswith(("day6_core/ros/python/", "day6_core/ros/ros2/"))
     } == OF_PARSERS
+
+
+def test_the_reason_is_worked_out_in_one_place() -> None:
+    assert [path.as_posix() for path, text in sources() if BY_HAND.search(text)] == ["day6_core/reason.py"]
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from day6_core.reason import fault
+from day6_core.reason import fault, reason
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
@@ -274,7 +274,7 @@ class Day6App(TerminalApp):
             path = error.filename or self.options.home or ""
             from rich.text import Text
 
-            message = self.look.texts("error.home", path=path, reason=error.strerror or error)
+            message = self.look.texts("error.home", path=path, reason=reason(error))
             self.exit(return_code=1, message=Text(one_line(message)))  # a plain str would be read as Rich's markup
             return
         self.detachment.begin()
@@ -431,8 +431,7 @@ class Day6App(TerminalApp):
         try:
             self.settings.set(setting, value)
         except OSError as error:
-            reason = error.strerror or str(error)
-            self.notices.show(self.look.texts("settings.not_kept", reason=reason), NOTICE_SECONDS)
+            self.notices.show(self.look.texts("settings.not_kept", reason=reason(error)), NOTICE_SECONDS)
             return False
         return True
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from day6_core.places import data_folder
+from day6_core.reason import reason
 from day6_core.whole_file import write_private
 from day6_tui.json_file import read_object
 
@@ -28,7 +29,7 @@ class Settings:
         except FileNotFoundError:
             pass
         except OSError as error:
-            self.fault = error.strerror or str(error)
+            self.fault = reason(error)
         except ValueError as error:
             self.fault = str(error).partition("\n")[0] or type(error).__name__
 

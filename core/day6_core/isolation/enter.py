@@ -18,6 +18,7 @@ from types import FrameType
 
 from day6_core.isolation import landlock, left
 from day6_core.isolation.cell import Cell
+from day6_core.reason import named_reason
 
 _PR_SET_CHILD_SUBREAPER = 36
 _PR_SET_NO_NEW_PRIVS = 38
@@ -64,8 +65,7 @@ def main(words: list[str]) -> int:
     try:
         return enter(SandboxPlan(**json.loads(plan)), argv)
     except OSError as error:
-        name = f"{error.filename}: " if error.filename else ""
-        print(f"day6-tui: {name}{error.strerror or error}", file=sys.stderr)
+        print(f"day6-tui: {named_reason(error)}", file=sys.stderr)
         return 126
 
 

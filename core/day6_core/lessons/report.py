@@ -27,6 +27,7 @@ from day6_core.lessons.tables import (
 )
 from day6_core.lessons.texts import Say
 from day6_core.places import default_home
+from day6_core.reason import reason
 from day6_core.session.harmless import one_line
 
 DRILLS = "drills"
@@ -144,7 +145,7 @@ def _pupils(folder: Path) -> tuple[list[Progress], list[tuple[Path, str]]]:
         except ProgressError as error:
             broken.append((path, str(error)))
         except OSError as error:
-            broken.append((path, error.strerror or str(error)))
+            broken.append((path, reason(error)))
         else:
             progress.pupil = progress.pupil or path.stem
             found.append(progress)
@@ -162,8 +163,8 @@ def main(arguments: list[str]) -> int:
 
     folder = (options.home or default_home()).expanduser().resolve() / FOLDER
     pupils, broken = _pupils(folder)
-    for path, reason in broken:
-        tell("report.broken", file=path, reason=reason)
+    for path, why in broken:
+        tell("report.broken", file=path, reason=why)
     if not pupils:
         return tell("report.none", folder=folder)
     offered = offer(options.lessons)
@@ -179,7 +180,7 @@ def main(arguments: list[str]) -> int:
     except Exists as error:
         return tell("office.exists", file=error)
     except OSError as error:
-        return tell("office.failed", file=error.filename or "", reason=error.strerror or error)
+        return tell("office.failed", file=error.filename or "", reason=reason(error))
     for path in (options.csv, options.html):
         if path is not None:
             print(one_line(Say("office.written", file=path).text(language)))

@@ -24,6 +24,7 @@ from day6_core.lessons.grading.archive import LARGEST, MANIFEST, VERSION
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, name_mistake, pupils, safe_name
 from day6_core.lessons.texts import Say
 from day6_core.places import default_home
+from day6_core.reason import reason
 from day6_core.session.harmless import one_line
 from day6_core.whole_file import replacing
 from day6_core.workspace.export import ExportError, Reason, export
@@ -177,7 +178,7 @@ def main(arguments: list[str]) -> int:
     except ExportError as error:
         return tell(error.reason.said(parser.texts))
     except OSError as error:
-        return tell(f"{error.filename or target}: {error.strerror or error}")
+        return tell(f"{error.filename or target}: {reason(error)}")
     for left in packed.left_out:
         tell(Say("submit.left_out", what=left.said(parser.texts) if isinstance(left, Reason) else left).text(language))
     contents = (*packed.packages, *packed.loose, Say("submit.answers", count=packed.answers).text(language))

@@ -24,6 +24,7 @@ from typing import NamedTuple
 from zlib import crc32
 
 from day6_core.places import runtime_folders, shorter_runtime_folder
+from day6_core.reason import reason
 from day6_core.whole_file import PRIVATE, replace_file
 
 LONGEST_SOCKET_PATH = 100
@@ -282,7 +283,7 @@ def _private_folder(folder: Path) -> None:
     except LinkError:
         raise
     except OSError as error:
-        raise LinkError(f"{folder}: {error.strerror or error}") from error
+        raise LinkError(f"{folder}: {reason(error)}") from error
 
 
 def _sockets(place: MeetingPlace) -> Iterator[Neighbour]:

@@ -7,6 +7,7 @@ import stat
 import sys
 
 from day6_core.link.unusable import Unusable
+from day6_core.reason import reason
 from day6_core.whole_file import open_at_once
 
 USER = "day6"
@@ -42,7 +43,7 @@ def read_private(path: str) -> str:
                 raise Unusable("secret_open", path=path)
             return file.read(4 * _LONGEST).decode("utf-8", errors="replace").strip()
     except OSError as error:
-        raise Unusable("secret_unread", path=path, reason=error.strerror or error) from None
+        raise Unusable("secret_unread", path=path, reason=reason(error)) from None
 
 
 def _checked(secret: str, **where: str) -> str:

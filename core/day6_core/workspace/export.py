@@ -22,6 +22,7 @@ from day6_core.command_line.texts import CommandTexts, Wording
 from day6_core.command_line.values import Values
 from day6_core.language import language_of
 from day6_core.places import default_home
+from day6_core.reason import reason
 from day6_core.session.folder import working_folder
 from day6_core.whole_file import open_at_once, replacing
 from day6_core.workspace.packages import Package, find_packages, holds_packages
@@ -98,7 +99,7 @@ def main(arguments: list[str]) -> int:
     except ExportError as error:
         return tell(error.reason.said(texts))
     except OSError as error:
-        return tell(f"{str(error.filename or target)!r}: {error.strerror or error}")
+        return tell(f"{str(error.filename or target)!r}: {reason(error)}")
     for left in done.left_out:
         tell(texts("cli.export.left_out", what=left.said(texts)))
     print(texts("cli.export.done", file=target, names=", ".join(done.packages), workspace=workspace))

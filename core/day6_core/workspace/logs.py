@@ -9,6 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO
 
+from day6_core.reason import reason
 from day6_core.workspace.events import BuildEvent
 from day6_core.workspace.files import BuildOutput
 from day6_core.workspace.packages import IGNORE_MARKER, refuse_sources
@@ -87,7 +88,7 @@ class LogFolder:
         if not self._warned:
             self._warned = True
             where = f": '{error.filename}'" if error.filename else ""
-            self._warn(f"the log cannot be written: {error.strerror or error}{where}")
+            self._warn(f"the log cannot be written: {reason(error)}{where}")
 
     def write(self, name: str, text: str) -> None:
         """Append to a file of the folder."""

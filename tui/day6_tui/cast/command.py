@@ -10,6 +10,7 @@ from pathlib import Path
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.command_line.values import Values
 from day6_core.language import language_of
+from day6_core.reason import reason
 from day6_core.session.harmless import one_line
 from day6_core.whole_file import replacing
 from day6_tui.cast.file import Cast, CastError, read
@@ -39,7 +40,7 @@ def main(words: list[str]) -> int:
     try:
         cast = read(options.file)
     except OSError as error:
-        return _refuse(f"{options.file}: {error.strerror or error}")
+        return _refuse(f"{options.file}: {reason(error)}")
     except CastError as error:
         where = f"{options.file}:{error.line}" if error.line else str(options.file)
         return _refuse(f"{where}: {texts(f'cast.fault.{error.key}', **error.values)}")
@@ -81,7 +82,7 @@ def _export(cast: Cast, options: argparse.Namespace, texts: Texts) -> int:
         with replacing(options.svg) as file:
             file.write(text.encode())
     except OSError as error:
-        return _refuse(f"{options.svg}: {error.strerror or error}")
+        return _refuse(f"{options.svg}: {reason(error)}")
     return 0
 
 

@@ -15,6 +15,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from queue import SimpleQueue
 
+from day6_core.reason import reason
 from day6_core.session.cores import join
 
 MOST_WAITING = 32_000_000
@@ -159,7 +160,7 @@ class Recorder:
                 with self._lock:
                     self._waiting -= len(data)
         except OSError as error:
-            self.fault = error.strerror or str(error)
+            self.fault = reason(error)
             with self._lock:
                 self._over = True
         with contextlib.suppress(OSError):  # what could be written is written

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.language import language_of
+from day6_core.reason import reason
 from day6_core.session.harmless import one_line
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def main(words: list[str]) -> int:
     except OSError as error:
         if error.filename is None:
             raise  # of standard output
-        return command.tell(f"{error.filename!r}: {error.strerror or error}")
+        return command.tell(f"{error.filename!r}: {reason(error)}")
 
 
 class _Command:
@@ -84,7 +85,7 @@ class _Command:
     def _unreadable(self, error: Exception) -> int:
         if not self._bag.exists():
             return self._tell("missing", bag=self._bag)
-        self._tell("unreadable", bag=self._bag, reason=getattr(error, "strerror", None) or error)
+        self._tell("unreadable", bag=self._bag, reason=reason(error))
         if self._bag.is_dir() and not (self._bag / "metadata.yaml").exists():
             self._tell("reindex", command=f"ros2 bag reindex {shlex.quote(str(self._bag))}")
         return 1

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.reason import reason
 from day6_core.shell.user import login_name
 from day6_tui.actions import Handlers
 from day6_tui.bars.notices import NOTICE_SECONDS
@@ -250,5 +251,4 @@ class Lessons(Feature):
         try:
             self._settings.set(name, value)
         except OSError as error:
-            reason = error.strerror or str(error)
-            self._notices.show(self._look.texts("settings.not_kept", reason=reason), NOTICE_SECONDS)
+            self._notices.show(self._look.texts("settings.not_kept", reason=reason(error)), NOTICE_SECONDS)

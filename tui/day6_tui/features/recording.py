@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.reason import reason
 from day6_core.session.harmless import one_line
 from day6_tui.actions import Handlers
 from day6_tui.appearance.changing import Looks
@@ -100,7 +101,7 @@ class Recording(Feature):
                 asks=self._asks,
             )
         except OSError as error:
-            return one_line(error.strerror or str(error))
+            return one_line(reason(error))
         if self._look.pixels is not None:
             self._pixels, self._look.glyphs = self._look.glyphs.name, GLYPH_SETS["half"]
         self._recorder = driver.recorder = recorder

@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping
 from functools import partial
 
+from day6_core.reason import reason
 from day6_core.whole_file import write_private
 from day6_tui.actions import Handlers
 from day6_tui.bars.notices import NOTICE_SECONDS
@@ -186,8 +187,7 @@ class Arranging(Feature):
             return None
 
     def _complaint(self, error: OSError | ValueError) -> str:
-        reason = error.strerror or error if isinstance(error, OSError) else str(error).partition("\n")[0]
-        return self._look.texts("layout.unreadable", file=FILE, reason=reason)
+        return self._look.texts("layout.unreadable", file=FILE, reason=reason(error).partition("\n")[0])
 
     def ask_for_name(self) -> None:
         """Ask under which name to save the layout."""

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TextIO
 
+from day6_core.reason import reason
 from day6_core.whole_file import append_private
 
 
@@ -31,6 +32,6 @@ def keep_log_off_the_screen(environ: Mapping[str, str] | None = None) -> None:
         try:
             handler = _LogFile(file, encoding="utf-8")
         except OSError as error:
-            print(f"day6-tui: DAY6_LOG: {file}: {error.strerror or error}", file=sys.stderr)
+            print(f"day6-tui: DAY6_LOG: {file}: {reason(error)}", file=sys.stderr)
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
     logging.getLogger().addHandler(handler)

@@ -21,6 +21,7 @@ from day6_core.guardian import MARK
 from day6_core.language import LANGUAGES, language_of
 from day6_core.link.paths import LinkError, base_folders, meeting_place
 from day6_core.places import PLACES, data_folder, default_home, runtime_folders
+from day6_core.reason import reason
 from day6_core.ros import distribution
 from day6_core.ros.environment import is_foreign_ros
 from day6_core.ros.executables import is_executable_of_ours
@@ -281,7 +282,7 @@ def sockets() -> Iterator[Line]:
     try:
         trials.meet(None if place.tcp else folder)
     except OSError as error:
-        yield problem("sockets.fail", "sockets.nowhere.todo", path=folder, reason=error.strerror or error)
+        yield problem("sockets.fail", "sockets.nowhere.todo", path=folder, reason=reason(error))
     else:
         yield ok("sockets.tcp" if place.tcp else "sockets", path=folder)
 

@@ -16,6 +16,7 @@ from importlib.metadata import version as installed_version
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_core.reason import reason
 from day6_core.ros.environment import program_environment
 from day6_core.shell.process.memory import machine_memory
 from day6_tui.upkeep.installation import NAME
@@ -102,7 +103,7 @@ def cannot_write(folder: Path) -> str:
             file.seek(0)
             return "" if file.read() == b"day6-tui" else "?"
     except OSError as error:
-        return error.strerror or str(error)
+        return reason(error)
 
 
 def meet(folder: Path | None) -> None:

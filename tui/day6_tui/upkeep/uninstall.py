@@ -12,6 +12,7 @@ from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.guardian import MARK
 from day6_core.language import language_of, said
 from day6_core.places import PLACES, Place, data_folder, shortened
+from day6_core.reason import reason
 from day6_core.session.harmless import one_line
 from day6_core.width import text_width
 from day6_tui.locale import Texts
@@ -124,7 +125,7 @@ def _remove(held: list[Held], kind: str, texts: Texts, yes: bool) -> bool:
         for error in left.failed:
             whole = False
             where = shortened(str(error.filename or each.path))
-            print(one_line(f"day6-tui: {where}: {error.strerror or error}"), file=sys.stderr)
+            print(one_line(f"day6-tui: {where}: {reason(error)}"), file=sys.stderr)
     _remove_empty([data_folder(), *(each.path.parent for each in held)])
     rest = sum(size_of(each.path).bytes for each in held if os.path.lexists(each.path))
     print(texts(f"uninstall.{kind}.done", size=Size(total.bytes - rest)))

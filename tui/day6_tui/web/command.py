@@ -14,7 +14,7 @@ from day6_core.isolation import modes
 from day6_core.isolation.cell import IsolationError, Phrase
 from day6_core.isolation.modes import ModeOffer
 from day6_core.language import language_of
-from day6_core.reason import fault
+from day6_core.reason import fault, named_reason
 from day6_core.session.harmless import one_line
 from day6_tui.locale import Texts
 from day6_tui.web.options import is_loopback, parse
@@ -51,8 +51,7 @@ def main(words: list[str]) -> int:
     except IsolationError as error:
         return _fail(texts(error.words.key, **error.words.values), 1)
     except OSError as error:
-        name = f"{error.filename}: " if error.filename else ""
-        return _fail(f"{name}{error.strerror or error}", 1)
+        return _fail(named_reason(error), 1)
 
 
 def _fail(text: str, status: int) -> int:

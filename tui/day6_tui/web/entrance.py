@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from day6_core.looks import looks_like, mixes_alphabets
+from day6_core.reason import reason
 from day6_tui.web import lobby as waiting
 from day6_tui.web.links import Links
 from day6_tui.web.lobby import Lobby, LobbyFull
@@ -121,7 +122,7 @@ class Entrance:
         try:
             await self._links.keep()
         except OSError as error:
-            self._tell("serve.no_record", file=str(error.filename), reason=error.strerror or str(error))
+            self._tell("serve.no_record", file=str(error.filename), reason=reason(error))
             raise
 
     def is_listed(self, name: str) -> bool:

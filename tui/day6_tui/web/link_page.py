@@ -12,6 +12,7 @@ from typing import Protocol
 import segno
 from aiohttp import web
 
+from day6_core.reason import reason
 from day6_tui.locale import Texts
 from day6_tui.web import pages
 from day6_tui.web.gate import Gate
@@ -53,8 +54,7 @@ def routes(gate: Gate, links: Links, turn_out: TurnOut, texts: Callable[[web.Req
         try:
             await links.keep()
         except OSError as error:  # the new links are good until the server ends
-            reason = error.strerror or str(error)
-            return pages.message(texts(request), "serve.links.not_kept", status=507, up="../", reason=reason)
+            return pages.message(texts(request), "serve.links.not_kept", status=507, up="../", reason=reason(error))
         return web.Response(status=303, headers={"Location": "../links"})
 
     return [web.get("/links", show), web.post("/links/new", make)]

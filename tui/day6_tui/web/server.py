@@ -19,7 +19,7 @@ from day6_core.isolation.cell import Phrase
 from day6_core.isolation.modes import ModeOffer
 from day6_core.link.addresses import own_address
 from day6_core.link.file_lock import FileLock
-from day6_core.reason import fault
+from day6_core.reason import fault, reason
 from day6_tui.web import class_list, connections
 from day6_tui.web.application import Application
 from day6_tui.web.entrance import Entrance
@@ -152,7 +152,7 @@ class Server:
         try:
             secure.load_cert_chain(self._settings.certificate, self._settings.key)
         except OSError as error:
-            raise OSError(error.errno, error.strerror or str(error), str(self._settings.certificate)) from None
+            raise OSError(error.errno, reason(error), str(self._settings.certificate)) from None
         return secure
 
     def _address(self, listener: socket.socket, secure: bool) -> str:
@@ -211,5 +211,5 @@ def _unix_listener(path: str) -> socket.socket:
         os.chmod(path, 0o600)  # nobody gets in before it listens
     except OSError as error:
         listener.close()
-        raise OSError(error.errno, error.strerror or str(error), path) from None
+        raise OSError(error.errno, reason(error), path) from None
     return listener

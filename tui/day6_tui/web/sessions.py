@@ -18,6 +18,7 @@ from day6_core.classroom.roster import PupilRow
 from day6_core.isolation.cell import Cell, IsolationError
 from day6_core.isolation.mode import Mode
 from day6_core.isolation.modes import survey
+from day6_core.reason import reason
 from day6_tui.detached import meeting
 from day6_tui.locale import Texts
 from day6_tui.web import records, starting
@@ -302,7 +303,7 @@ class Sessions:
             try:
                 await asyncio.to_thread(records.write, self._file, found)
             except OSError as error:  # a full disk: the class goes on
-                self._tell("serve.no_record", file=str(self._file), reason=error.strerror or str(error))
+                self._tell("serve.no_record", file=str(self._file), reason=reason(error))
 
     async def find_again(self, names: Iterable[str]) -> int:
         """Take over the desktops of a server that was killed, end what cannot be; return how many go on. Raises OSError.

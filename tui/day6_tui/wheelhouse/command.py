@@ -10,7 +10,7 @@ from pathlib import Path
 
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.language import language_of
-from day6_core.reason import named_reason
+from day6_core.reason import named_reason, reason
 from day6_core.session.harmless import one_line
 from day6_tui.locale import Texts
 from day6_tui.wheelhouse import closure, folder, own_wheel
@@ -81,7 +81,7 @@ def _fetch(targets: list[Target], place: Path) -> list[Path]:
         for target in targets:
             names |= closure.fetch(wheel, EXTRAS, target, others, lambda line: print(one_line(line), flush=True))
     except OSError as error:
-        raise closure.FetchError(f"{place.parent}: {error.strerror or error}") from error
+        raise closure.FetchError(f"{place.parent}: {reason(error)}") from error
     return [wheel, *(others / name for name in sorted(names))]
 
 

@@ -15,6 +15,7 @@ from collections.abc import Iterator, Mapping, Set
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from day6_core.reason import reason
 from day6_core.whole_file import replace_file
 
 SUMS, GUIDE, CHECK = "SHA256SUMS", "INSTALL.txt", "check.py"
@@ -134,4 +135,4 @@ def _naming(folder: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise OSError(error.errno, error.strerror or str(error), str(folder)) from error
+        raise OSError(error.errno, reason(error), str(folder)) from error

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from day6_core.lessons.checks import Verdict, check
 from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import Say
+from day6_core.reason import reason
 from day6_core.workspace.manifest import Manifest, ManifestError, read_manifest
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ def read(path: Path) -> str | None:
     except NotADirectoryError:
         return None
     except OSError as error:
-        raise Unreadable(error.strerror or str(error)) from None
+        raise Unreadable(reason(error)) from None
 
 
 @check("file", patterns=("has", "lacks"), paths=("path",))

@@ -16,6 +16,7 @@ from typing import Any
 
 from day6_core.lessons.progress import LONGEST_ANSWERS
 from day6_core.lessons.texts import Say
+from day6_core.reason import reason
 
 VERSION = 1
 MANIFEST = "day6-submission.json"
@@ -71,7 +72,7 @@ def unpack(path: Path, home: Path) -> Submission:
     except SubmissionRefused:
         raise
     except OSError as error:
-        raise SubmissionRefused(Say("grade.zip.unread", reason=error.strerror or str(error))) from None
+        raise SubmissionRefused(Say("grade.zip.unread", reason=reason(error))) from None
     except (
         zipfile.BadZipFile,
         zlib.error,

@@ -20,6 +20,7 @@ from day6_core.lessons.grading.scenarios import HERE, Grading, gradings
 from day6_core.lessons.source import LessonMistakes
 from day6_core.lessons.tables import Exists, must_be_new, write_table
 from day6_core.lessons.texts import Say
+from day6_core.reason import reason
 from day6_core.session.harmless import lines, one_line
 
 JOBS_FOR_A_CORE = 10
@@ -65,7 +66,7 @@ def main(arguments: list[str]) -> int:
     except remarks.Unreadable as error:
         return tell("grade.remarks_unread", file=error)
     except OSError as error:
-        return tell("office.failed", file=error.filename or "", reason=error.strerror or error)
+        return tell("office.failed", file=error.filename or "", reason=reason(error))
     files = [each for path in options.files for each in (sorted(path.glob("*.zip")) if path.is_dir() else [path])]
     if not files:
         return tell("grade.nothing", names=tuple(map(str, options.files)))
@@ -115,7 +116,7 @@ def main(arguments: list[str]) -> int:
     except remarks.Unreadable as error:
         return tell("grade.remarks_unread", file=error)
     except OSError as error:
-        return tell("office.failed", file=error.filename or "", reason=error.strerror or error)
+        return tell("office.failed", file=error.filename or "", reason=reason(error))
     return 0 if all(graded.refused is None and graded.passed == len(graded.results) for graded in found) else 1
 
 

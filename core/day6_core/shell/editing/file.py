@@ -11,6 +11,7 @@ import os
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_core.reason import reason
 from day6_core.shell.editing.copies import Copies, Form
 from day6_core.whole_file import must_stay, overwrite_file, replace_file
 
@@ -73,7 +74,7 @@ class TextFile:
             stamp = self._look()  # before reading: anything written meanwhile is a change
             data = self.path.read_bytes()
         except OSError as error:
-            raise CannotEdit(f"{self.path}: {error.strerror or error}") from None
+            raise CannotEdit(f"{self.path}: {reason(error)}") from None
         try:
             text = data.decode("utf-8")
         except UnicodeDecodeError as error:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.classroom.order import LONGEST_SAYING, Order
+from day6_core.reason import reason
 from day6_tui.classes.link import TeacherLink
 from day6_tui.windows import WindowPane
 
@@ -130,6 +131,6 @@ class Orders:
         except Exists as error:
             return texts("teacher.csv.exists", file=Path(str(error)).name)
         except OSError as error:
-            return error.strerror or str(error)
+            return reason(error)
         self._tell(texts("teacher.csv.written", files=texts("list.comma").join(names)))
         return None

@@ -11,6 +11,7 @@ from textual import events, on
 from textual.app import ComposeResult
 from textual.widget import Widget
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_console.filters import SIDES, Filter
 from day6_core.ros.programs.rqt_console.model import Console, Record
 from day6_core.session.display import Window
@@ -280,7 +281,7 @@ class RqtConsolePane(WindowPane[Console]):
             try:
                 console.tell(texts("reconfigure.saved", file=str(console.save(text, self.table.in_order()))))
             except OSError as error:
-                return error.strerror or str(error)
+                return reason(error)
             return None
 
         def load(text: str) -> None:

@@ -15,6 +15,7 @@ from textual.app import ComposeResult
 from textual.widget import Widget
 from textual.widgets.text_area import Selection
 
+from day6_core.reason import reason
 from day6_core.session.display import Window
 from day6_core.session.keys import split_keys
 from day6_core.shell.editing.checks import Problem, language_of
@@ -261,7 +262,7 @@ class EditorPane(WindowPane[Editor]):
             try:
                 self.editor.keep(text)
             except OSError as error:
-                self._unkept = str(error.strerror or error)
+                self._unkept = reason(error)
                 return False
             self._kept, self._unkept = text, ""
         return True
@@ -295,7 +296,7 @@ class EditorPane(WindowPane[Editor]):
         try:
             self.editor.save(self.area.text)
         except OSError as error:
-            self._message = self.look.texts("editor.not_saved", reason=error.strerror or error)
+            self._message = self.look.texts("editor.not_saved", reason=reason(error))
             self.touch_frame()
             return False
         self._kept, self._outside, self._message, self._again = self.area.text, False, "", ""
@@ -366,7 +367,7 @@ class EditorPane(WindowPane[Editor]):
                 try:
                     self.editor.save_as(path, self.area.text)
                 except OSError as error:
-                    return self.look.texts("editor.not_saved", reason=error.strerror or error)
+                    return self.look.texts("editor.not_saved", reason=reason(error))
             if leave:
                 self.window.close_by_user()
             self.look.wake()

@@ -12,6 +12,7 @@ from rich.style import Style
 from textual import events
 from textual.geometry import Region
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_graph.model.content import GraphOptions
 from day6_core.ros.programs.rqt_graph.model.drawing import (
     ASCII,
@@ -474,7 +475,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
                 else:
                     self.graph.load(name)
             except (OSError, ValueError) as error:
-                return str((error.strerror if isinstance(error, OSError) else None) or error)
+                return reason(error)
             self.look.wake()
             return None
 

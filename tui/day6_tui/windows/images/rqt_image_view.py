@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from rich.segment import Segment
 from textual import events
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, ImageRequest
 from day6_tui.overlays.menu import Menu, MenuEntry
 from day6_tui.overlays.prompt import before_replacing
@@ -154,7 +155,7 @@ class ImageViewPane(PicturePane["ImageView"]):
             try:
                 model.save(text.strip(), self._view)
             except (OSError, ValueError) as error:
-                return (error.strerror if isinstance(error, OSError) else None) or str(error)
+                return reason(error)
             return None
 
         sure = before_replacing(self.look, lambda text: model.path(text.strip()), taken)

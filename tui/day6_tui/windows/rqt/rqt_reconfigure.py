@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rich.segment import Segment
 from textual import events
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_reconfigure.values import LONGEST, Unfitting, name_of, shown, text_of, value_from
 from day6_core.session.display import Window
 from day6_core.session.harmless import one_line
@@ -349,7 +350,7 @@ class ReconfigurePane(LinesPane["Reconfigure"]):
             try:
                 model.tell(texts("reconfigure.saved", file=str(model.save(node, text.strip()))))
             except OSError as error:
-                return error.strerror or str(error)
+                return reason(error)
             return None
 
         def load(text: str) -> None:

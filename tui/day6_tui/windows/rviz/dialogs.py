@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rviz2.model.config import ConfigError, write_config
 from day6_core.ros.programs.rviz2.model.display import Display
 from day6_core.ros.programs.rviz2.model.displays import TYPES
@@ -161,7 +162,7 @@ def _write(pane: RVizPane, path: Path, then: Callable[[], object]) -> None:
         try:
             rviz.write_file(path, write_config(rviz.save()))
         except OSError as error:
-            text = texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
+            text = texts("rviz.not_saved", file=path.name, reason=reason(error))
         else:
             rviz.config_file, rviz.modified = path, False
             text = texts("rviz.saved", file=str(path))
@@ -194,8 +195,7 @@ def load(pane: RVizPane) -> None:
             content = path.read_text(encoding="utf-8", errors="replace")
             read = pane.rviz.check_text(content)
         except (OSError, ConfigError) as error:
-            reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
-            return pane.look.texts("rviz.not_loaded", file=path.name, reason=reason)
+            return pane.look.texts("rviz.not_loaded", file=path.name, reason=reason(error))
         pane.request(partial(pane.rviz.load_config, read, path))
         return None
 
@@ -227,7 +227,7 @@ def screenshot(pane: RVizPane) -> None:
             else:
                 replace_file(path, svg(pane.view.snapshot(240)).encode("utf-8"))
         except OSError as error:
-            return texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
+            return texts("rviz.not_saved", file=path.name, reason=reason(error))
         pane.show_message(texts("rviz.saved", file=str(path)))
         return None
 

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from day6_core.facts.folders import LONGEST_FILE, text_of
 from day6_core.facts.workspaces import Package, Workspace, read_workspace, workspaces_above
+from day6_core.reason import reason
 
 MOST_WORKSPACES = 6
 LAYOUT = ".colcon_install_layout"
@@ -156,7 +157,7 @@ def _parameter_file(path: Path, line: str) -> ParameterFile:
             return ParameterFile(path, line, (), "too large")
         content = yaml.safe_load(path.read_text(encoding="utf-8"))
     except OSError as error:
-        return ParameterFile(path, line, (), error.strerror or str(error))
+        return ParameterFile(path, line, (), reason(error))
     except (ValueError, RecursionError, yaml.YAMLError):
         return ParameterFile(path, line, (), "no YAML")
     return ParameterFile(path, line, tuple(_node_keys(content, "")))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from rcl_interfaces.msg import Log
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_console.kept import kept_settings, take_settings
 from day6_core.ros.programs.rqt_console.model import Console
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
@@ -41,7 +42,7 @@ class ConsolePlugin(Plugin[Console]):
         try:
             records, skipped = await loaded(path)
         except (OSError, ValueError) as error:
-            self.model.tell((error.strerror if isinstance(error, OSError) else None) or str(error))
+            self.model.tell(reason(error))
             return
         self.model.take_loaded(records)
         self.model.tell(str(path))

@@ -11,6 +11,7 @@ from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
+from day6_core.reason import named_reason
 from day6_core.ros.programs.rqt_gui import perspectives
 from day6_core.ros.programs.rqt_gui.catalogue import PluginEntry, matching, plugins
 from day6_core.ros.programs.rqt_gui.command_line import container_parser, own_words
@@ -270,8 +271,6 @@ class Container:
         try:
             return await in_thread(work) or []
         except (OSError, ValueError) as error:
-            reason = error.strerror or str(error) if isinstance(error, OSError) else str(error)
-            name = error.filename if isinstance(error, OSError) and isinstance(error.filename, str) else ""
-            self.model.trouble = f"{name}: {reason}" if name else reason
+            self.model.trouble = named_reason(error)
             self.model.version += 1
             return None

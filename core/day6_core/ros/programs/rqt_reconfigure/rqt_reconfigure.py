@@ -8,6 +8,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.ros.programs.rqt_reconfigure.model import Reconfigure, read_values
 from day6_core.session.argument_parser import SessionParser
@@ -64,8 +65,7 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
             self.model.tell(str(path))
         except (OSError, ValueError, TypeError) as error:
             # TypeError: what rclpy's Parameter says of a value that no parameter can have
-            reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
-            self.model.tell(f"Parameter loading wasn't successful because: {reason}")
+            self.model.tell(f"Parameter loading wasn't successful because: {reason(error)}")
 
     def close(self) -> None:
         self.model.close()

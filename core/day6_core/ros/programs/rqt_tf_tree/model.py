@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_core.reason import reason
 from day6_core.ros.programs._drawn_pdf import laid_out
 from day6_core.ros.programs.rqt_graph.model.image import check_suffix, write_image
 from day6_core.ros.programs.tf2_tools.frame_tree import Frame, as_dot, as_graph, roots
@@ -147,7 +148,7 @@ class TfTree:
                 write_image(laid_out(*as_graph(shot.frames, shot.recorded)), path)
             self.saved = Saved(path.name, "")
         except (OSError, ValueError) as error:
-            self.saved = Saved(path.name, (error.strerror if isinstance(error, OSError) else None) or str(error))
+            self.saved = Saved(path.name, reason(error))
         self.version += 1
 
     def show(self, found: Snapshot) -> None:

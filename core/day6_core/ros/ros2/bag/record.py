@@ -7,6 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from day6_core.reason import reason
 from day6_core.ros.ros2.bag._options import (
     console,
     error,
@@ -54,7 +55,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     except (BrokenPipeError, WriteError):
         raise
     except OSError as problem:
-        failure = error(f"Recording to '{args.output}' has ended: {problem.strerror or problem}")
+        failure = error(f"Recording to '{args.output}' has ended: {reason(problem)}")
     with suppress(OSError):
         folder.rmdir()  # nothing was written into it
     return failure
