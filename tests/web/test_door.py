@@ -322,6 +322,7 @@ def test_the_teacher_is_asked_about_everybody_and_what_is_decided_reaches_the_br
             await teacher.order("turn_away", ids=[waiting[1]["id"]])
             await teacher.until(lambda rows: not rows["lobby"])
             assert (await anna.get("lobby"))[0] == 303 and (await anna.get("desk"))[0] == 200
+            assert (await anna.get("lobby"))[0] == 303  # in another tab that waited, too
             status, page = await bert.get("lobby", **{"Accept-Language": "zh"})
             assert status == 403 and "老师没有让 bert 进来" in page and 'value="bert"' in page
             assert "already called anna" in (await eve.get("lobby"))[1]

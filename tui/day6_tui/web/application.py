@@ -69,7 +69,7 @@ class Application:
                 web.get("/watch", self._watch),
                 web.get("/ws", self._socket),
                 web.static("/static", STATIC),
-                *link_page.routes(self._gate, self._links, self._sessions.turn_out, self._texts),
+                *link_page.routes(self._gate, self._links, self._sessions, self._texts),
                 *self._class.routes(),
             ]
         )
@@ -141,10 +141,11 @@ class Application:
         self._entrance.lobby.leave(key)
         if newcomer is not None and newcomer.token:
             return self._go(newcomer.token)
-        wrong, typed = "", ""
-        if newcomer is not None:
-            wrong, typed = self._texts(request)(newcomer.refusal, name=newcomer.name), newcomer.name
-        response = self._first_page(request, typed=typed, wrong=wrong, status=403 if wrong else 200)
+        if newcomer is None:  # it was told already, perhaps in another tab
+            response = web.Response(status=303, headers={"Location": "./"})
+        else:
+            wrong = self._texts(request)(newcomer.refusal, name=newcomer.name)
+            response = self._first_page(request, typed=newcomer.name, wrong=wrong, status=403)
         self._gate.forget(response, LOBBY)
         return response
 

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 from day6_core.looks import looks_like, mixes_alphabets
 from day6_core.reason import reason
-from day6_tui.web import lobby as waiting
 from day6_tui.web.links import Links
 from day6_tui.web.lobby import Lobby, LobbyFull
 from day6_tui.web.names import BadName, clean, same_name
@@ -109,9 +108,12 @@ class Entrance:
         self._sessions.feed.tell()
         return self._tokens.make(Ticket(PUPIL, name))
 
-    def _unregister(self, name: str) -> None:
+    def _revoke(self, name: str) -> None:
         for kind in (PUPIL, WATCHER):
             self._tokens.revoke(Ticket(kind, name))
+
+    def _unregister(self, name: str) -> None:
+        self._revoke(name)
         self._sessions.feed.roster.forget(name)
         if self._links.is_listed(name):
             self._sessions.feed.roster.expect([name])
@@ -131,10 +133,6 @@ class Entrance:
 
     # -- the teacher ---------------------------------------------------------------------------------------------------
 
-    def waiting(self) -> list[waiting.Newcomer]:
-        """Who waits for the teacher's word."""
-        return self.lobby.waiting()
-
     async def admit(self, numbers: Iterable[int], *, trust: bool) -> None:
         """Let these in, and with `trust` also whoever comes from there later. Raises OSError; they are in all the same."""
         for newcomer in self.lobby.chosen(numbers):
@@ -144,6 +142,7 @@ class Entrance:
                 newcomer.refusal = "serve.wrong.name"  # another was let in under it meanwhile
             else:
                 newcomer.token = self._register(newcomer.name, newcomer.address)
+        self._sessions.feed.tell()
         await self._keep()
 
     def turn_away(self, numbers: Iterable[int]) -> None:
@@ -160,8 +159,7 @@ class Entrance:
             return
         if address := self._sessions.address_of(known):
             self.lobby.distrust(address)
-        for kind in (PUPIL, WATCHER):
-            self._tokens.revoke(Ticket(kind, known))
+        self._revoke(known)
         await self._sessions.remove(known)
         self._unregister(known)
         await self._keep()

@@ -140,18 +140,22 @@ class Gate:
     @web.middleware
     async def guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
         """Refuse what does not come from our pages, and forbid what our pages never do."""
-        if (connection := connections.connection_of(request)) is not None:
+        connection = connections.connection_of(request)
+        if connection is not None:
             connection.answer()
+        response = await self._judged(request, handler)
+        if connection is not None and not isinstance(response, web.FileResponse):  # which takes its time
+            connection.await_more()
+        return response
+
+    async def _judged(self, request: web.Request, handler: Handler) -> web.StreamResponse:
         texts = Texts(pages.language_for(request, self._settings.lang))
         if not self.is_called_by_name(request):
             return pages.message(texts, "serve.wrong.host", status=421, leads_back=False)
         if request.method not in ("GET", "HEAD") and not self.is_from_here(request):
             return web.Response(status=403, text="This form does not come from this server.\n")
         try:
-            response = await handler(request)
-            if connection is not None and not isinstance(response, web.FileResponse):  # which takes its time
-                connection.await_more()
-            return response
+            return await handler(request)
         except (web.HTTPNotFound, web.HTTPMethodNotAllowed) as error:
             up = "../" * (request.path.count("/") - 1)
             return pages.message(texts, "serve.wrong.address", status=error.status, up=up)

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from html import escape
-from typing import Protocol
 
 import segno
 from aiohttp import web
@@ -17,20 +16,14 @@ from day6_tui.locale import Texts
 from day6_tui.web import pages
 from day6_tui.web.gate import Gate
 from day6_tui.web.links import Links
+from day6_tui.web.sessions import Sessions
 from day6_tui.web.tokens import PUPIL, TEACHER, WATCHER, Ticket
 
 ALL = "all"
 """What is asked for where it is a new link for every pupil of the list."""
 
 
-class TurnOut(Protocol):
-    """Closes the tabs of who came by a link."""
-
-    def __call__(self, name: str, why: str, *, kind: str) -> None:
-        """Close them, with this goodbye."""
-
-
-def routes(gate: Gate, links: Links, turn_out: TurnOut, texts: Callable[[web.Request], Texts]) -> list[web.RouteDef]:
+def routes(gate: Gate, links: Links, sessions: Sessions, texts: Callable[[web.Request], Texts]) -> list[web.RouteDef]:
     """The addresses of the page and of its buttons."""
 
     async def show(request: web.Request) -> web.StreamResponse:
@@ -47,10 +40,10 @@ def routes(gate: Gate, links: Links, turn_out: TurnOut, texts: Callable[[web.Req
         if kind == ALL:
             links.make_all()
             for each in links.names:
-                turn_out(each, "refused", kind=PUPIL)
+                sessions.turn_out(each, "refused", kind=PUPIL)
         elif kind in (PUPIL, WATCHER) and name in links.all_names():
             links.make(Ticket(kind, name))
-            turn_out(name, "refused", kind=kind)
+            sessions.turn_out(name, "refused", kind=kind)
         try:
             await links.keep()
         except OSError as error:  # the new links are good until the server ends
