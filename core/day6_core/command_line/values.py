@@ -6,10 +6,14 @@ import os
 from argparse import ArgumentTypeError
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from day6_core.command_line.texts import Wording
 from day6_core.reason import reason
 from day6_core.whole_file import open_at_once
+
+if TYPE_CHECKING:
+    from day6_core.link.unusable import Unusable
 
 
 class Values:
@@ -92,7 +96,7 @@ class Values:
             try:
                 address_of(text, listening=listening)
             except Unusable as error:
-                raise ArgumentTypeError(error.said(self._texts.language)) from None
+                raise self.unusable(error) from None
             return text
 
         return read
@@ -105,7 +109,11 @@ class Values:
         try:
             return secret_of(text)
         except Unusable as error:
-            raise ArgumentTypeError(error.said(self._texts.language)) from None
+            raise self.unusable(error) from None
+
+    def unusable(self, error: Unusable) -> ArgumentTypeError:
+        """The error for an endpoint or a secret that cannot be used, to be raised."""
+        return ArgumentTypeError(error.said(self._texts.language))
 
     def _float(self, text: str, least: float, most: float, kind: str) -> float:
         try:

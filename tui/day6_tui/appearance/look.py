@@ -31,8 +31,9 @@ class Look:
     """The text that says why the language isn't the one that was asked for; '' if it is."""
     reduced_motion: bool = False
     wake: Callable[[], None] = field(default=lambda: None)
-    wake_after: Callable[[float], None] = field(default=lambda seconds: None)
     """Requests a frame: for panes whose size or state the user changed."""
+    wake_after: Callable[[float], None] = field(default=lambda seconds: None)
+    """Requests one in so many seconds even if nothing changes until then; every `pull` has to ask anew."""
     filters: Sequence[LineFilter] = ()
     """What every line has to go through for this terminal, after the characters: fewer colours."""
     pictures: Pictures | None = None

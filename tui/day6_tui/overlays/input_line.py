@@ -23,11 +23,9 @@ class _Harmless(Highlighter):
     def __init__(self, look: Look) -> None:
         self._look = look
 
-    def __call__(self, text: str | Text) -> Text:
-        return Text(same_length(str(text), pictures=self._look.glyphs.chinese), no_wrap=True, overflow="ignore", end="")
-
     def highlight(self, text: Text) -> None:
-        """Nothing more."""
+        """Put a picture in the place of each harmful character."""
+        text.plain = same_length(text.plain, pictures=self._look.glyphs.chinese)
 
 
 class InputLine(Surviving, Input):

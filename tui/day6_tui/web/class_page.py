@@ -158,7 +158,7 @@ class ClassPage:
             changed.clear()
             now = self._feed.roster.now
             rows = [self._told(row, now, texts) for row in self._feed.roster.rows()]
-            news = list(self._feed.news)[len(self._feed.news) - min(self._feed.told - heard, len(self._feed.news)) :]
+            news = [each for each in self._feed.news if each.number > heard]
             heard = self._feed.told
             state = {
                 "frozen": self._feed.roster.is_frozen,

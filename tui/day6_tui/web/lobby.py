@@ -10,7 +10,7 @@ import itertools
 import secrets
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from day6_tui.web.addresses import source
@@ -56,9 +56,8 @@ class Newcomer:
 class Lobby:
     """Decides who has to wait, and knows who does. Everything in the event loop, nothing is awaited."""
 
-    def __init__(self, unasked: int, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(self, unasked: int) -> None:
         self._unasked = unasked
-        self._clock = clock
         self._numbers = itertools.count(1)
         self._by_key: dict[str, Newcomer] = {}
         self._came: Counter[str] = Counter()
@@ -88,7 +87,7 @@ class Lobby:
     def wait(self, name: str, address: str, why: str, *, before: str = "") -> str:
         """Let somebody wait, in place of whom the same browser was `before`; return what its page shows. Raises LobbyFull."""
         self._by_key.pop(before, None)
-        now, waiting = self._clock(), self.waiting()
+        now, waiting = time.monotonic(), self.waiting()
         own = sum(source(each.address) == source(address) for each in waiting)
         if own >= MOST_OF_ONE or len(waiting) >= MOST_OF_ALL:
             raise LobbyFull
@@ -108,7 +107,7 @@ class Lobby:
         """The page of a newcomer asks; None if it is not known (any more)."""
         found = self._by_key.get(key)
         if found is not None:
-            found.seen = self._clock()
+            found.seen = time.monotonic()
         return found
 
     def leave(self, key: str) -> None:
@@ -119,7 +118,7 @@ class Lobby:
 
     def waiting(self) -> list[Newcomer]:
         """Who waits for the teacher's word, the longest first."""
-        since = self._clock() - AWAY_SECONDS
+        since = time.monotonic() - AWAY_SECONDS
         return [each for each in self._by_key.values() if each.is_pending and each.seen >= since]
 
     def chosen(self, numbers: Iterable[int]) -> list[Newcomer]:

@@ -6,7 +6,6 @@ import getpass
 import ipaddress
 import os
 import sys
-from argparse import ArgumentTypeError
 from functools import partial
 from pathlib import Path
 
@@ -31,12 +30,7 @@ def build_parser(language: str = "en") -> CommandParser:
     texts, values, add = parser.texts, Values(parser.texts), parser.add_argument
     add("--class", dest="class_file", type=Path, metavar="FILE.csv", help=texts("cli.serve.class"))
     add("--new-links", action="store_true", help=texts("cli.serve.new_links"))
-    add(
-        "--word",
-        type=partial(_word, values=values, language=language),
-        metavar="FILE|WORD|-",
-        help=texts("cli.serve.word"),
-    )
+    add("--word", type=partial(_word, values=values), metavar="FILE|WORD|-", help=texts("cli.serve.word"))
     add("--unasked", type=values.whole(0, 1000), default=8, metavar="N", help=texts("cli.serve.unasked"))
     add("--data", type=Path, metavar="DIR", help=texts("cli.serve.data"))
     add("--lessons", type=values.folder, metavar="DIR", help=texts("cli.desktop.lessons"))
@@ -104,7 +98,7 @@ def _data(given: Path | None) -> Path:
     return (default_home().with_name("class") if given is None else given).expanduser().resolve()
 
 
-def _word(text: str, values: Values, language: str) -> tuple[str, bool]:
+def _word(text: str, values: Values) -> tuple[str, bool]:
     """The class word, and whether others can read it where it was given: a word can be, but not a file and standard input."""
     from day6_core.link.secret import is_path, read_private
     from day6_core.link.unusable import Unusable
@@ -118,7 +112,7 @@ def _word(text: str, values: Values, language: str) -> tuple[str, bool]:
         if len(word) < SHORTEST_WORD:
             raise Unusable("secret_short", where=text, count=len(word), least=SHORTEST_WORD)
     except Unusable as error:
-        raise ArgumentTypeError(error.said(language)) from None
+        raise values.unusable(error) from None
     return word, False
 
 

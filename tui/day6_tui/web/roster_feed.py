@@ -98,8 +98,8 @@ class RosterFeed:
 
     def say(self, key: str, **values: object) -> None:
         """Tell the teacher something, wherever the page is."""
-        self.news.append(News(key, values))
         self.told += 1
+        self.news.append(News(self.told, key, values))
         self.tell()
 
     def tell(self) -> None:

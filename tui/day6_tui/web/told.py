@@ -10,8 +10,9 @@ from day6_tui.locale import Texts
 
 
 class News(NamedTuple):
-    """Something to be told: the key of a text, and what fills it."""
+    """Something to be told: which one it is (from 1), the key of a text, and what fills it."""
 
+    number: int
     key: str
     values: Mapping[str, object]
 
