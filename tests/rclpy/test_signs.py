@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -42,7 +43,14 @@ class Questions:
 
 
 @pytest.fixture
-def questions(world: World) -> Questions:
+def questions(world: World, monkeypatch: pytest.MonkeyPatch) -> Questions:
+    """Who is asked reads our test modules, too, and begins to trace callbacks; afterwards all is as before."""
+    from rclpy._day6 import swallowed
+    from rclpy.executors import Executor
+
+    monkeypatch.setattr(Executor, "_execute", swallowed._plain)
+    monkeypatch.setattr(swallowed, "_files", {})
+    monkeypatch.setattr(swallowed, "_functions", {})
     return Questions(world)
 
 
@@ -160,9 +168,7 @@ def test_an_exception_is_swallowed_where_a_handler_does_nothing(
     from std_msgs.msg import String
 
     from rclpy._day6 import swallowed
-    from rclpy.executors import Executor
 
-    plain = Executor._execute
     monkeypatch.setattr(swallowed, "_files", {__file__: swallowed._silent_in(__file__)})
     functions = {(__file__, line): each for line, each in swallowed._files[__file__].items()}
     monkeypatch.setattr(swallowed, "_functions", functions)
@@ -176,13 +182,11 @@ def test_an_exception_is_swallowed_where_a_handler_does_nothing(
         publisher.publish(String())
         questions.world.settle()
 
-    before = swallowed.sys.settrace
     tracer = threading._trace_hook  # type: ignore[attr-defined]
     try:
         found = questions.over(2.0, say)
     finally:
-        monkeypatch.setattr(Executor, "_execute", plain)
-        before(tracer)
+        sys.settrace(tracer)
     assert ("swallowed" in found) is is_told
     if is_told:
         told = found["swallowed"]
@@ -195,10 +199,9 @@ def test_nobody_is_traced_any_more_some_seconds_after_the_last_question(monkeypa
     from rclpy._day6 import swallowed
     from rclpy.executors import Executor
 
-    plain = Executor._execute
     monkeypatch.setattr(swallowed, "_plain", lambda executor, entity: True)
     monkeypatch.setattr(Executor, "_execute", swallowed._watched)
     monkeypatch.setattr(swallowed, "_traced", {id(swallowed): swallowed.CALLBACKS})
     monkeypatch.setattr(swallowed, "_asked", time.monotonic() - swallowed.FOR_S - 1)
     assert swallowed._watched(None, swallowed)  # type: ignore[arg-type]
-    assert Executor._execute is swallowed._plain and plain is not swallowed._plain
+    assert Executor._execute is swallowed._plain
