@@ -65,8 +65,8 @@ class Drill(NamedTuple):
     findings: tuple[str, ...]
 
 
-def program(text: str, *, node: str = "", shows: str = "", ends: bool = False) -> Callable[[Lab], object]:
-    """A program of a student's: wait until its node is there, it shows something, or it has ended."""
+def program(text: str, *, node: str = "/mine", shows: str = "", ends: bool = False) -> Callable[[Lab], object]:
+    """A program of a student's: wait until it shows something and its node is there, or it has ended."""
 
     def inject(lab: Lab) -> None:
         lab.file("program.py", HEAD + text)
@@ -74,8 +74,7 @@ def program(text: str, *, node: str = "", shows: str = "", ends: bool = False) -
             lab.run("python3 program.py")
             return
         lab.start("python3 program.py", shows=shows)
-        if node:
-            lab.wait_node(node)
+        lab.wait_node(node)
 
     return inject
 
@@ -408,6 +407,13 @@ def ghost(lab: Lab) -> None:
 # -- Python ----------------------------------------------------------------------------------------------------------------
 
 NODE = "rclpy.init()\nnode = Node('mine')\n"
+
+
+def spinning(text: str, name: str = "mine") -> str:
+    """A program that makes a node, does this, and spins."""
+    return f"rclpy.init()\nnode = Node({name!r})\n{text}rclpy.spin(node)\n"
+
+
 SERVICE_NODE = """
 class Mine(Node):
     def __init__(self):
@@ -504,7 +510,7 @@ DRILLS: tuple[Drill, ...] = (
     Drill(
         "19",
         "spin forgotten",
-        program(NODE + "node.create_timer(0.1, lambda: print('tick'))\nwhile True:\n    time.sleep(1)\n", node="/mine"),
+        program(NODE + "node.create_timer(0.1, lambda: print('tick'))\nwhile True:\n    time.sleep(1)\n"),
         ("never_spun",),
     ),
     Drill(
@@ -516,16 +522,13 @@ DRILLS: tuple[Drill, ...] = (
     Drill(
         "19c",
         "spin left",
-        program(
-            NODE + "node.create_timer(0.1, lambda: None)\nrclpy.spin_once(node)\nwhile True:\n    time.sleep(1)\n",
-            node="/mine",
-        ),
+        program(NODE + "node.create_timer(0.1, lambda: None)\nrclpy.spin_once(node)\nwhile True:\n    time.sleep(1)\n"),
         ("spin_ended",),
     ),
     Drill(
         "20",
         "call() in a callback",
-        program(SERVICE_NODE.format(body="self.client.call(Trigger.Request())"), node="/mine"),
+        program(SERVICE_NODE.format(body="self.client.call(Trigger.Request())")),
         ("calls_own_service",),
     ),
     Drill(
@@ -534,8 +537,7 @@ DRILLS: tuple[Drill, ...] = (
         program(
             SERVICE_NODE.format(
                 body="rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()))"
-            ),
-            node="/mine",
+            )
         ),
         ("spins_in_callback",),
     ),
@@ -545,33 +547,26 @@ DRILLS: tuple[Drill, ...] = (
         program(
             NODE + "client = node.create_client(Trigger, 'trigger')\n"
             "node.create_service(Trigger, 'trigger', lambda request, response: response)\n"
-            "client.call(Trigger.Request())\n",
-            node="/mine",
+            "client.call(Trigger.Request())\n"
         ),
         ("call_alone",),
     ),
     Drill(
         "21",
         "sleep in a callback",
-        program(NODE + "node.create_timer(0.1, lambda: time.sleep(30))\nrclpy.spin(node)\n", node="/mine"),
+        program(spinning("node.create_timer(0.1, lambda: time.sleep(30))\n")),
         ("sleeps_in_callback",),
     ),
     Drill(
         "21b",
         "endless loop in a callback",
-        program(
-            NODE + "def tick():\n    while True:\n        pass\nnode.create_timer(0.1, tick)\nrclpy.spin(node)\n",
-            node="/mine",
-        ),
+        program(spinning("def tick():\n    while True:\n        pass\nnode.create_timer(0.1, tick)\n")),
         ("stays_in_callback",),
     ),
     Drill(
         "21c",
         "sleep in an async callback",
-        program(
-            NODE + "async def tick():\n    time.sleep(30)\nnode.create_timer(0.1, tick)\nrclpy.spin(node)\n",
-            node="/mine",
-        ),
+        program(spinning("async def tick():\n    time.sleep(30)\nnode.create_timer(0.1, tick)\n")),
         ("sleeps_in_callback",),
     ),
     Drill(
@@ -592,16 +587,13 @@ DRILLS: tuple[Drill, ...] = (
     Drill(
         "22",
         "Rate without a second thread",
-        program(NODE + "rate = node.create_rate(10)\nwhile rclpy.ok():\n    rate.sleep()\n", node="/mine"),
+        program(NODE + "rate = node.create_rate(10)\nwhile rclpy.ok():\n    rate.sleep()\n"),
         ("rate_alone",),
     ),
     Drill(
         "22b",
         "Rate in a callback",
-        program(
-            NODE + "rate = node.create_rate(1)\nnode.create_timer(0.1, lambda: rate.sleep())\nrclpy.spin(node)\n",
-            node="/mine",
-        ),
+        program(spinning("rate = node.create_rate(1)\nnode.create_timer(0.1, lambda: rate.sleep())\n")),
         ("rate_in_callback",),
     ),
     Drill(
@@ -647,7 +639,7 @@ DRILLS: tuple[Drill, ...] = (
     Drill("31", "Ctrl-C traceback", interrupted, ("ctrl_c",)),
     Drill("31b", "shut down twice", program(NODE + "rclpy.shutdown()\nrclpy.shutdown()\n", ends=True), ("shut_twice",)),
     Drill("32", "exception lost in a lifecycle node", program(LIFECYCLE, node="/camera"), ("hidden_error",)),
-    Drill("32b", "exception lost in a pool", program(POOL, node="/mine"), ("hidden_error",)),
+    Drill("32b", "exception lost in a pool", program(POOL), ("hidden_error",)),
     Drill("33", "two nodes of one name", twins, ("twins",)),
     Drill("34", "two publishers fight", fight, ("fight",)),
     Drill("35", "parameter not declared", program(NODE + "node.get_parameter('speed')\n", ends=True), ("undeclared",)),
@@ -682,8 +674,7 @@ DRILLS: tuple[Drill, ...] = (
         "a program waits for a service",
         program(
             NODE + "client = node.create_client(Trigger, 'nope')\n"
-            "while not client.wait_for_service(timeout_sec=1.0):\n    pass\n",
-            node="/mine",
+            "while not client.wait_for_service(timeout_sec=1.0):\n    pass\n"
         ),
         ("program_waits_service", "no_server"),
     ),

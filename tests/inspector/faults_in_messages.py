@@ -91,13 +91,13 @@ rclpy.spin(node)
 )
 
 
-def start(lab: Lab, *sent: str, name: str = "sender", number: int = 0, period: float = 0.05) -> None:
+def start(lab: Lab, *sent: str, name: str = "sender", number: int = 0, period: float = 0.05, options: str = "") -> None:
     """Start a program that publishes topics again and again: `'topic', Type, how a message is made`."""
     lines = "".join(
         f"({topic}, {kind}, lambda: {make}), " for topic, kind, make in (each.split(", ", 2) for each in sent)
     )
     lab.file(f"{name}.py", SENDER.format(name=name, sent=lines, period=period))
-    lab.start(f"python3 {name}.py", number)
+    lab.start(f"python3 {name}.py {options}".rstrip(), number)
     lab.wait_node(f"/{name}")
 
 
@@ -182,7 +182,7 @@ def played(lab: Lab) -> None:
     start(
         lab,
         "'/scan', LaserScan, scan(stamp=now(-86400))",
-        TREE.replace("'), tf(", "', stamp=now(-86400)), tf("),
+        TREE.replace("')", "', stamp=now(-86400))"),
         name="yesterday",
     )
     lab.start("ros2 bag record -o yesterday /scan /tf", 1, shows="Subscribed to topic '/tf'")
@@ -222,26 +222,9 @@ def handed_over(lab: Lab) -> None:
 
 def simulated(lab: Lab) -> None:
     """A simulator's clock begins at 0, and everybody goes by it."""
-    lab.file(
-        "clock.py",
-        SENDER.format(
-            name="simulator",
-            period=0.05,
-            sent="('/clock', Clock, lambda: Clock(clock=Time(sec=int(time.monotonic()) % 1000)))",
-        ),
-    )
-    lab.start("python3 clock.py", 2)
-    lab.wait_node("/simulator")
-    lab.file(
-        "robot.py",
-        SENDER.format(
-            name="robot",
-            period=0.05,
-            sent=f"('/odom', Odometry, lambda: odometry()), ({TREE.replace('TFMessage, ', 'TFMessage, lambda: ', 1)})",
-        ),
-    )
-    lab.start("python3 robot.py --ros-args -p use_sim_time:=true")
-    lab.wait_node("/robot")
+    ticks = "'/clock', Clock, Clock(clock=Time(sec=int(time.monotonic()) % 1000))"
+    start(lab, ticks, name="simulator", number=2)
+    start(lab, "'/odom', Odometry, odometry()", TREE, name="robot", options="--ros-args -p use_sim_time:=true")
 
 
 HEALTHY: tuple[Callable[[Lab], object], ...] = (played, measured, handed_over, simulated)

@@ -8,24 +8,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tests.inspector.drills import HEAD, NODE, Drill, program
+from tests.inspector.drills import HEAD, NODE, Drill, program, spinning
 
 if TYPE_CHECKING:
     from tests.inspector.lab import Lab
 
 SPIN = "rclpy.spin(node)\n"
 POOLED = """
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 executor = MultiThreadedExecutor(4)
 executor.add_node(node)
 executor.spin()
 """
 ACTION = """
-import threading
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient, ActionServer, CancelResponse
-from rclpy.executors import MultiThreadedExecutor
 """
 ASKS = """
 client = ActionClient(node, Fibonacci, 'fibonacci')
@@ -54,22 +51,16 @@ inputs = [Subscriber(node, Image, 'image'), Subscriber(node, LaserScan, 'scan')]
 IMAGES = "node.create_timer(0.1, lambda: sent(images, Image()))\n"
 
 
-def beside(
-    other: str, text: str, *, node: str = "", other_node: str = "/other", shows: str = ""
-) -> Callable[[Lab], object]:
+def beside(other: str, text: str) -> Callable[[Lab], object]:
     """A program that is all right, and the one with the fault beside it."""
 
     def inject(lab: Lab) -> None:
         lab.file("other.py", HEAD + other)
         lab.start("python3 other.py", 1)
-        lab.wait_node(other_node)
-        program(text, node=node, shows=shows)(lab)
+        lab.wait_node("/other")
+        program(text)(lab)
 
     return inject
-
-
-def other(text: str) -> str:
-    return f"rclpy.init()\nnode = Node('other')\n{text}rclpy.spin(node)\n"
 
 
 def background(lab: Lab) -> None:
@@ -83,17 +74,20 @@ def canceled(text: str) -> Callable[[Lab], object]:
     """An action server that is asked to cancel its goal."""
 
     def inject(lab: Lab) -> None:
-        lab.file("program.py", HEAD + ACTION + NODE + text)
-        lab.start("python3 program.py")
-        lab.wait_node("/mine")
+        program(ACTION + NODE + text)(lab)
         lab.file(
             "other.py",
-            HEAD + ACTION + "rclpy.init()\nnode = Node('other')\nclient = ActionClient(node, Fibonacci, 'fibonacci')\n"
-            "client.wait_for_server()\n"
-            "goal = client.send_goal_async(Fibonacci.Goal(order=3))\n"
-            "rclpy.spin_until_future_complete(node, goal)\n"
-            "rclpy.spin_until_future_complete(node, goal.result().cancel_goal_async(), timeout_sec=1.0)\n"
-            "print('asked to cancel', flush=True)\nrclpy.spin(node)\n",
+            HEAD
+            + ACTION
+            + spinning(
+                "client = ActionClient(node, Fibonacci, 'fibonacci')\n"
+                "client.wait_for_server()\n"
+                "goal = client.send_goal_async(Fibonacci.Goal(order=3))\n"
+                "rclpy.spin_until_future_complete(node, goal)\n"
+                "rclpy.spin_until_future_complete(node, goal.result().cancel_goal_async(), timeout_sec=1.0)\n"
+                "print('asked to cancel', flush=True)\n",
+                "other",
+            ),
         )
         lab.start("python3 other.py", 1, shows="asked to cancel")
 
@@ -129,22 +123,24 @@ def launched(node: str, shows: str = "") -> Callable[[Lab], object]:
     return inject
 
 
-DYING_THREAD = (
-    "import threading\n" + NODE + "def work():\n    time.sleep(0.5)\n    {}['speed']\n"
-    "threading.Thread(target=work).start()\nnode.create_timer(0.1, lambda: None)\nrclpy.spin(node)\n"
+DYING_THREAD = "import threading\n" + spinning(
+    "def work():\n    time.sleep(0.5)\n    {}['speed']\n"
+    "threading.Thread(target=work).start()\nnode.create_timer(0.1, lambda: None)\n"
 )
-FAST = other(
-    "publisher = node.create_publisher(String, 'chatter', 10)\nnode.create_timer(0.002, lambda: publisher.publish(String()))\n"
+FAST = spinning(
+    "publisher = node.create_publisher(String, 'chatter', 10)\nnode.create_timer(0.002, lambda: publisher.publish(String()))\n",
+    "other",
 )
-SLOW = other(
-    "publisher = node.create_publisher(String, 'chatter', 10)\nnode.create_timer(0.1, lambda: publisher.publish(String()))\n"
+SLOW = spinning(
+    "publisher = node.create_publisher(String, 'chatter', 10)\nnode.create_timer(0.1, lambda: publisher.publish(String()))\n",
+    "other",
 )
-SERVES = other("node.create_service(Trigger, 'trigger', lambda request, response: response)\n")
+SERVES = spinning("node.create_service(Trigger, 'trigger', lambda request, response: response)\n", "other")
 HEARS = "def heard(message):\n{}\nnode.create_subscription(String, 'chatter', heard, 10)\n"
-GROUPED = """
+GROUPED = (
+    """
 rclpy.init()
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.executors import MultiThreadedExecutor
 node = Node('mine')
 group = MutuallyExclusiveCallbackGroup()
 client = node.create_client(Trigger, 'trigger', callback_group=group)
@@ -153,10 +149,9 @@ def tick():
     client.call(Trigger.Request())
 
 node.create_timer(0.2, tick, callback_group=group)
-executor = MultiThreadedExecutor(4)
-executor.add_node(node)
-executor.spin()
 """
+    + POOLED
+)
 SERVER = """def serve(request, response):
     return response
 
@@ -166,20 +161,14 @@ node.create_service(Trigger, 'trigger', serve, callback_group=group)
 GROUPED_SERVER = GROUPED.replace("def tick", SERVER + "def tick").replace(
     "create_client(Trigger, 'trigger', callback_group=group)", "create_client(Trigger, 'trigger')"
 )
-CLIENT = (
-    NODE + "client = node.create_client(Trigger, 'trigger')\ndef tick():\n{}\nnode.create_timer(0.2, tick)\n" + SPIN
-)
+CLIENT = spinning("client = node.create_client(Trigger, 'trigger')\ndef tick():\n{}\nnode.create_timer(0.2, tick)\n")
 
 INNER_DRILLS: tuple[Drill, ...] = (
     # -- exceptions ----------------------------------------------------------------------------------------------------
     Drill(
         "i1",
         "except: pass at every message",
-        beside(
-            SLOW,
-            NODE + HEARS.format("    try:\n        print(message.text)\n    except:\n        pass") + SPIN,
-            node="/mine",
-        ),
+        beside(SLOW, spinning(HEARS.format("    try:\n        print(message.text)\n    except:\n        pass"))),
         ("swallowed",),
     ),
     Drill(
@@ -189,8 +178,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
             "class Mine(Node):\n    def __init__(self):\n        super().__init__('mine')\n"
             "        self.create_timer(0.1, self.tick)\n\n    def tick(self):\n        try:\n"
             "            self.drive()\n        except Exception:\n            return\n\n"
-            "    def drive(self):\n        Twist().linear.x = 1\n\nrclpy.init()\nrclpy.spin(Mine())\n",
-            node="/mine",
+            "    def drive(self):\n        Twist().linear.x = 1\n\nrclpy.init()\nrclpy.spin(Mine())\n"
         ),
         ("swallowed",),
     ),
@@ -198,9 +186,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "i1c",
         "except: pass in a pool of threads",
         beside(
-            SLOW,
-            NODE + HEARS.format("    try:\n        return 1 / 0\n    except Exception:\n        pass") + POOLED,
-            node="/mine",
+            SLOW, NODE + HEARS.format("    try:\n        return 1 / 0\n    except Exception:\n        pass") + POOLED
         ),
         ("swallowed",),
     ),
@@ -208,31 +194,31 @@ INNER_DRILLS: tuple[Drill, ...] = (
     Drill(
         "i2",
         "a timer of 1e-7 s",
-        program(NODE + "node.create_timer(1e-7, lambda: None)\n" + SPIN, node="/mine"),
+        program(spinning("node.create_timer(1e-7, lambda: None)\n")),
         ("timer_late",),
     ),
     Drill(
         "i2b",
         "a timer's callback longer than its period",
-        program(NODE + "node.create_timer(0.05, lambda: time.sleep(0.2))\n" + SPIN, node="/mine"),
+        program(spinning("node.create_timer(0.05, lambda: time.sleep(0.2))\n")),
         ("timer_late",),
     ),
     Drill(
         "i2c",
         "a timer of 0 s",
-        program(NODE + "node.create_timer(0.0, lambda: None)\n" + SPIN, node="/mine"),
+        program(spinning("node.create_timer(0.0, lambda: None)\n")),
         ("timer_zero",),
     ),
     Drill(
         "i2d",
         "a timer in milliseconds",
-        program(NODE + "node.create_timer(500, print)\nnode.create_timer(1000, lambda: None)\n" + SPIN, node="/mine"),
+        program(spinning("node.create_timer(500, print)\nnode.create_timer(1000, lambda: None)\n")),
         ("timer_seldom",),
     ),
     Drill(
         "i3",
         "most of 500 Hz is lost",
-        beside(FAST, NODE + HEARS.format("    time.sleep(0.3)") + SPIN, node="/mine"),
+        beside(FAST, spinning(HEARS.format("    time.sleep(0.3)"))),
         ("losses",),
     ),
     Drill(
@@ -240,8 +226,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "published without a pause",
         program(
             NODE
-            + "publisher = node.create_publisher(String, 'chatter', 10)\nwhile rclpy.ok():\n    publisher.publish(String())\n",
-            node="/mine",
+            + "publisher = node.create_publisher(String, 'chatter', 10)\nwhile rclpy.ok():\n    publisher.publish(String())\n"
         ),
         ("flood",),
     ),
@@ -249,19 +234,16 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "i3c",
         "a publisher made in a callback",
         program(
-            NODE
-            + "node.create_timer(0.05, lambda: node.create_publisher(String, 'chatter', 10).publish(String()))\n"
-            + SPIN,
-            node="/mine",
+            spinning(
+                "node.create_timer(0.05, lambda: node.create_publisher(String, 'chatter', 10).publish(String()))\n"
+            )
         ),
         ("grows_publishers",),
     ),
     Drill(
         "i3d",
         "a timer made in a callback",
-        program(
-            NODE + "def tick():\n    node.create_timer(5.0, tick)\nnode.create_timer(0.1, tick)\n" + SPIN, node="/mine"
-        ),
+        program(spinning("def tick():\n    node.create_timer(5.0, tick)\nnode.create_timer(0.1, tick)\n")),
         ("grows_timers",),
     ),
     # -- actions -------------------------------------------------------------------------------------------------------
@@ -269,8 +251,11 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "i4",
         "an action never succeeds",
         program(
-            ACTION + NODE + "def execute(goal):\n    print('begun', flush=True)\n    return Fibonacci.Result()\n"
-            "server = ActionServer(node, Fibonacci, 'fibonacci', execute)\n" + ASKS + SPIN,
+            ACTION
+            + spinning(
+                "def execute(goal):\n    print('begun', flush=True)\n    return Fibonacci.Result()\n"
+                "server = ActionServer(node, Fibonacci, 'fibonacci', execute)\n" + ASKS
+            ),
             shows="begun",
         ),
         ("goal_unsettled",),
@@ -279,10 +264,11 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "i4b",
         "an accepted goal that nobody executes",
         program(
-            ACTION + NODE + "def accepted(goal):\n    print('accepted', flush=True)\n"
-            "server = ActionServer(node, Fibonacci, 'fibonacci', print, handle_accepted_callback=accepted)\n"
-            + ASKS
-            + SPIN,
+            ACTION
+            + spinning(
+                "def accepted(goal):\n    print('accepted', flush=True)\n"
+                "server = ActionServer(node, Fibonacci, 'fibonacci', print, handle_accepted_callback=accepted)\n" + ASKS
+            ),
             shows="accepted",
         ),
         ("goal_waits",),
@@ -293,8 +279,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         canceled(
             "def execute(goal):\n    while rclpy.ok():\n        time.sleep(0.1)\n    return Fibonacci.Result()\n"
             "server = ActionServer(node, Fibonacci, 'fibonacci', execute,\n"
-            "                      cancel_callback=lambda goal: CancelResponse.ACCEPT)\n"
-            "executor = MultiThreadedExecutor(4)\nexecutor.add_node(node)\nexecutor.spin()\n"
+            "                      cancel_callback=lambda goal: CancelResponse.ACCEPT)\n" + POOLED
         ),
         ("cancel_ignored",),
     ),
@@ -310,15 +295,14 @@ INNER_DRILLS: tuple[Drill, ...] = (
         ("cancel_unheard",),
     ),
     # -- threads -------------------------------------------------------------------------------------------------------
-    Drill("i5", "a thread died, the node goes on", program(DYING_THREAD, node="/mine"), ("thread_died",)),
+    Drill("i5", "a thread died, the node goes on", program(DYING_THREAD), ("thread_died",)),
     Drill("i5b", "the same in the background", background, ("thread_died",)),
     Drill(
         "i5c",
         "the thread that spins died",
         program(
             "import threading\n" + NODE + "def tick():\n    print(node.speed)\nnode.create_timer(0.1, tick)\n"
-            "threading.Thread(target=rclpy.spin, args=(node,)).start()\nwhile True:\n    time.sleep(1)\n",
-            node="/mine",
+            "threading.Thread(target=rclpy.spin, args=(node,)).start()\nwhile True:\n    time.sleep(1)\n"
         ),
         ("thread_died",),
     ),
@@ -326,14 +310,14 @@ INNER_DRILLS: tuple[Drill, ...] = (
     Drill(
         "i6",
         "call() in a callback, served elsewhere",
-        beside(SERVES, CLIENT.format("    client.call(Trigger.Request())"), node="/mine"),
+        beside(SERVES, CLIENT.format("    client.call(Trigger.Request())")),
         ("calls_in_callback",),
     ),
-    Drill("i6b", "call() within one exclusive group", beside(SERVES, GROUPED, node="/mine"), ("calls_in_group",)),
+    Drill("i6b", "call() within one exclusive group", beside(SERVES, GROUPED), ("calls_in_group",)),
     Drill(
         "i6c",
         "the service is in the group of who calls",
-        program(GROUPED_SERVER, node="/mine"),
+        program(GROUPED_SERVER),
         ("calls_own_in_group",),
     ),
     Drill(
@@ -344,7 +328,6 @@ INNER_DRILLS: tuple[Drill, ...] = (
             CLIENT.format(
                 "    future = client.call_async(Trigger.Request())\n    while not future.done():\n        time.sleep(0.01)"
             ),
-            node="/mine",
         ),
         ("calls_in_callback",),
     ),
@@ -352,16 +335,18 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "i6e",
         "an event that another callback sets",
         program(
-            "import threading\n" + NODE + "came = threading.Event()\n"
-            "node.create_timer(0.2, lambda: came.wait())\nnode.create_timer(0.3, lambda: came.set())\n" + SPIN,
-            node="/mine",
+            "import threading\n"
+            + spinning(
+                "came = threading.Event()\n"
+                "node.create_timer(0.2, lambda: came.wait())\nnode.create_timer(0.3, lambda: came.set())\n"
+            )
         ),
         ("event_in_callback",),
     ),
     Drill(
         "i6f",
         "input() in a callback",
-        program(NODE + "node.create_timer(0.2, lambda: input('speed? '))\n" + SPIN, shows="speed?"),
+        program(spinning("node.create_timer(0.2, lambda: input('speed? '))\n"), shows="speed?"),
         ("input_in_callback",),
     ),
     Drill(
@@ -371,8 +356,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
             "class Mine(Node):\n    def __init__(self):\n        super().__init__('mine')\n"
             "        self.publisher = self.create_publisher(String, 'chatter', 10)\n"
             "        self.create_timer(0.1, print)\n        while True:\n"
-            "            self.publisher.publish(String())\n            time.sleep(0.1)\n\nrclpy.init()\nrclpy.spin(Mine())\n",
-            node="/mine",
+            "            self.publisher.publish(String())\n            time.sleep(0.1)\n\nrclpy.init()\nrclpy.spin(Mine())\n"
         ),
         ("stays_in_init",),
     ),
@@ -380,9 +364,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "i6h",
         "the second spin is never reached",
         program(
-            NODE
-            + "second = Node('second')\nsecond.create_timer(0.1, print)\nnode.create_timer(0.1, lambda: None)\n"
-            + SPIN
+            spinning("second = Node('second')\nsecond.create_timer(0.1, print)\nnode.create_timer(0.1, lambda: None)\n")
             + "rclpy.spin(second)\n",
             node="/second",
         ),
@@ -391,7 +373,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
     Drill(
         "i6i",
         "waits for a service with a slip in its name",
-        beside(SERVES, NODE + "node.create_client(Trigger, 'triger').wait_for_service()\n", node="/mine"),
+        beside(SERVES, NODE + "node.create_client(Trigger, 'triger').wait_for_service()\n"),
         ("program_waits_near",),
     ),
     Drill(
@@ -400,7 +382,6 @@ INNER_DRILLS: tuple[Drill, ...] = (
         beside(
             SERVES,
             "from std_srvs.srv import SetBool\n" + NODE + "node.create_client(SetBool, 'trigger').wait_for_service()\n",
-            node="/mine",
         ),
         ("program_waits_type",),
     ),
@@ -410,8 +391,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "stamps too far apart",
         program(
             SYNC + IMAGES + "node.create_timer(0.1, lambda: sent(scans, LaserScan(), 1000))\n"
-            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\nmatched.registerCallback(both)\n" + SPIN,
-            node="/mine",
+            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\nmatched.registerCallback(both)\n" + SPIN
         ),
         ("sync_stamps",),
     ),
@@ -421,8 +401,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         program(
             SYNC + "node.create_timer(0.01, lambda: sent(images, Image()))\n"
             "node.create_timer(0.2, lambda: sent(scans, LaserScan(), 0.5))\n"
-            "matched = ApproximateTimeSynchronizer(inputs, 5, 0.02)\nmatched.registerCallback(both)\n" + SPIN,
-            node="/mine",
+            "matched = ApproximateTimeSynchronizer(inputs, 5, 0.02)\nmatched.registerCallback(both)\n" + SPIN
         ),
         ("sync_queue",),
     ),
@@ -433,8 +412,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
             SYNC.replace("'scan', 10)", "'scan', QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT))")
             + IMAGES
             + "node.create_timer(0.1, lambda: sent(scans, LaserScan()))\n"
-            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\nmatched.registerCallback(both)\n" + SPIN,
-            node="/mine",
+            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\nmatched.registerCallback(both)\n" + SPIN
         ),
         ("qos",),
     ),
@@ -443,8 +421,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "exactly equal stamps are wanted",
         program(
             SYNC + IMAGES + "node.create_timer(0.1, lambda: sent(scans, LaserScan(), 0.003))\n"
-            "matched = TimeSynchronizer(inputs, 10)\nmatched.registerCallback(both)\n" + SPIN,
-            node="/mine",
+            "matched = TimeSynchronizer(inputs, 10)\nmatched.registerCallback(both)\n" + SPIN
         ),
         ("sync_exact",),
     ),
@@ -455,8 +432,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
             SYNC + IMAGES + "texts = node.create_publisher(String, 'text', 10)\n"
             "node.create_timer(0.1, lambda: texts.publish(String()))\n"
             "inputs[1] = Subscriber(node, String, 'text')\n"
-            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\nmatched.registerCallback(both)\n" + SPIN,
-            node="/mine",
+            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\nmatched.registerCallback(both)\n" + SPIN
         ),
         ("sync_timeless",),
     ),
@@ -465,8 +441,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
         "registerCallback forgotten",
         program(
             SYNC + IMAGES + "node.create_timer(0.1, lambda: sent(scans, LaserScan()))\n"
-            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\n" + SPIN,
-            node="/mine",
+            "matched = ApproximateTimeSynchronizer(inputs, 10, 0.1)\n" + SPIN
         ),
         ("sync_no_callback",),
     ),
@@ -485,7 +460,7 @@ INNER_DRILLS: tuple[Drill, ...] = (
     Drill(
         "i8",
         "[] as a parameter",
-        program(NODE + "node.declare_parameter('names', [])\n" + SPIN, node="/mine"),
+        program(spinning("node.declare_parameter('names', [])\n")),
         ("empty_list",),
     ),
     Drill(

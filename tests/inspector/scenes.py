@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from tests.inspector.drills import DRILLS
-from tests.inspector.faults_in_messages import HEALTHY, IN_MESSAGES
+from tests.inspector.faults_in_messages import IN_MESSAGES
 from tests.inspector.inner_drills import INNER_DRILLS
 from tests.inspector.test_healthy import SCENES
 from tests.inspector.tutorials import TUTORIALS
@@ -14,9 +14,6 @@ from tests.inspector.tutorials import TUTORIALS
 if TYPE_CHECKING:
     from tests.inspector.lab import Lab
 
-
-HEALTHY_SCENES = (*SCENES, *HEALTHY)
-"""What must give no alarm."""
 
 INJECTED = (*DRILLS, *IN_MESSAGES, *INNER_DRILLS)
 """Every fault."""
@@ -37,6 +34,6 @@ def _id(key: str) -> str:
 
 ALL = (
     *(Scene(f"drill {drill.number}", drill.inject, tuple(map(_id, drill.findings))) for drill in INJECTED),
-    *(Scene(f"healthy {scene.__name__}", scene) for scene in HEALTHY_SCENES),
+    *(Scene(f"healthy {scene.__name__}", scene) for scene in SCENES),
     *(Scene(f"tutorial {tutorial.__name__}", tutorial) for tutorial in TUTORIALS),
 )

@@ -19,7 +19,8 @@ from tests import conftest as surroundings
 
 # isort: split
 from tests.inspector.lab import Lab
-from tests.inspector.scenes import HEALTHY_SCENES, INJECTED
+from tests.inspector.scenes import INJECTED
+from tests.inspector.test_healthy import SCENES
 
 WITHIN = 5.0
 """Seconds after a symptom in which it has to be named."""
@@ -45,7 +46,7 @@ def main() -> int:
     found_count = alarms = 0
     words = tuple(sys.argv[1:])
     drills = [drill for drill in INJECTED if not words or drill.number.startswith(words)]
-    scenes = [scene for scene in HEALTHY_SCENES if not words or scene.__name__.startswith(words)]
+    scenes = [scene for scene in SCENES if not words or scene.__name__.startswith(words)]
     print(f"{'no.':5}{'drill':56}{'found':28}{'s':>5}  beside it")
     for drill in drills:
         with machine() as lab:

@@ -245,11 +245,12 @@ def minimal_examples(lab: Lab) -> None:
 SCENES: tuple[Callable[[Lab], object], ...] = (
     turtle, square, talker_and_listener, demo_nodes, fibonacci, slow_action, slow_service, spin_once_loop, threads, car, display,
     rviz_with_the_robot, world, workspace, parameters, parameters_elsewhere, multisim, bag, minimal_examples,
+    *HEALTHY,
 )  # fmt: skip
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("scene", (*SCENES, *HEALTHY), ids=lambda scene: scene.__name__)
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.__name__)
 def test_a_healthy_scene_gives_no_alarm(lab: Lab, scene: Callable[[Lab], object]) -> None:
     scene(lab)
     said = lab.stays_silent()

@@ -87,6 +87,10 @@ def test_two_publishers_of_joint_states_fight() -> None:
 
 
 ROBOT = RobotFacts(moved=tuple((each, each.removesuffix("_joint")) for each in sorted(WHEELS)))
+HEARD = {"/joint_states": (NodeAndType("/robot_state_publisher", JOINTS),)}
+DESCRIBED = {"/robot_description": (NodeAndType("/robot_state_publisher", STRING),)}
+LISTENED = {"/robot_description": (NodeAndType("/rviz", STRING),)}
+VIEW = RVizView("base_link", ("base_link",), ("RobotModel",), True, "/robot_description", ("left_wheel",))
 
 
 @pytest.mark.parametrize(
@@ -118,25 +122,17 @@ ROBOT = RobotFacts(moved=tuple((each, each.removesuffix("_joint")) for each in s
 )
 def test_my_wheels_are_missing_has_one_answer_with_joint_link_and_publisher(names: tuple[str, ...], said: str) -> None:
     ends = {"/joint_states": (NodeAndType("/turner", JOINTS),)}
-    heard = {"/joint_states": (NodeAndType("/robot_state_publisher", JOINTS),)}
-    view = RVizView("base_link", ("base_link",), ("RobotModel",), True, "/robot_description", ("left_wheel",))
-    described = {"/robot_description": (NodeAndType("/robot_state_publisher", STRING),)}
-    listened = {"/robot_description": (NodeAndType("/rviz", STRING),)}
-    facts = Facts({**ends, **described}, {**heard, **listened}, heard_joints=names, joints=WHEELS, robot=ROBOT)
+    facts = Facts({**ends, **DESCRIBED}, {**HEARD, **LISTENED}, heard_joints=names, joints=WHEELS, robot=ROBOT)
     assert texts(facts) == [said]
     if "left_wheel_joint" not in names:
-        assert texts(replace(facts, rviz=(view,))) == [said], "RViz has no second answer"
+        assert texts(replace(facts, rviz=(VIEW,))) == [said], "RViz has no second answer"
 
 
 def test_nobody_publishes_joint_states_is_an_error_where_rviz_waits_for_them() -> None:
-    heard = {"/joint_states": (NodeAndType("/robot_state_publisher", JOINTS),)}
-    view = RVizView("base_link", ("base_link",), ("RobotModel",), True, "/robot_description", ("left_wheel",))
-    described = {"/robot_description": (NodeAndType("/robot_state_publisher", STRING),)}
-    listened = {"/robot_description": (NodeAndType("/rviz", STRING),)}
-    facts = Facts(described, {**heard, **listened}, joints=WHEELS, robot=ROBOT)
+    facts = Facts(DESCRIBED, {**HEARD, **LISTENED}, joints=WHEELS, robot=ROBOT)
     said = "nobody publishes /joint_states, so nothing says how far these joints have moved: left_wheel_joint, right_wheel_joint"
     assert [text.startswith(f"info: {said}") for text in texts(facts)] == [True]
-    assert [text.startswith(f"error: {said}") for text in texts(replace(facts, rviz=(view,)))] == [True]
+    assert [text.startswith(f"error: {said}") for text in texts(replace(facts, rviz=(VIEW,)))] == [True]
 
 
 TREE = (Transform("odom", "base_link", ("/base",)), Transform("base_link", "laser", ("/base",)))
