@@ -72,6 +72,9 @@ SCENES = {
         _type(("", 13), ("\x1bOQ", 1), ("rviz2 > /dev/null 2>&1 &\n", 5)),
     ),
 }
+"""welcome; turtle standing; driven by ten commands a second; the same over many lines; teleop and echo beside it, standing and
+with an arrow held down; the car with turning wheels, and RViz beside it."""
+
 STILL = {
     **{f"ros2 run {name} {name}": name for name in (
         "rqt_action", "rqt_bag", "rqt_console", "rqt_graph", "rqt_image_view", "rqt_logger_level", "rqt_msg", "rqt_plot",
@@ -99,8 +102,6 @@ SCENES.update(
         "still: lesson": Scene(("--lesson", "day1"), _wait(12)),
     },
 )
-"""welcome; turtle standing; driven by ten commands a second; the same over many lines; teleop and echo beside it, standing and
-with an arrow held down; the car with turning wheels, and RViz beside it."""
 
 
 class Measured:

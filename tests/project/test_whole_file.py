@@ -127,7 +127,6 @@ def test_a_device_is_written_to_and_stays_one(tmp_path: Path) -> None:
 WRITER = """
 import sys
 from pathlib import Path
-from typing import Any
 from day6_core.whole_file import replace_file
 print("ready", flush=True)
 number = 0

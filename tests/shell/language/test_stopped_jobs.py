@@ -9,13 +9,14 @@ from __future__ import annotations
 import json
 import os
 import re
-import sys
+import signal
 import tempfile
-import time
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
+
+from day6_core.shell.process.process import running_processes
 
 SCENES = Path(__file__).parent / "jobs_of_bash.jsonl"
 STOPS = """\
@@ -110,12 +111,7 @@ def test_one_that_another_program_stops_and_wakes_is_followed(seat: Any) -> None
     (seat.desk.home / "s.py").write_text("import time\nprint('one', flush=True)\ntime.sleep(60)\n")
     seat.line("python3 s.py")
     seat.wait(lambda text: "one" in text)
-    pid = next(program for program in seat.desk.programs.values() if "s.py" in program.session.argv).session
-    from day6_core.shell.process.process import running_processes
-
-    (process,) = [each for each in running_processes(seat.desk.scheduler) if each.session is pid]
-    import signal
-
+    (process,) = running_processes(seat.desk.scheduler)
     os.kill(process.pid, signal.SIGSTOP)
     seat.wait(lambda text: "Stopped" in text and seat.terminal.idle)
     os.kill(process.pid, signal.SIGCONT)
@@ -134,36 +130,21 @@ QUIET = 1.5
 
 
 def _of_bash(keys: list[str]) -> list[str]:
-    """Type the keys to a real bash and return its screen."""
-    if sys.platform == "win32":
-        raise NotImplementedError("there are no ptys")
-    import pty
-    import select
-    import signal
+    """Type the keys to a real bash and return its screen. Linux and macOS."""
+    from tests.perf.screen import Screen
 
-    home = Path(tempfile.mkdtemp())
-    (home / "s.py").write_text(STOPS)
-    pid, fd = pty.fork()
-    if not pid:
-        os.chdir(home)
-        env = {"PATH": os.environ["PATH"], "HOME": str(home), "TERM": "dumb", "LC_ALL": "C.UTF-8"}
-        os.execvpe("bash", ["bash", "--norc", "--noprofile", "-i"], env)
-    shown = b""
-    for text in ("PS1='$ '; bind 'set enable-bracketed-paste off'\r", *keys):
-        end = time.monotonic() + QUIET
-        shown = b"$ " if text.startswith("PS1") else shown
-        os.write(fd, text.encode())
-        try:
-            while select.select([fd], [], [], max(0.0, end - time.monotonic()))[0]:
-                data = os.read(fd, 4096)
-                shown += b"" if text.startswith("PS1") else data
-                end = time.monotonic() + QUIET
-        except OSError:
-            break
-    os.kill(pid, signal.SIGKILL)
-    os.close(fd)
-    os.waitpid(pid, 0)
-    return masked(shown.decode().replace("\r\n", "\n"))
+    with tempfile.TemporaryDirectory() as home:
+        (Path(home) / "s.py").write_text(STOPS)
+        bare = ["env", "-i", f"PATH={os.environ['PATH']}", f"HOME={home}", "TERM=dumb", "LC_ALL=C.UTF-8"]
+        with Screen([*bare, "bash", "--norc", "--noprofile", "-i"], 80, 24, cwd=home) as screen:
+            begin = 0
+            for text in ("PS1='$ '; bind 'set enable-bracketed-paste off'\r", *keys):
+                screen.send(text)
+                while screen.read(QUIET):
+                    pass
+                begin = begin or len(screen.output)
+            os.kill(screen.pid, signal.SIGKILL)  # an interactive bash hears no SIGTERM
+    return masked("$ " + screen.output[begin:].decode().replace("\r\n", "\n"))
 
 
 if __name__ == "__main__":
