@@ -589,3 +589,22 @@ def test_the_help_speaks_of_it_in_both_languages(place: Place) -> None:
     assert "用法：day6-tui attach" in place.run("attach", "--help", "--lang", "zh").stdout
     done = place.run("attach", "--lang", "en")
     assert (done.returncode, done.stderr) == (2, "day6-tui: attach needs a terminal\n")
+
+
+def test_what_was_typed_just_before_the_terminal_went_is_kept(place: Place) -> None:
+    data = place.work / "data"
+    with place.desktop("--detach", "--scene", "empty", XDG_DATA_HOME=str(data)) as screen:
+        screen.wait(PROMPT)
+        screen.line("nano work.txt")
+        screen.wait("work.txt", "^X")
+        screen.send("all my work")
+        screen.wait("all my work")
+        screen.kill()  # sooner than the copy that is made every second
+        screen.wait_end()
+    until(lambda: any("all my work" in path.read_text() for path in data.rglob("*.json")))
+    with attach(place) as screen:
+        screen.wait("all my work")
+        screen.press("F2")  # in the editor ^Q would close the file
+        screen.quit()
+        screen.wait_end()
+    expect_nothing_left(place)

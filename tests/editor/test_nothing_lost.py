@@ -291,6 +291,17 @@ def test_who_types_without_a_pause_has_a_copy_nevertheless(tmp_path: Path) -> No
     Bench(tmp_path).run(act)
 
 
+def test_a_text_that_goes_out_of_sight_right_after_a_key_has_a_copy(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.press("a")
+        assert kept(bench) == []
+        bench.pane.display = False  # as behind another tab
+        await bench.step()
+        assert kept(bench) == ["a"]
+
+    Bench(tmp_path).run(act)
+
+
 def test_a_file_that_goes_from_the_disk_leaves_a_copy_of_its_text(tmp_path: Path) -> None:
     (tmp_path / "talker.py").write_text("a = 1\n", encoding="utf-8")
 

@@ -58,6 +58,7 @@ class Detachment:
             return
         driver.leave_terminal()
         self.away = True
+        app.leaving.lost()  # windows keep what they can now: while nothing is drawn they don't look
         app.frames.rest(True)
         self._line.send(wire.GONE)
 

@@ -272,6 +272,11 @@ class EditorPane(WindowPane[Editor]):
             return ""
         return f"{self.editor.title()} ({self._unkept})"
 
+    def on_hide(self) -> None:
+        """Nothing is drawn from now on: keep what was typed last."""
+        if self._unsafe:
+            self._keep(self.area.text)
+
     def on_unmount(self) -> None:
         """The program was ended from outside: keep what was typed last too."""
         if self.changed and not self._discarded:
