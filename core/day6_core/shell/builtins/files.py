@@ -231,21 +231,22 @@ async def _removed(session: Session, name: str, options: dict[str, str]) -> bool
     if options.keys() & set("rR") and (refusal := _refusal(session, name)):
         complain(session, refusal)
         return False
-    around: list[_Emptied] = []  # no recursion: a tree may be deeper than Python's stack
+    top = _Emptied("", [name])
+    around = [top]  # no recursion: a tree may be deeper than Python's stack
     while True:
-        found = await _begin_to_remove(session, name, options)
-        if isinstance(found, _Emptied):
-            around.append(found)
-        while isinstance(found, bool) or not around[-1].left:
-            if not isinstance(found, bool):
-                folder = around.pop()
-                found = folder.whole and _remove(session, folder.name, options, folder=True)
-            if not around:
-                return found
-            around[-1].whole &= found
-            found = around[-1]
-        name = os.path.join(around[-1].name, around[-1].left.pop())
-        await let_others_run()
+        folder = around[-1]
+        if folder.left:
+            found = await _begin_to_remove(session, os.path.join(folder.name, folder.left.pop()), options)
+            if isinstance(found, _Emptied):
+                around.append(found)
+            else:
+                folder.whole &= found
+            await let_others_run()
+        elif folder is top:
+            return top.whole
+        else:
+            around.pop()
+            around[-1].whole &= folder.whole and _remove(session, folder.name, options, folder=True)
 
 
 async def _begin_to_remove(session: Session, name: str, options: dict[str, str]) -> bool | _Emptied:

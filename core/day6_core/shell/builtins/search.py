@@ -125,9 +125,6 @@ _CLASSES = {
 def _all_files(session: Session, names: list[str]) -> list[str]:
     found: list[str] = []
     for name in names or [""]:
-        if not deep.is_folder(session.cwd / name, follow=True):
-            found.append(name)
-            continue
         waiting = [name]
         while waiting:
             inner = waiting.pop()
@@ -136,7 +133,7 @@ def _all_files(session: Session, names: list[str]) -> list[str]:
                     waiting += (os.path.join(inner, each) for each in sorted(deep.names_in(path), reverse=True))
                 except OSError as error:
                     complain(session, f"{inner}: {reason(error)}")
-            elif stat.S_ISREG(deep.mode(path, follow=True)):
+            elif inner == name or stat.S_ISREG(deep.mode(path, follow=True)):
                 found.append(inner)
     return found
 

@@ -117,9 +117,9 @@ class _Transfer:
         folder = is_folder and not (deep.is_link(goal) and not stat.S_ISDIR(source.st_mode))
         if folder and not stat.S_ISDIR(source.st_mode):
             raise _Refused(f"cannot overwrite directory '{shown}' with non-directory")
-        if stat.S_ISDIR(source.st_mode) and not is_folder:
+        if stat.S_ISDIR(source.st_mode) and (not is_folder or deep.is_link(goal)):  # it could lead back into the source
             raise _Refused(f"cannot overwrite non-directory '{shown}' with directory '{name}'")
-        if "n" in self.options:
+        if "n" in self.options and not (folder and self._recursive):
             return False
         if "u" in self.options and not folder and deep.status(goal, follow=True).st_mtime_ns >= source.st_mtime_ns:
             return False
