@@ -60,9 +60,9 @@ async def _group(shell: Shell, command: syntax.Group, streams: Streams) -> None:
     if not command.subshell:
         await shell.run_tree(command.body, streams)
         return
-    inner, source = shell.clone(), shell.source
+    inner = shell.clone()
     front = forked(streams)
-    await shell.run_subshell(inner, source, lambda: inner.run_tree(command.body, front), front, streams)
+    await shell.run_subshell(inner, command.source, lambda: inner.run_tree(command.body, front), front, streams)
 
 
 async def _if(shell: Shell, command: syntax.If, streams: Streams) -> None:

@@ -69,8 +69,6 @@ class Shell(ShellState):
         """Jobs being waited for, the innermost last."""
         self._interrupted = False
         """Whether Ctrl-C came between two commands of the line."""
-        self.source = ""
-        """The text of the command with a body that it has begun."""
         self.last_command = ""
         """The name of the simple command that it ran last."""
         self.program: Session | None = None
@@ -328,7 +326,6 @@ class Shell(ShellState):
             await self._simple(command, node.source, streams)
             take_statuses(self, [self.status])
         else:
-            self.source = node.source
             await run_compound(self, command, streams)
             if is_last_itself(command):
                 take_statuses(self, [self.status])

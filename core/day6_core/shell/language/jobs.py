@@ -97,7 +97,7 @@ class Job:
         """Deliver a signal to every program of the job, waking a stopped job so that it can act on it."""
         for program in self._alive():
             program.send(number)
-        if number in (1, 2, 3, 9, 15):
+        if number in (1, 2, 3, 9, 15, 18):
             self.resume()
         self.changed.set()
 
@@ -154,6 +154,8 @@ class JobTable:
 
     def take_news(self) -> list[str]:
         """Return what is said before a prompt: which jobs were stopped in the background, and which have ended."""
+        for job in self.jobs:
+            job.stop_is_told = job.stop_is_told and job.stopped  # others than the shell let it go on, too
         stopped = [job for job in self.ordered() if job.stopped and not job.stop_is_told]
         for job in stopped:
             self.add(job)

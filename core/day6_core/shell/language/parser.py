@@ -183,7 +183,10 @@ class Parser:
                 commands[-1].redirections.append(Redirection(2, ">&", Word((Text("1"),), "1")))
             self.skip_newlines()
             commands.append(self.command())
-        return Pipeline(commands, negated, self.slice(start), timed, line)
+        source = self.slice(start)
+        if len(commands) == 1 and isinstance(commands[0], Group):
+            commands[0].source = source
+        return Pipeline(commands, negated, source, timed, line)
 
     def slice(self, start: int) -> str:
         return self.source[start : self.tokens[self.index - 1].end].strip()
@@ -194,6 +197,7 @@ class Parser:
                 raise Incomplete("syntax error: unexpected end of file")
             self.unexpected()
         self.replace_alias()
+        start = self.token.start
         command: Command
         if self.is_keyword("in"):
             self.unexpected()
@@ -225,6 +229,8 @@ class Parser:
             return self.simple()
         while self.token.kind == "number" or self.is_op(*REDIRECTIONS):
             command.redirections.append(self.redirection())
+        if isinstance(command, Group):
+            command.source = self.slice(start)
         return command
 
     def subshell(self) -> Group:

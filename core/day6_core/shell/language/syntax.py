@@ -54,6 +54,8 @@ class Group:
     body: Sequence
     subshell: bool
     redirections: list[Redirection] = field(default_factory=list)
+    source: str = ""
+    """As it was typed; of one that is a whole pipeline with its `!` or `time`."""
 
 
 @dataclass
