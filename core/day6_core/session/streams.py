@@ -20,6 +20,7 @@ from typing import Protocol, TextIO
 
 from day6_core import deep
 from day6_core.session.blocking_files import WITHOUT_END, refuse
+from day6_core.session.harmless import KEEP_BYTES
 from day6_core.session.task import Signal, let_others_run, wait_for
 
 END_OF_INPUT = ""
@@ -499,7 +500,7 @@ class FileOutput(OutputStream):
     def write(self, text: str) -> int:
         """Keep `text`, and write blocks of FILE_BLOCK bytes to the file. Never raises."""
         with self._lock:
-            self._waiting += text.encode("utf-8", "surrogateescape")
+            self._waiting += text.encode("utf-8", KEEP_BYTES)
             if len(self._waiting) >= FILE_BLOCK:
                 self._put()
         return len(text)

@@ -5,6 +5,8 @@ So a byte of a file, a pipe or a name comes out as it came in; a terminal shows 
 
 from __future__ import annotations
 
+from day6_core.session.harmless import KEEP_BYTES
+
 
 def of_byte(value: int) -> str:
     """Return the text for one byte."""
@@ -17,5 +19,5 @@ def of_code(code: int) -> str:
 
 
 def joined(text: str) -> str:
-    """Return `text` with every run of bytes that is a character in UTF-8 as that character."""
-    return text if text.isascii() else text.encode("utf-8", "surrogateescape").decode("utf-8", "surrogateescape")
+    """Return `text` with every run of bytes that is a character in UTF-8 as that character, and `?` for what is neither."""
+    return text if text.isascii() else text.encode("utf-8", KEEP_BYTES).decode("utf-8", "surrogateescape")

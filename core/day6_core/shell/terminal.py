@@ -18,6 +18,7 @@ from day6_core.session.clock import nanoseconds
 from day6_core.session.program import Program
 from day6_core.session.streams import OutputStream
 from day6_core.session.task import Signal, let_others_run, sleep_until, wait_for
+from day6_core.shell.byte_text import joined
 from day6_core.shell.language.redirection import Streams
 from day6_core.shell.line.discipline import Discipline
 from day6_core.shell.runs import Runs
@@ -245,6 +246,7 @@ class Terminal:
 
     def send(self, text: str) -> None:
         """Type `text`, which is what a real terminal sends for the keys. During a long text other programs get their turn."""
+        text = joined(text)  # a terminal can name half of a pair (`CSI 57343 u`)
         self._unhandled += 1
         self.desk.scheduler.call_soon_threadsafe(lambda: self._type(text))
         if "\x03" in text:

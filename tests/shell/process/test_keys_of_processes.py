@@ -97,6 +97,12 @@ def test_a_key_that_is_no_character_becomes_a_question_mark(seat: Any) -> None:
     assert (seat.desk.home / "got").read_bytes() == b"a?\xffb"
 
 
+def test_a_key_that_is_no_character_becomes_a_question_mark_at_the_prompt_too(seat: Any) -> None:
+    assert "a?b" in seat.line("echo a\ud83db") and not seat.terminal.closed
+    seat.line("echo a\udfffb > got")
+    assert (seat.desk.home / "got").read_bytes() == b"a?b\n"
+
+
 def test_what_does_not_fit_beyond_all_bounds_beeps(seat: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(pty_keys, "MOST_WAITING", 100_000)
     (seat.desk.home / "sleeper.py").write_text(SLEEPER.format(mode=MODES["cbreak"]))
