@@ -85,6 +85,17 @@ def test_of_several_editors_that_are_gone_no_text_is_lost(path: Path) -> None:
     assert (editor.text, [copy.text for copy in editor.left]) == ("three", ["two"])
 
 
+def test_what_is_saved_under_another_name_is_offered_no_texts_of_the_old_one(path: Path) -> None:
+    for text in ("one", "two"):
+        editor = opened(path)
+        editor.keep(text)
+    editor.close()
+    editor = opened(path)
+    assert editor.left
+    editor.save_as(path.with_name("other.py"), "mine")
+    assert (editor.text, editor.left) == ("mine", [])
+
+
 def test_a_text_that_was_offered_is_still_there_if_that_editor_dies_too(path: Path) -> None:
     editor = opened(path)
     editor.keep("typed")

@@ -128,7 +128,7 @@ class Editor:
             self.file.copies.forget()
             self.close()
         file.copies.hold()
-        self.file, self.saved, self.text, self.recovered = file, text, text, False
+        self.file, self.saved, self.text, self.recovered, self.left = file, text, text, False, []
         self.version += 1
 
     def keep(self, text: str) -> None:
