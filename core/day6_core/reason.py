@@ -17,6 +17,11 @@ def named_reason(error: BaseException) -> str:
     return f"{name}: {reason(error)}" if 0 < len(name) <= LONGEST_NAME else reason(error)
 
 
+def reason_and_name(error: OSError) -> str:
+    """Return the same with the file's name behind it, as Python writes it."""
+    return f"{reason(error)}: '{error.filename}'" if error.filename else reason(error)
+
+
 def fault(error: BaseException) -> str:
     """Return what a fault of ours is reported as: the kind of the error and its reason, in one line of a traceback's form."""
     return f"{type(error).__name__}: {named_reason(error)}"

@@ -36,12 +36,12 @@ class Kept:
     def text(self) -> str:
         return "".join(list(self._parts))
 
-    def keep(self, text: str, longest: int = LONGEST_OUTPUT) -> None:
+    def keep(self, text: str) -> None:
         """Add to it."""
         self.written += len(text)
-        self._parts.append(text[-longest:])
-        self._size += min(len(text), longest)
-        while self._size > longest and len(self._parts) > 1:
+        self._parts.append(text[-LONGEST_OUTPUT:])
+        self._size += min(len(text), LONGEST_OUTPUT)
+        while self._size > LONGEST_OUTPUT and len(self._parts) > 1:
             self._size -= len(self._parts.popleft())
 
     def forget_most(self, longest: int) -> None:
@@ -170,9 +170,9 @@ class Run:
                 self._over_ns = max([self.ended_ns, *ends])
         return self._over_ns
 
-    def keep(self, text: str, longest: int = LONGEST_OUTPUT) -> None:
+    def keep(self, text: str) -> None:
         """Add to the output. Any thread."""
-        self._output.keep(text, longest)
+        self._output.keep(text)
 
     def note(self, ran: Ran) -> None:
         """Note that one of its commands runs now."""

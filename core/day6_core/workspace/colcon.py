@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from day6_core.reason import reason
+from day6_core.reason import reason_and_name
 from day6_core.workspace import overriding, reports
 from day6_core.workspace.advisor import Advisor
 from day6_core.workspace.build import BUILD_TOOL, find_task, refuse_foreign_folder
@@ -85,8 +85,7 @@ class Colcon:
         except SelectionError as error:
             self.console.err(f"{error}\n")
         except OSError as error:
-            where = f": '{error.filename}'" if error.filename else ""
-            self.warn("colcon", f"colcon {verb}: {reason(error)}{where}", level="ERROR")
+            self.warn("colcon", f"colcon {verb}: {reason_and_name(error)}", level="ERROR")
         return 1
 
     def warn(self, logger: str, text: str, level: str = "WARNING") -> None:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import IO
 
 from day6_core.guardian import guard, release
-from day6_core.reason import fault, reason
+from day6_core.reason import fault, reason_and_name
 from day6_core.session.cores import join
 from day6_core.workspace.events import INTERRUPTED, BuildEvent, Events, Result
 
@@ -264,8 +264,7 @@ class Executor:
             result = error
         except OSError as error:
             # A full disk, a read-only folder: the file's name is more useful than our traceback.
-            where = f": '{error.filename}'" if error.filename else ""
-            work.stderr(f"error: {reason(error)}{where}\n")
+            work.stderr(f"error: {reason_and_name(error)}\n")
             result = 1
         except Exception as error:
             work.stderr(traceback.format_exc())

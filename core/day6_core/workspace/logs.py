@@ -9,7 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO
 
-from day6_core.reason import reason
+from day6_core.reason import reason_and_name
 from day6_core.workspace.events import BuildEvent
 from day6_core.workspace.files import BuildOutput
 from day6_core.workspace.packages import IGNORE_MARKER, refuse_sources
@@ -87,8 +87,7 @@ class LogFolder:
         """Warn, the first time, that the logs of this run are incomplete."""
         if not self._warned:
             self._warned = True
-            where = f": '{error.filename}'" if error.filename else ""
-            self._warn(f"the log cannot be written: {reason(error)}{where}")
+            self._warn(f"the log cannot be written: {reason_and_name(error)}")
 
     def write(self, name: str, text: str) -> None:
         """Append to a file of the folder."""
