@@ -17,6 +17,7 @@ from day6_core.session.streams import Captured, TextInput
 from day6_core.shell.process import heap, launch_process, pty_keys
 from day6_core.shell.process import process as process_module
 from day6_core.shell.process.feeder import FULL, Feeder
+from day6_core.shell.process.output_copy import read_waiting
 from day6_core.shell.process.process import Process, running_processes
 from tests.support.waiting import until
 
@@ -276,14 +277,14 @@ def test_all_that_is_there_is_read_at_once_and_what_breaks_is_the_end() -> None:
     reading, writing = os.pipe()
     os.set_blocking(reading, False)
     os.write(writing, b"one")
-    assert process_module._read_waiting(reading) == b"one"
+    assert read_waiting(reading) == b"one"
     os.write(writing, b"two")
     os.close(writing)
-    assert process_module._read_waiting(reading) == b"two"
-    assert process_module._read_waiting(reading) == b""
+    assert read_waiting(reading) == b"two"
+    assert read_waiting(reading) == b""
     os.close(reading)
     with pytest.raises(OSError):
-        process_module._read_waiting(reading)
+        read_waiting(reading)
 
 
 @posix

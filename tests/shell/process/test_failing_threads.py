@@ -20,6 +20,7 @@ from day6_core.session.scheduler import Scheduler
 from day6_core.session.streams import Captured
 from day6_core.shell.process import process
 from day6_core.shell.process.feeder import Feeder
+from day6_core.shell.process.output_copy import OutputCopy, read_at_once
 from day6_core.workspace import build
 from tests.support.waiting import until
 
@@ -42,7 +43,7 @@ class Broken(Captured):
 @posix
 def test_what_copies_output_reads_on_so_that_the_process_can_end() -> None:
     reading, writing = os.pipe()
-    pump = process._Copy(open(reading, "rb"), Broken(), None, process._read_at_once)  # noqa: SIM115
+    pump = OutputCopy(open(reading, "rb"), Broken(), None, read_at_once)  # noqa: SIM115
     pump.start()
     for _ in range(100):
         os.write(writing, b"x" * 65536)  # far more than a pipe holds
@@ -152,10 +153,10 @@ def test_a_job_of_colcon_that_fails_ends_the_build(
 
 PLANTED = """\
 import sys, threading
-from day6_core.shell.process import process
+from day6_core.shell.process.output_copy import OutputCopy
 from day6_tui.main import main
 def breaks(*a): raise RuntimeError('planted')
-process._pump = breaks
+OutputCopy.run = breaks
 sys.argv[1:] = ['exec', '--home', sys.argv[1], '-c', "python3 -c 'print(1)' | cat; echo $((6*7))"]
 sys.exit(main())
 """

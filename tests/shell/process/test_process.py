@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 from day6_core.shell.process import process
+from day6_core.shell.process.output_copy import OutputCopy
 from day6_core.shell.process.process import running_processes
 from day6_core.shell.screen.rows import row_text
 from tests.support.waiting import PATIENCE, until
@@ -119,18 +120,18 @@ def test_a_reader_that_never_reads_is_waited_for_until_ctrl_c(machine: Any) -> N
 def test_a_terminal_shows_the_end_of_the_output_though_it_is_read_late(
     seat: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    read, is_behind, over = process._read_waiting, process._Copy.is_behind, threading.Event()
+    read, is_behind, over = process.read_waiting, OutputCopy.is_behind, threading.Event()
 
     def read_late(fd: int) -> bytes:
         assert over.wait(PATIENCE)
         return read(fd)
 
-    def is_behind_now(copy: process._Copy) -> bool:
+    def is_behind_now(copy: OutputCopy) -> bool:
         over.set()  # it has ended, and nothing that it left running is waited for any more
         return is_behind(copy)
 
-    monkeypatch.setattr(process, "_read_waiting", read_late)
-    monkeypatch.setattr(process._Copy, "is_behind", is_behind_now)
+    monkeypatch.setattr(process, "read_waiting", read_late)
+    monkeypatch.setattr(OutputCopy, "is_behind", is_behind_now)
     write(seat.desk.home, "a.py", "print('the last words')\n")
     seat.line("python3 a.py")
     assert seat.wait_prompt().splitlines()[1] == "the last words"

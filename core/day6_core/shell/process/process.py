@@ -7,8 +7,6 @@ output it simply inherits that. It leads a session of its own, runs at nice +10,
 
 from __future__ import annotations
 
-import codecs
-import io
 import logging
 import os
 import shlex
@@ -17,7 +15,6 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import IO
@@ -34,11 +31,10 @@ from day6_core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_core.session.task import Signal, TaskCancelled, wait_for
 from day6_core.session.threads import in_thread
 from day6_core.shell.process.feeder import Feeder
+from day6_core.shell.process.output_copy import READ_SIZE, OutputCopy, read_at_once, read_waiting
 from day6_core.shell.process.prepared import prepared
 from day6_core.shell.process.pty_keys import PtyKeys
-from day6_core.shell.process.readiness import has_output
 
-READ_SIZE = 65536
 LAST_OUTPUT = 0.5
 """Seconds for which a program that stopped is not reported because its output is behind."""
 _ENDED_BY_CTRL_C = 0xC000013A
@@ -141,7 +137,7 @@ class Process:
         self._feeder: Feeder | None = None
         self._feed_end = -1
         """Our own descriptor of the program's end of the pipe that is fed, so that what it has not read outlives it."""
-        self._copies: list[_Copy] = []
+        self._copies: list[OutputCopy] = []
         """Of its output."""
         self._dropped = False
         """Whether a signal came when it had ended: nobody waits any more for who reads its output."""
@@ -443,14 +439,14 @@ class Process:
 
     def _read(self, source: int | IO[bytes], target: OutputStream) -> None:
         seen = self._remember if target.isatty() else None
-        copy = _Copy(source, target, seen, self._read_master if isinstance(source, int) else _read_at_once)
+        copy = OutputCopy(source, target, seen, self._read_master if isinstance(source, int) else read_at_once)
         self._copies.append(copy)
         copy.start()
 
     def _read_master(self, fd: int) -> bytes:
         """Read what waits in the pty; b'' once our end is closed, when the number may be another program's."""
         with self._master_lock:
-            return _read_waiting(fd) if self._master == fd else b""
+            return read_waiting(fd) if self._master == fd else b""
 
     def _remember(self, text: str) -> None:
         self.recent = (self.recent + text)[-LONGEST:]
@@ -493,112 +489,6 @@ class Process:
         self.session.stdin.pass_keys_to(None)
         if text := typed_ahead + late.decode("utf-8", "surrogateescape"):
             self.session.stdin.push_back(text)
-
-
-class _Copy(threading.Thread):
-    """Copies a process's output to a stream, see `_pump`."""
-
-    def __init__(
-        self,
-        source: int | IO[bytes],
-        target: OutputStream,
-        seen: Callable[[str], None] | None,
-        read: Callable[[int], bytes],
-    ) -> None:
-        super().__init__(name="day6-output", daemon=True)
-        self._source, self._target, self._seen, self._read = source, target, seen, read
-        self._fd = source if isinstance(source, int) else source.fileno()
-        self._waits = False
-        """Whether it looks for output and has taken all that it has seen."""
-
-    def run(self) -> None:
-        _pump(self._source, self._target, self._seen, self._wait, self._read)
-
-    def _wait(self) -> None:
-        self._waits = True
-        has_output(self._fd, None)
-        self._waits = False
-
-    def is_behind(self) -> bool:
-        """Whether something that has been written is not in the stream yet."""
-        if sys.platform == "win32" or not self.is_alive():
-            return False
-        # In this order: it stops waiting before it takes what is there.
-        return not self._waits or has_output(self._fd, 0.0) or not self._waits
-
-
-def _pump(
-    source: int | IO[bytes],
-    target: OutputStream,
-    seen: Callable[[str], None] | None,
-    wait: Callable[[], None],
-    read: Callable[[int], bytes],
-) -> None:
-    """Copy a process's output to a stream, and tell `seen`, as it comes, until its end; waits while the stream is full.
-
-    `wait` is called before every `read` and returns when there is something to read.
-    """
-    decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
-    decoder = codecs.getincrementaldecoder("utf-8")("replace" if target.isatty() else "surrogateescape")
-    if sys.platform == "win32":
-        decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
-    pieces = _pieces(source if isinstance(source, int) else source.fileno(), wait, read)
-    try:
-        for data in pieces:
-            text = decoder.decode(data, final=not data)
-            if text:
-                target.write(text)
-                if seen is not None:
-                    seen(text)
-            target.wait_for_room()
-    except BrokenPipeError:
-        return  # the reader is gone; closing our end tells the process, as in any pipeline
-    except Exception:
-        _log.exception("output of a process could not be taken")
-        for _ in pieces:
-            pass  # read to the end: the process would wait for a reader for ever
-    finally:
-        if not isinstance(source, int):
-            source.close()
-
-
-def _pieces(fd: int, wait: Callable[[], None], read: Callable[[int], bytes]) -> Iterator[bytes]:
-    """Yield what is read as it comes, and b'' at the end."""
-    data = b"some"
-    while data:
-        try:
-            wait()
-            data = read(fd)
-        except BlockingIOError:
-            continue  # what was there has been discarded
-        except OSError:
-            data = b""  # Linux: the last process left the pty
-        yield data
-
-
-def _read_at_once(fd: int) -> bytes:
-    return os.read(fd, READ_SIZE)
-
-
-def _read_waiting(fd: int) -> bytes:
-    """Return all that waits in a pty whose side here never blocks (see `PtyKeys`); b'' at its end.
-
-    A pty hands out 4 kB at a time, and what follows a read costs more than the read. Raises BlockingIOError if there is nothing.
-    """
-    parts: list[bytes] = []
-    size = 0
-    while size < READ_SIZE:
-        try:
-            data = os.read(fd, READ_SIZE)
-        except OSError:
-            if parts:
-                break  # nothing more; the end is there the next time, too
-            raise
-        if not data:
-            break
-        parts.append(data)
-        size += len(data)
-    return b"".join(parts)
 
 
 def _spawn_feeding(session: Session, feeder: Feeder) -> None:
