@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from tests.rclpy.conftest import World
+from tests.support.waiting import PATIENCE
 
 HALF = 0.5
 
@@ -49,7 +50,7 @@ def questions(world: World, monkeypatch: pytest.MonkeyPatch) -> Questions:
     from rclpy.executors import Executor
 
     monkeypatch.setattr(Executor, "_execute", swallowed._plain)
-    monkeypatch.setattr(swallowed, "_files", {})
+    monkeypatch.setattr(swallowed, "_read", set())
     monkeypatch.setattr(swallowed, "_functions", {})
     return Questions(world)
 
@@ -161,6 +162,22 @@ def expected(message: object) -> None:
         pass
 
 
+def test_a_synchronizer_is_told_of_while_it_calls_back(questions: Questions) -> None:
+    import message_filters
+    from message_filters._signs import of_synchronizers
+    from sensor_msgs.msg import Range
+
+    node = questions.world.node("mine")
+    inputs = [message_filters.Subscriber(node, Range, topic) for topic in ("left", "right")]
+    synchronizer = message_filters.TimeSynchronizer(inputs, 5)
+    told: list[object] = []
+    asker = threading.Thread(target=lambda: told.extend(of_synchronizers(node)), daemon=True)
+    with synchronizer.lock:  # it is held while the callback runs, which may be for ever
+        asker.start()
+        asker.join(PATIENCE)
+        assert told
+
+
 @pytest.mark.parametrize(("callback", "is_told"), [(silent, True), (logged, False), (expected, False)])
 def test_an_exception_is_swallowed_where_a_handler_does_nothing(
     questions: Questions, callback: Callable[[object], None], is_told: bool, monkeypatch: pytest.MonkeyPatch
@@ -169,8 +186,7 @@ def test_an_exception_is_swallowed_where_a_handler_does_nothing(
 
     from rclpy._day6 import swallowed
 
-    monkeypatch.setattr(swallowed, "_files", {__file__: swallowed._silent_in(__file__)})
-    functions = {(__file__, line): each for line, each in swallowed._files[__file__].items()}
+    functions = {(__file__, line): each for line, each in swallowed._silent_in(__file__).items()}
     monkeypatch.setattr(swallowed, "_functions", functions)
     monkeypatch.setattr(swallowed, "_read_files", lambda: None)
     monkeypatch.setattr(swallowed.sys, "gettrace", lambda: None)  # who measures the tests' coverage traces, too

@@ -39,8 +39,8 @@ def _synchronizers(behind: Any, seen: set[int]) -> Iterator[tuple[Any, int]]:
 
 def _of_one(synchronizer: Any, ends: list[Any]) -> dict[str, Any]:
     slop = getattr(synchronizer, "slop", None)  # only an approximate one has it
-    with synchronizer.lock:
-        times = [sorted(queue) for queue in synchronizer.queues]
+    # Without its lock, which it holds while it calls back: a callback may stay for ever, and wait for the link's thread.
+    times = [] if synchronizer._matches else [sorted(queue.copy()) for queue in synchronizer.queues]
     gap, shorter = _nearest(times, synchronizer.queue_size)
     silent = [end for end in ends if not end.received]
     return {
