@@ -210,14 +210,14 @@ def test_frames_that_nobody_sends_any_more_go(lab: Lab) -> None:
         for _ in range(looks):
             hearing.look()
             publisher.publish(TFMessage(transforms=[transform("/world", frame) for frame in frames]))
-        return hearing.frames
+        return hearing.facts()["frames"]
 
     assert heard("cup") == {"world", "shelf", "cup"}
     assert heard("fork") == {"world", "shelf", "cup", "fork"}
     assert heard("fork", looks=STILL) == {"world", "shelf", "fork"}
     publisher.destroy()
     hearing.look()
-    assert hearing.frames == {"world", "shelf"}
+    assert hearing.facts()["frames"] == {"world", "shelf"}
 
 
 def transform(parent: str, child: str) -> TransformStamped:

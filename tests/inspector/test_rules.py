@@ -15,6 +15,7 @@ from day6_core.ros.programs.day6_inspector import output_rules
 from day6_core.ros.programs.day6_inspector.facts import RobotFacts, RVizView
 from day6_core.ros.programs.day6_inspector.finding import finding
 from day6_core.ros.programs.day6_inspector.hearing import Heard
+from day6_core.ros.programs.day6_inspector.process_reports import Hidden, Place, ReportedProcess
 from day6_core.ros.programs.day6_inspector.rules import RULES, Facts, findings
 from day6_core.ros.programs.day6_inspector.sight import SIGHTS, not_seen, sights
 from day6_core.ros.programs.day6_inspector.transforms import Transform
@@ -294,6 +295,18 @@ AssertionError: The 'x' field must be of type 'float'
     terminal = TerminalView(1, Path("/"), {}, [Ran(said, 1, "python3 program.py")], [], 1)
     (found,) = findings(Facts(terminals=(terminal,), now_ns=NOW))
     assert found.next == "nano +7 /home/a/program.py" and dict(found.parameters)["where"] == "program.py:7"
+
+
+@pytest.mark.parametrize(("reported", "count"), [("Thread-1 (work)", 1), ("Thread-7 (other)", 2)])
+def test_a_thread_that_died_is_told_once(reported: str, count: int) -> None:
+    said = """Exception in thread Thread-1 (work):
+Traceback (most recent call last):
+  File "/home/a/program.py", line 7, in work
+KeyError: 'speed'
+"""
+    hidden = Hidden("", "KeyError: 'speed'", Place("/home/a/program.py", 7), reported)
+    process = ReportedProcess("z", 1, ("/home/a/program.py",), hidden=(hidden,))
+    assert keys_after(Ran(said), processes=(process,)) == ["thread_died"] * count
 
 
 def test_two_types_are_told_as_long_as_there_are_two() -> None:

@@ -14,7 +14,7 @@ from day6_core.ros.programs.day6_inspector.sign_rules import of_signs
 PLACE = Place("/home/a/mine.py", 7, "self.tick()")
 LATE = {"what": "tick", "wanted": 10.0, "share": 0.5, "rate": 5.0}
 LOSSES = {"topic": "/t", "what": "heard", "share": 0.9, "lost": 90, "count": 100, "rate": 50.0, "depth": 10}
-GROWS = {"kind": "clients", "name": "/add", "count": 30, "grown": 12, "least": 5}
+GROWS = {"kind": "clients", "name": "/add", "count": 30, "least": 5}
 SWALLOWED = {"what": "heard", "error": "KeyError: 1", "raised": "mine.py:3", "count": 9, "calls": 10}
 ACTION = {"name": "/fly", "what": "execute", "seconds": 9.0}
 SYNC = {

@@ -126,7 +126,7 @@ def test_what_others_see_is_the_same_with_and_without_it(lab: Lab) -> None:
     lab.start("rqt_graph", 3)
     lab.start("ros2 run tf2_ros tf2_echo nowhere base_link", 5, shows="does not exist")  # it listens to transforms too
     lab.wait(lambda: lab.windows("kitchen") and lab.windows("rqt_graph") and lab.findings.get("no_frame"))
-    lab.wait(lambda: lab.inspector._hearing.frames)
+    lab.wait(lambda: lab.inspector._hearing.facts()["frames"])
     lab.settle()
     lab.run("ros2 node list", 4)  # the commands' daemon is there from now on
     before = seen(lab)

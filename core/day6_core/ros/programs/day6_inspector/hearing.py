@@ -101,11 +101,6 @@ class Hearing:
         if not lately.looks:
             lately.looks, lately.newest = [newest], None
 
-    @property
-    def frames(self) -> frozenset[str]:
-        """All frames that transforms are sent of."""
-        return self._transforms.frames
-
     def facts(self) -> dict[str, Any]:
         """Return the facts, by their names."""
         newest = {publisher: lately.newest for publisher, lately in self._lately.items() if lately.newest is not None}

@@ -77,7 +77,7 @@ def odd(message: Any, type_name: str) -> list[Odd]:
 
 def is_worth_a_look(cls: Any) -> bool:
     """Whether anything can be wrong in messages of a class: it has numbers with a fraction, a header, or sizes."""
-    return type_name(cls) in CHECKS or any(True for _ in _plan(cls)) or "header" in cls.get_fields_and_field_types()
+    return type_name(cls) in CHECKS or bool(_plan(cls)) or "header" in cls.get_fields_and_field_types()
 
 
 # -- every field -----------------------------------------------------------------------------------------------------------
@@ -115,7 +115,7 @@ def _of_fields(message: Any, type_name: str) -> Iterator[Odd]:
         if kind == "geometry_msgs/Quaternion":
             yield from _of_quaternion(message, path, value)
         elif kind in ("number", "numbers") and "" not in unmeasured:
-            last = re.sub(r"\[\d+\]", "", path).rpartition(".")[2]
+            last = path.rpartition(".")[2]
             if last not in unmeasured and "covariance" not in last:
                 yield from _of_numbers(path, [value] if kind == "number" else value[:MOST_NUMBERS])
 

@@ -63,11 +63,13 @@ def of_frames(facts: Facts) -> Iterator[Finding]:
     for heard in facts.heard:
         said = {"topic": heard.topic, "node": heard.node, "type": heard.type.rpartition("/")[2]}
         for frame in heard.frames if heard.type in PLACED else ():
+            if frame and frame.lstrip("/") in facts.frames:
+                continue
             near = nearest(frame.lstrip("/"), sorted(facts.frames))
             level = "warning" if near or _is_placed_by_somebody(heard.topic, facts) else "info"
             if not frame:
-                yield finding(level, "empty_frame", **said, then=f"ros2 topic echo {heard.topic} --once --field header")
-            elif frame.lstrip("/") not in facts.frames:
+                yield finding(level, "empty_frame", **said, then=f"{_echo(heard)} --field header")
+            else:
                 then = "ros2 run tf2_tools view_frames"
                 yield _or_near(level, "unknown_frame", near, **said, frame=frame, then=then)
 

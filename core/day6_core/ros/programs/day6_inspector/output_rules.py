@@ -225,7 +225,7 @@ def _traceback(output: LineOutput, seen: Sequence[Sighting], facts: Facts) -> Fi
     said = f"{kind}: {message}" if message else kind
     thread = _ended_thread(output.text)
     if thread:
-        if any(hidden.thread for process in facts.processes for hidden in process.hidden):
+        if any(hidden.thread == thread for process in facts.processes for hidden in process.hidden):
             return None  # the program itself has told it
         return thread_died(output.source, thread, shortened(said), _where(output), _open(output))
     if output.running and not output.line.source.startswith("ros2 launch"):

@@ -49,7 +49,7 @@ class Busy(NamedTuple):
 
     node: str
     what: str
-    """'timer', 'subscription', 'service' …"""
+    """The callback's name."""
     seconds: float
     """For how long at least."""
     waits_for: str

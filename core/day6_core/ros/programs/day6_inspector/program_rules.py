@@ -37,7 +37,6 @@ WRONG_KIND = 1.5
 """Seconds after which a service that is there, and for which somebody waits, is of another type."""
 
 _WAITS = {
-    "call": "calls_in_callback",
     "future": "future_in_callback",
     "spin": "spins_in_callback",
     "rate": "rate_in_callback",

@@ -81,9 +81,12 @@ class Transforms:
 
     def now(self) -> tuple[Transform, ...]:
         """Return the transforms, sorted; of a child that has changed its parent only the new one."""
+        of_child: dict[str, list[tuple[str, Publisher, _Sent]]] = {}
+        for (parent, child, publisher), sent in self._sent.items():
+            of_child.setdefault(child, []).append((parent, publisher, sent))
         together: dict[tuple[str, str], list[tuple[Publisher, _Sent]]] = {}
         for (parent, child, publisher), sent in self._sent.items():
-            if not self._was_replaced(parent, child, publisher, sent):
+            if not _was_replaced(parent, publisher, sent, of_child[child]):
                 together.setdefault((parent, child), []).append((publisher, sent))
         return tuple(
             Transform(
@@ -95,12 +98,13 @@ class Transforms:
             for names, senders in sorted(together.items())
         )
 
-    def _was_replaced(self, parent: str, child: str, by: Publisher, sent: _Sent) -> bool:
-        """Whether the child has had another parent since this was sent last."""
-        return by.cache is None and any(
-            other_child == child and other != parent and later.first_ns > sent.last_ns and publisher.cache is None
-            for (other, other_child, publisher), later in self._sent.items()
-        )
+
+def _was_replaced(parent: str, by: Publisher, sent: _Sent, of_child: list[tuple[str, Publisher, _Sent]]) -> bool:
+    """Whether the child has had another parent since this was sent last."""
+    return by.cache is None and any(
+        other != parent and later.first_ns > sent.last_ns and publisher.cache is None
+        for other, publisher, later in of_child
+    )
 
 
 def _value(transform: Any) -> tuple[float, ...]:

@@ -128,9 +128,8 @@ def _growing(node: str, owner: Node) -> Iterator[Sign]:
                 if kind == "timers"
                 else str(getattr(each[-1], "service_name", "") or each[-1]._handle._endpoint.topic)
             )
-            grown = sum(half.grown[0] for half in halves)
             least = min(half.grown[0] for half in halves)
-            values = {"kind": kind, "name": name, "count": len(each), "grown": grown, "least": least}
+            values = {"kind": kind, "name": name, "count": len(each), "least": least}
             place = place_of(each[-1].callback) if kind in ("subscriptions", "services", "timers") else line_of("", 0)
             yield _sign("grows", node, place, values)
 

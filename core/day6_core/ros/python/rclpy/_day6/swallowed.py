@@ -67,10 +67,12 @@ class _Function:
     entity: Entity | None = None
 
 
-_files: dict[str, dict[int, _Function]] = {}
-"""File -> the first line of a function -> the function."""
+_read: set[str] = set()
+"""The files that were read."""
 
 _functions: dict[tuple[str, int], _Function] = {}
+"""By file and first line."""
+
 _traced: Counter[int] = Counter()
 _running = threading.local()
 _asked = 0.0
@@ -106,11 +108,11 @@ def swallowed(nodes: list[Node]) -> Iterator[tuple[str, dict[str, Any], dict[str
 def _read_files() -> None:
     for module in list(sys.modules.values()):
         file = getattr(module, "__file__", None)
-        if len(_files) >= MOST_FILES:
+        if len(_read) >= MOST_FILES:
             return
-        if isinstance(file, str) and file.endswith(".py") and file not in _files and is_own(file):
-            _files[file] = _silent_in(file)
-            _functions.update({(file, line): function for line, function in _files[file].items()})
+        if isinstance(file, str) and file.endswith(".py") and file not in _read and is_own(file):
+            _read.add(file)
+            _functions.update({(file, line): function for line, function in _silent_in(file).items()})
 
 
 def _silent_in(file: str) -> dict[int, _Function]:
