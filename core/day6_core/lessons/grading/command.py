@@ -15,6 +15,7 @@ from day6_core.lessons import parsers
 from day6_core.lessons.grading import remarks, reports
 from day6_core.lessons.grading.grader import Grader
 from day6_core.lessons.grading.grades import Graded
+from day6_core.lessons.grading.lag import cores
 from day6_core.lessons.grading.limits import MOST_JOBS
 from day6_core.lessons.grading.scenarios import HERE, Grading, gradings
 from day6_core.lessons.source import LessonMistakes
@@ -33,12 +34,11 @@ def default_jobs() -> int:
     """How many submissions at a time this machine has cores and memory for."""
     if sys.platform == "win32":
         return 1
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     try:
         memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     except (OSError, ValueError, AttributeError):
         memory = 4 * 2**30
-    return max(1, min(cores * JOBS_FOR_A_CORE, memory // 2 // MEMORY_FOR_A_JOB, MOST_JOBS))
+    return max(1, min(cores() * JOBS_FOR_A_CORE, memory // 2 // MEMORY_FOR_A_JOB, MOST_JOBS))
 
 
 def main(arguments: list[str]) -> int:

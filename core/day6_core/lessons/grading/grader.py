@@ -22,7 +22,6 @@ from typing import Any
 from day6_core.lessons.catalogue import days
 from day6_core.lessons.grading import shield
 from day6_core.lessons.grading.grades import ANSWERS, Grade, Graded
-from day6_core.lessons.grading.lag import STALL
 from day6_core.lessons.grading.marks import Mark, Seen, both
 from day6_core.lessons.grading.scenarios import Grading, longest
 from day6_core.lessons.texts import Say
@@ -80,7 +79,7 @@ class Grader:
         """Grade all, `jobs` at a time. Blocks.
 
         What the machine was too busy for is played again, one submission after the other when all others are done; `again` hears
-        how many these are. `told` hears of each when it is done, on another thread.
+        how many these are. `told` hears of each when it is done, for most of them on another thread.
         """
 
         def one(file: Path) -> Graded:
@@ -117,10 +116,11 @@ class Grader:
         """Play once more what the machine was too busy for, and what had to wait for that."""
         only: dict[str, list[str]] = {}
         passed: dict[str, list[str]] = {}
+        lagged = graded.lagged
         for at, result in enumerate(graded.results):
-            if result in graded.lagged or result.mark is Mark.UNPLAYED:
+            if result in lagged or result.mark is Mark.UNPLAYED:
                 only.setdefault(result.lesson, []).append(result.scenario)
-                graded.results[at] = Grade(result.lesson, result.scenario, result.title)
+                graded.results[at] = Grade(result.lesson, result.scenario, result.title, stall=result.stall)
             elif result.passed:
                 passed.setdefault(result.lesson, []).append(result.scenario)
         graded.ended, graded.stalls = "", []
@@ -150,7 +150,7 @@ class Grader:
 
     def _empty(self) -> list[Grade]:
         return [
-            Grade(grading.lesson, scenario.name, scenario.title)
+            Grade(grading.lesson, scenario.name, scenario.title, stall=scenario.stall)
             for grading in self._gradings
             for scenario in grading.scenarios
         ]
@@ -219,11 +219,10 @@ class Grader:
         how = graded.ended if graded.ended in ("time", "processes", "memory", "problem") else "killed"
         wanted, saw = Say(f"grade.ended.{how}", **values), Say(f"grade.ended.{how}_saw", **values)
         mark = {"time": Mark.LATE, "problem": Mark.UNPLAYED}.get(how, Mark.WRONG)
-        stalls = {(grading.lesson, each.name): each.stall for grading in self._gradings for each in grading.scenarios}
         for result in played:
             if result.ended is None and result.scenario != ANSWERS:
                 result.conclude(Mark.UNPLAYED if result.began is None else mark, wanted, saw)
-            result.look_for_lag(graded.stalls, ended, stalls.get((result.lesson, result.scenario), STALL))
+            result.look_for_lag(graded.stalls, ended)
 
 
 def _is_among(result: Grade, only: Mapping[str, list[str]] | None) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from day6_core.lessons.grading.lag import Lag, worst_of
+from day6_core.lessons.grading.lag import STALL, Lag, worst_of
 from day6_core.lessons.grading.marks import Mark, Seen
 from day6_core.lessons.texts import Say
 
@@ -38,6 +38,8 @@ class Grade:
     lag: Lag = field(default_factory=Lag, repr=False)
     cpu: float = field(default=0.0, repr=False)
     timed: bool = field(default=True, repr=False)
+    stall: float = field(default=STALL, repr=False)
+    """Seconds for which a busy machine may hold it up."""
 
     @property
     def passed(self) -> bool:
@@ -61,12 +63,12 @@ class Grade:
         """Mark what no check could tell."""
         self.mark, self.points, self.checks = mark, 0.0, [Seen(asked, seen).data()]
 
-    def look_for_lag(self, stalls: list[list[float]], ended: float, stall: float) -> None:
+    def look_for_lag(self, stalls: list[list[float]], ended: float) -> None:
         """Whether the machine kept up while it was played. `stalls`: when other processes had to wait, and for how long."""
         if self.began is not None and self.timed:
             end = ended if self.ended is None else self.ended
             beside = [late for at, late in stalls if self.began <= at <= end]
-            self.stood_still = worst_of(end - self.began, self.lag, beside, self.cpu, stall)
+            self.stood_still = worst_of(end - self.began, self.lag, beside, self.cpu, self.stall)
 
     def data(self) -> dict[str, Any]:
         """As it is written down."""

@@ -53,7 +53,7 @@ def worst_of(seconds: float, world: Lag, beside: Iterable[float], cpu: float, st
     `beside` is how late other processes were meanwhile, `cpu` how many seconds of the cores its programs took, `stall` how long
     it may stand still.
     """
-    own = OWN_SHARE * _cores() * seconds
+    own = OWN_SHARE * cores() * seconds
     other = Lag()
     for late in beside:
         other.add(late)
@@ -62,5 +62,6 @@ def worst_of(seconds: float, world: Lag, beside: Iterable[float], cpu: float, st
     return round(max(world.worst, other.worst), 2) if lagged and cpu < own else 0.0
 
 
-def _cores() -> int:
+def cores() -> int:
+    """How many of the machine's cores this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -190,19 +190,19 @@ class _Reader:
                 self._wrong(at, f"must: there is no '{each}' among the checks{meant(each, used)}")
         if not lists["check"] and not getattr(data, "broken", False):
             self._wrong(line, f"the scenario '{name}' checks nothing")
-        within = data.get("within", WITHIN)
-        if isinstance(within, bool) or not isinstance(within, (int, float)) or not 0 < within <= MOST_WITHIN:
-            self._wrong(at, f"within: a number of seconds up to {MOST_WITHIN:g}")
-            within = WITHIN
-        stall = data.get("stall", STALL)
-        if isinstance(stall, bool) or not isinstance(stall, (int, float)) or not 0 < stall <= MOST_WITHIN:
-            self._wrong(at, f"stall: a number of seconds up to {MOST_WITHIN:g}")
-            stall = STALL
+        within = self._seconds(data, "within", WITHIN, at)
+        stall = self._seconds(data, "stall", STALL, at)
         return Scenario(
             name, line, titles, values, files, tuple(lists["before"]), tuple(lists["run"]), tuple(lists["check"]),
-            float(within), tuple(map(str, lists["needs"])), tuple(map(str, lists["must"])),
-            float(stall),
+            within, tuple(map(str, lists["needs"])), tuple(map(str, lists["must"])), stall,
         )  # fmt: skip
+
+    def _seconds(self, data: dict[str, Any], key: str, default: float, line: int) -> float:
+        given = data.get(key, default)
+        if isinstance(given, bool) or not isinstance(given, (int, float)) or not 0 < given <= MOST_WITHIN:
+            self._wrong(line, f"{key}: a number of seconds up to {MOST_WITHIN:g}")
+            return default
+        return float(given)
 
     @staticmethod
     def _tried(given: Any, known: dict[str, Any]) -> Any:
