@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from day6_core.lessons.checks import Verdict
-from day6_core.lessons.checks.drawing import _lines, judged, trail
+from day6_core.lessons.checks.drawing import _strokes, judged, trail
 from day6_core.lessons.texts import Say
 from day6_core.ros.programs.turtlesim.model.simulation import Simulation
 from day6_core.ros.programs.turtlesim.model.turtle import Turtle
@@ -102,7 +102,7 @@ def test_what_a_turtle_draws_is_one_stroke(shape: str, sides: int, turn: float) 
         turtle.command(ahead, round_, began)
         for tick in range(75):
             simulation.tick(began + tick * 16_000_000)
-    strokes = _lines(simulation, {})
+    strokes = [stroke.points for stroke in _strokes(simulation, {})]
     assert len(strokes) == 1
     assert judged(strokes, shape, WANTED).ok
 

@@ -377,8 +377,10 @@ class Course:
     # -- files ---------------------------------------------------------------------------------------------------------
 
     async def _save(self) -> None:
+        before = self.kept.failed
         await self.kept.save()
-        self.changed()
+        if self.kept.failed != before:  # all else that it changes isn't shown
+            self.changed()
 
     async def _follow_file(self) -> None:
         """Show the lesson as its file is now."""

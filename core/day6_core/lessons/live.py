@@ -108,6 +108,10 @@ class Live:
         """Real time, which stamps and arrivals have."""
         return self.desk.clock.now_ns()
 
+    def began_ns(self, since: str) -> int:
+        """When the lesson began, or with 'step' the step."""
+        return self.step_began_ns if since == "step" else self.lesson_began_ns
+
     def begin_step(self, since_ns: int | None = None) -> None:
         """Forget what the checks remembered: a new step begins, now or at a moment before."""
         self._memories.clear()

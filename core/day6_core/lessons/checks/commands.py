@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterable, Sequence
 from fnmatch import fnmatchcase
+from itertools import groupby
 from typing import TYPE_CHECKING, NamedTuple
 
 from day6_core.lessons.checks import Verdict, check
@@ -47,7 +48,7 @@ def command(
     since: str = "lesson",
     new: bool = False,
 ) -> Verdict:
-    began = live.step_began_ns if since == "step" else live.lesson_began_ns
+    began = live.began_ns(since)
     commands = live.commands(began, new=new)
     meant = [ran for ran in commands if is_meant(words, ran, live.home) and (not uses or _uses(uses, ran))]
     found = as_wanted(meant, commands, status, prints, part=part)
@@ -65,11 +66,11 @@ def runs(live: Live, words: str) -> Verdict:
 
 @check("visited", event=True, paths=("path", "back"), one_of={"since": ("lesson", "step")})
 def visited(live: Live, path: str, back: str = "", since: str = "lesson") -> Verdict:
-    began = live.step_began_ns if since == "step" else live.lesson_began_ns
+    began = live.began_ns(since)
     wanted = Say("visited.back", path=path, back=back) if back else Say("visited", path=path)
     there, home = live.path(path).resolve(), live.path(back or path).resolve()
     for places in live.places(began):
-        resolved = [place.resolve() for place in places]
+        resolved = [place.resolve() for place, _ in groupby(places)]  # most commands run where the last one did
         if there in resolved and home in resolved[resolved.index(there) :]:
             return Verdict(True, wanted)
     return Verdict(False, wanted, last_line(live, began, new=False))
@@ -139,10 +140,8 @@ def as_wanted(
             return Found(False)  # what was run last tells more
         if right_status:
             wrong = Say("ran.saw_prints")
-        elif ran.status is None:
-            wrong = Say("ran.saw_running")
         else:
-            wrong = Say("ran.saw_status", status=ran.status)
+            wrong = how_it_ended(ran.status)
     return Found(False, wrong)
 
 
@@ -173,6 +172,11 @@ def _says_its_words(ran: Ran, text: str) -> bool:
 
 
 # -- what is told ----------------------------------------------------------------------------------------------------------
+
+
+def how_it_ended(status: int | None) -> Say:
+    """What is told of a command that did not end as wanted."""
+    return Say("ran.saw_running") if status is None else Say("ran.saw_status", status=status)
 
 
 def told(command: Say, status: int | None, prints: str, *, new: bool) -> Say:

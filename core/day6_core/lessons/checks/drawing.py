@@ -141,11 +141,6 @@ def _joined(strokes: Sequence[Stroke]) -> list[list[Point]]:
     return found
 
 
-def _lines(simulation: Any, memory: dict[str, Any]) -> list[list[Point]]:
-    """The trail as strokes of points (metres), from what was drawn since the last `clear`."""
-    return _joined(_strokes(simulation, memory))
-
-
 def _so_far(verdict: Verdict, strokes: Sequence[Stroke], form: Shape, seconds: float) -> Verdict:
     """The verdict on an unfinished or wrong figure, with what of it is right and where the first corner is that is not."""
     lines = [straight_lines(stroke.points) for stroke in strokes]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.lessons.actions import WINDOWS
 from day6_core.lessons.checks import Verdict, check
-from day6_core.lessons.checks.commands import Found, as_wanted, last_line, program_of, single_blanks, told
+from day6_core.lessons.checks.commands import Found, as_wanted, how_it_ended, last_line, program_of, single_blanks, told
 from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import TEXTS, Say
 from day6_core.session.plain import plain
@@ -31,7 +31,7 @@ def plain_output(run: Run) -> str:
 def ran(
     live: Live, line: str, status: int | None = None, prints: str = "", since: str = "lesson", new: bool = False
 ) -> Verdict:
-    began = live.step_began_ns if since == "step" else live.lesson_began_ns
+    began = live.began_ns(since)
     commands = live.commands(began, new=new)
     found = as_wanted([each for each in commands if is_like(line, each, prints)], commands, status, prints)
     if found.wrong is None and not found.ok:
@@ -63,9 +63,7 @@ def _by_whole_line(live: Live, line: str, began_ns: int, status: int | None, pri
             continue
         found = as_wanted(run.commands, run.commands, None, prints)
         if found.ok and status not in (None, run.status):
-            found = Found(
-                False, Say("ran.saw_running") if run.status is None else Say("ran.saw_status", status=run.status)
-            )
+            found = Found(False, how_it_ended(run.status))
         if found.ok:
             break
     return found
