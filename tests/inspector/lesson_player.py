@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.lessons.live import Live
 from day6_core.lessons.stage import Stage
+from day6_core.session.clock import nanoseconds
 
 if TYPE_CHECKING:
     from day6_core.lessons.document import Lesson, Step
@@ -16,6 +17,12 @@ if TYPE_CHECKING:
 
 LOOK = 0.05
 SOLVED_WITHIN = 30.0
+MOST_PLAYS = 3
+LAGGED_NS = nanoseconds(0.25)
+"""World time that was given up while a step was played: of one that went wrong this says as little as in `day6-tui grade`, which
+plays it again. A turtle that a program steers by the wall's seconds turns less then.
+"""
+
 LONGEST = 500.0
 """Seconds for one lesson."""
 
@@ -58,7 +65,12 @@ class _Player:
         stage = Stage(live, session)
         for step in self._lesson.steps:
             self.go_on.clear()
-            self._done[step.name] = await self._play(step, live, stage, session)
+            for _ in range(MOST_PLAYS):
+                lost = session.clock.lost_ns
+                said = await self._play(step, live, stage, session)
+                if not said or session.clock.lost_ns - lost < LAGGED_NS:
+                    break
+            self._done[step.name] = said
             while not self.go_on.is_set():
                 await session.sleep(LOOK)
         return 0
