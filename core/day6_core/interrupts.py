@@ -1,10 +1,17 @@
-"""Calls that no Ctrl-C may break off: what a signal handler raises is raised after them."""
+"""Calls that no Ctrl-C may break off, and threads that no signal may go to: Python handles it in the main thread alone."""
 
 from __future__ import annotations
 
+import sys
 import threading
-from collections.abc import Callable
-from contextlib import ContextDecorator
+from collections.abc import Callable, Iterator
+from contextlib import ContextDecorator, contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import signal
+else:
+    import _signal as signal  # what signal is made of, and not a student's signal.py
 
 _deferring = 0
 _waiting: Callable[[], object] | None = None
@@ -46,3 +53,22 @@ def defer(call: Callable[[], object]) -> bool:
     if _deferring:
         _waiting = call
     return bool(_deferring)
+
+
+@contextmanager
+def unsignalled() -> Iterator[None]:
+    """Threads that begin in here, and those that they begin, leave signals to others.
+
+    The system gives a signal to whichever thread is the first to look for one. If that is not the main thread, Python notes
+    the signal and `time.sleep` in the main thread sleeps on.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    # What comes of the thread's own doing goes to no other one.
+    own = {signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGABRT, signal.SIGTRAP, signal.SIGSYS}
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, signal.valid_signals() - own)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -17,6 +17,9 @@ from zlib import crc32
 
 from day6_core.language import Pair
 
+SESSION_FILE = "session.json"
+"""In `.config/day6-tui` of a home: what was on the desktop when it was left."""
+
 LEFT_BEHIND = 24 * 3600
 """Seconds after which a temporary folder that nothing has changed belongs to no program any more."""
 

@@ -15,6 +15,7 @@ from day6_core.command_line.parser import CommandParser, nearest
 from day6_core.command_line.texts import CommandTexts
 from day6_core.command_line.values import Values
 from day6_core.link.unusable import TEXTS as UNUSABLE
+from day6_tui.classes.command import build_parser as class_parser
 
 CHINESE = re.compile("[\u4e00-\u9fff]")
 
@@ -199,6 +200,23 @@ def test_a_wrong_endpoint_is_refused_in_chinese_too(text: str, chinese: str) -> 
     with pytest.raises(argparse.ArgumentTypeError) as error:
         Values(CommandTexts("zh")).endpoint(listening=False)(text)
     assert str(error.value) == chinese
+
+
+def test_host_and_port_are_an_endpoint_and_the_host_alone_where_a_port_is_usual() -> None:
+    read = Values(CommandTexts("en")).endpoint(listening=True)
+    assert [read(text) for text in ("127.0.0.1:7458", "udp/[::1]:1", "[::1]:7458")] == [
+        "tcp/127.0.0.1:7458",
+        "udp/[::1]:1",
+        "tcp/[::1]:7458",
+    ]
+    for text in ("127.0.0.1", "::1", ":7458", "7458", ""):
+        with pytest.raises(argparse.ArgumentTypeError):
+            read(text)
+    for option in ("--listen", "--join"):
+        for text, host in (("127.0.0.1", "127.0.0.1"), ("::1", "[::1]"), ("teacher.local", "teacher.local")):
+            found = vars(class_parser().parse_args([option, text]))[option[2:]]
+            assert found == f"tcp/{host}:7447"
+        assert vars(class_parser().parse_args([option, "192.168.1.5:7458"]))[option[2:]] == "tcp/192.168.1.5:7458"
 
 
 def test_every_reason_is_there_in_both_languages_with_the_same_fields() -> None:

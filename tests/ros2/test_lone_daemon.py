@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 
 import pytest
 
@@ -54,3 +55,25 @@ def test_one_that_was_killed_is_not_running_and_the_next_one_starts(monkeypatch)
     assert not lone_daemon.spawn(DOMAIN + 1)
     assert lone_daemon.shut_down(DOMAIN + 1)
     assert not lone_daemon.shut_down(DOMAIN + 1)
+
+
+_HEARD_ELSEWHERE = """
+import signal, sys, threading
+from day6_core.ros.ros2.cli import lone_daemon
+
+def hear():
+    while not lone_daemon.running(int(sys.argv[1])):
+        pass
+    signal.pthread_kill(threading.get_ident(), signal.SIGTERM)
+
+threading.Thread(target=hear, daemon=True).start()
+lone_daemon.main(int(sys.argv[1]))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no signals between threads")
+def test_a_signal_that_does_not_interrupt_its_wait_ends_it_all_the_same(monkeypatch):
+    monkeypatch.setenv("DAY6_LINK", "on")
+    result = subprocess.run([sys.executable, "-c", _HEARD_ELSEWHERE, str(DOMAIN + 2)], timeout=30)
+    assert result.returncode == 0
+    assert not lone_daemon.running(DOMAIN + 2)

@@ -6,6 +6,7 @@ import gc
 import threading
 import time
 import warnings
+from types import SimpleNamespace
 
 import pytest
 
@@ -374,3 +375,42 @@ def test_a_program_that_runs_without_end_does_not_stop_the_world(period: int, mo
     assert scheduler.run(lambda: len(ticks) == 10, 1.0)
     assert ticks == [number * 16 * MS for number in range(1, 11)]
     assert runs > 100
+
+
+def test_a_world_that_is_late_leaves_time_for_keys_only_while_somebody_types(monkeypatch) -> None:
+    now = 1000.0
+    monkeypatch.setattr("day6_core.session.scheduler.time", SimpleNamespace(monotonic=lambda: now))
+    scheduler = Scheduler(WorldClock(wall=lambda: round(now * 1e9)))
+    paused: list[float] = []
+    monkeypatch.setattr(scheduler, "_pause", paused.append)
+    ticks = 0
+
+    async def turtle() -> None:
+        nonlocal now, ticks
+        while True:
+            await sleep_until(scheduler.clock.steady_ns() + 16 * MS)
+            ticks += 1
+            now += 0.03  # as much as two ticks: this machine is too slow
+
+    def ticked(count: int) -> bool:
+        nonlocal now
+        now += 0.001
+        return ticks >= count
+
+    scheduler.spawn(turtle())
+    scheduler.run(lambda: ticked(20))
+    assert paused == []
+    scheduler.give_way()
+    scheduler.run(lambda: ticked(30))
+    assert paused and paused == [pytest.approx(0.03)] * len(paused)
+    count = len(paused)
+    now += 2.0
+    scheduler.run(lambda: ticked(40))
+    assert len(paused) == count, "nobody has typed for a while"
+
+
+def test_a_pause_for_keys_ends_with_the_key(scheduler: Scheduler) -> None:
+    typed: list[str] = []
+    scheduler.call_soon_threadsafe(lambda: typed.append("x"))
+    scheduler._pause(3600.0)
+    assert typed == ["x"]

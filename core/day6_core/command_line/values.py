@@ -86,18 +86,18 @@ class Values:
             raise self.wrong("address", text=text)
         return text if text.endswith("/") else f"{text}/"
 
-    def endpoint(self, *, listening: bool) -> Callable[[str], str]:
-        """Endpoints of Zenoh, to listen on or to connect to."""
+    def endpoint(self, *, listening: bool, port: int | None = None) -> Callable[[str], str]:
+        """Endpoints of Zenoh, to listen on or to connect to; HOST:PORT means TCP, and so does HOST where a port is usual."""
 
         def read(text: str) -> str:
-            from day6_core.link.addresses import address_of
+            from day6_core.link.addresses import address_of, meant
             from day6_core.link.unusable import Unusable
 
             try:
-                address_of(text, listening=listening)
+                address_of(endpoint := meant(text, port), listening=listening)
             except Unusable as error:
                 raise self.unusable(error) from None
-            return text
+            return endpoint
 
         return read
 

@@ -29,6 +29,16 @@ class Address(NamedTuple):
     port: int
 
 
+def meant(text: str, port: int | None = None) -> str:
+    """Return the endpoint that HOST:PORT stands for, and HOST alone where `port` is the usual one; any other text as it is."""
+    host = f"[{text}]" if text.count(":") > 1 and not text.startswith("[") else text
+    if "/" in text or not text:
+        return text
+    if ":" in host and not host.endswith("]"):
+        return f"tcp/{host}"
+    return text if port is None else f"tcp/{host}:{port}"
+
+
 def address_of(endpoint: str, *, listening: bool) -> Address:
     """Return the parts of an endpoint to listen on or to connect to.
 

@@ -1,4 +1,4 @@
-"""Zenoh's threads while they run Python: whether this is one of them, and what makes many callbacks cheap.
+"""Zenoh's threads: how they begin; while they run Python, whether this is one of them, and what makes many callbacks cheap.
 
 Python collects garbage on any thread, and that may undeclare something: a node nobody references any more, say. Inside a
 callback this would deadlock.
@@ -8,7 +8,12 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from day6_core.interrupts import unsignalled
+
+if TYPE_CHECKING:
+    import zenoh
 
 OFTEN = 100
 """Callbacks after which a thread keeps what Python needs to run on it."""
@@ -20,6 +25,18 @@ class _CallbackState(threading.local):
 
 
 _state = _CallbackState()
+
+
+def open_session(config: zenoh.Config) -> zenoh.Session:
+    """Open a session whose threads leave signals to Python's main thread.
+
+    Raises:
+        zenoh.ZError: as `zenoh.open` does.
+    """
+    import zenoh
+
+    with unsignalled():
+        return zenoh.open(config)
 
 
 def inside_callback() -> bool:

@@ -15,10 +15,12 @@ import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from day6_core.interrupts import unsignalled
 from day6_core.link.addresses import Address, address_of
 from day6_core.link.bridge import Bridge
 from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import inner_config, outer_config
+from day6_core.link.engine_thread import open_session
 from day6_core.link.file_lock import FileLock
 from day6_core.link.limits import Refusals
 from day6_core.link.naming import Naming
@@ -91,7 +93,8 @@ class Gateway:
 
     def start(self, patience: float) -> None:
         """Open the doors in the background; wait at most `patience` seconds for the first attempt."""
-        self._thread.start()
+        with unsignalled():
+            self._thread.start()
         self._tried.wait(patience)
 
     def close(self) -> None:
@@ -179,7 +182,7 @@ class Gateway:
             config = outer_config(listen, connect, self._secret, users)
             if self._part is not None:
                 self._part.configure(config)
-            self._outer = zenoh.open(config)
+            self._outer = open_session(config)
         finally:
             users.unlink(missing_ok=True)  # Zenoh has read it
         try:
@@ -193,10 +196,9 @@ class Gateway:
             raise
 
     def _build_bridge(self, naming: Naming | None) -> None:
-        import zenoh
 
         assert self._outer is not None
-        inner = zenoh.open(inner_config(self._place))
+        inner = open_session(inner_config(self._place))
         self._bridge = Bridge(
             inner, self._outer, self._domain_id, self._report, self.refusals, self._is_neighbour, naming
         )

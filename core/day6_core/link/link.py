@@ -14,11 +14,11 @@ from day6_core.graph.endpoints import Client, Endpoint, Publisher, RequestId, Se
 from day6_core.graph.graph import Graph, GraphEvent
 from day6_core.graph.node import Node
 from day6_core.inbox import Inbox
-from day6_core.interrupts import DEFERRED
+from day6_core.interrupts import DEFERRED, unsignalled
 from day6_core.link.announcing import Announcements
 from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import command_config, process_config
-from day6_core.link.engine_thread import callback, inside_callback
+from day6_core.link.engine_thread import callback, inside_callback, open_session
 from day6_core.link.gateway import Gateway
 from day6_core.link.gid import gid_of
 from day6_core.link.keys import (
@@ -142,14 +142,15 @@ class Link:
             else:
                 self._meeting = MeetingPoint(place, self.graph.domain_id)
                 self._meeting.try_to_hold()
-                self._attach(zenoh.open(process_config(place, self.zid)))
+                self._attach(open_session(process_config(place, self.zid)))
         except LinkError:
             self.close()
             raise
         except (zenoh.ZError, OSError) as error:
             self.close()
             raise LinkError(f"{place.folder}: {reason(error)}") from error
-        self._thread.start()
+        with unsignalled():
+            self._thread.start()
         if self._listen or self._connect:
             self._gate = Gateway(
                 place,
@@ -313,7 +314,7 @@ class Link:
         if not self._place.tcp and not self._place.meeting_socket.exists():
             return
         try:
-            session = zenoh.open(command_config(self._place, self.zid))
+            session = open_session(command_config(self._place, self.zid))
         except zenoh.ZError as error:
             self._report("no meeting point", error)
             return

@@ -9,6 +9,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from day6_core.link.config import meeting_config
+from day6_core.link.engine_thread import open_session
 from day6_core.link.file_lock import FileLock
 from day6_core.link.keys import presence_token
 from day6_core.link.paths import MeetingPlace, remove_socket
@@ -60,13 +61,13 @@ class MeetingPoint:
         import zenoh
 
         try:
-            return zenoh.open(meeting_config(self._place))
+            return open_session(meeting_config(self._place))
         except zenoh.ZError:
             if not self._place.tcp:
                 raise
         # No process holds the meeting point, so its port is used by an unrelated program.
         self._place.choose_another_port()
-        return zenoh.open(meeting_config(self._place))
+        return open_session(meeting_config(self._place))
 
     def keep(self) -> None:
         """Run it until this process ends, then leave its end to the system; does nothing if another process holds it.

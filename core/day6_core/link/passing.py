@@ -13,6 +13,7 @@ from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 
 from day6_core.graph.endpoints import Publisher
+from day6_core.interrupts import unsignalled
 from day6_core.link.attachment import unpack
 from day6_core.link.engine_thread import callback
 from day6_core.link.keys import data_key
@@ -58,7 +59,8 @@ class Passing:
         self._keys = keys
         if self._thread is None:
             self._thread = threading.Thread(target=self._work, name="day6-passing", daemon=True)
-            self._thread.start()
+            with unsignalled():
+                self._thread.start()
         self._wanted.put(keys)
 
     def count(self, publisher: Publisher) -> int | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 from day6_core.ros import differences, distribution
@@ -28,8 +29,13 @@ def _variables() -> dict[str, str]:
 
 def shipped_packages() -> list[str]:
     """Return the packages that come with day6-tui in this distribution, sorted."""
-    names = (path.parent.name for path in SHARE_PATH.glob("*/package.xml"))
-    return sorted(filter(differences.has_package, names))
+    return list(filter(differences.has_package, _all_packages()))
+
+
+@cache
+def _all_packages() -> list[str]:
+    """The packages of all distributions, sorted: looked for once, `ros2` asks hundreds of times."""
+    return sorted(path.parent.name for path in SHARE_PATH.glob("*/package.xml"))
 
 
 def activate() -> None:

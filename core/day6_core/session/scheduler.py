@@ -36,6 +36,15 @@ STEPS_PER_DEADLINE = 10_000
 SETTLE_SECONDS = 0.02
 """Wall seconds for which programs that never wait may delay anything else: a Ctrl-C, the next deadline."""
 
+LATE_NS = nanoseconds(0.1)
+"""A world further behind than this leaves time between its deadlines while somebody types: the machine is too busy for both."""
+
+TYPING_SECONDS = 1.0
+"""For how long after a key."""
+
+LONGEST_PAUSE = 0.05
+"""Wall seconds between two deadlines then, at most."""
+
 SHORT_NS = nanoseconds(0.001)
 """Who keeps waiting for less than this (a timer of a nanosecond) has to leave time to the others."""
 
@@ -83,6 +92,7 @@ class Scheduler:
         self._worked: bool = False
         """Whether anything ran since the last call of `on_activity`."""
         self._announced = 0.0
+        self._typed_until = 0.0
         self.on_activity: Callable[[], None] | None = None
         """Called on the scheduler's thread after something ran: a screen may have to be drawn. Must return at once."""
 
@@ -92,9 +102,18 @@ class Scheduler:
         """Run `function` on the scheduler's thread, soon. Safe in signal handlers too."""
         self._inbox.put(function)
 
+    def give_way(self) -> None:
+        """A key was typed: what comes of it goes before a world that is late."""
+        self._typed_until = time.monotonic() + TYPING_SECONDS
+
     def wake(self) -> None:
         """Make a waiting scheduler read its clock again."""
         self._inbox.put(None)
+
+    @property
+    def thread_number(self) -> int | None:
+        """The system-wide number of the thread of `start`; None before it runs."""
+        return self._thread.native_id if self._thread is not None else None
 
     @property
     def stuck_for(self) -> float:
@@ -225,11 +244,15 @@ class Scheduler:
         if deadline is not None and deadline <= target:
             if wait and target - deadline > MAX_LAG_NS:
                 self.clock.fall_behind(deadline)
+            began = time.monotonic()
             self.clock.hold(deadline)
             self._release_due(deadline)
             self._settle(paced=wait)
-            if time.monotonic() - self._announced > BUSY_ANNOUNCEMENT:
+            now = time.monotonic()
+            if now - self._announced > BUSY_ANNOUNCEMENT:
                 self.announce_activity()
+            if wait and now < self._typed_until and target - deadline > LATE_NS:
+                self._pause(min(now - began, LONGEST_PAUSE))
             return True
         if self._ready:
             return True
@@ -251,6 +274,13 @@ class Scheduler:
         self._hold_at_wall(deadline)
         self._run_item(item)
         return True
+
+    def _pause(self, seconds: float) -> None:
+        """Leave the processor to the screen, unless something comes from outside."""
+        with contextlib.suppress(Empty):
+            item = self._inbox.get(timeout=seconds)
+            self._hold_at_wall(self._next_deadline())
+            self._run_item(item)
 
     def _drain(self) -> bool:
         """Run the calls of other threads. The clock then reads wall time, but never past a deadline that has not run."""

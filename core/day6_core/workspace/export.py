@@ -27,7 +27,8 @@ from day6_core.session.folder import working_folder
 from day6_core.whole_file import open_at_once, replacing
 from day6_core.workspace.packages import Package, find_packages, holds_packages
 
-_LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache", "build", "install", "log"})
+LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache", "build", "install", "log"})
+"""Names of what is made anew elsewhere, or nobody's program."""
 _OF_COLCON = ("src", "build", "install", "log")
 _BUILT_TYPES = ("ros.", "python", "cmake")
 
@@ -273,8 +274,13 @@ def _files(folder: Path, own: set[Path], left_out: list[Reason]) -> Iterator[Pat
                 left_out.append(Reason("broken" if entry.is_symlink() else "strange", {"file": repr(str(path))}))
 
 
+def is_tools_folder(name: str) -> bool:
+    """Return whether a folder of this name was left by builds, editors or version control."""
+    return name in LEFT_OUT or name.endswith(".egg-info") or name.startswith(".")
+
+
 def _is_tools(entry: os.DirEntry[str]) -> bool:
     """Return whether an entry was left by builds, editors or version control."""
     if os.path.isdir(entry.path):
-        return entry.name in _LEFT_OUT or entry.name.endswith(".egg-info") or entry.name.startswith(".")
+        return is_tools_folder(entry.name)
     return entry.name.endswith((".pyc", "~", ".swp"))

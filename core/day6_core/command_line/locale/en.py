@@ -183,6 +183,7 @@ TEXTS = {
         "Run submissions on hidden scenarios.\nNothing that the submissions (day6-tui submit) claim is believed."
     ),
     "cli.grade.files": "submissions, or folders of them (*.zip)",
+    "cli.grade.data": "what the pupils have in their homes in this folder of day6-tui serve",
     "cli.grade.lesson": "only the scenarios of this lesson (default: all)",
     "cli.grade.scenarios": "your own scenarios instead of those that come with day6-tui",
     "cli.grade.jobs": "how many submissions to grade at a time (default: as many as this machine can)",
@@ -190,6 +191,7 @@ TEXTS = {
     "cli.grade.seconds": "time limit of a submission in seconds (default: what its scenarios may take together)",
     "cli.grade.seed": "draw the same names and numbers as another run",
     "cli.report": "Show how far all pupils of this machine are.\nPrints a table, or writes CSV and HTML files.",
+    "cli.report.data": "the class that day6-tui serve keeps in this folder, a row for each pupil",
     "cli.report.lessons": "count the lessons of this folder",
     # Programs without the desktop
     "cli.exec": (

@@ -153,6 +153,7 @@ TEXTS = {
     "cli.submit.output": "要写的文件（默认：当前文件夹里的 NAME.zip）",
     "cli.grade": "在隐藏的情景下重新运行作业来评分。\n不相信作业（day6-tui submit）自己说的结果。",
     "cli.grade.files": "作业文件，或者放作业（*.zip）的文件夹",
+    "cli.grade.data": "day6-tui serve 的这个文件夹里，每个学生主目录里的作业",
     "cli.grade.lesson": "只用这一课的情景（默认：全部）",
     "cli.grade.scenarios": "用你自己的情景代替自带的",
     "cli.grade.jobs": "同时评多少份作业（默认：看这台机器的能力）",
@@ -160,6 +161,7 @@ TEXTS = {
     "cli.grade.seconds": "一份作业最多运行多少秒（默认：各个情景允许的时间加起来）",
     "cli.grade.seed": "抽取和另一次评分一样的名字和数字",
     "cli.report": "这台电脑上所有学生的学习进度。\n打印一张表，或者写成 CSV 和 HTML 文件。",
+    "cli.report.data": "day6-tui serve 保存在这个文件夹里的班级，每个学生一行",
     "cli.report.lessons": "按这个文件夹里的课程统计",
     # 不开桌面，运行程序
     "cli.exec": "不开桌面，直接运行模拟终端的命令。\n打印终端会显示的内容，以最后的状态结束。",

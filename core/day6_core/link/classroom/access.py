@@ -1,5 +1,6 @@
 """What the router of a class lets through: from pupils only UP, to pupils only DOWN. So no pupil reaches another's graph.
 
+In a room all share one graph, but what the teacher asks and shows still comes from nobody else.
 Whoever has the secret may still claim to be any pupil, as with names on a blackboard.
 """
 
@@ -18,20 +19,30 @@ def _below(key: str) -> list[str]:
     return [f"{key}/**", f"{key}/**/@ros2_lv/**", f"{key}/**/@adv/**"]
 
 
-def rules() -> dict[str, Any]:
+def rules(*, is_room: bool = False) -> dict[str, Any]:
     """Return Zenoh's `access_control`, as seen from the router: ingress is what a pupil sends to it."""
+    ways = [
+        ("up", UP, "ingress", _SENDING),
+        ("up", UP, "egress", _RECEIVING),
+        ("down", DOWN, "ingress", _RECEIVING),
+        ("down", DOWN, "egress", _SENDING),
+    ]
+    permission, default = "allow", "deny"
+    if is_room:
+        ways, permission, default = [("down", DOWN, "ingress", _SENDING)], "deny", "allow"
     made = [
-        {"id": f"{way}_{flow}", "permission": "allow", "flows": [flow], "messages": messages, "key_exprs": _below(key)}
-        for way, key, flow, messages in (
-            ("up", UP, "ingress", _SENDING),
-            ("up", UP, "egress", _RECEIVING),
-            ("down", DOWN, "ingress", _RECEIVING),
-            ("down", DOWN, "egress", _SENDING),
-        )
+        {
+            "id": f"{way}_{flow}",
+            "permission": permission,
+            "flows": [flow],
+            "messages": messages,
+            "key_exprs": _below(key),
+        }
+        for way, key, flow, messages in ways
     ]
     return {
         "enabled": True,
-        "default_permission": "deny",
+        "default_permission": default,
         "rules": made,
         "subjects": [{"id": "everybody"}],
         "policies": [{"rules": [rule["id"] for rule in made], "subjects": ["everybody"]}],

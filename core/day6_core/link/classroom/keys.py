@@ -6,7 +6,9 @@ day6_class/up/anna/here/ID  a token: anna is here, and this is the session
 day6_class/up/anna/note     what her desktop says of itself
 day6_class/down/anna/…      to her: tokens and messages of the teacher that concern her graph, and
 day6_class/down/anna/order  what the teacher asks of her desktop
+day6_class/down/anna/file   a question: will you take this file?
 day6_class/down/teacher/ID  a token: the teacher is here
+day6_class/down/teacher/shown  to all pupils: the screen that is shown to the class
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ WIRE_DOMAIN = "0"
 """Stands for everybody's domain in the keys of a graph, so that pupils and teacher need not have the same."""
 TEACHER = "teacher"
 """No pupil's name: the teacher's nodes are below /teacher in a pupil's graph."""
+SHOWN = f"{DOWN}/{TEACHER}/shown"
 LONGEST_NAME = 32
 _NAME = re.compile(rf"[A-Za-z][A-Za-z0-9_]{{0,{LONGEST_NAME - 1}}}", re.ASCII)
 
@@ -50,6 +53,11 @@ def note_key(name: str) -> str:
 def order_key(name: str) -> str:
     """Return the key of the orders to a pupil."""
     return f"{DOWN}/{name}/order"
+
+
+def file_key(name: str) -> str:
+    """Return the key of the files for a pupil."""
+    return f"{DOWN}/{name}/file"
 
 
 def name_in(key: str) -> str | None:

@@ -32,7 +32,9 @@ _REFUSALS = {
 
 
 class Pupil:
-    """`ordered` gets the teacher's orders, `met` whether the teacher is there; both are called on foreign threads."""
+    """`ordered` gets the teacher's orders, `shown` the screen for all, `handed` a file and returns the answer, `met` whether the
+    teacher is there; all are called on foreign threads.
+    """
 
     is_closed = False
     joined = None
@@ -40,6 +42,8 @@ class Pupil:
     def __init__(self, name: str) -> None:
         self.name = name
         self.ordered: Callable[[bytes], None] = _ignore
+        self.shown: Callable[[bytes], None] = _ignore
+        self.handed: Callable[[bytes], bytes] = _take_nothing
         self.met: Callable[[bool], None] = _ignore
         self.problem: DoorState | None = DoorState.NO_CLASS
         self.naming: Naming | None = None
@@ -73,6 +77,8 @@ class Pupil:
         self._outbox = Outbox(session, _report)
         self._declared = [
             session.declare_subscriber(keys.order_key(self.name), self._on_order),
+            session.declare_subscriber(keys.SHOWN, self._on_shown),
+            session.declare_queryable(keys.file_key(self.name), self._on_file),
             session.liveliness().declare_subscriber(keys.teacher_token("*"), self._on_teacher, history=True),
         ]
 
@@ -129,7 +135,16 @@ class Pupil:
         self.met(True)
 
     def _on_order(self, sample: zenoh.Sample) -> None:
-        self.ordered(sample.payload.to_bytes())
+        if _is_sent_to(sample, keys.order_key(self.name)):
+            self.ordered(sample.payload.to_bytes())
+
+    def _on_shown(self, sample: zenoh.Sample) -> None:
+        if self._granted and _is_sent_to(sample, keys.SHOWN):
+            self.shown(sample.payload.to_bytes())
+
+    def _on_file(self, query: zenoh.Query) -> None:
+        if self._granted and _is_sent_to(query, keys.file_key(self.name)) and query.payload is not None:
+            query.reply(query.key_expr, self.handed(query.payload.to_bytes()))
 
     def _on_teacher(self, sample: zenoh.Sample) -> None:
         import zenoh
@@ -149,9 +164,18 @@ class Pupil:
             self.met(False)
 
 
+def _is_sent_to(sample: zenoh.Sample | zenoh.Query, key: str) -> bool:
+    """Whether it comes from the teacher: the router of a room would let it through for a key with wildcards (`access`)."""
+    return str(sample.key_expr) == key
+
+
 def _report(what: str, error: Exception) -> None:
     _log.warning("%s: %s", what, error)
 
 
 def _ignore(_: object) -> None:
     pass
+
+
+def _take_nothing(_: bytes) -> bytes:
+    return b""

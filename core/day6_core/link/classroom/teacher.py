@@ -22,12 +22,20 @@ if TYPE_CHECKING:
 _log = logging.getLogger(__name__)
 
 MOST_REFUSED = 1000
+TELL_SECONDS = 0.5
+"""At least, between two words that the same one is still refused; it asks every second."""
 RESERVED_SECONDS = 5.0
 """How long a granted name waits for its pupil's token."""
 
+HAND_SECONDS = 30.0
+"""For which a pupil can take to receive a file."""
+
 
 class Teacher:
-    """`noted(name, note)`, `came(name, is_here)` and `turned_away(name, why)` are called on foreign threads."""
+    """`noted(name, note)`, `came(name, is_here)` and `turned_away(name, why)` are called on foreign threads.
+
+    Who is turned away asks again, and as long as it does, it is told again.
+    """
 
     def __init__(self, *, room: bool = False) -> None:
         self.is_room = room
@@ -37,6 +45,7 @@ class Teacher:
         self.turned_away: Callable[[str, str], None] = _ignore
         self.problem = None
         self.naming: Naming | None = None
+        self._session: zenoh.Session | None = None
         self._outbox: Outbox | None = None
         self._domain_id = 0
         self._declared: list[Any] = []
@@ -44,8 +53,8 @@ class Teacher:
         self._here: dict[str, str] = {}
         """name -> session of the pupil who has it"""
         self._reserved: dict[str, tuple[str, float]] = {}
-        self._refused: dict[str, tuple[str, str]] = {}
-        """session -> name and reason, for those who were told"""
+        self._refused: dict[str, tuple[tuple[str, str], float]] = {}
+        """session -> name and reason, for those of whom was told, and when it was last"""
 
     @property
     def joined(self) -> int:
@@ -57,14 +66,32 @@ class Teacher:
         outbox = self._outbox
         return outbox is not None and name in self._here and outbox.put(keys.order_key(name), order)
 
+    def show(self, picture: bytes) -> None:
+        """Send a picture to all pupils, those who are to pass it over too. Any thread."""
+        if (outbox := self._outbox) is not None and self._here:
+            outbox.put(keys.SHOWN, picture)
+
+    def hand(self, name: str, message: bytes) -> bytes | None:
+        """Hand a file to a pupil; the desktop's answer, None if there is none. Waits for it. Any thread."""
+        import zenoh
+
+        session = self._session
+        if session is None or name not in self._here:
+            return None
+        try:
+            replies = session.get(keys.file_key(name), payload=message, timeout=HAND_SECONDS)
+            return next((reply.ok.payload.to_bytes() for reply in replies if reply.ok is not None), None)
+        except zenoh.ZError as error:
+            _report("not handed to the class", error)
+            return None
+
     # -- for the gateway -----------------------------------------------------------------------------------------------
 
     def configure(self, config: zenoh.Config) -> None:
-        if not self.is_room:
-            config.insert_json5("access_control", json.dumps(access.rules()))
+        config.insert_json5("access_control", json.dumps(access.rules(is_room=self.is_room)))
 
     def begin(self, session: zenoh.Session, domain_id: int) -> None:
-        self._domain_id = domain_id
+        self._session, self._domain_id = session, domain_id
         self._outbox = Outbox(session, _report)
         self.naming = Plain(domain_id) if self.is_room else TeacherNaming(domain_id)
         self._declared = [
@@ -79,7 +106,7 @@ class Teacher:
 
     def end(self) -> None:
         self._declared.clear()
-        self.naming = None
+        self._session = self.naming = None
         if self._outbox is not None:
             self._outbox.close()
             self._outbox = None
@@ -100,11 +127,20 @@ class Teacher:
         if name is not None:
             refusal = self._refusal(name, zid, domain_id)
             query.reply(query.key_expr, json.dumps({"refused": refusal, "room": self.is_room}).encode())
-            if refusal is not None and self._refused.get(zid) != (name, refusal):  # it asks again every second
-                if len(self._refused) >= MOST_REFUSED:
-                    self._refused.clear()
-                self._refused[zid] = (name, refusal)
-                self.turned_away(name, refusal)
+            if refusal is None:
+                self._refused.pop(zid, None)
+            else:
+                self._tell_refused(zid, (name, refusal))
+
+    def _tell_refused(self, zid: str, what: tuple[str, str]) -> None:
+        told, when = self._refused.get(zid, (None, 0.0))
+        now = time.monotonic()
+        if told == what and now - when < TELL_SECONDS:
+            return
+        if len(self._refused) >= MOST_REFUSED:
+            self._refused.clear()
+        self._refused[zid] = what, now
+        self.turned_away(*what)
 
     def _refusal(self, name: str, zid: str, domain_id: object) -> str | None:
         """Return why this session cannot have the name, and keep it for it if it can."""

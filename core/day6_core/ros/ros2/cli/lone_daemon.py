@@ -7,7 +7,9 @@ that uses it touches that file.
 from __future__ import annotations
 
 import os
+import select
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -20,6 +22,7 @@ from day6_core.whole_file import PRIVATE, replace_file
 
 UNUSED_SECONDS = 2 * 60 * 60
 _POLL_SECONDS = 0.02
+_LOOK_SECONDS = 60.0
 _ENDED_SECONDS = 5.0
 
 
@@ -96,17 +99,19 @@ def main(domain_id: int) -> None:
     from rclpy.context import Context
     from rclpy.node import Node
 
-    def end(*_: object) -> None:
-        raise SystemExit
-
-    signal.signal(signal.SIGTERM, end)
+    # A handler runs once the main thread is back from what it waits for, which a signal need not interrupt: it wakes the wait.
+    woken, waking = socket.socketpair()
+    waking.setblocking(False)
+    signal.set_wakeup_fd(waking.fileno(), warn_on_full_buffer=False)
+    signal.signal(signal.SIGTERM, lambda number, frame: None)
     context = Context()
     context.init(args=[], domain_id=domain_id)
     node = Node(node_name(domain_id), context=context, **keywords())
     try:
         replace_file(_file(folder), str(os.getpid()).encode(), mode=PRIVATE, sync=False, follow=False)
         while time.time() < _file(folder).stat().st_mtime + UNUSED_SECONDS:
-            time.sleep(60)
+            if select.select([woken], [], [], _LOOK_SECONDS)[0]:
+                break
     finally:
         node.destroy_node()
         context.try_shutdown()

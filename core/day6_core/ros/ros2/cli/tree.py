@@ -74,9 +74,10 @@ def build_parser(session: Session, argv: list[str]) -> SessionParser:
     listed = "" if command in names else _listing({name: summary(name) for name in names if name not in HIDDEN})
     choices = root.add_commands("ros2", listed)
     for name in names:
-        parser = choices.add_parser(name)
         if name == command:
-            _complete_command(parser, name, verb)
+            _complete_command(choices.add_parser(name), name, verb)
+        else:
+            choices.choices[name] = None  # a word that is known: no line gets to its parser
     return root
 
 
@@ -95,8 +96,10 @@ def _complete_command(parser: SessionParser, command: str, verb: str | None) -> 
     listed = "" if verb in verbs else _listing({name: summary(command, name) for name in verbs})
     choices = parser.add_commands(f"ros2 {command}", listed)
     for name in verbs:
-        verb_parser = choices.add_parser(name)
-        if name == verb:
+        if name != verb:
+            choices.choices[name] = None
+        else:
+            verb_parser = choices.add_parser(name)
             verb_module: Any = load(command, name)
             verb_parser.description = verb_module.SUMMARY
             verb_module.add_arguments(verb_parser)
