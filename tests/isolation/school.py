@@ -99,6 +99,12 @@ publisher = node.create_publisher(String, "mine", 10)
 node.create_timer(0.1, lambda: publisher.publish(String(data="from mine")))
 rclpy.spin(node)
 """
+MEETS = """
+import sys
+from day6_core.link.paths import meeting_place
+meeting_place(0)
+print("heard", *sys.argv[1:])
+"""
 
 
 class School:
@@ -222,13 +228,32 @@ def _let_the_kernel_end(mark: str) -> None:
         time.sleep(0.01)
 
 
+FILLS = """
+import os
+written = 0
+try:
+    for number in range(10):
+        with open(f"{os.environ['TMPDIR']}/{number}", "wb") as file:
+            file.write(bytes(4 << 20))
+        written += 4
+except OSError:
+    pass
+print(written)
+"""
+
+
 def limits(mode: Mode, top: Path) -> dict[str, int]:
-    """How many processes, MB of memory and MB of a file a pupil got; the others' shares are not less by it."""
+    """How many processes, MB of memory, MB of a file and MB of temporary files that nobody counts a pupil got.
+
+    The others' shares are not less by it.
+    """
     school = School(mode, top)
     cell = school.cell("anna")
     files = int(school.python(cell, WRITES).stdout)
     memory = school.python(cell, EATS)
-    taken = {"files": files, "memory": int(memory.stdout) if memory.stdout else 0}
+    before = mode.disk_used(cell)
+    temporary = int(school.python(cell, FILLS).stdout) - (mode.disk_used(cell) - before >> 20)
+    taken = {"files": files, "memory": int(memory.stdout) if memory.stdout else 0, "temporary": temporary}
     if "processes" in mode.enforces:
         taken["processes"] = int(school.python(cell, FORKS).stdout)
         other = school.cell("bert")
@@ -286,8 +311,33 @@ def names(mode: Mode, top: Path) -> list[bool]:
     return cells
 
 
+def graded(mode: Mode, top: Path) -> Any:
+    """What a submission gets whose program meets others, in a cell as far down as the server's."""
+    from tests.grading.article import write
+    from tests.grading.own import own_gradings
+
+    (top / "homes").mkdir()
+    cell = Cell("g", top / "homes" / "g", top / "run" / "c12345678" / "p" / "g123456789012", None, Limits())
+    mode.prepare(cell)
+    own_gradings(cell.home)
+    packed = write(cell.home / "s.zip", {"home/echo.py": MEETS}).read_bytes()
+    job = {"size": len(packed), "seed": "s", "gradings": [str(cell.home / "own" / "own.md")], "answers": {}}
+    done = subprocess.run(
+        mode.command(cell, [sys.executable, "-I", "-m", "day6_core.lessons.grading.apart"]),
+        input=json.dumps(job).encode() + b"\n" + packed,
+        stdout=subprocess.PIPE,
+        timeout=10 * PATIENCE,
+        env={"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"},
+        start_new_session=True,
+    )
+    mode.end(cell)
+    report = json.loads(done.stdout)
+    return [report["problem"], *(each["checks"] for each in report["scenarios"] if each["mark"] != "right")]
+
+
 DEEDS: dict[str, Callable[[Mode, Path], Any]] = {
-    deed.__name__: deed for deed in (attacks, orphans, orphans_of_ended, forgotten, limits, surroundings, lesson, names)
+    deed.__name__: deed
+    for deed in (attacks, orphans, orphans_of_ended, forgotten, limits, surroundings, lesson, names, graded)
 }
 
 

@@ -69,8 +69,15 @@ def test_a_pupil_gets_no_more_than_his_limits(mode: str) -> None:
     taken = deed(mode, "limits")
     assert taken["files"] == LIMITS.disk >> 20
     assert taken["memory"] <= LIMITS.memory >> 20
+    assert taken["temporary"] <= LIMITS.disk >> 20
     if mode in APART:
         assert 5 < taken["processes"] < LIMITS.processes and taken["others"] == 0
+
+
+@pytest.mark.process
+@pytest.mark.parametrize("mode", ("bubblewrap", "landlock"))
+def test_programs_that_are_graded_in_a_cell_meet_others(mode: str) -> None:
+    assert deed(mode, "graded") == [""]
 
 
 @pytest.mark.process

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 import shutil
+import subprocess
 import sys
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.isolation import enter, groups, installed, left
 from day6_core.isolation.cell import Cell
-from day6_core.isolation.mode import Mode, key, programs_of
+from day6_core.isolation.mode import Mode, key
 
 assert not TYPE_CHECKING or sys.platform == "linux"
 
@@ -26,6 +28,7 @@ class Bubblewrap(Mode):
     """
 
     name = "bubblewrap"
+    forks = False
     _counts = frozenset({"processes"})  # RLIMIT_NPROC counts those of a user namespace
 
     def rlimits(self, cell: Cell) -> dict[str, int]:
@@ -36,19 +39,22 @@ class Bubblewrap(Mode):
         """Return /tmp, which is the pupil's alone."""
         return Path("/tmp")
 
-    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
-        """Return the command line of bwrap. The limits come inside, where the namespace counts from nothing."""
-        inside = enter.SandboxPlan(
+    def plan(self, cell: Cell, descriptors: Iterable[int] = ()) -> enter.SandboxPlan:
+        """Return what is done inside, where the namespace counts from nothing."""
+        return enter.SandboxPlan(
             folder=str(cell.home),
             environment=self.environment(cell),
             limits=self.rlimits(cell),
             scoped=True,
             descriptors=list(descriptors),
         )
+
+    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
+        """Return the command line of bwrap."""
         words = ["bwrap", *_NAMESPACES, "--die-with-parent", *_mounts(cell)]
         words += ["--hostname", "day6"]
         words += [] if cell.network else ["--unshare-net"]
-        words += ["--", *enter.command(cell, inside, argv)]
+        words += ["--", *enter.command(cell, self.plan(cell, descriptors), argv)]
         if not self.trees:
             return words
         outside = enter.SandboxPlan(
@@ -59,10 +65,6 @@ class Bubblewrap(Mode):
         )
         return enter.command(cell, outside, words)
 
-    def processes(self, cell: Cell) -> list[int]:
-        """Return the ids of the cell's processes, as they are outside."""
-        return programs_of(cell.mark)
-
     def end(self, cell: Cell) -> bool:
         """Kill bwrap, and with it everything in its namespace; return whether nothing is left."""
         gone = left.end_marked(cell.mark, gently=False)
@@ -71,8 +73,9 @@ class Bubblewrap(Mode):
 
 def _mounts(cell: Cell) -> list[str]:
     """Return the file system as words for bwrap, what is higher up first: what lies deeper covers it."""
-    private = {cell.home.parent, cell.runtime.parent, Path("/tmp"), Path("/run"), Path("/var/tmp")}
-    table: dict[Path, list[str]] = {path: ["--tmpfs", str(path)] for path in private if path != Path("/")}
+    private = {cell.home.parent, cell.runtime.parent, *map(Path, ("/tmp", "/run", "/var/tmp", "/dev/shm"))}
+    limit = ["--size", str(cell.limits.disk)] if takes_size() else []
+    table: dict[Path, list[str]] = {path: [*limit, "--tmpfs", str(path)] for path in private if path != Path("/")}
     table |= {Path(folder): ["--ro-bind", folder, folder] for folder in installed.folders()}
     if cell.network:
         for folder in ("/run/systemd/resolve", "/run/resolvconf", "/run/NetworkManager"):  # where resolv.conf points to
@@ -84,6 +87,13 @@ def _mounts(cell: Cell) -> list[str]:
     table[Path("/dev")] = ["--dev", "/dev"]
     table |= {path: ["--bind", str(path), str(path)] for path in (cell.home, cell.runtime)}
     return [word for path in sorted(table, key=lambda path: len(path.parts)) for word in table[path]]
+
+
+@cache
+def takes_size() -> bool:
+    """Return whether this bwrap can limit what it keeps in memory."""
+    said = subprocess.run(["bwrap", "--help"], stdin=subprocess.DEVNULL, capture_output=True, timeout=30)
+    return b"--size " in said.stdout + said.stderr
 
 
 def is_installed() -> bool:

@@ -13,13 +13,16 @@ import json
 import os
 import signal
 import sys
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from types import FrameType
+from typing import Any, NoReturn
 
 from day6_core.isolation import landlock, left
 from day6_core.isolation.cell import Cell
 from day6_core.reason import named_reason
 
+_PR_SET_DUMPABLE = 4
 _PR_SET_CHILD_SUBREAPER = 36
 _PR_SET_NO_NEW_PRIVS = 38
 
@@ -54,9 +57,13 @@ class SandboxPlan:
 
 def command(cell: Cell, plan: SandboxPlan, argv: list[str]) -> list[str]:
     """Return the command line that starts `argv` by this plan."""
-    filled = {name: value for name, value in asdict(plan).items() if value not in (None, [], {}, 0, False)}
     module = "day6_core.isolation.enter"
-    return [sys.executable, "-I", "-m", module, cell.mark, json.dumps(filled, sort_keys=True), "--", *argv]
+    return [sys.executable, "-I", "-m", module, cell.mark, json.dumps(filled(plan), sort_keys=True), "--", *argv]
+
+
+def filled(plan: SandboxPlan) -> dict[str, Any]:
+    """Return what the plan says, without what it leaves as it is."""
+    return {name: value for name, value in asdict(plan).items() if value not in (None, [], {}, 0, False)}
 
 
 def main(words: list[str]) -> int:
@@ -69,11 +76,17 @@ def main(words: list[str]) -> int:
         return 126
 
 
-def enter(plan: SandboxPlan, argv: list[str]) -> int:
+def _execute(argv: list[str], environment: dict[str, str]) -> NoReturn:
+    os.execvpe(argv[0], argv, environment)
+
+
+def enter(
+    plan: SandboxPlan, argv: list[str], become: Callable[[list[str], dict[str, str]], NoReturn] = _execute
+) -> int:
     """Do what the plan says and become `argv`. Raises OSError."""
     environment = _environment(plan)
     if sys.platform == "linux":
-        _close_others(plan.descriptors)
+        close_others(plan.descriptors)
         for path in plan.groups:
             with open(path, "w", encoding="ascii") as file:
                 file.write("0")
@@ -88,8 +101,9 @@ def enter(plan: SandboxPlan, argv: list[str]) -> int:
         landlock.prctl(_PR_SET_NO_NEW_PRIVS, 1)
         if plan.readable or plan.writable or plan.scoped:
             landlock.restrict(plan.readable, plan.writable, scoped=plan.scoped)
+        landlock.prctl(_PR_SET_DUMPABLE, 1)  # as a new program is: what /proc has of it is its own
     os.chdir(plan.folder)
-    os.execvpe(argv[0], argv, environment)
+    become(argv, environment)
 
 
 def _environment(plan: SandboxPlan) -> dict[str, str]:
@@ -97,7 +111,8 @@ def _environment(plan: SandboxPlan) -> dict[str, str]:
     return {**kept, **plan.environment}
 
 
-def _close_others(descriptors: list[int]) -> None:
+def close_others(descriptors: list[int]) -> None:
+    """Close all but these and 0, 1 and 2."""
     for name in os.listdir("/proc/self/fd"):
         number = int(name)
         if number > 2 and number not in descriptors:

@@ -54,7 +54,7 @@ def trees(mounts: str | None = None, memberships: str | None = None) -> list[Tre
         _, place, kind, options, *_ = line.split(" ")
         if kind == "cgroup2" and "" in places:
             own = Path(place, places[""])
-            found.append(Tree(own, True, frozenset(_read(own / "cgroup.controllers").split()) & {*_V1}))
+            found.append(Tree(own, True, frozenset(read(own / "cgroup.controllers").split()) & {*_V1}))
         elif kind == "cgroup":
             for names, path in places.items():
                 here = frozenset(names.split(",")) & {*_V1}
@@ -124,12 +124,12 @@ def _delegate(tree: Tree) -> None:
     wanted = " ".join(f"+{name}" for name in sorted(tree.controllers))
     for folder in (tree.own, tree.own / PARENT):
         file = folder / "cgroup.subtree_control"
-        if tree.controllers <= set(_read(file).split()):
+        if tree.controllers <= set(read(file).split()):
             continue
         try:
             file.write_text(wanted, encoding="ascii")
         except OSError as error:
-            if error.errno != errno.EBUSY or _read(folder / "cgroup.procs").split() != [str(os.getpid())]:
+            if error.errno != errno.EBUSY or read(folder / "cgroup.procs").split() != [str(os.getpid())]:
                 raise  # others are in it, and they are not ours to move
             (folder / _LEAF).mkdir(exist_ok=True)
             (folder / _LEAF / "cgroup.procs").write_text(str(os.getpid()), encoding="ascii")
@@ -138,7 +138,7 @@ def _delegate(tree: Tree) -> None:
 
 def members(tree: Tree, name: str) -> list[int]:
     """Return the processes of a cell's group."""
-    return [int(word) for word in _read(tree.group(name) / "cgroup.procs").split()]
+    return [int(word) for word in read(tree.group(name) / "cgroup.procs").split()]
 
 
 def memory_used(found: list[Tree], name: str) -> int | None:
@@ -146,12 +146,16 @@ def memory_used(found: list[Tree], name: str) -> int | None:
     for tree in found:
         if "memory" in tree.controllers:
             group = tree.group(name)
-            total = _read(group / ("memory.current" if tree.is_v2 else "memory.usage_in_bytes")).strip()
-            cached = [line.split() for line in _read(group / "memory.stat").splitlines()]
-            unused = "inactive_file" if tree.is_v2 else "total_inactive_file"
-            idle = sum(int(value) for key, value in cached if key == unused)
-            return max(0, int(total) - idle) if total.isdigit() else None
+            total = read(group / ("memory.current" if tree.is_v2 else "memory.usage_in_bytes")).strip()
+            return max(0, int(total) - idle_files(group, is_v2=tree.is_v2)) if total.isdigit() else None
     return None
+
+
+def idle_files(group: Path, *, is_v2: bool) -> int:
+    """Return the bytes of a group that hold files which are only cached."""
+    unused = "inactive_file" if is_v2 else "total_inactive_file"
+    lines = (line.split() for line in read(group / "memory.stat").splitlines())
+    return sum(int(value) for key, value in lines if key == unused)
 
 
 def end(found: list[Tree], name: str) -> bool:
@@ -175,7 +179,8 @@ def end(found: list[Tree], name: str) -> bool:
         time.sleep(0.01)
 
 
-def _read(file: Path) -> str:
+def read(file: Path) -> str:
+    """Return what such a file says, "" if there is none."""
     try:
         return file.read_text(encoding="ascii", errors="replace")
     except OSError:

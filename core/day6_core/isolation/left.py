@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from typing import NamedTuple
 
 END_SECONDS = 5.0
@@ -35,46 +35,59 @@ def processes() -> Iterator[ProcessEntry]:
                 yield ProcessEntry(int(name), int(parent), state in (b"Z", b"X"))
 
 
-def descendants(root: int) -> list[int]:
-    """Return the living processes below `root`."""
+def descendants(*roots: int) -> list[int]:
+    """Return the living processes below some others, each once; a root only if it is below another."""
+    return family(list(processes()), roots)
+
+
+def family(table: Collection[ProcessEntry], roots: Collection[int]) -> list[int]:
+    """Return what `descendants` returns, from a table that was read before."""
     children: dict[int, list[int]] = {}
-    dead = set()
-    for each in processes():
+    for each in table:
         children.setdefault(each.parent, []).append(each.pid)
-        if each.is_dead:
-            dead.add(each.pid)
-    found: list[int] = []
-    waiting = [root]
+    found: dict[int, None] = {}
+    waiting = list(roots)
     while waiting:
-        below = children.get(waiting.pop(), [])
-        found += below
+        below = [pid for pid in children.get(waiting.pop(), []) if pid not in found]
+        found |= dict.fromkeys(below)
         waiting += below
+    dead = {each.pid for each in table if each.is_dead}
     return [pid for pid in found if pid not in dead]
+
+
+def of_users(uids: Collection[int]) -> dict[int, list[int]]:
+    """Return the living processes of some Unix users, found in one look at all."""
+    found: dict[int, list[int]] = {uid: [] for uid in uids}
+    for each in processes():
+        with contextlib.suppress(OSError):
+            if not each.is_dead and (uid := os.stat(f"/proc/{each.pid}").st_uid) in found:
+                found[uid].append(each.pid)
+    return found
 
 
 def of_user(uid: int) -> list[int]:
     """Return the living processes of a Unix user."""
-    found = []
+    return of_users([uid])[uid]
+
+
+def all_marked(marks: Collection[str]) -> dict[str, list[int]]:
+    """Return, for each mark, our own processes that have it as a word of their command line, found in one look at all."""
+    if sys.platform != "linux":
+        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
+    wanted = {os.fsencode(mark): mark for mark in marks}
+    found: dict[str, list[int]] = {mark: [] for mark in marks}
     for each in processes():
         with contextlib.suppress(OSError):
-            if not each.is_dead and os.stat(f"/proc/{each.pid}").st_uid == uid:
-                found.append(each.pid)
+            if os.stat(f"/proc/{each.pid}").st_uid == os.geteuid() and not each.is_dead:
+                with open(f"/proc/{each.pid}/cmdline", "rb") as file:
+                    for word in wanted.keys() & set(file.read().split(b"\0")):
+                        found[wanted[word]].append(each.pid)
     return found
 
 
 def marked(mark: str) -> list[int]:
     """Return our own processes that have `mark` as a word of their command line."""
-    if sys.platform != "linux":
-        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
-    wanted = os.fsencode(mark)
-    found = []
-    for each in processes():
-        with contextlib.suppress(OSError):
-            if os.stat(f"/proc/{each.pid}").st_uid == os.geteuid() and not each.is_dead:
-                with open(f"/proc/{each.pid}/cmdline", "rb") as file:
-                    if wanted in file.read().split(b"\0"):
-                        found.append(each.pid)
-    return found
+    return all_marked([mark])[mark]
 
 
 def end_descendants(root: int) -> bool:
@@ -87,7 +100,19 @@ def end_user(uid: int) -> bool:
 
     def strike(_pids: list[int]) -> None:
         # -1 is everybody this user may kill, in one step: nothing can fork away from it. The shell kills itself, too.
-        subprocess.run(["/bin/sh", "-c", "kill -9 -1"], user=uid, group=uid, extra_groups=[], cwd="/", check=False)
+        # What is the server's is not the pupil's to see: no variable, no terminal.
+        subprocess.run(
+            ["/bin/sh", "-c", "kill -9 -1"],
+            user=uid,
+            group=uid,
+            extra_groups=[],
+            cwd="/",
+            env={},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            check=False,
+        )
 
     return _end(lambda: of_user(uid), strike)
 

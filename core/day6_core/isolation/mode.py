@@ -7,10 +7,10 @@ import os
 import sys
 import zlib
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from day6_core.isolation import groups, left
+from day6_core.isolation import enter, groups, left, machine
 from day6_core.isolation.cell import Cell, Used
 from day6_core.isolation.groups import Tree
 
@@ -40,8 +40,15 @@ class Mode(ABC):
 
     _counts: frozenset[str] = frozenset()
 
+    forks = True
+    """Whether any process can go into a cell; False: only what a program starts there is in it."""
+
     def uid_of(self, name: str, homes: Path) -> int | None:
         """Return the Unix user of the pupil whose home is `homes`/`name`; None where all are the server's."""
+        return None
+
+    def closed_before(self, folders: Iterable[Path]) -> Path | None:
+        """Return the first folder that keeps pupils from one of these; None if they get to all."""
         return None
 
     def prepare(self, cell: Cell) -> None:
@@ -53,12 +60,16 @@ class Mode(ABC):
     def _make_groups(self, cell: Cell) -> list[str]:
         return [str(groups.make(tree, key(cell), cell.limits)) for tree in self.trees]
 
-    @abstractmethod
     def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
         """Return the command line that starts `argv` in the cell; `descriptors` stay open, besides 0, 1 and 2.
 
-        It stays in the session and on the terminal it is started on.
+        It stays in the session and on the terminal it is started on. Raises IsolationError.
         """
+        return enter.command(cell, self.plan(cell, descriptors), argv)
+
+    @abstractmethod
+    def plan(self, cell: Cell, descriptors: Iterable[int] = ()) -> enter.SandboxPlan:
+        """Return what a process does to go into the cell, the whole way where it `forks`. Raises IsolationError."""
 
     def environment(self, cell: Cell) -> dict[str, str]:
         """Return the variables that name the cell's folders; of others, few get in (`enter.KEPT_VARIABLES`)."""
@@ -83,19 +94,25 @@ class Mode(ABC):
             limits["DATA"] = cell.limits.memory
         return limits
 
-    @abstractmethod
     def processes(self, cell: Cell) -> list[int]:
         """Return the ids of the cell's processes."""
+        return self.processes_of([cell])[0]
+
+    def processes_of(self, cells: Sequence[Cell]) -> list[list[int]]:
+        """Return the ids of the processes of each of these cells, found in one look at all."""
+        holders = left.all_marked([cell.mark for cell in cells])
+        table = list(left.processes())
+        return [sorted({*holders[cell.mark], *left.family(table, holders[cell.mark])}) for cell in cells]
 
     def used(self, cell: Cell) -> Used:
         """Measure what the cell takes. It walks the home folder: not for an event loop's thread."""
         pids = self.processes(cell)
         memory = groups.memory_used(self.trees, key(cell))
-        return Used(sum(map(_own_memory, pids)) if memory is None else memory, len(pids), self.disk_used(cell))
+        return Used(sum(map(machine.own_memory, pids)) if memory is None else memory, len(pids), self.disk_used(cell))
 
     def disk_used(self, cell: Cell) -> int:
-        """Return the bytes in the cell's home folder, by walking it; of `used` this costs least, as no process is looked for."""
-        return _disk(cell.home)
+        """Return the bytes in the cell's folders, by walking them; of `used` this costs least, as no process is looked for."""
+        return disk_of(cell.home) + disk_of(cell.runtime)
 
     @abstractmethod
     def end(self, cell: Cell) -> bool:
@@ -108,19 +125,8 @@ def key(cell: Cell) -> str:
     return f"{plain}-{zlib.crc32(os.fsencode(cell.runtime)):08x}"
 
 
-def _own_memory(pid: int) -> int:
-    """Return the bytes of a process that it does not share with a file."""
-    if sys.platform != "linux":
-        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
-    try:
-        with open(f"/proc/{pid}/statm", encoding="ascii") as file:
-            _, resident, shared, *_ = map(int, file.read().split())
-    except (OSError, ValueError):
-        return 0
-    return (resident - shared) * os.sysconf("SC_PAGE_SIZE")
-
-
-def _disk(home: Path) -> int:
+def disk_of(home: Path) -> int:
+    """Return the bytes in a home folder."""
     if sys.platform == "win32":
         raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
     total, count = 0, 0
@@ -136,9 +142,3 @@ def _disk(home: Path) -> int:
         except OSError:
             continue  # removed meanwhile, or closed to us
     return total
-
-
-def programs_of(mark: str) -> list[int]:
-    """Return the processes below those that hold the cell with this mark."""
-    holders = left.marked(mark)
-    return sorted({pid for holder in holders for pid in (holder, *left.descendants(holder))})

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from day6_core.isolation import enter, groups, installed, left
 from day6_core.isolation.cell import Cell, IsolationError
-from day6_core.isolation.mode import Mode, key, programs_of
+from day6_core.isolation.mode import Mode, key
 
 _KERNEL = ("/proc", "/sys")
 """What is another's process there stays closed: Landlock asks whether one may trace it."""
@@ -19,9 +19,9 @@ class Nothing(Mode):
 
     name = "none"
 
-    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
-        """Return the command line of the supervisor."""
-        return enter.command(cell, self._plan(cell, descriptors), argv)
+    def plan(self, cell: Cell, descriptors: Iterable[int] = ()) -> enter.SandboxPlan:
+        """Return what the supervisor does."""
+        return self._plan(cell, descriptors)
 
     def _plan(
         self, cell: Cell, descriptors: Iterable[int], readable: Iterable[str] = (), writable: Iterable[str] = ()
@@ -38,10 +38,6 @@ class Nothing(Mode):
             descriptors=list(descriptors),
         )
 
-    def processes(self, cell: Cell) -> list[int]:
-        """Return the ids of the cell's processes."""
-        return programs_of(cell.mark)
-
     def end(self, cell: Cell) -> bool:
         """Tell the supervisor to end everything, and then end it; return whether nothing is left."""
         gone = left.end_marked(cell.mark, gently=True)
@@ -57,11 +53,11 @@ class Landlock(Nothing):
 
     name = "landlock"
 
-    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
-        """Return the command line of the supervisor. Raises IsolationError if a rule would open what must stay closed."""
+    def plan(self, cell: Cell, descriptors: Iterable[int] = ()) -> enter.SandboxPlan:
+        """Return what the supervisor does. Raises IsolationError if a rule would open what must stay closed."""
         readable = [*installed.folders(), *_KERNEL]
         for path in (cell.home, cell.runtime, *cell.hidden):
             if any(installed.is_below(path, folder) for folder in readable):
                 raise IsolationError("isolation.no.inside", folder=str(path))
         writable = [str(cell.home), str(cell.runtime), *_DEVICES]
-        return enter.command(cell, self._plan(cell, descriptors, readable, writable), argv)
+        return self._plan(cell, descriptors, readable, writable)

@@ -8,7 +8,7 @@ import stat
 import subprocess
 import sys
 import zlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,6 +25,8 @@ FIRST_UID = 70000
 MOST_USERS = 9000
 FOR_TRIALS = range(FIRST_UID + MOST_USERS, FIRST_UID + MOST_USERS + 1000)
 """Users whose processes nobody misses when a trial ends them."""
+FOR_GRADING = range(FOR_TRIALS.stop, FOR_TRIALS.stop + 1000)
+"""Users whose the programs of submissions are while root grades them."""
 
 CLAIMS = Path("/run/day6-tui/uids")
 """A file for each number in use, with the home it is for; gone with a restart, after which the owners of the homes still tell."""
@@ -41,11 +43,17 @@ class Users(Mode):
         self._uids = range(first_uid, first_uid + MOST_USERS)
 
     def uid_of(self, name: str, homes: Path) -> int:
-        """Return the owner of the pupil's home, or a number that no other home of this machine has. Raises IsolationError."""
+        """Return the owner of the pupil's home, or a number that no other home of this machine has.
+
+        Raises IsolationError, OSError.
+        """
         return self.claim(homes / name, self._uids)
 
     def claim(self, home: Path, uids: range) -> int:
-        """Keep a number for this home. What holds it is a file in CLAIMS, as two servers may run on one machine."""
+        """Keep a number for this home. What holds it is a file in CLAIMS, as two servers may run on one machine.
+
+        Raises IsolationError, OSError.
+        """
         CLAIMS.mkdir(parents=True, exist_ok=True)
         owner = _owner(home)
         if owner in uids:
@@ -53,17 +61,23 @@ class Users(Mode):
                 raise IsolationError("isolation.no.taken", folder=str(home), uid=str(owner))
             return owner
         first = zlib.crc32(os.fsencode(home)) % len(uids)
+        home.mkdir(mode=0o700, parents=True, exist_ok=True)  # a claim is given on where the home is no more
         for uid in itertools.chain(uids[first:], uids[:first]):
             if _claim(uid, home):
+                _give(home, uid)  # at once: it may be long before it is this desktop's turn
                 return uid
         raise IsolationError("isolation.no.uids", first=str(uids[0]), last=str(uids[-1]))
+
+    def closed_before(self, folders: Iterable[Path]) -> Path | None:
+        """Return the first folder through which other users cannot get to one of these."""
+        return next((closed for folder in folders if (closed := closed_above(folder)) is not None), None)
 
     def prepare(self, cell: Cell) -> None:
         """Make the folders, the pupil's alone, and the control groups. Raises IsolationError, OSError."""
         assert cell.uid is not None
         for folder in (cell.home, cell.runtime, self.temporary(cell)):
             _give(folder, cell.uid)
-        if (closed := closed_above(cell.home) or closed_above(cell.runtime)) is not None:
+        if (closed := self.closed_before((cell.home, cell.runtime))) is not None:
             raise IsolationError("isolation.no.closed", folder=str(closed))
         self._make_groups(cell)
 
@@ -71,9 +85,9 @@ class Users(Mode):
         """Return the limits of each process, and of the number of the user's."""
         return {**super().rlimits(cell), "NPROC": cell.limits.processes}
 
-    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
-        """Return the command line of the launcher, which gives up the server's rights."""
-        plan = enter.SandboxPlan(
+    def plan(self, cell: Cell, descriptors: Iterable[int] = ()) -> enter.SandboxPlan:
+        """Return how the launcher gives up the server's rights."""
+        return enter.SandboxPlan(
             folder=str(cell.home),
             environment=self.environment(cell),
             uid=cell.uid,
@@ -82,12 +96,11 @@ class Users(Mode):
             scoped=True,
             descriptors=list(descriptors),
         )
-        return enter.command(cell, plan, argv)
 
-    def processes(self, cell: Cell) -> list[int]:
-        """Return the ids of the user's processes."""
-        assert cell.uid is not None
-        return left.of_user(cell.uid)
+    def processes_of(self, cells: Sequence[Cell]) -> list[list[int]]:
+        """Return the ids of the processes of each user."""
+        found = left.of_users([cell.uid for cell in cells if cell.uid is not None])
+        return [[] if cell.uid is None else found[cell.uid] for cell in cells]
 
     def end(self, cell: Cell) -> bool:
         """Kill every process of the user; return whether nothing is left."""

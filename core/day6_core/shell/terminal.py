@@ -248,6 +248,7 @@ class Terminal:
         """Type `text`, which is what a real terminal sends for the keys. During a long text other programs get their turn."""
         text = joined(text)  # a terminal can name half of a pair (`CSI 57343 u`)
         self._unhandled += 1
+        self.desk.scheduler.give_way()
         self.desk.scheduler.call_soon_threadsafe(lambda: self._type(text))
         if "\x03" in text:
             self.desk.scheduler.insist()

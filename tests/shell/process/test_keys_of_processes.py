@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from day6_core.shell.process import pty_keys
-from day6_core.shell.process.process import running_processes
+from day6_core.shell.process.process import Process, running_processes
 from tests.support.waiting import Deadline, until
 
 pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")]
@@ -84,6 +84,29 @@ def test_a_program_that_reads_late_gets_every_key_in_its_order(seat: Any) -> Non
     (seat.desk.home / "go").touch()
     seat.wait_prompt()
     assert (seat.desk.home / "got").read_bytes().decode() == text
+
+
+def test_keys_typed_as_soon_as_a_program_has_shown_something_are_not_taken_for_a_line(
+    seat: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """However long this machine takes to make the keyboard the program's after it has begun to copy what it writes."""
+    (seat.desk.home / "reader.py").write_text(READER.format(size=4))
+    (seat.desk.home / "go").touch()
+    read = Process._read
+
+    def read_and_stand_still(self: Process, *words: Any) -> None:
+        read(self, *words)
+        until(lambda: "ready" in "".join(shown))
+        seat.terminal.send("abc\r")
+
+    shown: list[str] = []
+    write = seat.terminal.write
+    monkeypatch.setattr(seat.terminal, "write", lambda text: (shown.append(text), write(text)))
+    monkeypatch.setattr(Process, "_read", read_and_stand_still)
+    seat.line("python3 reader.py")
+    seat.wait(lambda text: "ready" in text)
+    seat.wait_prompt()
+    assert (seat.desk.home / "got").read_bytes() == b"abc\r"
 
 
 def test_a_key_that_is_no_character_becomes_a_question_mark(seat: Any) -> None:

@@ -353,10 +353,10 @@ class Process:
         except BaseException:
             self._take_unread()
             raise
+        session.stdin.pass_keys_to(self)  # before anything of it is seen, to which somebody could type an answer
         shown = session.stdout if session.stdout.terminal is terminal else session.stderr
         self._read(master, shown.raw)
         self._read_pipes()
-        session.stdin.pass_keys_to(self)
 
     def _launch_with_pipes(self, env: dict[str, str]) -> None:
         session = self.session
