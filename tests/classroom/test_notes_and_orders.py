@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
-from day6_core.classroom.note import LessonPlace, Note, NoteError, PupilScreen, Trouble
+from day6_core.classroom.note import LessonPlace, Note, NoteError, PupilScreen, Reply, Trouble
 from day6_core.classroom.order import Order, OrderError
 
 FULL = Note(
@@ -23,8 +23,13 @@ FULL = Note(
     watched=True,
     frozen=True,
     may_type=True,
+    asked_show=True,
+    may_show=True,
+    shown=True,
     refused="class.refused.type",
-    screen=PupilScreen(80, 2, "\x1b[1mone\x1b[0m\ntwo"),
+    replies=(Reply(1, "yes"), Reply(2, "words", "快好了")),
+    opened=(3, 1 << 41),
+    screen=PupilScreen(80, 2, "\x1b[1mone\x1b[0m\ntwo", (40, 0, 40, 2, 1)),
 )
 
 
@@ -56,6 +61,7 @@ def test_nothing_a_pupil_writes_controls_the_teachers_terminal() -> None:
         b'{"v": 2}',
         b'{"v": 1, "lesson": {"name": "a", "title": {}, "step": 9, "all": 3}}',
         b'{"v": 1, "screen": {"columns": 100000, "rows": 2, "ansi": ""}}',
+        b'{"v": 1, "opened": [1, 2.5]}',
         b"[" * 100_000,
         b"x" * (notes.LONGEST + 1),
     ],
@@ -82,6 +88,10 @@ FIELDS = (
     "on",
     "do",
     "text",
+    "replies",
+    "opened",
+    "number",
+    "kind",
 )
 JSON = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),
@@ -99,6 +109,24 @@ def test_any_json_is_a_note_or_an_order_or_is_refused(found: dict[str, object]) 
             continue
 
 
+@pytest.mark.parametrize(
+    ("work", "taken"),
+    [
+        ([0, 0, 80, 24, 23], True),
+        ([70, 1, 10, 5, 5], True),
+        *(
+            (each, False)
+            for each in (None, "x", [0, 0, 80, 24], [0, 0, 81, 24, 3], [0, 20, 80, 5, 21], [0, 0, 80, 10, 10])
+        ),
+        *((each, False) for each in ([0, 0, 0, 24, 3], [0, 5, 80, 5, 4])),
+    ],
+)
+def test_where_a_pupil_works_is_on_the_screen_or_left_out(work: object, taken: bool) -> None:
+    data = json.dumps({"v": 1, "screen": {"columns": 80, "rows": 24, "ansi": "", "work": work}}).encode()
+    screen = notes.decode(data).screen
+    assert screen is not None and (screen.work is not None) is taken
+
+
 def test_a_screen_too_large_stays_behind_and_the_rest_goes() -> None:
     sent = Note(hand=True, screen=PupilScreen(500, 200, "\x1b[38;2;1;2;3mx" * 20_000))
     assert notes.decode(notes.encode(sent)) == Note(hand=True)
@@ -113,6 +141,12 @@ def test_a_screen_too_large_stays_behind_and_the_rest_goes() -> None:
             Order("lesson", text="day3"),
             Order("type", text="\r"),
         ),
+        *(
+            Order("say", text="?", number=1 << 53),
+            Order("settle", number=3),
+            Order("file", text="handed/地图.py", number=4),
+        ),
+        *(Order("link", text="http://[::1]:8000/a%20b?c=d#e"), Order("link", text="https://docs.ros.org")),
         *(Order("freeze", on=True), Order("freeze"), Order("watch", seconds=10.0), Order("tell"), Order("end")),
     ],
 )
@@ -127,6 +161,17 @@ def test_an_order_arrives_as_it_was_sent(order: Order) -> None:
         b'{"do": "rm -rf"}',
         b'{"do": "say"}',
         b'{"do": "say", "text": ""}',
+        b'{"do": "say", "text": "?", "number": -1}',
+        b'{"do": "say", "text": "?", "number": 1e3}',
+        b'{"do": "link", "text": "javascript://x/%0aalert(1)"}',
+        b'{"do": "link", "text": "https://user@bank.example/"}',
+        b'{"do": "link", "text": "http://[::1"}',
+        b'{"do": "link", "text": "http://a:99999/"}',
+        b'{"do": "link", "text": "http://a/\\u202e"}',
+        b'{"do": "file", "text": "../x"}',
+        b'{"do": "file", "text": "a/../../x"}',
+        b'{"do": "file", "text": "/etc/passwd"}',
+        b'{"do": "file", "text": "."}',
         b'{"do": "watch", "seconds": 1e9}',
         b'{"do": "watch", "seconds": true}',
         b'{"do": "say", "text": "' + b"a" * orders.LONGEST + b'"}',

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Annotated, Any, get_type_hints
 
+from day6_core.classroom.order import LARGEST_NUMBER
 from day6_core.language import LANGUAGES
 from day6_core.session.harmless import lines, one_line
 
@@ -16,7 +17,14 @@ LONGEST = 256 << 10
 LONGEST_TEXT = 200
 MOST_NAMES = 64
 COLUMNS, ROWS = (1, 500), (1, 200)
+WORK = 5
+"""Numbers in `PupilScreen.work`."""
 MOST_STEPS = 10_000
+MOST_REPLIES = 8
+MOST_OPENED = 16
+LONGEST_REPLY = 80
+REPLIES = ("yes", "no", "done", "words")
+"""What can be answered to a saying: `words` are the pupil's own."""
 REFUSALS = tuple(f"class.refused.{why}" for why in ("busy", "type", "no", "taken_back", "place", "unknown", "full"))
 """Why an order was not followed: keys of the catalogue."""
 
@@ -46,12 +54,23 @@ class Trouble:
 
 
 @dataclass(frozen=True)
+class Reply:
+    """The answer to the saying with this number: one of REPLIES, and the text of `words`."""
+
+    number: int
+    kind: str
+    text: str = ""
+
+
+@dataclass(frozen=True)
 class PupilScreen:
     """The pupil's screen: lines of text with colours (SGR) and no other sequences."""
 
     columns: int
     rows: int
     ansi: str
+    work: tuple[int, ...] | None = None
+    """What the pupil works in: column, line, columns and lines of the pane, and the line of the screen that counts in it."""
 
 
 @dataclass(frozen=True)
@@ -77,10 +96,20 @@ class Note:
     """Whether the question is open whether the teacher may type."""
     may_type: Annotated[bool, _flag] = False
     """Whether the pupil lets the teacher type."""
+    asked_show: Annotated[bool, _flag] = False
+    """Whether the question is open whether this screen may be shown to the class."""
+    may_show: Annotated[bool, _flag] = False
+    """Whether the pupil lets it be shown."""
+    shown: Annotated[bool, _flag] = False
+    """Whether it knows that its screen is shown."""
     refused: Annotated[str, _refusal] = ""
     """Why an order was not followed, if the last one was not: one of REFUSALS, or ''."""
-    screen: Annotated[PupilScreen | None, _picture] = None
-    """Only while the pupil is watched."""
+    replies: Annotated[tuple[Reply, ...], _replies] = ()
+    """To the last sayings that asked for one."""
+    opened: Annotated[tuple[int, ...], _numbers] = ()
+    """What was opened last of what the teacher handed out with these numbers; of nothing else it is told."""
+    screen: Annotated[PupilScreen | None, screen_of] = None
+    """Only while the pupil is watched or shown."""
 
 
 def encode(note: Note) -> bytes:
@@ -153,13 +182,42 @@ def _trouble(found: object) -> Trouble | None:
     return Trouble(_title(found.get("title")), _text(found.get("line"))) if isinstance(found, dict) else None
 
 
-def _picture(found: object) -> PupilScreen | None:
+def _replies(found: object) -> tuple[Reply, ...]:
+    if not isinstance(found, list):
+        return ()
+    return tuple(reply for each in found[-MOST_REPLIES:] if (reply := _reply(each)) is not None)
+
+
+def _reply(found: object) -> Reply | None:
+    if not isinstance(found, dict) or (kind := found.get("kind")) not in REPLIES:
+        return None
+    text = _text(found.get("text"))[:LONGEST_REPLY].strip() if kind == "words" else ""
+    is_said = text or kind != "words"
+    return Reply(_count(found.get("number"), 1, LARGEST_NUMBER), kind, text) if is_said else None
+
+
+def _numbers(found: object) -> tuple[int, ...]:
+    return tuple(_count(each, 1, LARGEST_NUMBER) for each in found[-MOST_OPENED:]) if isinstance(found, list) else ()
+
+
+def screen_of(found: object) -> PupilScreen | None:
+    """Read a screen from outside: what is drawn of it, and nothing else. Raises ValueError, TypeError, KeyError."""
     if not isinstance(found, dict):
         return None
     columns, rows, ansi = _count(found["columns"], *COLUMNS), _count(found["rows"], *ROWS), found["ansi"]
     if not isinstance(ansi, str):
         raise TypeError("a screen is text")
-    return PupilScreen(columns, rows, "\n".join(lines(ansi).split("\n")[:rows]))
+    return PupilScreen(
+        columns, rows, "\n".join(lines(ansi).split("\n")[:rows]), _work(found.get("work"), columns, rows)
+    )
+
+
+def _work(found: object, columns: int, rows: int) -> tuple[int, ...] | None:
+    if not isinstance(found, list) or len(found) != WORK:
+        return None
+    x, y, across, down, line = (_count(each, 0, COLUMNS[1]) for each in found)
+    is_there = across and down and x + across <= columns and y + down <= rows and y <= line < y + down
+    return (x, y, across, down, line) if is_there else None
 
 
 def _flag(found: object) -> bool:
