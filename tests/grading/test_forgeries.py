@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -27,19 +27,33 @@ def _submissions(folder: Path, group: str) -> Iterator[tuple[Path, list[Forgery]
         yield write(folder / f"{group}-{number}.zip", changed), spoiled
 
 
+class _Spoiled(Patient):
+    """Plays of each submission only what its forgeries spoil, and what that needs."""
+
+    def __init__(self, lessons: tuple[str, ...], spoiled: Mapping[Path, list[Forgery]]) -> None:
+        chosen = [each for each in gradings() if each.lesson in lessons]
+        super().__init__(chosen, answers={})
+        self._needs = {(each.lesson, one.name): one.needs for each in chosen for one in each.scenarios}
+        self._spoiled = spoiled
+
+    def _play(self, graded: Graded, *_: object) -> None:
+        wanted: dict[str, list[str]] = {}
+        for each in self._spoiled[graded.file]:
+            wanted.setdefault(each.lesson, []).extend((*self._needs[each.lesson, each.scenario], each.scenario))
+        super()._play(graded, wanted)
+
+
 @pytest.fixture(scope="module")
 def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Grade]:
     """How the spoiled scenario of every forgery went, by the forgery's id."""
     folder = tmp_path_factory.mktemp("forged")
 
     def graded(group: str) -> dict[str, Grade]:
-        packed = list(_submissions(folder, group))
-        chosen = [each for each in gradings() if each.lesson in GROUPS[group][0]]
-        done: list[Graded] = Patient(chosen, answers={}).grade([file for file, _ in packed], AT_A_TIME)
+        packed = dict(_submissions(folder, group))
         return {
             forgery.id: result
-            for each, (_, forgeries) in zip(done, packed, strict=True)
-            for forgery in forgeries
+            for each in _Spoiled(GROUPS[group][0], packed).grade(list(packed), AT_A_TIME)
+            for forgery in packed[each.file]
             for result in each.results
             if (result.lesson, result.scenario) == (forgery.lesson, forgery.scenario)
         }

@@ -15,12 +15,13 @@ from typing import Any
 
 import pytest
 
-from day6_core.lessons.grading import command, lag, remarks, reports, shield
+from day6_core.lessons import lag
+from day6_core.lessons.grading import command, remarks, reports, shield
 from day6_core.lessons.grading.grader import Grader
 from day6_core.lessons.grading.grades import Grade, Graded
-from day6_core.lessons.grading.lag import Lag, worst_of
 from day6_core.lessons.grading.marks import Mark, Seen
 from day6_core.lessons.grading.scenarios import gradings, longest
+from day6_core.lessons.lag import Lag, worst_of
 from day6_core.lessons.texts import Say
 
 DAY3 = [each for each in gradings() if each.lesson == "day3"]

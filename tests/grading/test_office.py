@@ -23,6 +23,7 @@ from day6_core.lessons.texts import TEXTS, Say
 from day6_core.width import text_width
 from day6_tui.main import main
 from tests.grading.article import FILES, write
+from tests.grading.own import own_gradings
 from tests.grading.solutions import OTHERWISE
 
 ONE, TWO = (step.name for step in read_lesson(HERE / "days" / "day1.md").steps[:2])
@@ -174,15 +175,7 @@ def test_bad_calls_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
 
 @pytest.mark.process
 def test_a_teachers_own_scenario_and_both_reports(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    folder = tmp_path / "own"
-    folder.mkdir()
-    (folder / "own.md").write_text(
-        "---\ngrading: own\ntitle: {zh: 自己的, en: My own}\n---\n\n# prints\n\n~~~yaml\nvalues:\n  word: word\n"
-        "run:\n  - type: python3 ~/echo.py @word@\n"
-        "check:\n  - ran: {line: echo.py, status: 0, prints: 'heard @word@'}\nstall: 60\n~~~\n\n"
-        "## zh 说出听到的词\n## en It says the word\n",
-        encoding="utf-8",
-    )
+    folder = own_gradings(tmp_path)
     good = "import sys\nprint('heard', sys.argv[1])\n"
     bad = "print('heard', 'abcdefghij', '<b>', chr(27) + '[31m')\nraise ValueError('\\x1b]0;title\\x07')\n"
     write(tmp_path / "<b>good&.zip", {"home/echo.py": good}, {"pupil": "<script>x</script>"})

@@ -20,7 +20,7 @@ from day6_core.lessons.grading.grader import Grader
 from day6_core.lessons.grading.grades import Graded
 from day6_core.lessons.grading.marks import Mark
 from day6_core.lessons.grading.scenarios import gradings, read_grading
-from tests.grading.article import INNER, Patient, write
+from tests.grading.article import INNER, Patient, has_namespaces, write
 from tests.support.waiting import communicate, until
 
 pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform != "linux", reason="namespaces are Linux's")]
@@ -28,6 +28,7 @@ pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform != "linux", r
 FORK_BOMB = "import os\n\n\ndef main():\n    while True:\n        os.fork()\n"
 THREADS = "import os, time\n\n\ndef main():\n    for _ in range(300):\n        if not os.fork():\n            time.sleep(600)\n    time.sleep(600)\n"
 LOOP = "def main():\n    while True:\n        pass\n"
+WAIT = "import time\n\n\ndef main():\n    time.sleep(600)\n"
 HEAP = "def main():\n    held = []\n    while True:\n        held.append(bytearray(1 << 24))\n"
 HEAPS = "import os, time\n\n\ndef main():\n    for _ in range(9):\n        if not os.fork():\n            held = bytearray(400 << 20)\n            held[::4096] = b'x' * len(held[::4096])\n            time.sleep(600)\n    time.sleep(600)\n"
 DISK = (
@@ -90,11 +91,7 @@ def _said(graded: Graded) -> str:
     )  # fmt: skip
 
 
-def _has_namespaces() -> bool:
-    return subprocess.run(["unshare", "-Urpf", "true"], capture_output=True, check=False).returncode == 0
-
-
-needs_namespaces = pytest.mark.skipif(not _has_namespaces(), reason="this system gives users no namespaces")
+needs_namespaces = pytest.mark.skipif(not has_namespaces(), reason="this system gives users no namespaces")
 
 
 @needs_namespaces
@@ -153,7 +150,7 @@ def test_a_submission_that_takes_too_long_keeps_what_it_had_passed(tmp_path: Pat
 
 
 def test_ctrl_c_leaves_nothing(tmp_path: Path) -> None:
-    files = [str(write(tmp_path / f"{number}.zip", {INNER + "hello.py": LOOP})) for number in range(2)]
+    files = [str(write(tmp_path / f"{number}.zip", {INNER + "hello.py": WAIT})) for number in range(2)]
     mark = uuid.uuid4().hex[:8]
     words = [sys.executable, "-c", MARKED.format(mark=mark), "grade", "--lesson", "day4", "--lang", "en", *files]
     grade = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

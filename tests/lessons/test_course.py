@@ -7,6 +7,7 @@ import json
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -516,6 +517,19 @@ def test_an_exam_is_five_drills_with_time_and_hints_counted(room: Classroom) -> 
     assert room.course.state.lesson is None
     room.wait(lambda: load(file_of(room.home, "anna")).exams)
     assert load(file_of(room.home, "anna")).exams == [exam.kept()]
+
+
+def test_an_exam_of_a_teacher_has_the_given_drills_and_does_not_begin_again(room: Classroom) -> None:
+    drills(room, 3)
+    given = partial(room.course.start_exam, ["slip2", "slip0"])
+    room.ask(given)
+    room.wait(lambda: room.course.state.verdicts and not room.course.state.working)
+    room.ask(room.course.next)
+    room.wait(lambda: room.course.exam and room.course.exam.results)
+    room.ask(given)  # handed out once more
+    room.go(0.6)
+    exam = room.course.exam
+    assert exam is not None and exam.drills == ("slip2", "slip0") and exam.at == "slip0"
 
 
 def test_hints_of_earlier_practice_are_not_shown_in_an_exam_and_do_not_count_there(room: Classroom) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
@@ -14,10 +15,14 @@ from pathlib import Path
 import pytest
 
 from day6_core.lessons.progress import (
+    MOST_EXAMS,
+    MOST_STEPS,
     VERSION,
     Progress,
     ProgressError,
     StepDone,
+    decode,
+    encode,
     file_of,
     load,
     name_mistake,
@@ -137,3 +142,23 @@ def test_kill_9_in_the_middle_of_saving_leaves_a_whole_file(tmp_path: Path) -> N
     process.wait()
     assert load(path).solved("day1") >= last + 1
     save(path, Progress("anna"))  # nothing that was left behind stands in the way
+
+
+def test_what_somebody_has_made_up_by_the_hundred_thousand_costs_nobody_else_anything() -> None:
+    """A server joins the files of one home, of thirty homes."""
+    files = [
+        json.dumps({"version": 1, "exams": [{first: number} for number in range(100_000)]}).encode() for first in "ab"
+    ]
+    exams = decode(files[0]).joined(decode(files[1])).exams
+    assert exams[-1] == {"a": 99_999} and len(exams) == 2 * MOST_EXAMS
+    steps = {f"lesson{number}": {} for number in range(MOST_STEPS + 1)}
+    with pytest.raises(ProgressError):
+        decode(json.dumps({"version": 1, "steps": steps}).encode())
+
+
+def test_what_cannot_be_written_again_is_told_as_what_it_is() -> None:
+    with pytest.raises(ProgressError):
+        encode(decode(b'{"version": 1, "exams": [{"a": "\\ud800"}]}'))
+    deep = decode(b'{"version": 1, "exams": [{"a": %b%b}]}' % (b"[" * 900, b"]" * 900))
+    with contextlib.suppress(ProgressError):  # some Pythons write it
+        encode(deep)

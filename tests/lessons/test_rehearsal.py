@@ -8,9 +8,11 @@ from typing import Any
 
 import pytest
 
+from day6_core.lessons.lag import Lag
 from day6_core.lessons.live import Live, OutsideHome
 from day6_core.lessons.reading import read_lesson
 from day6_core.lessons.rehearsal import Played, rehearse
+from day6_core.session.session import Session
 
 HEAD = "---\nlesson: small\norder: 1\nminutes: 5\ntitle: {zh: 课, en: Lesson}\n---\n"
 TEXT = "\n## {language} Title\n\ntext\n\n### do\n\ndo\n\n### hints\n\n1. one\n2. two\n3. three\n"
@@ -39,6 +41,33 @@ def test_a_wrong_answer_is_told_with_its_line_and_with_what_holds(tmp_path: Path
     lines = (tmp_path / "lesson.md").read_text(encoding="utf-8").split("\n")
     line = lines.index("  - do:") + 1
     assert played.faults == [f"takes the wrong answer 1 (line {line}) for right: 'the file ~/one exists' holds"]
+
+
+@pytest.mark.process
+@pytest.mark.parametrize(
+    ("stalls", "faults"),
+    [
+        ([0.0], 1),
+        ([0.7, 0.0], 0),
+        ([0.7, 0.7, 0.7], 1),
+    ],
+    ids=["it kept up", "it stood still once", "it stood still each time"],
+)
+def test_a_wrong_answer_during_which_the_machine_stood_still_is_played_again(
+    stalls: list[float], faults: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left = stalls.copy()
+
+    async def watch(lag: Lag, session: Session) -> None:
+        lag.add(left.pop(0))
+
+    monkeypatch.setattr(Lag, "watch", watch)
+    once = "" if stalls[-1] else "[ -e twice ] || "
+    text = "check:\n  - file: ~/one\nsolve:\n  - type: touch one\nwrong:\n  - do:\n      - type: |\n"
+    text += f"          {once}touch one; touch twice\n    says: not yet\n    undo:\n      - type: rm -f one\n"
+    (played,) = play(tmp_path, one=text)
+    assert left == [] and len(played.faults) == faults
+    assert all(("(this machine stood still for 0.7 s)" in fault) == bool(stalls[-1]) for fault in played.faults)
 
 
 @pytest.mark.process

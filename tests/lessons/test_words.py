@@ -106,3 +106,22 @@ def test_what_a_program_of_a_lesson_looks_for_is_told_in_its_own_sentence() -> N
 def test_what_a_program_of_a_lesson_says_is_read_in_one_language(line: str, zh: str, en: str) -> None:
     said = _said(line)
     assert (said.text("zh"), said.text("en")) == (zh, en)
+
+
+SIDES = re.compile(
+    r"[左右上下](边|面|方)(那|这)个|RViz ?(左|右)边|(box|window|pane|terminal) (on|at) the (left|right)"
+    r"|(left|right) (side of|of|in) RViz"
+)
+"""Where something lies on the screen: on a phone it lies elsewhere."""
+
+
+def test_no_lesson_says_on_which_side_of_the_screen_something_is() -> None:
+    said = []
+    for lesson in (*days(), *drills()):
+        for step in lesson.steps:
+            for language, page in step.pages.items():
+                texts = (page.body, page.do, *page.hints, *(answer.text for answer in page.answers))
+                said += [
+                    (lesson.name, step.name, language, found[0]) for text in texts for found in SIDES.finditer(text)
+                ]
+    assert said == []

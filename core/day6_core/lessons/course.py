@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 import time
 from collections import deque
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -205,11 +205,17 @@ class Course:
         self.state = State(finished=finished)
         self.changed()
 
-    def start_exam(self) -> None:
-        """Some drills in a row, time and hints counted."""
-        if self.offer.drills:
+    def start_exam(self, drills: Sequence[str] = ()) -> None:
+        """Some drills in a row, time and hints counted: these, unless they are just being done, or some by chance."""
+        if self._in_exam and self.exam is not None and self.exam.drills == tuple(drills):
+            return
+        if drills:
+            self.exam = Exam(tuple(drills), round(time.time(), 1))
+        elif self.offer.drills:
             self.exam = new_exam(self.offer.drills)
-            self.open(self.exam.at)
+        else:
+            return
+        self.open(self.exam.at)
 
     def random_drill(self) -> None:
         """A drill that is not solved yet, by chance."""

@@ -30,6 +30,7 @@ OFFICE: dict[str, tuple[str, str]] = {
     ),
     "submit.progress": ("the progress of {name} cannot be read: {reason}", "读不了 {name} 的学习进度：{reason}"),
     "submit.strange": ("{path} isn't an ordinary file", "{path} 不是普通文件"),
+    "submit.name": ("{path} has a name that no submission may have", "{path} 的文件名不能放进作业"),
     "submit.file_large": ("{path} is larger than {most} MB", "{path} 超过 {most} MB"),
     "submit.many": ("{path}: only {most} loose files are packed", "{path}：最多放 {most} 个零散文件"),
     "name.empty": ("the name is empty", "名字是空的"),
@@ -62,7 +63,31 @@ OFFICE: dict[str, tuple[str, str]] = {
         "进度文件谁都可以改：要评分，请用 day6-tui grade 检查作业。",
     ),
     "report.broken": ("{file} cannot be used and was left out: {reason}", "{file} 用不了，没有算进去：{reason}"),
+    "report.of_steps": ("{name} (of {steps})", "{name}（共 {steps} 步）"),
+    "report.others": ("other lessons", "其他课程"),
+    "report.unread": ("not read", "没读的文件"),
+    "report.unread.large": ("too large", "文件太大"),
+    "report.unread.many": ("too many files, or too deep", "文件太多，或者目录太深"),
+    "report.unread.strange": ("not a file, but a link, a pipe or a folder", "不是普通文件，而是链接、管道或文件夹"),
+    "report.class_none": (
+        "{folder} is not the folder of a class: day6-tui serve --data {folder} has kept nothing there",
+        "{folder} 不是班级文件夹：day6-tui serve --data {folder} 没有在那里保存过东西",
+    ),
+    "report.class_here": (
+        "{folder} is the folder of a class, not a home folder: day6-tui report --data {folder}",
+        "{folder} 是班级文件夹，不是主目录：请用 day6-tui report --data {folder}",
+    ),
+    "report.closed": (
+        "the homes belong to other users (serve --isolation users): run this as the user who runs the server, root",
+        "这些主目录属于别的用户（serve --isolation users）：请用运行服务器的用户（root）来运行",
+    ),
+    "report.windows": (
+        "the folder of a class can only be read on Linux and macOS, where day6-tui serve runs",
+        "班级文件夹只能在 Linux 和 macOS 上读取，day6-tui serve 也在那里运行",
+    ),
     # grade
+    "grade.not_collected": ("{name}: {reason}", "{name}：{reason}"),
+    "grade.never_came": ("has never come", "从来没来过"),
     "grade.title": ("Submissions in hidden scenarios", "作业在隐藏情景下的表现"),
     "grade.file": ("file", "文件"),
     "grade.calls_itself": ("calls itself", "自称"),
@@ -113,6 +138,10 @@ OFFICE: dict[str, tuple[str, str]] = {
     "grade.weak": (
         "warning: this system gives users no namespaces: programs in submissions can read, change and end anything of yours",
         "注意：这个系统不让用户建立命名空间，作业里的程序能读、能改、能停掉属于你的东西；请在没有重要文件的账号下评分",
+    ),
+    "grade.root": (
+        "warning: as others cannot go into {folder}, programs of submissions ran as root and could read all: use /opt/day6-tui",
+        "注意：别的用户进不了 {folder}，作业里的程序是以 root 身份运行的，什么都能读：请把 day6-tui 装到 /opt/day6-tui",
     ),
     "grade.stopped": ("stopped", "停止了"),
 }

@@ -41,7 +41,8 @@ def grade(language: str = "en") -> CommandParser:
     """`day6-tui grade FILE … …`."""
     parser = command_parser("grade", language)
     texts, values = parser.texts, Values(parser.texts)
-    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help=texts("cli.grade.files"))
+    parser.add_argument("files", nargs="*", type=Path, metavar="FILE", help=texts("cli.grade.files"))
+    parser.add_argument("--data", type=values.folder, metavar="DIR", help=texts("cli.grade.data"))
     parser.add_argument("--lesson", default="", metavar="NAME", help=texts("cli.grade.lesson"))
     parser.add_argument("--scenarios", type=Path, metavar="DIR", help=texts("cli.grade.scenarios"))
     _add_tables(parser)
@@ -58,7 +59,9 @@ def report(language: str = "en") -> CommandParser:
     """`day6-tui report …`."""
     parser = command_parser("report", language)
     texts, values = parser.texts, Values(parser.texts)
-    parser.add_argument("--home", type=values.home, metavar="DIR", help=texts("cli.options.home"))
+    whose = parser.add_mutually_exclusive_group()
+    whose.add_argument("--home", type=values.home, metavar="DIR", help=texts("cli.options.home"))
+    whose.add_argument("--data", type=values.folder, metavar="DIR", help=texts("cli.report.data"))
     parser.add_argument("--lessons", type=values.folder, metavar="DIR", help=texts("cli.report.lessons"))
     _add_tables(parser)
     return parser

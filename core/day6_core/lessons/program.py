@@ -17,13 +17,15 @@ def lessons_of(
 ) -> Main:
     """The main function of a program that opens the window.
 
-    `first` is a lesson that is opened at once; with `demo`, a language, it is played by itself from its beginning. `since_ns`:
-    when it was asked for, as for `new_course`.
+    `first` is a lesson that is opened at once, or the drills of an exam; with `demo`, a language, it is played by itself from its
+    beginning. `since_ns`: when it was asked for, as for `new_course`.
     """
 
     async def main(session: Session) -> int:
         course = await new_course(desk, session, pupil, folder, since_ns)
-        if first:
+        if len(drills := first.split()) > 1:
+            course.start_exam(drills)
+        elif first:
             course.open(first, "*" if demo else "")
         else:
             course.open_last()

@@ -19,6 +19,8 @@ from day6_core.whole_file import make_private_folder, write_private
 VERSION = 1
 LARGEST = 4_000_000
 """Bytes of a progress file that is read."""
+MOST_STEPS, MOST_EXAMS = 20_000, 500
+"""Of a file: whoever can edit it may have made it up, and a server reads those of a whole class."""
 
 LONGEST_NAME = 40
 LONGEST_ANSWERS = 40
@@ -84,6 +86,11 @@ class Progress:
     def note(self, lesson: str, step: str, done: StepDone) -> None:
         self.steps.setdefault(lesson, {})[step] = done
 
+    def forget(self, lesson: str) -> None:
+        """A lesson begins anew: nothing of it is known, and it goes on at its first step."""
+        self.steps.pop(lesson, None)
+        self.at.pop(lesson, None)
+
     def solved(self, lesson: str) -> int:
         """How many steps of a lesson are solved."""
         return sum(bool(step.solved) for step in self.steps.get(lesson, {}).values())
@@ -132,15 +139,23 @@ def load(path: Path) -> Progress:
     try:
         if path.stat().st_size > LARGEST:
             raise ProgressError("too large")
-        data = json.loads(path.read_text(encoding="utf-8"))
+        return decode(path.read_bytes())
     except FileNotFoundError:
         return Progress()
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
+
+
+def decode(text: bytes) -> Progress:
+    """Read what is in a progress file. Raises ProgressError."""
+    try:
+        data = json.loads(text.decode("utf-8"))
+    except (ValueError, RecursionError) as error:  # also a number of more digits than Python takes
         raise ProgressError(f"not JSON: {error}") from None
     if not isinstance(data, dict) or not isinstance(data.get("version"), int):
         raise ProgressError("no progress of day6-tui")
     if data["version"] > VERSION:
         raise ProgressError(f"written by a newer day6-tui (version {data['version']})")
+    if sum(1 + len(_dict(known)) for known in _dict(data.get("steps")).values()) > MOST_STEPS:
+        raise ProgressError("too large")
     return _progress_of(data)
 
 
@@ -164,7 +179,8 @@ def _progress_of(data: dict[str, Any]) -> Progress:
     titles = _dict(data.get("last_title")).items()
     progress.last_title = {name: text for name, text in titles if isinstance(text, str)}
     exams = data.get("exams")
-    progress.exams = [each for each in exams if isinstance(each, dict)] if isinstance(exams, list) else []
+    some = exams[-MOST_EXAMS:] if isinstance(exams, list) else []
+    progress.exams = [each for each in some if isinstance(each, dict)]
     return progress
 
 
@@ -191,9 +207,16 @@ def save(path: Path, progress: Progress) -> Progress:
     with _alone(path.with_suffix(".lock")):
         joined = progress.joined(load(path))
         joined.changed = time.time()
-        data = {"version": VERSION, **asdict(joined)}
-        write_private(path, json.dumps(data, ensure_ascii=False, indent=1).encode())
+        write_private(path, encode(joined))
     return joined
+
+
+def encode(progress: Progress) -> bytes:
+    """Return what is in a progress file. Raises ProgressError: what is in it may have been made up."""
+    try:
+        return json.dumps({"version": VERSION, **asdict(progress)}, ensure_ascii=False, indent=1).encode()
+    except (UnicodeEncodeError, RecursionError) as error:
+        raise ProgressError(str(error)) from None
 
 
 @contextmanager

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from day6_core.language import language_of
 from day6_core.lessons import parsers
-from day6_core.lessons.grading.archive import LARGEST, MANIFEST, VERSION
+from day6_core.lessons.grading.archive import LARGEST, MANIFEST, VERSION, fits
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, name_mistake, pupils, safe_name
 from day6_core.lessons.texts import Say
 from day6_core.places import default_home
@@ -57,11 +57,22 @@ class Packed:
     left_out: list[Say | Reason] = field(default_factory=list)
 
 
-def submit(home: Path, target: Path, pupil: str = "", lesson: str = "") -> Packed:
-    """Pack the work of a pupil in a machine's home folder. Raises SubmissionError, OSError; then no new file is left."""
+def submit(
+    home: Path,
+    target: Path,
+    pupil: str = "",
+    lesson: str = "",
+    *,
+    progress: Progress | None = None,
+    known_as: Path | None = None,
+) -> Packed:
+    """Pack the work of a pupil in a machine's home folder, or in a copy of the one `known_as` to its programs.
+
+    Raises SubmissionError, OSError; then no new file is left.
+    """
     if os.path.lexists(target) and not _is_submission(target):
         raise SubmissionError("submit.exists", file=target)
-    progress = _progress_of(home, pupil)
+    progress = progress or _progress_of(home, pupil)
     answers = _answers_of(progress, lesson)
     packed = Packed(progress.pupil or pupil, answers=sum(map(len, answers.values())))
     loose = [("home", path) for path in _loose(home, packed)]
@@ -74,13 +85,15 @@ def submit(home: Path, target: Path, pupil: str = "", lesson: str = "") -> Packe
             packed.packages = done.packages
             packed.left_out += done.left_out
         if not (packed.packages or loose or answers):
-            raise SubmissionError("submit.nothing", source=source, home=home)
+            raise SubmissionError(
+                "submit.nothing", source=(known_as or home) / "ros2_ws" / "src", home=known_as or home
+            )
         manifest = {
-            "version": VERSION, "pupil": packed.pupil, "lesson": lesson, "home": str(home), "made": int(time.time()),
+            "version": VERSION, "pupil": packed.pupil, "lesson": lesson, "home": str(known_as or home), "made": int(time.time()),
             "answers": answers,
         }  # fmt: skip
         with replacing(target, mode=0o666) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-            archive.writestr(MANIFEST, json.dumps(manifest, ensure_ascii=False, indent=1))
+            archive.writestr(MANIFEST, json.dumps(manifest, ensure_ascii=True, indent=1))
             if packed.packages:
                 _copy(exported, archive)
             for top, path in loose:
@@ -148,6 +161,8 @@ def _loose(folder: Path, packed: Packed) -> list[Path]:
             continue
         if path.is_symlink() or not path.is_file():
             packed.left_out.append(Say("submit.strange", path=path))
+        elif not fits(f"home/{path.name}"):
+            packed.left_out.append(Say("submit.name", path=path))
         elif path.stat().st_size > LARGEST_LOOSE:
             packed.left_out.append(Say("submit.file_large", path=path, most=LARGEST_LOOSE // 1_000_000))
         elif len(found) >= MOST_LOOSE:

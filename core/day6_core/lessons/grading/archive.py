@@ -6,6 +6,7 @@ What is wrong with it is said in words (`Refused`), for the teacher: no tracebac
 from __future__ import annotations
 
 import json
+import os
 import re
 import stat
 import zipfile
@@ -32,8 +33,10 @@ LONGEST_PATH = 240
 DEEPEST = 20
 LARGEST_MANIFEST = 1_000_000
 
-TOPS = {"src": "ros2_ws/src", "loose": "ros2_ws/src", "home": "."}
-"""The folders of a submission, and where in the home folder they go."""
+TOPS = {"src": "ros2_ws/src", "loose": "ros2_ws/src", "home": ".", "folder": "."}
+"""The folders of a submission, and where in the home folder they go; `home` and `loose` hold single files, `folder` folders."""
+
+_WORKSPACE = "ros2_ws"
 
 _ENCRYPTED = 1
 _LETTERS = re.compile(rf"[a-z]{{1,{LONGEST_ANSWERS}}}\Z")
@@ -58,12 +61,12 @@ class Submission:
     answers: dict[str, dict[str, str]] = field(default_factory=dict)
 
 
-def unpack(path: Path, home: Path) -> Submission:
-    """Unpack into a home folder, which is empty. Raises Refused."""
+def unpack(path: Path | int, home: Path) -> Submission:
+    """Unpack into a home folder, which is empty; a number is that of an open file, closed then. Raises Refused."""
     try:
-        if path.stat().st_size > LARGEST:
+        if os.stat(path).st_size > LARGEST:
             raise SubmissionRefused(Say("grade.zip.large", megabytes=LARGEST // 1_000_000))
-        with zipfile.ZipFile(path) as archive:
+        with open(path, "rb") as file, zipfile.ZipFile(file) as archive:
             entries = _judged(archive)
             submission = _manifest(archive)
             left = MOST_BYTES
@@ -126,10 +129,26 @@ def _inside(name: str) -> PurePosixPath:
         raise SubmissionRefused(Say("grade.zip.path", name=name[:80]))
     if len(name.encode()) > LONGEST_PATH or len(parts) > DEEPEST:
         raise SubmissionRefused(Say("grade.zip.path", name=name[:80]))
-    # What shells and Python read by themselves is no pupil's program; `home` and `loose` hold single files.
-    if parts[0] not in TOPS or len(parts) < 2 or (parts[0] != "src" and (len(parts) > 2 or parts[1].startswith("."))):
+    if not _has_place(*parts):
         raise SubmissionRefused(Say("grade.zip.place", name=name[:80]))
     return PurePosixPath(TOPS[parts[0]], *parts[1:])
+
+
+def _has_place(top: str, *inside: str) -> bool:
+    """Whether it can be a pupil's program: what shells and Python read by themselves is none, nor what was built."""
+    if top == "src" or not inside or inside[0].startswith("."):
+        return top == "src" and bool(inside)
+    if top == "folder":
+        return len(inside) > 1 and inside[0].casefold() != _WORKSPACE
+    return top in TOPS and len(inside) == 1
+
+
+def fits(name: str) -> bool:
+    """Whether a file of this name is taken."""
+    try:
+        return bool(_inside(name))
+    except SubmissionRefused:
+        return False
 
 
 def _write(archive: zipfile.ZipFile, info: zipfile.ZipInfo, target: Path, left: int) -> int:

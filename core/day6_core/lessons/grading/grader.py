@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import json
 import os
 import secrets
@@ -13,13 +14,14 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from day6_core.lessons.catalogue import days
+from day6_core.lessons.document import Lesson
 from day6_core.lessons.grading import shield
 from day6_core.lessons.grading.grades import ANSWERS, Grade, Graded
 from day6_core.lessons.grading.marks import Mark, Seen, both
@@ -33,19 +35,49 @@ PATIENCE = 10.0
 LARGEST_REPORT = 2_000_000
 
 
+def _folder() -> str:
+    """Make a folder with a short name, as it holds sockets. Raises OSError."""
+    if os.name == "posix":
+        with contextlib.suppress(OSError):  # in a cell it may be closed although its mode says otherwise
+            return tempfile.mkdtemp(prefix="d6g-", dir="/tmp")
+    own = os.environ.get("DAY6_RUNTIME_DIR", tempfile.gettempdir())
+    for number in itertools.count():
+        with contextlib.suppress(FileExistsError):
+            os.mkdir(folder := f"{own}/g{number}", 0o700)
+            return folder
+    raise AssertionError
+
+
 def right_answers(lessons: Iterable[str]) -> dict[str, dict[str, str]]:
     """The right letters of the questions of these lessons, by lesson and step."""
-    wanted, found = set(lessons), {}
-    for lesson in days():
-        if lesson.name in wanted:
-            letters = {
-                step.name: str(check.arguments.get("letter", ""))
-                for step in lesson.steps
-                for check in step.checks
-                if check.name == "answer"
-            }
-            found.update({lesson.name: letters} if letters else {})
+    wanted = set(lessons)
+    return answers_of(lesson for lesson in days() if lesson.name in wanted)
+
+
+def answers_of(lessons: Iterable[Lesson]) -> dict[str, dict[str, str]]:
+    """The right letters of the questions of lessons, by lesson and step."""
+    found = {}
+    for lesson in lessons:
+        letters = {
+            step.name: str(check.arguments.get("letter", ""))
+            for step in lesson.steps
+            for check in step.checks
+            if check.name == "answer"
+        }
+        found.update({lesson.name: letters} if letters else {})
     return found
+
+
+def _users() -> tuple[Iterator[int | None], Path | None]:
+    """Whose submissions are, one after the other, and the folder that keeps root from giving them away."""
+    if sys.platform != "linux" or os.geteuid() != 0:
+        return itertools.repeat(None), None
+    from day6_core.isolation import users
+
+    if (closed := users.cannot_run_python(users.FOR_GRADING[0])) is not None:
+        return itertools.repeat(None), closed
+    first = os.getpid() % len(users.FOR_GRADING)  # another grader's are others
+    return itertools.cycle([*users.FOR_GRADING[first:], *users.FOR_GRADING[:first]]), None
 
 
 class Grader:
@@ -59,9 +91,16 @@ class Grader:
         seed: str = "",
         shielded: bool = True,
         answers: Mapping[str, Mapping[str, str]] | None = None,
+        hidden: Iterable[Path] = (),
     ) -> None:
+        """`hidden`: folders in which no program of a submission finds anything; no submission finds another, either."""
         self.seed = seed or secrets.token_hex(8)
         self._gradings = gradings
+        self._hidden = set(map(os.path.realpath, hidden))
+        self._texts = [(str(each.path.absolute()), each.path.read_bytes().decode()) for each in gradings]
+        self._users: Iterator[int | None] | None = None
+        self.closed: Path | None = None
+        """The folder because of which programs of submissions run as root."""
         self._seconds = longest(gradings) if seconds is None else seconds
         self._shield = shield.Shield.WHOLE if shielded else shield.Shield.NONE
         self._answers = right_answers(each.lesson for each in gradings) if answers is None else answers
@@ -81,6 +120,8 @@ class Grader:
         What the machine was too busy for is played again, one submission after the other when all others are done; `again` hears
         how many these are. `told` hears of each when it is done, for most of them on another thread.
         """
+
+        self._hidden |= set(map(os.path.realpath, files))
 
         def one(file: Path) -> Graded:
             graded = Graded(file, results=self._empty())
@@ -137,8 +178,7 @@ class Grader:
     ) -> None:
         """Play all scenarios of a submission, or `only` these where those have `passed` before."""
         began = time.monotonic()
-        short = "/tmp" if os.name == "posix" and os.access("/tmp", os.W_OK | os.X_OK) else None  # it holds sockets
-        work = tempfile.mkdtemp(prefix="d6g-", dir=short)
+        work = _folder()
         try:
             for said in self._said(graded.file, {"work": work, "only": only, "passed": dict(passed)}):
                 self._take(graded, said)
@@ -147,6 +187,13 @@ class Grader:
         ended = time.monotonic()
         graded.seconds = round(graded.seconds + ended - began, 1)
         self._conclude(graded, [each for each in graded.results if _is_among(each, only)], ended)
+
+    def _user(self) -> int | None:
+        """Whose the next submission is; None: of the user who grades."""
+        with self._lock:
+            if self._users is None:
+                self._users, self.closed = _users()
+            return next(self._users)
 
     def _empty(self) -> list[Grade]:
         return [
@@ -159,7 +206,7 @@ class Grader:
         """What the warden and the judge said about one submission."""
         job = {
             "archive": str(file.absolute()), "seed": self.seed, "seconds": self._seconds, "shield": self._shield.value,
-            "gradings": [str(each.path.absolute()) for each in self._gradings], **chosen,
+            "gradings": self._texts, "user": self._user(), "hidden": sorted(self._hidden), **chosen,
         }  # fmt: skip
         if self._stopped:
             return []

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from day6_core.lessons.grading.lag import STALL, Lag, worst_of
 from day6_core.lessons.grading.marks import Mark, Seen
+from day6_core.lessons.lag import STALL, Lag, worst_of
 from day6_core.lessons.texts import Say
 
 ANSWERS = "answers"

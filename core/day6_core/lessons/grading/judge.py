@@ -19,6 +19,9 @@ from typing import Any
 from day6_core.lessons.grading import shield
 from day6_core.reason import fault
 
+DOMAIN = 0
+"""Of the graph in which everything is played."""
+
 
 class Report:
     """The pipe to the grader."""
@@ -45,7 +48,7 @@ def main() -> int:
 
     home = Path(job["work"]) / "home"
     try:
-        submission = unpack(Path(job["archive"]), home)
+        submission = unpack(job["archive"], home)
     except SubmissionRefused as refused:
         report.say(refused=both(refused.say))
         return 0
@@ -60,11 +63,17 @@ def _play(job: dict[str, Any], home: Path, report: Report) -> None:
     activate()
     from day6_core.lessons.grading.play import Play
     from day6_core.lessons.grading.scenarios import read_grading
+    from day6_core.link.paths import LinkError, meeting_place
     from day6_core.session.session import Session
     from day6_core.shell.desk import Desk
 
-    gradings = [read_grading(Path(path)) for path in job["gradings"]]
-    desk = Desk(home, domain_id=0)
+    try:
+        meeting_place(DOMAIN)
+    except LinkError as error:  # programs would fail for no fault of theirs
+        report.say(problem=str(error))
+        return
+    gradings = [read_grading(Path(path), text.encode()) for path, text in job["gradings"]]
+    desk = Desk(home, domain_id=DOMAIN)
     done = threading.Event()
 
     async def run(session: Session) -> int:

@@ -10,11 +10,11 @@ from functools import partial
 from day6_core.lessons.actions import filled
 from day6_core.lessons.checks import Condition, Verdict, condition_of
 from day6_core.lessons.checks.terminals import plain_output
-from day6_core.lessons.grading.lag import Lag
 from day6_core.lessons.grading.limits import ENDING_SECONDS, IDLE_SECONDS
 from day6_core.lessons.grading.marks import Mark, Outcome, Seen, points
 from day6_core.lessons.grading.scenarios import Grading, Scenario
 from day6_core.lessons.grading.stage import GraderStage, NotPlayed, tail
+from day6_core.lessons.lag import Lag
 from day6_core.lessons.live import Live
 from day6_core.lessons.texts import Say
 from day6_core.reason import fault
@@ -62,9 +62,8 @@ class Play:
                 needed = Seen(Say("grade.needs", name=missing), Say("grade.needs_saw"))
                 outcome = Outcome(Mark.UNPLAYED, [needed], timed=False)
             else:
-                watch = self._session.spawn(lag.watch(self._session))
-                outcome = await self._scenario(grading, scenario)
-                watch.cancel()
+                with lag.watched(self._session):
+                    outcome = await self._scenario(grading, scenario)
             if outcome.mark is Mark.RIGHT:
                 right.add(scenario.name)
             ended = time.monotonic()

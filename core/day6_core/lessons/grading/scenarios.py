@@ -17,8 +17,8 @@ from day6_core.lessons.actions import action_mistake, filled
 from day6_core.lessons.checks import Condition, condition_of
 from day6_core.lessons.document import Action
 from day6_core.lessons.flaws import line_of, meant
-from day6_core.lessons.grading.lag import STALL
 from day6_core.lessons.grading.limits import ANSWER_SECONDS, BUILD_SECONDS, ENDING_SECONDS, START_SECONDS
+from day6_core.lessons.lag import STALL
 from day6_core.lessons.player import LONGEST_WAIT
 from day6_core.lessons.source import NAME, LessonSource
 
@@ -32,6 +32,11 @@ _HEAD, _KEYS = (
     {"grading", "order", "title"},
     {"values", "files", "before", "run", "check", "must", "within", "needs", "stall"},
 )
+
+
+def is_played(lesson: str) -> bool:
+    """Whether there are hidden scenarios for this lesson."""
+    return (HERE / f"{lesson}.md").is_file()
 
 
 @dataclass(frozen=True)
@@ -110,9 +115,9 @@ def gradings(folder: Path | None = None) -> list[Grading]:
     return sorted(found, key=lambda each: (each.order, each.lesson))
 
 
-def read_grading(path: Path) -> Grading:
-    """Read one file. Raises LessonMistakes, or OSError where there is none."""
-    return _Reader(LessonSource(path)).grading()
+def read_grading(path: Path, data: bytes | None = None) -> Grading:
+    """Read one file, or the `data` of one. Raises LessonMistakes, or OSError where there is none."""
+    return _Reader(LessonSource(path, data)).grading()
 
 
 class _Reader:

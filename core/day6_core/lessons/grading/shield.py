@@ -15,7 +15,7 @@ import signal
 import struct
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from enum import Enum
 from pathlib import Path
 
@@ -31,7 +31,7 @@ LARGEST_FILE = 64 * 2**20
 LOOK_SECONDS = 0.15
 
 _NEW_USER, _NEW_NS, _NEW_PID, _NEW_NET, _NEW_IPC = 0x10000000, 0x00020000, 0x20000000, 0x40000000, 0x08000000
-_REC, _PRIVATE, _NO_SUID, _NO_DEV = 0x4000, 1 << 18, 2, 4
+_REC, _PRIVATE, _BIND, _NO_SUID, _NO_DEV = 0x4000, 1 << 18, 0x1000, 2, 4
 _DEATH, _DUMPABLE, _NO_NEW_PRIVILEGES, _SUBREAPER = 1, 4, 38, 36
 _MOUNT_SETATTR, _RECURSIVE, _READ_ONLY = 442, 0x8000, 1
 _INSIDE = 1000
@@ -71,13 +71,25 @@ def adopt_orphans() -> None:
         _prctl(_SUBREAPER, 1)
 
 
+def give_up_root(user: int, work: Path) -> None:
+    """Be this user for good, who has nothing but `work`: what root may do, no namespace takes away from its files and devices."""
+    if sys.platform == "linux":
+        os.chown(work, user, user)
+        os.setgroups([])
+        os.setresgid(user, user, user)
+        os.setresuid(user, user, user)
+        _prctl(_DUMPABLE, 1)  # as a new program is: what /proc has of it is its own
+        end_with_parent()  # once more: who becomes another has forgotten it
+
+
 # -- namespaces --------------------------------------------------------------------------------------------------------
 
 
-def enter(work: Path) -> int:
+def enter(work: Path, hidden: Iterable[str] = ()) -> int:
     """Make namespaces; returns 0 in the first process inside and its number in the one outside, which has to wait for it.
 
-    `work` is the one folder that can be written to inside. Only for a process with a single thread. Raises Unshielded.
+    `work` is the one folder that can be written to inside; what is `hidden` is empty. Only for a process with one thread.
+    Raises Unshielded.
     """
     if sys.platform != "linux":
         raise Unshielded("there are no namespaces on this system")
@@ -105,7 +117,7 @@ def enter(work: Path) -> int:
     os.close(reading)
     end_with_parent()
     try:
-        _furnish(libc, work)
+        _furnish(libc, work, hidden)
     except OSError as error:
         os.write(writing, named_reason(error).encode())
         os._exit(1)
@@ -113,11 +125,16 @@ def enter(work: Path) -> int:
     return 0
 
 
-def _furnish(libc: ctypes.CDLL, work: Path) -> None:
+def _furnish(libc: ctypes.CDLL, work: Path, hidden: Iterable[str]) -> None:
     """Mount what the first process inside needs: its own /proc, one folder to write to, all others read-only."""
     attributes = struct.pack("=QQQQ", _READ_ONLY, 0, 0, 0)
     if libc.syscall(_MOUNT_SETATTR, -100, b"/", _RECURSIVE, attributes, len(attributes)):
         raise OSError(ctypes.get_errno(), f"mount_setattr: {os.strerror(ctypes.get_errno())}")
+    for path in filter(os.path.exists, hidden):  # what this user cannot get to is closed already
+        if os.path.isdir(path):
+            _mount(libc, "tmpfs", path, "tmpfs", _NO_SUID | _NO_DEV, "size=4k,mode=0")
+        else:
+            _mount(libc, os.devnull, path, "", _BIND)
     _mount(libc, "proc", "/proc", "proc", _NO_SUID | _NO_DEV)
     _mount(libc, "tmpfs", str(work), "tmpfs", _NO_SUID | _NO_DEV, f"size={MOST_DISK},mode=0700")
     if os.path.isdir("/dev/shm"):

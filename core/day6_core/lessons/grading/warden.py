@@ -30,6 +30,13 @@ def main() -> int:
     shield.end_with_parent()
     job = json.loads(sys.stdin.readline())
     work = Path(job["work"])
+    try:
+        job["archive"] = os.open(job["archive"], os.O_RDONLY | os.O_NONBLOCK)
+        os.set_inheritable(job["archive"], True)
+    except OSError:  # the judge says why
+        job["hidden"] = []
+    if job["user"] is not None:
+        shield.give_up_root(job["user"], work)
     if job["shield"] != shield.Shield.NONE.value:
         status = _try_shielded(job, work)
         if status is not None:
@@ -57,7 +64,7 @@ def _try_shielded(job: dict[str, Any], work: Path) -> int | None:
         return 0
     shield.end_with_parent()
     try:
-        inside = shield.enter(work)
+        inside = shield.enter(work, job["hidden"])
     except shield.Unshielded as reason:
         sys.stderr.write(f"{reason}\n")
         os._exit(_NO_SHIELD)

@@ -1,13 +1,14 @@
 """Whether the machine kept up: how late a world's own clock was against the wall, and how late a process beside it.
 
-Only then is a program known to be wrong: a scenario in which the world stood still is played again.
+Only then is a program known to be wrong: a scenario or a wrong answer during which the world stood still is played again.
 """
 
 from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -39,16 +40,25 @@ class Lag:
         """Note how late one look came."""
         self.worst, self.total = max(self.worst, late), self.total + late
 
+    @contextmanager
+    def watched(self, session: Session) -> Iterator[None]:
+        """Compare the world's clock with the wall's inside this."""
+        watch = session.spawn(self.watch(session))
+        try:
+            yield
+        finally:
+            watch.cancel()
+
     async def watch(self, session: Session) -> None:
-        """Compare the world's clock with the wall's until this is cancelled."""
+        """Compare them until this is cancelled."""
         while True:
             began = time.monotonic()
             await session.sleep(EVERY)
             self.add(max(0.0, time.monotonic() - began - EVERY))
 
 
-def worst_of(seconds: float, world: Lag, beside: Iterable[float], cpu: float, stall: float = STALL) -> float:
-    """The longest time for which a scenario stood still; 0 if it kept up, or if its own programs held up the machine.
+def worst_of(seconds: float, world: Lag, beside: Iterable[float] = (), cpu: float = 0.0, stall: float = STALL) -> float:
+    """The longest time for which what took `seconds` stood still; 0 if it kept up, or if its own programs held up the machine.
 
     `beside` is how late other processes were meanwhile, `cpu` how many seconds of the cores its programs took, `stall` how long
     it may stand still.
