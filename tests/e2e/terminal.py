@@ -76,6 +76,26 @@ class _Picture(pyte.Screen):  # type: ignore[misc]
             self.buffer.update(rows)
 
 
+class _Stream(pyte.ByteStream):  # type: ignore[misc]
+    """pyte's stream, which reads character by character, but whole colours at once: most of what a desktop writes is these."""
+
+    _COLOURS = re.compile(r"\x1b\[([0-9;]*)m")
+
+    def feed(self, data: bytes) -> None:
+        text, at = self.utf8_decoder.decode(data), 0
+        for found in self._COLOURS.finditer(text):
+            self._read(text[at : found.start()])
+            if self._taking_plain_text:
+                self.listener.select_graphic_rendition(*(min(int(each or 0), 9999) for each in found[1].split(";")))
+            else:  # within something else
+                self._read(found[0])
+            at = found.end()
+        self._read(text[at:])
+
+    def _read(self, text: str) -> None:
+        pyte.Stream.feed(self, text)
+
+
 class Terminal(Screen):
     """One program in a terminal window of its own. Waiting raises AssertionError with the screen as it was.
 
@@ -86,7 +106,7 @@ class Terminal(Screen):
         super().__init__(command, columns, rows, cwd=str(cwd), **env)
         self.status: int | None = None
         self._picture: Any = _Picture(columns, rows)
-        self._stream: Any = pyte.ByteStream(self._picture)
+        self._stream: Any = _Stream(self._picture)
         self._fed = 0
 
     def __exit__(self, *exception: object) -> None:

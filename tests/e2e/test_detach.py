@@ -551,6 +551,7 @@ def test_pictures_do_not_stay_in_a_terminal_and_are_drawn_in_the_next_one(place:
             window.until(lambda: "D Detach" in screen.look())
             screen.send("d")
         else:
+            window.terminal.may_break = True
             screen.kill(signal.SIGTERM)
         window.until(lambda: screen.status is not None)
         window.until(lambda: not window.terminal.images and not window.terminal.placements)

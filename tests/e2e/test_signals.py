@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
 from typing import NamedTuple
 
 import pytest
@@ -165,6 +166,31 @@ def test_a_signal_ends_a_program_as_on_real_rclpy(name: str, outcomes: dict[str,
     status, said, error = outcomes[name].result()  # type: ignore[misc]
     assert (status, tuple(said)) == (case.status, case.said), error
     assert error.startswith(case.error) if case.error else not error
+
+
+THREADS = (
+    NODE
+    + r"""n.create_publisher(String, 't', 10).publish(String())
+n.create_subscription(String, 't', print, 10)
+n.create_client(Empty, 'nope').wait_for_service(0.5)
+for number in os.listdir('/proc/self/task'):
+    with open(f'/proc/self/task/{number}/status') as file:
+        blocked = int(next(line for line in file if line.startswith('SigBlk'))[7:], 16)
+    names = [name for name in ('SIGINT', 'SIGTERM', 'SIGALRM', 'SIGSEGV') if blocked >> getattr(signal, name) - 1 & 1]
+    say('main' if int(number) == os.getpid() else 'other', *names)
+"""
+)
+
+
+@pytest.mark.skipif(sys.platform != "linux" or REAL is not None, reason="what Linux says of threads of ours")
+def test_no_thread_of_the_link_takes_a_signal_from_the_main_thread(tmp_path: Path) -> None:
+    place = Place(tmp_path)
+    env = {name: value for name, value in {**os.environ, **place.environment()}.items() if value is not None}
+    status, said, error = _run(place, env, 0, Case(THREADS, (), 0))
+    place.close()
+    assert status == 0, error
+    others = [line for line in said if line != "main"]
+    assert len(others) > 3 and set(others) == {"other SIGINT SIGTERM SIGALRM"}
 
 
 def _run(place: Place, env: dict[str, str], number: int, case: Case) -> tuple[int, list[str], str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import binascii
 import io
 import re
 import zlib
@@ -37,6 +38,8 @@ class PixelTerminal:
         self.pixels = np.zeros((rows * CELL[1], columns * CELL[0], 3), np.uint8)
         self.images: dict[int, np.ndarray] = {}
         self.placements: dict[tuple[int, int], tuple[int, int, dict[str, int]]] = {}
+        self.may_break = False
+        """Whether a picture can be cut short: whoever draws it was killed."""
         self.pictures = 0
         """Pictures received."""
         self._chunks: tuple[dict[str, str], str] | None = None
@@ -148,10 +151,14 @@ class PixelTerminal:
             return f"\x1b_Gi={keys['i']};OK\x1b\\" if self.kind == "kitty" else ""
         if keys.get("a") == "t" and keys["m"] == "0":
             assert self._chunks is not None
-            raw = zlib.decompress(b64decode(self._chunks[1]))
+            data, self._chunks = self._chunks[1], None
+            try:
+                raw = zlib.decompress(b64decode(data))
+            except (binascii.Error, zlib.error):
+                assert self.may_break, data
+                return ""  # as Kitty does
             shape = int(keys["v"]), int(keys["s"]), 3
             self.images[int(keys["i"])] = np.frombuffer(raw, np.uint8).reshape(shape)
-            self._chunks = None
             self.pictures += 1
         elif keys.get("a") == "p":
             numbers = {key: int(value) for key, value in keys.items() if value.isdigit()}

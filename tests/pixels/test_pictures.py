@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 from textual.app import App
+from textual.widgets._toast import Toast
 
 from day6_tui.app import Day6App
+from day6_tui.classes.modals import Frozen
 from day6_tui.panes.canvas import square
 from day6_tui.pixels.app import leave_pictures
 from day6_tui.pixels.ask import IS_READY, ITERM, KITTY, SIXEL, Ability, Answered
@@ -98,7 +100,7 @@ async def staged(
 
     monkeypatch.setattr(App, "_display", display)
     desk.display.open("turtlesim", "TurtleSim", model)
-    async with opened(desk, width, height, scene="empty") as (app, pilot):
+    async with opened(desk, width, height, scene="empty", toasts=True) as (app, pilot):
         stages.append(Stage(app, pilot, model, kind))
         app.screen.refresh()
         for _ in range(3):
@@ -178,6 +180,81 @@ def test_a_menu_covers_its_part_of_the_picture_around_which_the_turtle_goes_on(
         await stage.frame(turtle(x=5.4))
         await stage.frame()
         assert stage.ground().sum() >= before.sum() - 8
+
+    play(kind, monkeypatch, scenes)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("under", ["nothing", "a sheet"])
+def test_a_notification_is_not_hidden_under_a_picture_that_moves(
+    under: str, kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenes(stage: Stage) -> None:
+        before = stage.ground()
+        if under == "a sheet":
+            stage.app.push_screen(Frozen(stage.app.look))
+        stage.app.notify("line\n" * 9, timeout=600.0)
+        for x in (5.2, 5.3, 5.4):
+            await stage.frame(turtle(x=x))
+        (toast,) = stage.app.screen.query(Toast)
+        covered = np.zeros_like(before)
+        for widget in (toast, *stage.app.screen.query("#frame")):
+            x, y, right, bottom = widget.region.corners
+            assert before[y:bottom, x:right].any()
+            covered[y:bottom, x:right] = True
+        assert not (stage.ground() & covered).any()
+        beside = before & ~covered
+        assert beside.sum() > 50 and (stage.ground() & beside).sum() >= beside.sum() - 8
+        stage.app.clear_notifications()
+        await stage.frame(turtle(x=5.5))
+        await stage.frame()
+        assert (stage.ground() & before).sum() > beside.sum()
+
+    play(kind, monkeypatch, scenes)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_opens_over_a_picture_leaves_none_of_it_blank_while_the_terminal_is_busy(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The text of the frame has wiped all of it, or in Kitty's protocol lies under it."""
+
+    async def scenes(stage: Stage) -> None:
+        stage.deaf = True
+        await stage.frame(turtle(x=5.2))
+        before = stage.ground()
+        stage.app.push_screen(Frozen(stage.app.look))
+        stage.app.screen_stack[0].refresh()
+        await stage.frame()
+        x, y, right, bottom = stage.app.screen.query_one("#frame").region.corners
+        covered = np.zeros_like(before)
+        covered[y:bottom, x:right] = True
+        assert (before & covered).any() and not (stage.ground() & covered).any()
+        assert ((before & ~covered) == (stage.ground() & ~covered)).all()
+        stage.written.clear()
+        for place in (3.0, 4.0, 5.0):
+            await stage.frame(turtle(x=place))
+        assert stage.written == []
+
+    play(kind, monkeypatch, scenes)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_names_that_move_over_a_picture_ask_a_busy_terminal_nothing_more(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else it would never be seen that it is busy, and get picture after picture."""
+
+    async def scenes(stage: Stage) -> None:
+        pair = turtle(name="otto", x=8.0, y=5.0)
+        await stage.frame(turtle(name="anna", x=3.0, y=5.0), pair)
+        stage.deaf = True
+        pictures = stage.app.look.pixels
+        await stage.frame(turtle(name="anna", x=3.5, y=5.0), pair)
+        asked = pictures.asked
+        for place in (4.0, 5.0, 6.0):
+            await stage.frame(turtle(name="anna", x=place, y=5.0), pair)
+        assert pictures.waiting and pictures.asked == asked
 
     play(kind, monkeypatch, scenes)
 

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
+from day6_core.classroom import shown
 from day6_core.classroom.note import Note, PupilScreen
 from day6_core.classroom.order import Order
+from day6_core.classroom.shown import Shown
 from day6_core.link.classroom.teacher import Teacher
 from day6_core.link.state import Door, DoorState
 from day6_tui.classes.link import TeacherLink
@@ -29,11 +32,23 @@ class FakeClass(Teacher):
         super().__init__(room=room)
         self.sent: list[tuple[str, Order]] = []
         self.notes: dict[str, Note] = {}
+        self.handed: list[tuple[str, bytes]] = []
+        self.answers: dict[str, bytes] = {}
+        """What pupils answer who are handed a file; the others don't."""
+        self.pictures: list[Shown | None] = []
+        """What is shown to all; None: its end."""
 
     def order(self, name: str, order: bytes) -> bool:
         if name in self.notes:
             self.sent.append((name, orders.decode(order)))
         return name in self.notes
+
+    def show(self, picture: bytes) -> None:
+        self.pictures.append(shown.decode(picture))
+
+    def hand(self, name: str, message: bytes) -> bytes | None:
+        self.handed.append((name, message))
+        return self.answers.get(name)
 
     def come(self, *names: str) -> None:
         for name in names:
@@ -107,11 +122,13 @@ async def in_class(
     *,
     room: bool = False,
     door: Door | None = OPEN,
+    home: Path | None = None,
     **options: Any,
 ) -> AsyncIterator[ClassWindow]:
     """A teacher's desktop with the window of the class, which has the keyboard and the whole of it."""
     monkeypatch.setattr(Machine, "doors", lambda self: () if door is None else (door,))
     part, desk = FakeClass(room=room), ClassDesk()
+    desk.home = home or desk.home
     given = {"lang": "en", "scene": "empty", "part": part, "listen": ENDPOINT, "secret": "word", **options}
     async with opened(desk, columns, rows, **given) as (app, pilot):
         await step(app, pilot)

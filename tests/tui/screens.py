@@ -39,21 +39,27 @@ def screen_text(app: Day6App) -> str:
 
 
 @asynccontextmanager
-async def running(app: App[Any], width: int, height: int) -> AsyncIterator[Any]:
-    """Run an application with no time but what settling takes; yields its pilot."""
+async def running(app: App[Any], width: int, height: int, *, toasts: bool = False) -> AsyncIterator[Any]:
+    """Run an application with no time but what settling takes; yields its pilot. Without `toasts` it shows none."""
     with stepped_time():
-        async with app.run_test(size=(width, height)) as pilot:
+        async with app.run_test(size=(width, height), notifications=toasts) as pilot:
             yield pilot
 
 
 @asynccontextmanager
 async def opened(
-    desk: FakeDesk, width: int = 80, height: int = 24, *, environ: dict[str, str] | None = None, **options: Any
+    desk: FakeDesk,
+    width: int = 80,
+    height: int = 24,
+    *,
+    environ: dict[str, str] | None = None,
+    toasts: bool = False,
+    **options: Any,
 ) -> AsyncIterator[tuple[Day6App, Any]]:
     """The desktop on a fake machine, with no frame but those that `step` draws."""
     given = Options(fps=0, **options)
     app = Day6App(given, desk=desk, look=make_look(given, environ or UTF8))
-    async with running(app, width, height) as pilot:
+    async with running(app, width, height, toasts=toasts) as pilot:
         await step(app, pilot)
         yield app, pilot
 

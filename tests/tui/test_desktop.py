@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from rich.cells import cell_len
@@ -12,7 +13,7 @@ from day6_core.lessons.actions import filled
 from day6_core.lessons.player import Steering
 from day6_core.lessons.scene import scenes
 from day6_core.lessons.scene_player import ScenePlayer
-from day6_tui.features.lessons import OPENING_SECONDS
+from day6_tui.features.lessons import KEPT_SECONDS
 from day6_tui.options import Options
 from tests.support.waiting import Deadline
 from tests.tui.fakes import FakeSimulation, turtle
@@ -816,11 +817,21 @@ async def test_who_speaks_has_a_big_terminal_and_f8_shows_the_picture(desk) -> N
         assert len(app.desktop.plan_now().places) > 2, "another layout ends it"
 
 
+@pytest.mark.parametrize("size", [(60, 50), (52, 20), (80, 24)])
+@pytest.mark.parametrize("lang", ["zh", "en"])
+async def test_the_key_bar_has_the_lessons_also_on_a_phone(desk, size, lang) -> None:
+    async with opened(desk, *size, lang=lang) as (app, pilot):
+        for _ in range(2):
+            await step(app, pilot)
+            assert "F5" in screen_lines(app)[-1]
+            app.desktop.focus_pane(app.terminals.current)
+
+
 @pytest.mark.parametrize("early", [False, True], ids=["slow lessons", "slow desk"])
 async def test_f5_shows_at_once_that_the_lessons_come_and_enter_waits_for_them(desk, monkeypatch, early: bool) -> None:
     async with opened(desk, 80, 24, lang="zh") as (app, pilot):
-        started: list[str] = []
-        monkeypatch.setattr(app.machine, "start", lambda name, main: started.append(name))
+        started: list[tuple[str, Any]] = []
+        monkeypatch.setattr(app.machine, "start", lambda name, main: started.append((name, main)))
         if early:
             monkeypatch.setattr(app.machine, "desk", None)
         await pilot.press("f5")
@@ -831,16 +842,32 @@ async def test_f5_shows_at_once_that_the_lessons_come_and_enter_waits_for_them(d
         assert app.scenes.player is None and desk.terminals[0].sent == "", "neither the choice nor the terminal had it"
         if early:
             monkeypatch.undo()
-            monkeypatch.setattr(app.machine, "start", lambda name, main: started.append(name))
+            monkeypatch.setattr(app.machine, "start", lambda name, main: started.append((name, main)))
             app.lessons.look_back()
-        assert started == ["lesson"]
-        move_on(OPENING_SECONDS)
+            await step(app, pilot)
+        assert [name for name, _ in started] == ["lesson"]
+        move_on(KEPT_SECONDS)
+        await pilot.press("f5")
         await step(app, pilot)
-        assert app.look.texts("lesson.coming") not in screen_lines(app)[-1]
+        assert app.look.texts("lesson.coming") in screen_lines(app)[-1] and len(started) == 1, (
+            "it is still being opened"
+        )
         app.desktop.focus_pane(app.terminals.current)
         await pilot.press("enter")
         await step(app, pilot)
         assert desk.terminals[0].sent == "\r", "what does not come keeps no key for ever"
+
+        async def fails(session: object) -> int:
+            return 1
+
+        monkeypatch.setattr("day6_core.lessons.program.lessons_of", lambda *given: fails)
+        await started[0][1](None)
+        await step(app, pilot)
+        assert app.look.texts("lesson.coming") not in screen_lines(app)[-1]
+        await pilot.press("f5")
+        assert len(started) == 1, "first it is said that they come"
+        await step(app, pilot)
+        assert len(started) == 2
 
 
 async def test_a_lesson_that_was_named_leaves_enter_to_the_terminal(desk, monkeypatch) -> None:

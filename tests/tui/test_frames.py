@@ -7,7 +7,12 @@ from collections.abc import Callable
 
 import pytest
 
+from day6_tui.app import Day6App
+from day6_tui.options import Options
 from day6_tui.screen.frames import Frames
+from tests.support.waiting import Deadline
+from tests.tui.fakes import FakeDesk, FakeSimulation, turtle
+from tests.tui.screens import UTF8, make_look, running, screen_text, step
 
 
 class _Loop:
@@ -193,3 +198,116 @@ def test_work_that_fails_is_told_and_the_frames_go_on(monkeypatch) -> None:
         frames.wake()
         loop.run(1.0)
     assert frames.drawn == 2 and len(told) == 2
+
+
+def test_an_echo_is_drawn_before_the_frame_that_is_planned(monkeypatch) -> None:
+    echoes: list[float] = []
+    frames, loop = _frames(monkeypatch, lambda: True, echo=lambda: echoes.append(loop.now) or True)
+    frames.wake()
+    loop.run(1.0)
+    frames.wake()
+    loop.run(0.001)
+    assert not echoes, "nobody has typed"
+    frames.hurry()
+    drawn, typed = frames.drawn, loop.now
+    frames.wake()  # what was typed has been written
+    loop.run(0.002)
+    assert echoes == [typed] and frames.drawn == drawn
+    frames.wake()
+    loop.run(0.001)
+    assert len(echoes) == 1, "it was there: what else changes waits for the frame"
+
+
+def test_an_echo_that_does_not_come_is_not_looked_for_for_ever(monkeypatch) -> None:
+    looks: list[float] = []
+    frames, loop = _frames(monkeypatch, lambda: True, echo=lambda: looks.append(loop.now) or False)
+    frames.wake()
+    loop.run(0.1)
+    frames.hurry()
+    for _ in range(100):
+        frames.wake()
+        loop.run(0.02)
+    assert looks and looks[-1] - looks[0] == pytest.approx(0.5, abs=0.05)
+
+
+def test_a_frame_gives_way_to_a_key_but_only_once(monkeypatch) -> None:
+    at: list[float] = []
+    frames, loop = _frames(monkeypatch, lambda: at.append(loop.now) or True)
+    frames.wake()
+    loop.run(1.0)
+    key = at[-1] + 1 / 30 - 0.001
+    loop.run(key - loop.now)
+    frames.typed()  # it is on its way through the application
+    loop.run(0.1)
+    first = next(time for time in at if time > key)
+    assert first - key == pytest.approx(0.02, abs=0.002)
+    before = frames.drawn
+    for _ in range(200):  # held down
+        frames.typed()
+        loop.run(0.005)
+    assert frames.drawn - before >= 15
+
+
+def test_where_frames_are_few_a_key_brings_one_early_but_not_each_key(monkeypatch) -> None:
+    frames, loop = _frames(monkeypatch, lambda: True)
+    usual, busy = loop.call_later, True
+    monkeypatch.setattr(loop, "call_later", lambda delay, *rest, **more: usual(delay + 0.2 * busy, *rest, **more))
+    frames.wake()
+    loop.run(3.0)
+    assert frames.rate == pytest.approx(8.0)
+    busy = False
+    loop.run(0.5)
+    before = frames.drawn
+    while frames.drawn == before:
+        loop.run(0.001)
+    frames.hurry()
+    loop.run(1 / 30 + 0.001)
+    assert frames.drawn == before + 2, "the next one would come 125 ms after the last"
+    for _ in range(30):
+        frames.hurry()
+        loop.run(1 / 30)
+    assert frames.drawn - before < 20
+
+
+@pytest.mark.parametrize(("takes", "between"), [(0.1, 0.2), (0.6, 0.725)])
+def test_a_frame_that_takes_long_leaves_as_long_for_keys_but_not_for_ever(
+    monkeypatch, takes: float, between: float
+) -> None:
+    began: list[float] = []
+
+    def draw() -> bool:
+        began.append(loop.now)
+        loop.now += takes
+        return True
+
+    frames, loop = _frames(monkeypatch, draw)
+    frames.wake()
+    loop.run(6.0)
+    assert began[-1] - began[-2] == pytest.approx(between)
+
+
+async def test_what_is_typed_beside_a_driving_turtle_is_seen_before_the_next_frame() -> None:
+    desk, simulation = FakeDesk(), FakeSimulation()
+    desk.display.open("turtlesim", "TurtleSim", simulation)
+    options = Options(fps=0.01, lang="en", scene="empty")  # the next frame would come after 100 seconds
+    app = Day6App(options, desk=desk, look=make_look(options, UTF8))
+    async with running(app, 120, 40) as pilot:
+        await step(app, pilot)
+        terminal = desk.terminals[0]
+        app.desktop.focus_pane(app.terminals.panes[0])
+        await step(app, pilot)
+        app.frames.wake()
+        await pilot.pause()
+        for letter in "qz":
+            simulation.show(turtle(x=7.0))
+            app.frames.wake()
+            await pilot.press(letter)
+            drawn, deadline = app.frames.drawn, Deadline()
+            terminal.write(letter)
+            app.frames.wake()
+            while f"student@day6:~$ {terminal.sent}" not in screen_text(app):
+                assert not deadline.is_over(), screen_text(app)
+                await pilot.pause()
+            assert app.frames.drawn == drawn and "x 7.00" not in screen_text(app)
+        await step(app, pilot)
+        assert "x 7.00" in screen_text(app)

@@ -22,6 +22,8 @@ class DesktopAction(NamedTuple):
     """The key as the user knows it."""
     weight: int = 0
     """Its priority on the key bar when there is little room; 0: never shown there."""
+    alone: int = 0
+    """The same where the pane has no keys of its own; 0: it is no other."""
     palette: bool = True
 
 
@@ -33,7 +35,7 @@ ACTIONS: tuple[DesktopAction, ...] = (
     DesktopAction("next", "f3", "F3", weight=7),
     DesktopAction("previous", "shift+f3", "Shift+F3", palette=False),
     DesktopAction("windows", "f4", "F4", weight=4),
-    DesktopAction("lessons", "f5", "F5", weight=2),
+    DesktopAction("lessons", "f5", "F5", weight=2, alone=5),
     DesktopAction("inspector", "f6", "F6", weight=1),
     DesktopAction("enlarge", "f8", "F8", weight=3),
     DesktopAction("pause", "f9", "F9", weight=2),
@@ -69,8 +71,11 @@ ACTIONS: tuple[DesktopAction, ...] = (
     DesktopAction("detach"),
     DesktopAction("class"),
     DesktopAction("hand"),
+    DesktopAction("answer", "f10", "F10"),
     DesktopAction("sayings"),
     DesktopAction("take_back"),
+    DesktopAction("stop_showing"),
+    DesktopAction("see_shown"),
     DesktopAction("kitchen"),
     DesktopAction("record"),
     DesktopAction("layout.speaker"),

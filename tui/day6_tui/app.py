@@ -11,6 +11,7 @@ import contextvars
 import logging
 import os
 import sys
+import threading
 import time
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -45,6 +46,7 @@ from day6_tui.bars.bars import Bar
 from day6_tui.bars.key_line import KeyLine
 from day6_tui.bars.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.bars.top_line import TopLine
+from day6_tui.classes.box import BOX_CSS, BREAKPOINTS
 from day6_tui.classes.pupil import Classroom
 from day6_tui.distribution_choice import SETTING, start_again
 from day6_tui.features.detachment import Detachment
@@ -77,10 +79,12 @@ from day6_tui.terminals.shown import Terminals
 from day6_tui.textual_private import output
 from day6_tui.textual_private.access import fail, is_leaving
 from day6_tui.textual_private.survival import TYPED
+from day6_tui.turns import LASTING_SECONDS, Turns
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
+    from textual.notifications import Notification
 
     from day6_core.session.ending import Ending
     from day6_core.shell.desk import Desk
@@ -144,11 +148,13 @@ def _class_link(options: Options) -> ClassLink | None:
 class Day6App(TerminalApp):
     """The desktop. `desk` may be given (tests); otherwise it is made after the first frame."""
 
-    CSS = """
-    Screen { layout: vertical; overflow: hidden; }
-    Toast { background: $hint; color: $hint-text; border: none; }
-    Toast.-information .toast--title { color: $hint-text; }
+    CSS = f"""
+    Screen {{ layout: vertical; overflow: hidden; }}
+    {BOX_CSS}
+    Toast {{ background: $hint; color: $hint-text; border: none; }}
+    Toast.-information .toast--title {{ color: $hint-text; }}
     """
+    HORIZONTAL_BREAKPOINTS = BREAKPOINTS
     ENABLE_COMMAND_PALETTE = False
     BINDINGS = [
         *(Binding(key, f"do('{name}')", show=False, priority=True) for key, name in actions.bindings()),
@@ -170,9 +176,15 @@ class Day6App(TerminalApp):
         self.look = look
         fps = DEFAULT_FPS if options.fps is None else float(options.fps)
         self.frames = Frames(
-            self.draw_frame, fps, work=self.read_flood, congested=self.is_congested, failed=self.frame_failed
+            self.draw_frame,
+            fps,
+            work=self.read_flood,
+            echo=self.draw_echo,
+            congested=self.is_congested,
+            failed=self.frame_failed,
         )
         look.wake, look.wake_after = self.frames.wake, self.frames.wake_after
+        self._turns = Turns()
         self._barred = 0.0
         """When the bars were looked at last."""
         self._titled = 0.0
@@ -243,10 +255,13 @@ class Day6App(TerminalApp):
         )
         if not self.detachment.is_possible:
             registry.hidden.add("detach")
-        if self.class_link is None or not self.class_link.teaches:
+        link = self.class_link
+        if link is None or not link.teaches:
             registry.hidden.add("class")
         if not self.classroom.is_possible:
-            registry.hidden |= self.classroom.actions().keys()
+            registry.hidden |= self.classroom.actions().keys() - (set() if link is None else {"stop_showing"})
+        if link is None or link.teaches:
+            registry.hidden.add("see_shown")
         return registry
 
     def compose(self) -> ComposeResult:
@@ -385,20 +400,30 @@ class Day6App(TerminalApp):
             if is_leaving(self):
                 return  # while leaving, there is nothing left to receive keys
             if isinstance(event, events.Key) and event.key == "enter" and self.lessons.keeps_enter():
+                self.classroom.keys.forget(event)
                 return
             self.desktop.keep_keyboard()
-            self.classroom.typed_at = time.monotonic()
+            if event not in self.classroom.keys:
+                self.classroom.typed_at = time.monotonic()
         await super().on_event(event)
+
+    async def _hand_over(self, event: events.Event) -> None:
+        if self.classroom.keys.may_pass(event):
+            await super()._hand_over(event)
 
     def keyboard(self) -> Widget:
         self.desktop.keep_keyboard()
         return super().keyboard()
 
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Textual's question before a key is taken: that of the teacher's messages is free as long as none waits."""
+        return parameters != ("answer",) or bool(self.classroom.sayings.waiting)
+
     async def action_do(self, id: str) -> None:  # noqa: A002
         """Textual's entry: a key of the table was pressed."""
         if id == "quit":
             self.leaving.press_quit()
-        elif (overlay := self.desktop.overlay) is not None and overlay.waits and id not in WHILE_ASKED:
+        elif self.desktop.is_asking and id not in WHILE_ASKED:
             return
         elif id == "pause" and self.scenes.player is not None:
             self.scenes.steering.hold()  # of the world, the upper line
@@ -420,6 +445,12 @@ class Day6App(TerminalApp):
 
     def _notify(self, text: str, seconds: float) -> None:
         self.notify(one_line(text), timeout=seconds, markup=False)
+
+    def on_resize(self, event: events.Resize) -> None:
+        self.call_later(self.classroom.sayings.fit)  # Textual takes the new size after this
+
+    def taken_down(self, box: Notification) -> None:
+        self.classroom.sayings.taken_down(box)
 
     def choose_theme(self) -> None:
         """Offer the themes, and remember the choice."""
@@ -451,11 +482,11 @@ class Day6App(TerminalApp):
         self.frames.detach()
 
     def displays(self) -> bool:
-        self.classroom.has_drawn = True
+        self.classroom.observed.has_drawn = True
         return not self.detachment.away
 
     def _write_picture(self, text: str) -> None:
-        self.classroom.has_drawn = True
+        self.classroom.observed.has_drawn = True
         super()._write_picture(text)
 
     # -- frames --------------------------------------------------------------------------------------------------------
@@ -464,9 +495,30 @@ class Day6App(TerminalApp):
         """Between frames: read what programs print without end."""
         return self.terminals.read_flood() if self.machine.desk is not None else None
 
+    def key_read(self) -> None:
+        super().key_read()
+        self._turns.typed({os.getpid(), threading.get_native_id(), *self.machine.threads})
+
+    def echoes_keys(self) -> bool:
+        return isinstance(self.desktop.focused_pane, TerminalPane)
+
+    def draw_echo(self) -> bool:
+        """Between frames: draw what was typed into the terminal with the keyboard, and nothing else."""
+        pane = self.desktop.focused_pane
+        if self.detachment.away or not isinstance(pane, TerminalPane) or not pane.is_mounted:
+            return False
+        return self.draw_alone(lambda: self._pull_typed(pane))
+
+    @staticmethod
+    def _pull_typed(pane: TerminalPane) -> None:
+        pane.pull(time.monotonic())
+        pane.place_cursor()
+
     def draw_frame(self) -> bool:
         """Pull what is new into the panes; return True while something is animated."""
         now = time.monotonic()
+        if self.frames.untouched_for(now) > LASTING_SECONDS:
+            self._turns.rest()
         machine = self.machine
         if machine.desk is not None:
             # Before a scene goes on: what it waits for has its place first.
@@ -483,6 +535,7 @@ class Day6App(TerminalApp):
         again = self.scenes.advance(now) or again
         self.recording.advance()
         if self.detachment.away:
+            self.lessons.begin()
             return self.notices.expire(now) or again
         again = self.draw_in_frame(lambda: self._pull_all(now)) or again
         self.send_pictures()
@@ -498,6 +551,7 @@ class Day6App(TerminalApp):
             self._barred = now if self.machine.desk is not None else 0.0  # the first look at the desk does not wait
             self.top.pull(now)
             self.bottom.pull(now)
+            self.lessons.begin()
         else:
             self.frames.wake_after(self._barred + BAR_SECONDS - now)
         return again

@@ -77,6 +77,12 @@ class Machine:
             if self._given is None:
                 self.desk.close()
 
+    @property
+    def threads(self) -> list[int]:
+        """The threads that take keys, by their system-wide numbers."""
+        thread = self.desk.scheduler.thread_number if self.desk is not None and self._given is None else None
+        return [thread] if thread is not None else []
+
     def windows(self) -> list[Window[object]]:
         """The open windows, oldest first."""
         return self.desk.display.windows if self.desk is not None and self.desk.display is not None else []

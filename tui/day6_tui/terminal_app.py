@@ -13,6 +13,7 @@ from textual.widget import Widget
 
 from day6_tui import textual_private
 from day6_tui.pixels.app import PictureApp
+from day6_tui.screen.frames import Frames
 from day6_tui.screen.key_order import KeyOrder
 from day6_tui.screen.poor_terminals import filters_for
 from day6_tui.textual_private.access import is_leaving, waiting_writes
@@ -27,14 +28,24 @@ WAITING_OUTPUT = 3
 
 
 class TerminalApp(Surviving, PictureApp):
-    """An application with a `look`."""
+    """An application with a `look` and `frames`."""
+
+    frames: Frames
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
         self._key_order = KeyOrder(self.keyboard, self._hand_over)
 
+    def echoes_keys(self) -> bool:
+        """Whether what is typed now comes back from a program."""
+        return False
+
+    def key_read(self) -> None:
+        self.frames.typed()
+
     async def on_event(self, event: events.Event) -> None:
         if isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded:
+            self.frames.hurry(echoes=self.echoes_keys())
             await self._key_order.take(event)
         else:
             await super().on_event(event)
@@ -63,6 +74,18 @@ class TerminalApp(Surviving, PictureApp):
             return pull()
         finally:
             screen.end_frame()
+
+    def draw_alone(self, pull: Callable[[], object]) -> bool:
+        """Draw at once what `pull` has a pane take over, and nothing else; returns whether that was anything."""
+        screen = self.screen
+        if not isinstance(screen, FrameScreen):
+            return False
+        screen.begin_frame()
+        try:
+            pull()
+        finally:
+            drawn = screen.end_frame()
+        return drawn
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         return [*super().get_line_filters(), *filters_for(self.look)]

@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import json
+import time
 from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import pytest
 from rich.cells import cell_len
 
-from day6_core.classroom.note import LessonPlace, Trouble
+from day6_core.classroom.handed import LARGEST
+from day6_core.classroom.note import LessonPlace, Reply, Trouble
+from day6_core.classroom.order import Order
 from day6_core.link.state import DoorState
+from day6_tui.classes import link
 from day6_tui.locale import Texts
 from day6_tui.windows.classroom.table import places_for
 from tests.tui.class_of_pupils import OPEN, ClassWindow, in_class, screen_of
+from tests.tui.screens import step_until
 
 Class = Callable[..., AbstractAsyncContextManager[ClassWindow]]
 
@@ -375,6 +382,26 @@ async def test_those_who_were_turned_away_are_told_of(class_of: Class) -> None:
         assert "ben cannot join" not in above_the_notice and "anna is taken" in above_the_notice
 
 
+async def test_a_taken_name_is_told_of_as_long_as_somebody_asks_for_it_and_once_as_a_notice(
+    class_of: Class, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    taken, now = "anna is taken", time.monotonic()
+    async with class_of() as window:
+        await window.come("anna")
+        notices = []
+        monkeypatch.setattr(window.app.notices, "show", lambda text, seconds: notices.append(text))
+        with monkeypatch.context() as passing:  # undone before the clock is that it stands on
+            for passed in range(0, 40, 2):  # every second or so
+                passing.setattr(link.time, "monotonic", lambda at=now + passed: at)
+                window.part.turned_away("anna", "taken")
+                await window.step()
+                assert taken in window.text
+            assert len(notices) == 1
+            passing.setattr(link.time, "monotonic", lambda: now + 60)  # another name was chosen
+            await window.step()
+            assert taken not in window.text
+
+
 # -- the table ---------------------------------------------------------------------------------------------------------
 
 
@@ -413,6 +440,58 @@ async def test_the_minutes_of_a_hand_are_never_what_is_cut(class_of: Class, monk
         monkeypatch.setattr(roster, "_clock", lambda: later)
         await window.step()
         assert "hand 12 min" in window.text
+
+
+async def test_a_hand_is_up_for_so_long_and_on_this_step_for_so_long(
+    class_of: Class, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with class_of(100, 24) as window:
+        roster, clock = window.link.roster, window.link.roster._clock
+        monkeypatch.setattr(roster, "_clock", lambda: clock() - 6 * 60)
+        await window.come("anna", "ben")
+        await window.say("anna", lesson=LessonPlace("day1", {"en": "Day 1"}, 3, 12))
+        await window.say("anna", lesson=LessonPlace("day1", {"en": "Day 1"}, 3, 12, solved=True))
+        monkeypatch.setattr(roster, "_clock", lambda: clock() - 2 * 60)
+        await window.say("anna", hand=True)
+        await window.say("ben", hand=True, lesson=LessonPlace("day1", {"en": "Day 1"}, 5, 12))
+        monkeypatch.setattr(roster, "_clock", clock)
+        await window.step()
+        assert "hand 2 min  step 6 min" in window.line_with("anna   ")
+        assert "hand 2 min  step 2 min" in window.line_with("ben   ")
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+async def test_a_question_is_asked_and_its_answers_are_counted(class_of: Class, lang: str) -> None:
+    texts = Texts(lang)
+    async with class_of(80, 24, lang=lang) as window:
+        await window.come("anna", "ben", "carl")
+        await window.press("A", *("D", "o", "n", "e", "?"), "enter")
+        (question,) = window.link.roster.questions.open
+        assert (
+            window.part.asked_of("ben")[-1].number == question.number
+            and texts("teacher.sent.all", count=3) in window.text
+        )
+        await window.say("anna", replies=(Reply(question.number, "yes"),))
+        await window.say("ben", replies=(Reply(question.number, "words", "\x1b[31mal\u202emost"),))
+        counts = window.line_with("Done?")
+        for what in ("yes", "words"):
+            assert f"{texts(f'class.reply.{what}')} 1" in counts
+        assert counts.rstrip(" │┃").endswith(texts("teacher.reply.silent", count=1))
+        assert texts("class.reply.yes") in window.line_with("anna   ")
+        assert "most" in window.line_with("ben   ") and "\x1b" not in window.text and "\u202e" not in window.text
+        assert texts("teacher.reply.none") in window.line_with("carl   ")
+        await window.press("w")
+        assert "Done?" not in window.text and window.part.asked_of("carl", "settle")
+        assert not window.part.asked_of("anna", "settle")
+
+
+async def test_a_link_is_handed_over_and_nothing_else(class_of: Class) -> None:
+    async with class_of() as window:
+        await window.come("anna")
+        await window.press("l", *["backspace"] * 8, *"file:/x", "enter")
+        assert "a link begins with" in window.text and window.part.asked_of("anna", "link") == []
+        await window.press(*["backspace"] * 7, *"https://a.b/c", "enter")
+        assert window.part.asked_of("anna", "link") == [Order("link", text="https://a.b/c")]
 
 
 async def test_one_hand_is_one_hand(class_of: Class) -> None:
@@ -521,6 +600,22 @@ async def test_the_report_and_the_log_are_written_and_nothing_is_overwritten(cla
         assert "lesson-log.csv already exists" in window.text and not (tmp_path / "lesson.csv").exists()
 
 
+async def test_the_log_goes_on_where_a_desktop_that_was_killed_left_it(class_of: Class, tmp_path: Any) -> None:
+    for number in (1, 2):
+        async with class_of(home=tmp_path) as window:
+            await window.come("anna")
+            await window.press("s", *f"round {number}", "enter", "e")
+            await window.press(*["backspace"] * 30, *f"{number}.csv", "enter")
+    rows = [line.split(",", 1)[1] for line in (tmp_path / "2-log.csv").read_text(encoding="utf-8-sig").splitlines()]
+    assert rows[1:5] == [
+        "teacher,all,opened the class,",
+        "pupil,anna,came,",
+        "teacher,anna,said,round 1",
+        "teacher,all,opened the class,",
+    ]
+    assert rows[-1] == "teacher,anna,said,round 2"
+
+
 # -- the rest of the desktop -------------------------------------------------------------------------------------------
 
 
@@ -590,7 +685,7 @@ async def test_at_80_columns_the_keys_used_most_are_on_the_key_line_and_all_in_t
         await window.press("f1")
         manual = window.app.desktop.overlay
         page = manual.markdown()  # type: ignore[union-attr]
-        keys = "Enter Esc n p s S O o f t c v i h d e x ^] Home PgUp ↑"
+        keys = "Enter Esc n p s S O o f t c v i h a A w l L d e x ^] Home PgUp ↑"
         for key in keys.split():
             assert key in page
         assert texts("teacher.key.end") in page
@@ -604,3 +699,47 @@ async def test_the_manual_has_a_page_for_the_pupils_of_a_class(class_of: Class, 
         await window.press("f1")
         await window.press(*word)
         assert Texts(lang)("manual.classroom_pupil") in window.text
+
+
+# -- files -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("key", ["g", "G"])
+async def test_a_file_is_handed_out_and_it_is_told_who_has_it_and_why_somebody_has_not(
+    class_of: Class, tmp_path: Path, key: str
+) -> None:
+    (tmp_path / "talker.py").write_bytes(b"print()\n")
+    async with class_of(200, 40, home=tmp_path) as window:
+        await window.come("anna", "ben", "carl", "dora")
+        await window.leave("dora")
+        full = "No space left on device"
+        window.part.answers = {
+            name: json.dumps({"path": path, "why": why}).encode()
+            for name, path, why in (("anna", "handed/talker_2.py", ""), ("ben", "", full))
+        }
+        await window.press(key)
+        for letter in "talker.py":
+            await window.pilot.press("full_stop" if letter == "." else letter)
+        await window.press("enter")
+        told = f"talker.py: 1 of {1 if key == 'g' else 4} have it"
+        await step_until(window.app, window.pilot, lambda: told in window.text)
+        assert window.part.asked_of("anna", "file") == [Order("file", text="handed/talker_2.py")]
+        if key == "G":
+            await step_until(window.app, window.pilot, lambda: "carl (no answer)" in window.text)
+            assert f"ben ({full})" in window.text and "dora (away)" in window.text
+            assert sorted(name for name, _ in window.part.handed) == ["anna", "ben", "carl"]
+        assert {message for _, message in window.part.handed} == {b'"talker.py"\nprint()\n'}
+
+
+@pytest.mark.parametrize(("path", "told"), [("none.py", "No such file"), ("", "directory"), ("large", "too large")])
+async def test_what_cannot_be_handed_out_is_told_in_the_prompt(
+    class_of: Class, tmp_path: Path, path: str, told: str
+) -> None:
+    (tmp_path / "large").write_bytes(b"a" * (LARGEST + 1))
+    async with class_of(home=tmp_path) as window:
+        await window.come("anna")
+        await window.press("g")
+        for letter in path:
+            await window.pilot.press("full_stop" if letter == "." else letter)
+        await window.press("enter")
+        assert told in window.text and not window.part.handed

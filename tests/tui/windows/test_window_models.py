@@ -20,6 +20,7 @@ from day6_core.shell.desk import Desk
 from day6_core.shell.language.redirection import Streams
 from day6_core.shell.language.subshells import subshell_main
 from day6_tui.classes.link import TeacherLink
+from day6_tui.classes.seen import Seen
 from day6_tui.windows import WindowPane, pane_class
 from tests.support.source_files import sources
 from tests.support.window_kinds import window_kinds
@@ -47,7 +48,7 @@ COMMANDS = {
 }
 """What opens a window of each kind."""
 
-STARTED = ("lesson", "classroom")
+STARTED = ("lesson", "classroom", "shown")
 """Windows that the desktop itself opens."""
 
 LONGEST = 60.0
@@ -72,6 +73,7 @@ def open_windows(home: Path) -> list[Window[object]]:
         desk.start_program(["bash"], main, streams, env=shell.environment, cwd=home, shell=shell)
         desk.start_program(["lesson"], lessons_of(desk, "anna", None), streams, env=shell.environment, cwd=home)
         desk.start_program(["classroom"], TeacherLink(Teacher()).main, streams, env=shell.environment, cwd=home)
+        desk.start_program(["shown"], Seen(None).main, streams, env=shell.environment, cwd=home)  # type: ignore[arg-type]
         display = desk.display
         assert display is not None
         desk.scheduler.run(lambda: len(display.windows) == len(window_kinds()), LONGEST)

@@ -41,7 +41,8 @@ class KeyLine(Feature):
         keys = [KeyHint(*hint) if hint is hints[0] else KeyHint(*hint, weight=weight) for hint in hints]
         for action in bar_actions():
             name = "action.resume" if action.id == "pause" and self._machine.paused else f"action.{action.id}"
-            keys.append(KeyHint(action.label, texts(name), self._actions[action.id], action.weight))
+            weight = action.weight if hints else action.alone or action.weight
+            keys.append(KeyHint(action.label, texts(name), self._actions[action.id], weight))
         return key_pieces(look, keys, width), []
 
     def _scene(self, width: int) -> list[Piece]:

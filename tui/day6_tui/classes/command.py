@@ -10,7 +10,7 @@ from functools import partial
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.command_line.texts import Wording
 from day6_core.language import language_of
-from day6_core.link.addresses import ROUTER_PORT, address_of
+from day6_core.link.addresses import ROUTER_PORT, address_of, meant
 from day6_core.link.classroom.keys import LONGEST_NAME, TEACHER, is_name
 from day6_core.link.classroom.pupil import Pupil
 from day6_core.link.classroom.teacher import Teacher
@@ -31,7 +31,7 @@ def build_parser(language: str = "en") -> CommandParser:
     part.add_argument("--join", type=partial(_endpoint, texts=texts), metavar="HOST[:PORT]", help=told)
     options.add_argument("--name", type=partial(_name, texts=texts), metavar="NAME", help=texts("cli.class.name"))
     options.add_argument("--room", action="store_true", help=texts("cli.class.room"))
-    desktop.add_options(parser)
+    desktop.add_options(parser, port=ROUTER_PORT)
     return parser
 
 
@@ -66,19 +66,15 @@ def _take_part(parser: CommandParser, options: argparse.Namespace) -> None:
 
 def _endpoint(text: str, texts: Wording) -> str:
     """Read a host with or without a port, or an endpoint."""
-    bare_ipv6 = text.count(":") > 1 and not text.startswith("[")
-    host = f"[{text}]" if bare_ipv6 else text
-    port = host.rpartition(":")[2] if ":" in host and not host.endswith("]") else ""
-    has_port = port.isascii() and port.isdecimal()
-    if has_port and (len(port) > 5 or not 1 <= int(port) <= 65535):
+    endpoint = meant(text, ROUTER_PORT)
+    port = endpoint.rpartition(":")[2]
+    if port.isascii() and port.isdecimal() and (len(port) > 5 or not 1 <= int(port) <= 65535):
         raise argparse.ArgumentTypeError(texts("cli.class.port", text=text, port=port))
-    for endpoint in (text, f"tcp/{host}" if has_port else f"tcp/{host}:{ROUTER_PORT}"):
-        try:
-            address_of(endpoint, listening=False)
-        except ValueError:
-            continue
-        return endpoint
-    raise argparse.ArgumentTypeError(texts("cli.class.endpoint", text=text))
+    try:
+        address_of(endpoint, listening=False)
+    except ValueError:
+        raise argparse.ArgumentTypeError(texts("cli.class.endpoint", text=text)) from None
+    return endpoint
 
 
 def _name(text: str, texts: Wording) -> str:

@@ -10,20 +10,26 @@ import contextlib
 import contextvars
 import logging
 import time
+from collections import deque
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
+from day6_core.classroom import handed
 from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
+from day6_core.classroom.journal import Journal
 from day6_core.classroom.order import Order
 from day6_core.classroom.roster import Roster
 from day6_core.link.addresses import ROUTER_PORT, own_address
 from day6_core.link.classroom.pupil import Pupil
 from day6_core.link.classroom.teacher import Teacher
+from day6_core.reason import reason
 from day6_core.session.harmless import one_line
 from day6_core.session.task import Signal
+from day6_tui.classes.broadcast import Broadcast
+from day6_tui.classes.handing import Handing, Soon, hand
 from day6_tui.panes.pane import Piece
 
 if TYPE_CHECKING:
@@ -36,10 +42,12 @@ _log = logging.getLogger(__name__)
 SOURCE = "class"
 """The name of the link among those who observe a desktop."""
 MOST_TURNED_AWAY = 20
-TURNED_AWAY_SECONDS = 600.0
-"""For which it is worth knowing: one who asks again and again for the same is told of once."""
+TURNED_AWAY_SECONDS = 10.0
+"""After the last question: who is refused asks again every second, until it is solved."""
 NEWS_SECONDS = 5.0
 """For a notice of what a pupil does: meanwhile the keys of the class are not seen."""
+LOG = Path(".config", "day6-tui", "class-log")
+"""In the home folder of the machine: what happened in the class, a file a day."""
 KIND = "classroom"
 """The kind of the teacher's window."""
 
@@ -66,7 +74,7 @@ class ClassLink(Protocol):
 
 
 class TurnedAway(NamedTuple):
-    """One who asked to join and was refused: the name, why (taken, full, domain), and when (time.monotonic)."""
+    """One who asks to join and is refused: the name, why (taken, full, domain), and when it was last (time.monotonic)."""
 
     name: str
     why: str
@@ -87,10 +95,29 @@ class PupilLink:
         self._part = part
 
     def begin(self, app: Day6App) -> None:
-        soon = _soon()
-        self._part.met = lambda is_here: soon(partial(app.classroom.observe, SOURCE, int(is_here)))
+        soon, seen, newest = _soon(), app.classroom.seen, deque[bytes](maxlen=1)
+
+        def see() -> None:
+            if newest:
+                seen.hear(newest.pop())
+
+        def shown(data: bytes) -> None:
+            newest.append(data)  # what a slow desktop has not looked at yet is over
+            soon(see)
+
+        seen.name = self._part.name
+        if app.machine.desk is not None:
+            self._part.handed = partial(handed.receive, app.machine.desk.home)
+        self._part.shown = shown
+        self._part.met = lambda is_here: soon(partial(self._meet, app, is_here))
         self._part.ordered = lambda data: soon(partial(app.classroom.hear, data))
         app.scenes.namespace = lambda: self._part.name if self._part.is_room else ""
+
+    def _meet(self, app: Day6App, is_here: bool) -> None:
+        """The teacher is there, or no longer: then nothing is shown."""
+        app.classroom.observe(SOURCE, int(is_here))
+        if not is_here:
+            app.classroom.seen.end()
 
     def tell(self, note: bytes) -> None:
         self._part.tell(note)
@@ -115,6 +142,8 @@ class TeacherLink:
         self._part = part
         self._app: Day6App | None = None
         self.roster = Roster(self)
+        self.broadcast = Broadcast(part, self.roster, self._tell_here)
+        self._soon: Soon = lambda function: None
         self._listen = ""
         """The endpoint."""
         self._has_secret = False
@@ -123,19 +152,25 @@ class TeacherLink:
         """Where the report goes."""
 
     def begin(self, app: Day6App) -> None:
-        soon = _soon()
-        self._app = app
+        self._app, self._soon = app, (soon := _soon())
         self._listen, self._has_secret = app.options.listen or "", app.options.secret is not None
         self._part.came = lambda name, is_here: soon(partial(self._came, name, is_here))
         self._part.noted = lambda name, data: soon(partial(self._noted, name, data))
         self._part.turned_away = lambda name, why: soon(partial(self._turn_away, name, why))
-        self.roster.attend(True)
         if app.machine.desk is not None:
             self.home = app.machine.desk.home
+            if self.home.is_dir():
+                self.roster.journal = Journal(self.home / LOG, partial(self._not_logged, app))
+        self.roster.attend(True)
+        self.broadcast.begin(app)
         self.show(app)
 
+    def _not_logged(self, app: Day6App, error: OSError) -> None:
+        app.notices.show(app.look.texts("teacher.no_log", reason=reason(error)), NEWS_SECONDS)
+
     def tell(self, note: bytes) -> None:
-        """A teacher is observed by nobody in the class."""
+        """A teacher is observed by nobody in the class, but can be shown to all."""
+        self.broadcast.own_note(note)
 
     def show(self, app: Day6App) -> None:
         for pane in app.desktop.panes.values():
@@ -166,7 +201,7 @@ class TeacherLink:
 
     @property
     def turned_away(self) -> tuple[TurnedAway, ...]:
-        """Who asked to join lately and was refused, the latest last."""
+        """Who asks to join and is refused, the latest last."""
         now = time.monotonic()
         return tuple(each for each in self._turned_away if now - each.when < TURNED_AWAY_SECONDS)
 
@@ -197,6 +232,12 @@ class TeacherLink:
         """Send an order; False if that pupil cannot be reached."""
         return self._part.order(name, orders.encode(order))
 
+    def hand(self, file: str, data: bytes, names: Sequence[str], changed: Callable[[Handing], None]) -> Handing:
+        """Begin to hand out a file; `changed` is called after each answer."""
+        handing = Handing(file, data, names)
+        hand(self._part, self.roster, handing, self._soon, changed)
+        return handing
+
     # -- what comes ----------------------------------------------------------------------------------------------------
 
     def _came(self, name: str, is_here: bool) -> None:
@@ -206,17 +247,24 @@ class TeacherLink:
             self._turned_away = tuple(each for each in self._turned_away if each.name != name)
         else:
             self.roster.gone(name)
+            self.broadcast.stage.noted(name, None)
         self._wake()
 
     def _turn_away(self, name: str, why: str) -> None:
-        before = (each for each in self._turned_away if (each.name, each.why) != (name, why))
-        self._turned_away = (*before, TurnedAway(name, why, time.monotonic()))[-MOST_TURNED_AWAY:]
-        self._tell_here(f"teacher.turned.{why}", name)
+        """One is refused, perhaps once more: that is told of once."""
+        known = {(each.name, each.why): each for each in self.turned_away}
+        is_new = (name, why) not in known
+        known[name, why] = TurnedAway(name, why, time.monotonic())
+        self._turned_away = tuple(known.values())[-MOST_TURNED_AWAY:]
+        if is_new:
+            self._tell_here(f"teacher.turned.{why}", name)
 
     def _noted(self, name: str, data: bytes) -> None:
         hand = self._has_hand_up(name)
         try:
-            self.roster.heard(name, notes.decode(data))
+            note = notes.decode(data)
+            self.roster.heard(name, note)
+            self.broadcast.stage.noted(name, note)
         except notes.NoteError as error:
             _log.warning("a note of %s that is none: %s", name, one_line(str(error)))
         if not hand and self._has_hand_up(name):
@@ -237,7 +285,7 @@ class TeacherLink:
             self._app.frames.wake()
 
 
-def _soon() -> Callable[[Callable[[], object]], None]:
+def _soon() -> Soon:
     """Return what calls a function in the event loop that runs now, from any thread."""
     loop, context = asyncio.get_running_loop(), contextvars.copy_context()
 

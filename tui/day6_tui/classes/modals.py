@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from textual import events
 from textual.app import ComposeResult
+from textual.binding import Binding
 from textual.content import Content
 
 from day6_tui.appearance.look import Look
+from day6_tui.overlays.message import LogModal
 from day6_tui.overlays.modal import Modal, lines_of
 from day6_tui.overlays.question import Answer, Question
 
@@ -49,12 +52,11 @@ class Frozen(Modal):
 
 
 class Consent(Question):
-    """Asks whether the teacher may type. What the fingers still type for a terminal is no answer."""
+    """Asks whether the teacher may do something. What the fingers still type for a terminal is no answer."""
 
-    def __init__(self, look: Look, answer: Answer) -> None:
-        texts = look.texts
-        title, text, no = (texts(f"class.consent.{part}") for part in ("title", "text", "no"))
-        super().__init__(look, title, text, [answer], careful=True, back=no)
+    def __init__(self, look: Look, title: str, text: str, agree: Callable[[], None]) -> None:
+        answer = Answer("y", look.texts("class.consent.yes"), agree)
+        super().__init__(look, title, text, [answer], careful=True, back=look.texts("class.consent.no"))
         self._since = math.inf
         """When it was on the screen, or the last key came that was no answer; by the clock of events."""
 
@@ -71,3 +73,30 @@ class Consent(Question):
             self._since = max(self._since, event.time)
             event.stop()
             event.prevent_default()
+
+
+class Asked(Question):
+    """What the teacher asks or has handed over, opened by the pupil. It keeps nothing from being done meanwhile."""
+
+    waits = False
+
+    def __init__(self, look: Look, title: str, text: str, answers: Sequence[Answer], *, careful: bool = True) -> None:
+        super().__init__(look, title, text, answers, careful=careful, back=look.texts("class.later"))
+
+
+class SaidModal(LogModal):
+    """All that the teacher has said; `again` opens what was handed over last."""
+
+    BINDINGS = [Binding("o", "open", show=False)]
+
+    def __init__(self, look: Look, lines: Sequence[str], again: Callable[[], object] | None) -> None:
+        super().__init__(look, look.texts("class.sayings"), lines)
+        self._again = again
+        if again is not None:
+            self._keys = f"{look.texts('class.sayings.open')}  {self._keys}"
+
+    def action_open(self) -> None:
+        """o."""
+        if self._again is not None and self.is_active:
+            self.close()
+            self._again()

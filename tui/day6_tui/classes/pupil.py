@@ -10,25 +10,29 @@ import logging
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from day6_core.classroom import note as notes
 from day6_core.classroom import order as orders
-from day6_core.classroom.note import LessonPlace, Note, PupilScreen, Trouble
+from day6_core.classroom.note import Note
 from day6_core.classroom.roster import FROZEN_SECONDS
 from day6_core.session.harmless import one_line
 from day6_tui.actions import Handlers
 from day6_tui.bars.notices import NOTICE_SECONDS
+from day6_tui.classes.keys import TeachersKeys
+from day6_tui.classes.marks import Marks
+from day6_tui.classes.observed import Observed
+from day6_tui.classes.sayings import Sayings
+from day6_tui.classes.seen import Seen
+from day6_tui.classes.showing import Showing
 from day6_tui.panes.pane import Piece
 from day6_tui.terminals.pane import TerminalPane
-from day6_tui.textual_private.access import lines_of
 
 if TYPE_CHECKING:
-    from textual.strip import Strip
     from textual.timer import Timer
 
     from day6_core.classroom.order import Order
-    from day6_core.shell.runs import Run
     from day6_tui.app import Day6App
     from day6_tui.classes.modals import Consent
 
@@ -38,13 +42,8 @@ TICK_SECONDS = 0.5
 """Between two looks at what there is to tell, and between two pictures."""
 IDLE_STEPS = (0.0, 60.0, 300.0)
 """Seconds without a key after which that is told; in between the teacher's clock goes on."""
-SAYING_SECONDS = 20.0
-"""Of the words over the desktop; the top line counts what was not looked up."""
-MOST_SAYINGS = 50
 REFUSED_SECONDS = 30.0
 """For which it is told that an order was not followed."""
-LAST_LINES = 2
-"""Of a program that still runs, in which a message is looked for: what stands further up is over."""
 
 
 class Classroom:
@@ -57,8 +56,10 @@ class Classroom:
         """Whether anybody can observe this desktop."""
         self.typed_at = time.monotonic()
         """When the pupil did something last; the application writes it."""
-        self.has_drawn = True
-        """Whether the screen has changed since the last picture; the application writes it."""
+        self.observed = Observed(app)
+        self._showing = Showing(app, changed=self._tick, again=self._tell_picture)
+        self.seen = Seen(app)
+        """What another screen is shown here; a browser's page does that itself."""
         self._observers_by: dict[str, int] = {}
         """source -> how many of it observe this desktop: the server's teachers through the keeper, the teacher of a class"""
         self._timer: Timer | None = None
@@ -74,13 +75,33 @@ class Classroom:
         self._refused_at = 0.0
         self._watched_until = 0.0
         self._frozen_until = 0.0
-        self._picture: PupilScreen | None = None
         self._told: Note | None = None
-        self._looked: tuple[object, Trouble | None] = (None, None)
-        """What was run last when a card was looked for, and how much it had printed; and the card."""
-        self.sayings: list[str] = []
-        self._unread = 0
-        """How many of them the pupil has not looked up: the toast may have been missed."""
+        self.sayings = Sayings(app, self._tick)
+        self.keys = TeachersKeys(app, lambda: self._may_type, lambda: self._refuse("class.refused.place"))
+        self._marks = Marks(app, self.sayings.hear)
+        self.sayings.opened = self._marks.opened
+        self._obeys: dict[str, Callable[[Order], None]] = {
+            "tell": self._tell_again,
+            "attend": self._attend,
+            "seen": self._be_seen,
+            "watch": self._be_watched,
+            "unwatch": self._be_unwatched,
+            "say": self.sayings.hear,
+            "settle": self.sayings.settle,
+            "link": self.sayings.hear,
+            "file": self.sayings.hear,
+            "freeze": self._freeze,
+            "lower_hand": self._lower_hand,
+            "ask_to_type": self._ask,
+            "stop_typing": self._stop_typing,
+            "type": self._type,
+            "ask_to_show": self._ask_to_show,
+            "show": self._be_shown,
+            "scene": self._start_scene,
+            "lesson": self._open_lesson,
+            "exam": self._open_lesson,
+            "end": self._end,
+        }
 
     @property
     def _refused(self) -> str:
@@ -94,7 +115,13 @@ class Classroom:
     # -- what the pupil does and sees ----------------------------------------------------------------------------------
 
     def actions(self) -> Handlers:
-        return {"hand": self.toggle_hand, "sayings": self.show_sayings, "take_back": self.take_back}
+        return {
+            "hand": self.toggle_hand,
+            "take_back": self.take_back,
+            **self.sayings.actions(),
+            **self._showing.actions(),
+            **self.seen.actions(),
+        }
 
     def toggle_hand(self) -> None:
         """Raise the hand, or lower it."""
@@ -111,19 +138,11 @@ class Classroom:
             self._app.notices.show(self._app.look.texts("class.taken_back"))
             self._tick()
 
-    def show_sayings(self) -> None:
-        """What the teacher has said."""
-        from day6_tui.overlays.message import LogModal
-
-        look, self._unread = self._app.look, 0
-        self._app.clear_notifications()
-        said = self.sayings or [look.texts("class.sayings.none")]
-        self._app.desktop.open_overlay(LogModal(look, look.texts("class.sayings"), said))
-        self._app.frames.wake()
-
     def pieces(self, short: bool) -> list[Piece]:
         """For the top line, always: who may type or watches; the hand, which a click raises or lowers."""
         look, actions, found = self._app.look, self._app.actions, []
+        if self._showing.is_on:
+            found.append(Piece(self._words("shown", short), look.colours.error, actions["stop_showing"]))
         if self._may_type:
             found.append(Piece(self._words("types", short), look.colours.error, actions["take_back"]))
         elif self.is_watched:
@@ -134,18 +153,15 @@ class Classroom:
             found.append(Piece(self._words("hand", short), look.colours.hint, actions["hand"]))
         elif self._attended:
             found.append(Piece(self._words("raise", short), look.colours.key, actions["hand"]))
+        found += self.sayings.pieces(short)
         return [*found, Piece("  ", look.colours.bar)] if found else []
 
     def offers(self, short: bool) -> list[Piece]:
-        """For the top line where there is room: that the teacher said something; a click looks it up."""
-        if not self._unread:
-            return []
-        look = self._app.look
-        text = self._words("unread", short, count=self._unread)
-        return [Piece(text, look.colours.hint, self._app.actions["sayings"]), Piece("  ", look.colours.bar)]
+        """For the top line, where there is room: what can be looked at."""
+        return [*self.seen.offers(short), *self.sayings.offers(short)]
 
-    def _words(self, what: str, short: bool, **values: object) -> str:
-        return f" {self._app.look.texts(f'class.bar.{what}' + '.short' * short, **values)} "
+    def _words(self, what: str, short: bool) -> str:
+        return f" {self._app.look.texts(f'class.bar.{what}' + '.short' * short)} "
 
     @property
     def is_watched(self) -> bool:
@@ -174,15 +190,19 @@ class Classroom:
                 self._timer.stop()
                 self._timer = None
             self._seen = False
-            self._attend(False)
+            self._have_teacher(False)
+            self._showing.end()
         self._tick()
         self._app.frames.wake()
 
-    def _attend(self, is_there: bool) -> None:
+    def _have_teacher(self, is_there: bool) -> None:
         """A teacher is there, or no longer: then nobody watches or types, and the screen is free."""
         self._attended = is_there
         if not is_there:
-            self._may_type = False
+            asked, self._asked, self._may_type = self._asked, None, False
+            if asked is not None and asked in self._app.screen_stack:
+                asked.close()  # a later teacher has asked nothing
+            self._showing.end()
             self._frozen_until = self._watched_until = 0.0
 
     def hear(self, data: bytes) -> None:
@@ -192,65 +212,113 @@ class Classroom:
         except orders.OrderError as error:
             _log.warning("an order that is none: %s", one_line(str(error)))
             return
-        self._follow(order)
+        self._obeys[order.do](order)
         self._tick()
         self._app.frames.wake()
 
-    def _follow(self, order: Order) -> None:
-        now = time.monotonic()
-        if order.do == "tell":
-            self._told = None
-        elif order.do == "watch":
-            self._watched_until, self.has_drawn = now + order.seconds, self.has_drawn or self._picture is None
-        elif order.do == "unwatch":
-            self._watched_until = 0.0
-        elif order.do == "say":
-            self._say(order.text)
-        elif order.do == "attend":
-            self._attend(order.on)
-        elif order.do == "seen":
-            self._seen = order.on
-        elif order.do == "freeze":
-            self._frozen_until = now + FROZEN_SECONDS if order.on else 0.0
-        elif order.do == "lower_hand":
-            self._lower_hand()
-        elif order.do == "ask_to_type":
-            self._ask()
-        elif order.do == "stop_typing":
-            self._may_type = False
-        elif order.do == "type":
-            self._type(order.text)
-        elif order.do == "end":
-            self._app.leaving.end_by_signal(self._app.look.texts("class.ended"))
-        else:
-            self._open(order)
+    # -- what is done for each order: `_obeys` says which ---------------------------------------------------------------
 
-    def _lower_hand(self) -> None:
+    def _tell_again(self, order: Order) -> None:
+        self._told = None
+
+    def _attend(self, order: Order) -> None:
+        self._have_teacher(order.on)
+
+    def _be_seen(self, order: Order) -> None:
+        self._seen = order.on
+
+    def _be_watched(self, order: Order) -> None:
+        self._watched_until = time.monotonic() + order.seconds
+        self.observed.look_again()
+
+    def _be_unwatched(self, order: Order) -> None:
+        self._watched_until = 0.0
+
+    def _freeze(self, order: Order) -> None:
+        self._frozen_until = time.monotonic() + FROZEN_SECONDS if order.on else 0.0
+
+    def _lower_hand(self, order: Order) -> None:
         if self._hand:
             self._hand = False
             self._app.notices.show(self._app.look.texts("class.hand.seen"))
 
-    def _say(self, text: str) -> None:
-        said = one_line(text)
-        self.sayings = [*self.sayings, said][-MOST_SAYINGS:]
-        self._unread += 1
-        title = self._app.look.texts("class.says")
-        self._app.notify(said, title=title, timeout=SAYING_SECONDS, markup=False)
+    def _end(self, order: Order) -> None:
+        self._app.leaving.end_by_signal(self._app.look.texts("class.ended"))
 
-    def _ask(self) -> None:
+    def _ask(self, order: Order) -> None:
         from day6_tui.classes.modals import Consent
-        from day6_tui.overlays.question import Answer
 
         if self._may_type or self._asked is not None:
             return
-        overlay = self._app.desktop.overlay
-        if overlay is not None and overlay.waits:
+        if self._app.desktop.is_asking:
             self._refused = "class.refused.busy"
             return
         self._refused = ""
         look = self._app.look
-        self._asked = Consent(look, Answer("y", look.texts("class.consent.yes"), self._consent))
+        title, text = look.texts("class.consent.title"), look.texts("class.consent.text")
+        self._asked = Consent(look, title, text, self._consent)
         self._app.desktop.open_overlay(self._asked)
+
+    def _stop_typing(self, order: Order) -> None:
+        self._may_type = False
+
+    def _type(self, order: Order) -> None:
+        desktop, self._refused = self._app.desktop, ""
+        pane = desktop.focused_pane
+        if not self._may_type:
+            self._refused = "class.refused.type"
+        elif not self.keys.have_place():
+            self._refused = "class.refused.place"
+        elif self.keys.are_coming or desktop.overlay or not isinstance(pane, TerminalPane) or not pane.has_terminal:
+            self.keys.type(order.text)
+        else:
+            pane.view.terminal.send(order.text)
+
+    def _ask_to_show(self, order: Order) -> None:
+        self._showing.ask(self._refuse)
+
+    def _refuse(self, why: str) -> None:
+        self._refused = why
+
+    def _be_shown(self, order: Order) -> None:
+        if not order.on:
+            self._showing.end()
+        elif self._showing.may or not self._attended:  # the teacher's own desktop is asked nothing
+            self._showing.begin()
+
+    def _start_scene(self, order: Order) -> None:
+        """A scene as if chosen here: it types where nothing runs."""
+        from day6_core.lessons.scene import scenes
+
+        app, scene = self._app, scenes().get(order.text)
+        if scene is None:
+            self._refused = "class.refused.unknown"
+        elif not scene.is_action and (app.leaving.running() or app.desktop.panes):
+            self._refused = "class.refused.full"
+        else:
+            self._start(partial(app.scenes.start, scene.name))
+
+    def _open_lesson(self, order: Order) -> None:
+        """A lesson or a drill as if chosen here: what runs goes on."""
+        app = self._app
+
+        def go() -> None:
+            if app.lessons.go_to(order.text):
+                app.notices.show(app.look.texts("class.opened"), NOTICE_SECONDS)
+            else:
+                self._refused = "class.refused.unknown"
+
+        self._start(go)
+
+    def _start(self, start: Callable[[], object]) -> None:
+        """Start something, unless a question stands open."""
+        if self._app.desktop.is_asking:
+            self._refused = "class.refused.busy"
+        else:
+            self._refused = ""
+            start()
+
+    # -- what is open ---------------------------------------------------------------------------------------------------
 
     def _consent(self) -> None:
         self._may_type, self._asked = self._attended, None
@@ -260,37 +328,10 @@ class Classroom:
         """The question was closed without a yes; a question that was in the way is no longer."""
         if self._asked is not None and self._asked not in self._app.screen_stack:
             self._asked, self._refused = None, "class.refused.no"
-        overlay = self._app.desktop.overlay
-        if self._refused == "class.refused.busy" and (overlay is None or not overlay.waits):
+        if self._showing.was_refused():
+            self._refused = "class.refused.no"
+        if self._refused == "class.refused.busy" and not self._app.desktop.is_asking:
             self._refused = ""
-
-    def _type(self, keys: str) -> None:
-        pane = self._app.desktop.focused_pane
-        if not self._may_type:
-            self._refused = "class.refused.type"
-        elif self._app.desktop.overlay is not None or not isinstance(pane, TerminalPane) or not pane.has_terminal:
-            self._refused = "class.refused.place"
-        else:
-            self._refused = ""
-            pane.view.terminal.send(keys)
-
-    def _open(self, order: Order) -> None:
-        """A scene or a lesson, as if chosen here: what runs goes on, and a scene types where nothing runs."""
-        from day6_core.lessons.scene import scenes
-
-        app, self._refused = self._app, ""
-        overlay = app.desktop.overlay
-        scene = scenes().get(order.text) if order.do == "scene" else None
-        if overlay is not None and overlay.waits:
-            self._refused = "class.refused.busy"
-        elif scene is not None and not scene.is_action and (app.leaving.running() or app.desktop.panes):
-            self._refused = "class.refused.full"
-        elif scene is not None:
-            app.scenes.start(scene.name)
-        elif order.do == "lesson" and app.lessons.go_to(order.text):
-            app.notices.show(app.look.texts("class.opened"), NOTICE_SECONDS)
-        else:
-            self._refused = "class.refused.unknown"
 
     # -- what is told --------------------------------------------------------------------------------------------------
 
@@ -299,31 +340,41 @@ class Classroom:
         self._look_for_answer()
         if not self._observers:
             return
+        self._marks.look()
         note = self._note()
         if note != self._told:
             self._told = note
-            self._tell(notes.encode(replace(note, idle=time.monotonic() - self.typed_at)))
+            self._send(note)
+
+    def _tell_picture(self) -> None:
+        """The class sees this screen: between two notes it is told alone."""
+        if self._told is None:
+            self._tick()
+        elif (screen := self.observed.screen()) is not self._told.screen:
+            self._told = replace(self._told, screen=screen)
+            self._send(self._told)
+
+    def _send(self, note: Note) -> None:
+        self._tell(notes.encode(replace(note, idle=time.monotonic() - self.typed_at)))
 
     def _keep_frozen(self) -> None:
         from day6_tui.classes.modals import Frozen
-        from day6_tui.overlays.question import Question
 
-        overlay = self._app.desktop.overlay
+        desktop = self._app.desktop
         if not self._is_frozen:
-            if isinstance(overlay, Frozen):
-                overlay.close()
-        elif not isinstance(overlay, (Frozen, Question)) and not self._app.detachment.away:
+            if isinstance(desktop.overlay, Frozen):
+                desktop.overlay.close()
+        elif not desktop.is_asking and not self._app.detachment.away:
             self._app.push_screen(Frozen(self._app.look))  # over what is being filled in, which stays as it is
 
     def _note(self) -> Note:
         """What there is to tell; `idle` in steps, so that an idle desktop is silent."""
-        app, idle = self._app, time.monotonic() - self.typed_at
-        nodes = app.machine.desk.graph.nodes if app.machine.desk is not None else ()
+        idle = time.monotonic() - self.typed_at
         return Note(
-            lesson=self._lesson(),
-            trouble=self._trouble(),
-            nodes=tuple(sorted({node.full_name for node in nodes if not node.name.startswith("_")})),
-            programs=tuple(app.leaving.running()),
+            lesson=self.observed.lesson(),
+            trouble=self.observed.trouble(),
+            nodes=self.observed.nodes(),
+            programs=tuple(self._app.leaving.running()),
             hand=self._hand,
             idle=max(step for step in IDLE_STEPS if step <= idle),
             attended=self._attended,
@@ -332,65 +383,11 @@ class Classroom:
             frozen=self._is_frozen,
             asked=self._asked is not None,
             may_type=self._may_type,
+            asked_show=self._showing.question is not None,
+            may_show=self._showing.may,
+            shown=self._showing.is_on,
             refused=self._refused,
-            screen=self._screen() if self.is_watched else None,
+            replies=self.sayings.replies,
+            opened=self.sayings.numbers_opened,
+            screen=self.observed.screen() if self.is_watched or self._showing.is_on else None,
         )
-
-    def _lesson(self) -> LessonPlace | None:
-        pane = self._app.lessons.pane
-        state = pane.course.state if pane is not None else None
-        if state is None or state.lesson is None:
-            return None
-        lesson = state.lesson
-        return LessonPlace(
-            lesson.name, dict(lesson.title), state.index + 1, len(lesson.steps), state.solved, state.hints
-        )
-
-    def _trouble(self) -> Trouble | None:
-        """The card of what was run last in any terminal, if it has failed, or of what it waits for."""
-        from day6_core.shell.builtins.why import is_own
-
-        runs: list[Run] = []
-        for pane in self._app.desktop.terminals():
-            if pane.has_terminal:
-                runs += [run for run in pane.view.terminal.runs.all if not is_own(run.source)][-1:]
-        last = max(runs, key=lambda run: run.began_ns, default=None)
-        if last is None or last.status == 0:
-            return None
-        looked = (last, last.status, last.written)
-        if self._looked[0] != looked:
-            self._looked = (looked, _card_of(last.output, LAST_LINES if last.status is None else None))
-        return self._looked[1]
-
-    def _screen(self) -> PupilScreen | None:
-        """The screen as it is now, the last one where nothing was drawn since."""
-        app = self._app
-        if app.detachment.away or not app.screen.size:
-            return self._picture
-        if self.has_drawn or self._picture is None:
-            self.has_drawn = False
-            ansi = "\n".join(strip.render(app.console) for strip in strips_of(app))
-            self._picture = PupilScreen(app.size.width, app.size.height, ansi)
-        return self._picture
-
-
-def strips_of(app: Day6App) -> list[Strip]:
-    """The lines of the screen; pictures of real pixels as half blocks."""
-    strips = lines_of(app)
-    pictures = app.look.pixels
-    return strips if pictures is None else pictures.drawn_over(strips)
-
-
-def _card_of(output: str, lines: int | None) -> Trouble | None:
-    """The card of an output, of its last lines only where it may go on."""
-    from day6_core.advice.matching import cards_in
-    from day6_core.advice.wording import filled_in
-    from day6_core.language import LANGUAGES
-
-    if lines is not None:
-        output = "\n".join(output.rstrip().splitlines()[-lines:])
-    match = next(cards_in(output), None)
-    if match is None:
-        return None
-    titles = {language: filled_in(match.card.words[language].first, match.values) for language in LANGUAGES}
-    return Trouble(titles, one_line(match.line))

@@ -33,8 +33,8 @@ def build_parser(language: str = "en") -> CommandParser:
     return parser
 
 
-def add_options(parser: CommandParser, *, lesson: bool = True) -> None:
-    """Add what the desktop can be told; `class` takes it, too, and `demo`, which has the lesson already."""
+def add_options(parser: CommandParser, *, lesson: bool = True, port: int | None = None) -> None:
+    """Add what the desktop can be told; `class` takes it, too, which has a usual port, and `demo`, which has the lesson."""
     texts, values, add = parser.texts, Values(parser.texts), parser.add_argument
     add("--scene", choices=tuple(scenes()), help=texts("cli.desktop.scene"))
     add("--robot", type=values.file, metavar="FILE", help=texts("cli.desktop.robot"))
@@ -50,7 +50,12 @@ def add_options(parser: CommandParser, *, lesson: bool = True) -> None:
         add("--lesson", metavar="NAME", known=lesson_names, help=texts("cli.desktop.lesson"))
     add("--record", type=Path, metavar="FILE.cast", help=texts("cli.desktop.record"))
     add("--detach", action="store_true", help=texts("cli.desktop.detach"))
-    add("--listen", type=values.endpoint(listening=True), metavar="ENDPOINT", help=texts("cli.desktop.listen"))
+    add(
+        "--listen",
+        type=values.endpoint(listening=True, port=port),
+        metavar="ENDPOINT",
+        help=texts("cli.desktop.listen"),
+    )
     add("--connect", type=values.endpoint(listening=False), metavar="ENDPOINT", help=texts("cli.desktop.connect"))
     add("--secret", type=values.secret, metavar="FILE|WORD", help=texts("cli.desktop.secret"))
     none = argparse.SUPPRESS

@@ -15,8 +15,10 @@ import socket
 import struct
 import sys
 import time
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NoReturn
 
+from day6_tui import turns
 from day6_tui.detached import meeting, wire
 from day6_tui.detached.wire import Connection
 
@@ -38,8 +40,6 @@ STUCK_SECONDS = 5.0
 """A client that takes nothing for so long is treated as if it had left, until it takes what waits: a closed laptop."""
 
 MOST_OBSERVERS = 16
-MOST_NOTES = 1 << 19
-"""Bytes of notes that may wait for an observer; one that takes no more is let go."""
 
 MOST_ORDERS = 1 << 16
 """Bytes of orders that may wait for the desktop; more are dropped."""
@@ -55,6 +55,9 @@ _FIXED_SIZE = ("LINES", "COLUMNS")
 """Variables that would hold against the size of the terminal."""
 
 
+Become = Callable[[list[str], dict[str, str]], NoReturn]
+"""How this process becomes the program with these words and variables."""
+
 Hello = dict[str, Any]
 """`environ`: the variables that describe a terminal; `size`: its size as TIOCSWINSZ takes it, None without a terminal."""
 
@@ -62,10 +65,13 @@ Hello = dict[str, Any]
 class Keeper:
     """The desktop, its terminal, and who looks at it."""
 
-    def __init__(self, held: meeting.Held, first: Connection, home: str, folder: str, words: list[str]) -> None:
+    def __init__(
+        self, held: meeting.Held, first: Connection, home: str, folder: str, words: list[str], become: Become
+    ) -> None:
         self._held = held
         self._path: str = held.listener.getsockname()
         self._home, self._folder, self._words = home, folder, words
+        self._become = become
         self._arrived = [first]
         """Clients that have not said hello."""
         self._client: Connection | None = None
@@ -77,6 +83,8 @@ class Keeper:
         """Clients that only have to take what was sent, and until when."""
         self._observers: list[Connection] = []
         """Who hears the desktop's notes."""
+        self._behind: set[Connection] = set()
+        """Those who have yet to take an older note, and then get the last one: a note tells everything."""
         self._note = b""
         """The last one."""
         self._is_here = False
@@ -160,6 +168,7 @@ class Keeper:
                 self._took_at = time.monotonic() if line is client else self._took_at
         for line in [line for line in (*self._observers, *([self._desktop] if self._pid else ())) if line in writable]:
             line.flush()
+        self._tell_behind()
         if self._pid and self._desktop in readable:
             for kind, data in self._desktop.receive():
                 self._hear_desktop(kind, data)
@@ -220,7 +229,7 @@ class Keeper:
                 os.close(reading)
                 for number in (signal.SIGINT, signal.SIGHUP, signal.SIGPIPE):
                     signal.signal(number, signal.SIG_DFL)
-                os.execve(sys.executable, [sys.executable, "-m", "day6_tui.main", *self._words], environ)
+                self._become([sys.executable, "-m", "day6_tui.main", *self._words], environ)
             finally:
                 os._exit(127)
         _set_size(self._master, size)
@@ -270,8 +279,9 @@ class Keeper:
 
     def _type(self) -> None:
         """Hand keys to the desktop, as many as it takes."""
-        with contextlib.suppress(OSError):
-            del self._typed[: os.write(self._master, self._typed[:4096])]
+        if self._typed:
+            with contextlib.suppress(OSError):
+                del self._typed[: os.write(self._master, self._typed[:4096])]
 
     def _hear_desktop(self, kind: bytes, data: bytes) -> None:
         if kind == wire.NOTE:
@@ -358,6 +368,8 @@ class Keeper:
                 self._next[1]["size"] = size
         elif kind == wire.INPUT and line is self._client:
             self._typed += data
+            if self._master >= 0 and self._reads_keys:
+                self._type()  # not in the next round, behind a frame
 
     def _greet(self, line: Connection, hello: Hello) -> None:
         if not self._pid:
@@ -388,10 +400,15 @@ class Keeper:
         self._count_observers()
 
     def _tell_observer(self, line: Connection) -> None:
-        if line.unsent > MOST_NOTES:
-            line.closed = True
+        if line.unsent:
+            self._behind.add(line)
         else:
             line.send(wire.NOTE, self._note)
+
+    def _tell_behind(self) -> None:
+        for line in [line for line in self._behind if not line.unsent]:
+            self._behind.discard(line)
+            self._tell_observer(line)
 
     def _count_observers(self) -> None:
         if self._has_begun:
@@ -422,6 +439,7 @@ class Keeper:
         if lost := [line for line in self._observers if line.closed]:
             for line in lost:
                 self._observers.remove(line)
+                self._behind.discard(line)
                 line.close()
             self._count_observers()
         if self._next is not None and self._next[0].closed:
@@ -459,15 +477,23 @@ def _set_size(terminal: int, size: bytes | None) -> None:
             fcntl.ioctl(terminal, termios.TIOCSWINSZ, _SIZE.pack(24, 80, 0, 0) if size is None else size)
 
 
-def main() -> None:
+def _execute(argv: list[str], environ: dict[str, str]) -> NoReturn:
+    os.execve(argv[0], argv, environ)
+
+
+def main(arguments: list[str], become: Become = _execute) -> None:
     """`keeper LISTENER LOCK FIRST HOME FOLDER WORD…`: three descriptors, two folders, what the desktop is started with."""
-    listener, lock, first = (int(word) for word in sys.argv[1:4])
+    listener, lock, first = (int(word) for word in arguments[:3])
+    home, folder, *words = arguments[3:]
+    turns.keep_from_children()
+    turns.take_short()  # every key passes here
     held = meeting.Held(lock, socket.socket(fileno=listener))
     for descriptor in (listener, lock, first):
         os.set_inheritable(descriptor, False)
     held.listener.setblocking(False)
-    Keeper(held, Connection(socket.socket(fileno=first)), sys.argv[4], sys.argv[5], sys.argv[6:]).run()
+    os.chdir("/")  # else the desktop would import modules from where we are; it goes to its folder by itself
+    Keeper(held, Connection(socket.socket(fileno=first)), home, folder, words, become).run()
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

@@ -38,6 +38,9 @@ END = b"e"
 
 ASKED, TAKEN = b"asked", b"taken"
 
+PAGE = "day6-page"
+"""TERM_PROGRAM of a client that is our page in a browser."""
+
 # Between the keeper and the desktop
 AWAY = b"a"
 """Leave the terminal."""

@@ -10,6 +10,7 @@ import socket
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from day6_tui.appearance.glyphs import terminal_environ
 from day6_tui.detached import wire
 from day6_tui.detached.loop_line import LoopLine
 from day6_tui.textual_private.access import driver_of, forget_terminal, is_leaving, within
@@ -28,6 +29,8 @@ class Detachment:
         self._line = None if descriptor is None else LoopLine(socket.socket(fileno=descriptor))
         self.away = False
         """Whether there is no terminal."""
+        self.is_in_page = _is_page(terminal_environ())
+        """Whether the terminal is our page in a browser."""
         if descriptor is not None:
             from day6_tui.screen.adaptation import Adaptation
 
@@ -68,7 +71,7 @@ class Detachment:
         app, driver = self._app, driver_of(self._app)
         if self._adaptation is None or not self.away or is_leaving(app) or not isinstance(driver, TerminalDriver):
             return
-        self.away = False
+        self.away, self.is_in_page = False, _is_page(environ)
         forget_terminal(app)
         try:
             self._adaptation.fit(environ)
@@ -93,3 +96,7 @@ class Detachment:
                     self._app.classroom.hear(data)
         if self._line.closed:  # the keeper was killed, and the terminal hangs up
             self._line.let_go()
+
+
+def _is_page(environ: Mapping[str, str]) -> bool:
+    return environ.get("TERM_PROGRAM") == wire.PAGE

@@ -50,7 +50,7 @@ class Guidance(Feature):
         found = [
             (action.label, texts("list.head", name=texts(f"action.{action.id}")) + texts(f"help.action.{action.id}"))
             for action in ACTIONS
-            if action.label
+            if action.label and action.id not in self._registry.hidden
         ]
         return [
             *found,

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import threading
 import time
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,10 +20,12 @@ from day6_tui.parts import Feature, Parts
 from day6_tui.textual_private.survival import PersonMessage
 
 if TYPE_CHECKING:
+    from day6_core.session.session import Main, Session
+    from day6_core.shell.desk import Desk
     from day6_tui.windows.lesson.lesson import LessonPane
 
-OPENING_SECONDS = 3.0
-"""How long a window may take to open: F5 pressed again meanwhile does not open a second one."""
+KEPT_SECONDS = 3.0
+"""How long Enter is kept for a window that is coming."""
 
 PUPIL = "pupil"
 """The setting with the name of the pupil."""
@@ -49,7 +53,10 @@ class Lessons(Feature):
         self._goes_on = False
         """Whether the person has asked for the next step: the keyboard goes where that is done."""
         self._last: dict[str, str] = {}
-        self._opening_until = 0.0
+        self._asked_at: float | None = None
+        """When the window was asked for that is not there yet; its program runs, or there is no desk to run it."""
+        self._begin: Callable[[], None] | None = None
+        """What opens the window, as soon as it was said that it comes."""
         self._wanted = False
         """Whether F5 was pressed before there was a desk."""
         self._named = False
@@ -79,7 +86,7 @@ class Lessons(Feature):
         if pane is None:
             self.open()
             return
-        self._opening_until = 0.0
+        self._asked_at = None
         if pane.course.state.solved:
             self._go_on(pane)
         elif self._desktop.focused_pane is pane:
@@ -106,49 +113,62 @@ class Lessons(Feature):
         What is typed counts from now on, also before the window is there.
         """
         desk, self._named = self._machine.desk, bool(first)
-        if desk is None:
-            self._wanted = True  # a quick key: the desk comes right after the first frame
-            return
-        if time.monotonic() < self._opening_until:
+        if self._asked_at is None:
+            self._asked_at = time.monotonic()
+        elif not self._wanted:
             return  # it is being opened
-        self._opening_until = time.monotonic() + OPENING_SECONDS
-        from day6_core.lessons.program import lessons_of
-
-        self._wanted = False
+        self._wanted = desk is None
+        if desk is None:
+            return  # a quick key: the desk comes right after the first frame
+        language = self._look.texts.language if demo else ""
         self._desktop.welcome.show_guide()
-        self._machine.start(
-            "lesson",
-            lessons_of(
-                desk,
-                self.pupil,
-                self._folder,
-                first,
-                self._look.texts.language if demo else "",
-                desk.clock.now_ns(),
-            ),
-        )
+        self._begin = partial(self._machine.start, "lesson", self._program(desk, first, language, desk.clock.now_ns()))
+
+    def begin(self) -> None:
+        """That the window comes has been said: begin with what takes a moment, and on a slow machine seconds of imports."""
+        begin, self._begin = self._begin, None
+        if begin is not None:
+            begin()
+
+    def _program(self, desk: Desk, first: str, demo: str, since_ns: int) -> Main:
+        asked_at = self._asked_at
+
+        async def main(session: Session) -> int | None:
+            try:
+                from day6_core.lessons.program import lessons_of
+
+                return await lessons_of(desk, self.pupil, self._folder, first, demo, since_ns)(session)
+            finally:
+                if self._asked_at == asked_at:  # it is no other one that is coming
+                    self._asked_at = None
+
+        return main
 
     def is_coming(self) -> bool:
         """Whether the window was asked for and is not there yet, which takes a moment on a slow machine."""
-        if not self._wanted and time.monotonic() >= self._opening_until:
-            return False
-        if self.pane is not None:
-            self._opening_until = 0.0
-        return self.pane is None
+        if self._asked_at is not None and self.pane is not None:
+            self._asked_at = None
+        return self._asked_at is not None
 
     def keeps_enter(self) -> bool:
         """Whether Enter is meant for the window that is coming, and for nothing that has the keyboard until then."""
-        return self.is_coming() and not self._named and self._desktop.overlay is None
+        since = self._asked_at if self.is_coming() else None
+        is_soon = since is not None and (self._wanted or time.monotonic() < since + KEPT_SECONDS)
+        return is_soon and not self._named and self._desktop.overlay is None
 
     def go_to(self, name: str) -> bool:
-        """Open the window at a lesson, or have it show that; False if it is known to have no such lesson."""
-        pane = self.pane
+        """Open the window at a lesson, or have it show that; False if it is known to have no such lesson.
+
+        Several names, with blanks between them, are the drills of an exam.
+        """
+        pane, names = self.pane, name.split()
         if pane is None:
             self.open(name)
             return True
-        if pane.course.offer.named(name) is None:
+        course = pane.course
+        if not all(map(course.offer.named, names)):
             return False
-        pane.course.request(lambda: pane.course.open(name))
+        course.request(lambda: course.start_exam(names) if len(names) > 1 else course.open(name))
         return True
 
     def back_to_work(self) -> None:
@@ -239,7 +259,7 @@ class Lessons(Feature):
             self._set(PUPIL, name.strip())
             if (pane := self.pane) is not None:
                 pane.close()
-                self._opening_until = 0.0
+                self._asked_at = None
                 self.open()
             return None
 

@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from day6_core.places import SESSION_FILE
 from day6_core.reason import reason
 from day6_core.whole_file import write_private
 from day6_tui.bars.notices import NOTICE_SECONDS
@@ -30,8 +31,6 @@ if TYPE_CHECKING:
     from day6_core.shell.terminal import Terminal
 
 _log = logging.getLogger(__name__)
-
-FILE = "session.json"
 
 LARGEST = 20_000_000
 """More bytes than a session can have."""
@@ -141,7 +140,7 @@ class SavedDesktop(Feature):
 
     def save(self) -> str:
         """Write down what is there; return why that was impossible, or ''. A disk that is full is no reason to stay."""
-        path, data = self._machine.own_file(FILE), self._taken()
+        path, data = self._machine.own_file(SESSION_FILE), self._taken()
         if path is not None and data is not None:
             self._write(path, data)
         return self._unwritten
@@ -155,7 +154,7 @@ class SavedDesktop(Feature):
         terminals = [(pane.slot, pane.view.terminal.version) for pane in self._terminals.panes if pane.has_terminal]
         focused = self._desktop.focused_pane
         state = terminals, self._arranging.described(), self._views_now(), focused.slot if focused is not None else ""
-        path = self._machine.own_file(FILE)
+        path = self._machine.own_file(SESSION_FILE)
         if path is None or (state == self._state and not self._unwritten):
             return
         if self._unwritten != self._told:
@@ -223,7 +222,7 @@ class SavedDesktop(Feature):
 
         A file that cannot be understood is told, and left as it is.
         """
-        path = self._machine.own_file(FILE)
+        path = self._machine.own_file(SESSION_FILE)
         if path is None or not path.exists():
             return False
         try:
@@ -234,7 +233,7 @@ class SavedDesktop(Feature):
         except (OSError, ValueError, KeyError, TypeError) as error:
             self._foreign = not isinstance(error, OSError)
             reason = error.strerror if isinstance(error, OSError) else self._look.texts("session.foreign")
-            self._notices.show(self._look.texts("layout.unreadable", file=FILE, reason=reason), NOTICE_SECONDS)
+            self._notices.show(self._look.texts("layout.unreadable", file=SESSION_FILE, reason=reason), NOTICE_SECONDS)
             return False
         if len(left) < 2 and not any(each.commands or each.again for each in left):
             return False

@@ -35,8 +35,8 @@ class Arranging(Feature):
         self._speaks = False
         """Whether the layout is the speaker's, which lasts until another one is chosen."""
         self._arranged: set[Key] = set()
-        self._enlarged_at: TerminalPane | None = None
-        """The terminal that gets the keyboard back when the window is put back that was enlarged in its place."""
+        self._enlarged_at: Pane | None = None
+        """What gets the keyboard back when the window is put back that was enlarged in its place."""
 
     def actions(self) -> Handlers:
         return {
@@ -137,11 +137,24 @@ class Arranging(Feature):
             desktop.focus_pane(picture)
             desktop.toggle_enlarged()
             return
+        if not desktop.enlarged:
+            self._enlarged_at = None  # whose window has gone
         desktop.toggle_enlarged()
         if self._enlarged_at is not None and not desktop.enlarged:
             if desktop.holds(self._enlarged_at):
                 desktop.focus_pane(self._enlarged_at)
             self._enlarged_at = None
+
+    def show_large(self, pane: Pane, is_large: bool) -> None:
+        """Make a pane fill the desktop that nobody has asked for here, or put it back; the keyboard comes back with that."""
+        desktop, here = self._desktop, self._desktop.focused_pane
+        if is_large and not (desktop.enlarged and here is pane):
+            desktop.focus_pane(pane)
+            if not desktop.enlarged:
+                desktop.toggle_enlarged()
+            self._enlarged_at = here
+        elif not is_large and desktop.enlarged and here is pane:
+            self.enlarge()
 
     def _meant_at(self, terminal: TerminalPane) -> Pane | None:
         """The window that whoever is at a terminal wants to see larger, None if that is the terminal.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 
 from textual import events, on
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
@@ -143,6 +143,7 @@ class Desktop(PaneHost):
     def room(self, keyboard: Pane | None = None) -> Room:
         """What is known of the panes when one of them gets a place; that a terminal drives changes its size, not its place."""
 
+        @cache  # many places are tried
         def needs(slot: int) -> PaneNeeds:
             found = self.needs(slot)
             return TERMINAL if found is TELEOP else found

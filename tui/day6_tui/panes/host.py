@@ -34,6 +34,11 @@ class PaneHost(Container, PaneStacks):
         screen = self.app.screen
         return screen if isinstance(screen, Modal) else None
 
+    @property
+    def is_asking(self) -> bool:
+        """Whether something is open that has to be answered before anything else is done."""
+        return self.overlay is not None and self.overlay.waits
+
     def type_at_terminal(self, keys: Sequence[events.Key]) -> None:
         """Type where a command is expected what was typed at a pane that takes none, and give it the keyboard."""
 

@@ -321,22 +321,20 @@ def _lay(node: Node, place: PanePlace, wish: Wish, recent: Sequence[Key], found:
 
 def _folded(node: Split, room: int, recent: Sequence[Key]) -> list[Node]:
     """The parts of a split, of which neighbours are folded into stacks until there are no more than `room`."""
-    parts = list(node.parts)
-
-    def lately(part: Node) -> int:
-        """How long ago a part was used: its place in `recent`."""
-        return min(
-            (recent.index(key) if key in recent else len(recent) for key in Tree(part).keys), default=len(recent)
-        )
-
+    parts, never = list(node.parts), len(recent)
+    if len(parts) <= room:
+        return parts
+    ranks = {key: rank for rank, key in reversed([*enumerate(recent)])}
+    # How long ago each part was used.
+    ages = [min((ranks.get(key, never) for key in Tree(part).keys), default=never) for part in parts]
     while len(parts) > room:
         # The two neighbours that were not used for the longest time.
-        at = max(range(len(parts) - 1), key=lambda i: min(lately(parts[i]), lately(parts[i + 1])))
+        at = max(range(len(parts) - 1), key=lambda i: min(ages[i], ages[i + 1]))
         stacks = [stack for part in parts[at : at + 2] for stack in Tree(part).stacks()]
         keys = [key for stack in stacks for key in stack.keys]
         fronts = [stack.front for stack in stacks]
-        front = min(fronts, key=lambda key: recent.index(key) if key in recent else len(recent))
-        parts[at : at + 2] = [Stack(keys, front)]
+        front = min(fronts, key=lambda key: ranks.get(key, never))
+        parts[at : at + 2], ages[at : at + 2] = [Stack(keys, front)], [min(ages[at : at + 2])]
     return parts
 
 

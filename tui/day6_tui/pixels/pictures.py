@@ -1,9 +1,10 @@
 """Which picture is where on the screen: the one object of an application that writes them.
 
 A pane keeps blank cells under its picture and hands the pixels over. What is sent are the bands of cells that changed, after
-the text of the same frame, as one write. Pieces under an overlay, and cells of text in the picture, are left out. Behind every
-write the terminal is asked whether it is ready, and nothing more is sent before it is: so a slow link or terminal gets fewer
-pictures, then coarser ones, and at last characters again.
+the text of the same frame, as one write. What is behind something else (`covers_of`), and cells of text in the picture, are left
+out. Behind every write the terminal is asked whether it is ready, and no new picture is sent before it is: so a slow link or
+terminal gets fewer pictures, then coarser ones, and at last characters again. Where text and picture no longer fit together,
+that is mended at once.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ from typing import TYPE_CHECKING, Any
 
 from textual.errors import NoWidget
 from textual.geometry import Region
-from textual.screen import Screen
 from textual.widget import Widget
 
 from day6_tui.appearance.glyphs import GLYPH_SETS, PIXELS
 from day6_tui.appearance.look import Look
 from day6_tui.pixels.ask import FIRST, IS_READY, ITERM, KITTY, READY, Ability, Inquiry, closes
 from day6_tui.textual_private.access import SYNC_END, SYNC_START
+from day6_tui.textual_private.frame_screen import covers_of
 
 if TYPE_CHECKING:
     from textual.strip import Strip
@@ -61,6 +62,8 @@ class _Picture:
     sent: Array | None = None
     region: Region = _NOWHERE
     """On the screen, as it was sent."""
+    visible: list[Region] = field(default_factory=list)
+    """What was to be seen of it then."""
     pieces: dict[int, list[BandPiece]] = field(default_factory=dict)
     """The visible pieces of every band, as sent."""
     damaged: list[Region] = field(default_factory=list)
@@ -69,6 +72,10 @@ class _Picture:
     @property
     def bands(self) -> range:
         return range(self.first_band, self.first_band + -(-self.place.height // self.rows))
+
+    def is_hurt(self, visible: list[Region]) -> bool:
+        """Whether text has wiped what was sent, or what was sent may lie over text: the picture, or what covers it, moved."""
+        return visible != self.visible or any(each.overlaps(part) for each in self.damaged for part in visible)
 
 
 class Pictures:
@@ -142,7 +149,8 @@ class Pictures:
     def take(self, answer: str) -> None:
         """An answer has come to the application."""
         if answer == IS_READY:
-            self._measure(self._heard_at - self._asked_at)
+            if self._answered == self.asked:  # else this is not the last question's
+                self._measure(self._heard_at - self._asked_at)
             self.send()
         elif self._inquiry is not None:
             if question := self._inquiry.take(answer):
@@ -254,27 +262,37 @@ class Pictures:
         self.send()
 
     def send(self) -> None:
-        """Write what changed, unless the terminal is busy with what was sent before."""
-        if not self._pictures or self.stopped or (self.waiting and self.on):
+        """Write what changed; while the terminal is busy with what was sent before, only pictures that text has hurt."""
+        if not self._pictures or self.stopped:
             return
-        texts = []
+        texts, is_busy = [], self.waiting
+        is_asked = not is_busy
         for pane, picture in list(self._pictures.items()):
             if not pane.is_attached:
                 self.drop(pane)
             elif visible := self._visible(pane, picture) if self.on else []:
-                texts.append(self._drawn(picture, visible))
+                if not is_busy:
+                    texts.append(self._drawn(picture, visible, picture.pixels))
+                elif picture.is_hurt(visible):  # mended with what the terminal has: new pixels wait for its answer
+                    is_asked = is_asked or picture.sent is None
+                    texts.append(
+                        self._drawn(picture, visible, picture.pixels if picture.sent is None else picture.sent)
+                    )
             elif picture.sent is not None:
                 self._erase(picture)
         if any(texts):
-            self._put(f"{SYNC_START}\x1b7{''.join(texts)}\x1b8{SYNC_END}{READY}")
+            text = f"{SYNC_START}\x1b7{''.join(texts)}\x1b8{SYNC_END}"
+            if is_asked:
+                self._put(text + READY)
+            else:
+                self._write(text)  # what was asked before is still to be answered
 
     def _visible(self, pane: Widget, picture: _Picture) -> list[Region]:
         """The parts of the screen on which a picture is to be seen; its region is brought up to date."""
         from day6_tui.pixels.bands import without
 
         try:
-            screen = pane.screen
-            geometry = screen.find_widget(pane)
+            geometry = pane.screen.find_widget(pane)
         except NoWidget:
             return []
         region = picture.place.translate(geometry.region.offset)
@@ -284,9 +302,9 @@ class Pictures:
         if region != picture.region:
             picture.region, picture.sent = region, None
         holes = [hole.translate(region.offset) for hole in picture.holes]
-        return without(seen, [*_covers(screen, pane), *_modals_over(screen), *holes])
+        return without(seen, [*covers_of(pane), *holes])
 
-    def _drawn(self, picture: _Picture, visible: list[Region]) -> str:
+    def _drawn(self, picture: _Picture, visible: list[Region], shown: Array) -> str:
         from day6_tui.pixels.bands import changed_cells, pieces_of
 
         writer, sent, across = self._writer_of(), picture.sent, picture.place.width
@@ -297,7 +315,7 @@ class Pictures:
                 picture.region.x, picture.region.y + top, across, min(picture.rows, picture.place.height - top)
             )
             lines = slice(top * picture.cell[1], (top + region.height) * picture.cell[1])
-            pixels, changed = picture.pixels[lines], Region(0, 0, *region.size)
+            pixels, changed = shown[lines], Region(0, 0, *region.size)
             if sent is not None:
                 changed = changed_cells(sent[lines], pixels, picture.cell)
             stale = [each.intersection(region) for each in picture.damaged if each.overlaps(region)]
@@ -313,7 +331,7 @@ class Pictures:
                 pieces = pieces_of(region, [each.intersection(box) for each in visible if each.overlaps(box)])
             if due:
                 texts.append(writer.draw(band, pixels, picture.cell, pieces, bool(changed)))
-        picture.sent, picture.damaged = picture.pixels, []
+        picture.sent, picture.visible, picture.damaged = shown, visible, []
         return "".join(texts)
 
     def _writer_of(self) -> Writer:
@@ -341,31 +359,6 @@ class Pictures:
         self._writer = None
         for picture in self._pictures.values():
             picture.sent = None
-
-
-def _covers(screen: Screen[Any], pane: Widget) -> list[Region]:
-    """The regions of what lies over a pane: its neighbours, and those of the containers it is in, that are above it."""
-    order = screen.find_widget(pane).order
-    covers = []
-    for node in pane.ancestors_with_self:
-        if node is screen or node.parent is None:
-            break
-        for other in node.parent.children:
-            if other is not node and isinstance(other, Widget):
-                try:
-                    geometry = screen.find_widget(other)
-                except NoWidget:
-                    continue
-                if geometry.order > order:
-                    covers.append(geometry.region)
-    return covers
-
-
-def _modals_over(screen: Screen[Any]) -> list[Region]:
-    """The regions of what modal screens show over this one; around them it is seen."""
-    stack = screen.app.screen_stack
-    above = stack[stack.index(screen) + 1 :]
-    return [child.region for modal in above for child in modal.children if child.display]
 
 
 def _writer(ability: Ability) -> Writer:

@@ -2,14 +2,18 @@
 
 `wake` may be called from any thread, as often as needed: it sets a flag, and only the first call after a pause costs a
 trip into the event loop. Each frame clears the flag, lets the panes pull what is new, and plans the next frame; a frame that
-finds the flag unset ends the series. Keys never wait for frames: the loop handles them in between, and a frame is postponed
-while the terminal has not yet accepted what was sent before.
+finds the flag unset ends the series. A frame is postponed while the terminal has not yet accepted what was sent before.
+
+Keys go before frames: a frame that is due gives way once to a key that was just read, `echo` draws what a key has written as soon
+as it is there, and where few frames are drawn the next one comes early.
 """
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import contextvars
+import math
 import time
 from collections.abc import Callable
 
@@ -19,12 +23,19 @@ SLOWEST = 4.0
 BUSIEST = 8.0
 """Frames per second on a machine that is too busy for more: what moves is still seen to move."""
 
+HURRY_SECONDS = 0.5
+"""How long after a key its echo is looked for."""
+
+WAY_SECONDS = 0.02
+"""What a key and its echo need between reading and drawing; a frame that is due waits so long, or half a period."""
+
 
 class Frames:
     """Calls `draw` at most `fps` times a second, when woken. With `fps` 0 only `step` draws (tests).
 
     `work` does what must not wait for a frame, such as reading a flood of output: it takes a few milliseconds and is called
-    between frames. It returns the seconds until its next call (None: not before the next frame).
+    between frames. It returns the seconds until its next call (None: not before the next frame). `echo` draws what the last key
+    has changed where it was typed, and nothing else; it returns whether there was anything.
     """
 
     def __init__(
@@ -33,11 +44,13 @@ class Frames:
         fps: float = 30.0,
         *,
         work: Callable[[], float | None] | None = None,
+        echo: Callable[[], bool] = lambda: False,
         congested: Callable[[], bool] | None = None,
         failed: Callable[[Exception], None] | None = None,
     ) -> None:
         self._draw = draw
         self._work = work
+        self._echo = echo
         self._failed = failed
         self._congested = congested if congested is not None else lambda: False
         self._shortest = self._usual = 1.0 / fps if fps > 0 else 0.0
@@ -50,6 +63,12 @@ class Frames:
         self._sleeps = False
         """Whether the next frame planned is that one."""
         self._calm = 0
+        self._typed_at = self._early_at = -math.inf
+        """When the last key was read, and when a frame was last drawn early for one."""
+        self._awaits_echo = self._glances = False
+        """Whether a key's echo has not been drawn, and whether the loop is about to look for it."""
+        self._has_waited = False
+        """Whether the next frame has given way to a key."""
         self._loop: asyncio.AbstractEventLoop | None = None
         self._handle: asyncio.TimerHandle | None = None
         self._slice: asyncio.TimerHandle | None = None
@@ -99,6 +118,55 @@ class Frames:
             except RuntimeError:
                 # The loop closed between the check and the call: the desktop is being closed.
                 self._running = False
+        elif self._awaits_echo and not self._glances and loop is not None:
+            self._glances = True
+            with contextlib.suppress(RuntimeError):
+                loop.call_soon_threadsafe(self._glance, context=self._context)
+
+    def typed(self) -> None:
+        """A key was read. Any thread."""
+        self._typed_at = time.monotonic()
+
+    def untouched_for(self, now: float) -> float:
+        """Seconds since the last key."""
+        return now - self._typed_at
+
+    def hurry(self, *, echoes: bool = True) -> None:
+        """A key is handed on, to what `echoes` or not: draw what comes of it before anything else. In the event loop."""
+        self.typed()
+        self._awaits_echo = echoes
+        early = self._typed_at + self._usual
+        if (
+            self._handle is not None
+            and not self._sleeps
+            and self._due > early
+            and self._typed_at - self._early_at > 1.0 / BUSIEST  # a key that is held down asks for no more than that
+        ):
+            self._early_at, self._has_waited = self._typed_at, True
+            self._handle.cancel()
+            self._plan(early)
+
+    def _glance(self) -> None:
+        """Draw the echo of a key if it has come."""
+        self._glances = False
+        if self._loop is None or not self._running or self._congested():
+            return
+        try:
+            drawn = self._echo()
+        except Exception as error:
+            self._fail(error)
+            drawn = True
+        if drawn or time.monotonic() - self._typed_at > HURRY_SECONDS:
+            self._awaits_echo = False
+
+    def _gives_way(self, now: float) -> bool:
+        """Whether a key is on its way that the next frame has not given way to; it then has."""
+        until = self._typed_at + max(WAY_SECONDS, self._period / 2)
+        if self._has_waited or now >= until:
+            return False
+        self._has_waited = True
+        self._plan(until)
+        return True
 
     def wake_after(self, seconds: float) -> None:
         """Draw a frame in so long even if nothing changes until then: `draw` says what it has put off. In the event loop."""
@@ -119,6 +187,7 @@ class Frames:
             self._handle = None
         if self._handle is None and self._loop is not None:
             self._running = True
+            self._has_waited = not self._awaits_echo  # who wakes us has worked on the key already
             self._plan(max(time.monotonic(), self._due))
 
     def _plan(self, due: float) -> None:
@@ -146,16 +215,20 @@ class Frames:
             self._adapt(self._period, SLOWEST)
             self._plan(now + self._period)
             return
+        if self._woken and self._gives_way(now):
+            return
+        self._has_waited = False
         self._adapt(now - self._due, BUSIEST)
         if self._woken:
             try:
                 self.step()
             except Exception as error:
-                # asyncio would print it over the screen.
-                if self._failed is None:
-                    raise
-                self._failed(error)
-            self._plan(max(now, self._due + self._period, time.monotonic() + self._period / 4))
+                self._fail(error)
+            ended = time.monotonic()
+            # As long as a frame takes on a busy machine, keys and programs get in between.
+            self._plan(
+                max(now, self._due + self._period, ended + max(self._period / 4, min(ended - now, 1.0 / BUSIEST)))
+            )
             if self._slice is None:
                 self._plan_slice(0.0)
             return
@@ -178,12 +251,16 @@ class Frames:
         try:
             delay = self._work()
         except Exception as error:
-            if self._failed is None:
-                raise
-            self._failed(error)
+            self._fail(error)
             return
         if delay is not None:
             self._plan_slice(delay)
+
+    def _fail(self, error: Exception) -> None:
+        """Tell of an error that is being handled; asyncio would print it over the screen."""
+        if self._failed is None:
+            raise error
+        self._failed(error)
 
     def _adapt(self, late: float, least: float) -> None:
         """Halve the rate, down to `least`, when frames come late by most of a period; double it after two calm seconds."""

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from textual.app import App
     from textual.driver import Driver
+    from textual.notifications import Notification
     from textual.strip import Strip
 
 _log = logging.getLogger(__name__)
@@ -67,3 +68,27 @@ def fail(app: App[Any], error: Exception) -> None:
     app._return_code = 1
     app._exit_renderables.append(Text(f"day6-tui: {fault(error)}"))
     app._close_messages_no_wait()
+
+
+def put_up(app: App[Any], box: Notification, *, instead_of: Notification | None = None) -> None:
+    """Show a notification at once, on all screens."""
+    if instead_of is not None:
+        del app._notifications[instead_of]
+    app._notifications.add(box)
+    show_boxes(app)
+
+
+def take_down(app: App[Any], box: Notification) -> None:
+    """Show a notification no more, on no screen."""
+    del app._notifications[box]
+    show_boxes(app)
+
+
+def show_boxes(app: App[Any]) -> None:
+    """Show the notifications there are. Textual does that on the screen in front alone, and others are seen around it."""
+    from textual.widgets._toast import ToastRack
+
+    for screen in app.screen_stack:
+        for rack in screen.children:
+            if isinstance(rack, ToastRack):
+                rack.call_later(rack.show, app._notifications)

@@ -24,6 +24,7 @@ except ImportError:  # Windows: Textual has another driver there, and this one i
 from day6_tui.pixels.app import PictureApp, leave_pictures
 from day6_tui.pixels.ask import Answered
 from day6_tui.screen.trouble import TerminalTrouble
+from day6_tui.textual_private.hooks import HookedApp
 from day6_tui.textual_private.keyboard import InputDecoder, KeyboardParser, is_possible
 
 if TYPE_CHECKING:
@@ -138,6 +139,8 @@ class TerminalDriver(LinuxDriver):
                 continue
             if isinstance(message, Answered) and (pictures := self._pictures) is not None:
                 pictures.hear(message.text)
+            if isinstance(message, (events.Key, events.Paste)) and isinstance(self._app, HookedApp):
+                self._app.key_read()
             self.process_message(message)
         for message in parser.tick():
             self.process_message(message)

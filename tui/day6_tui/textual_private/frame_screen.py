@@ -110,6 +110,26 @@ def _seen_in(y: int, width: int, widgets: Iterable[tuple[Widget, tuple[Region, R
             return
 
 
+def covers_of(widget: Widget) -> list[Region]:
+    """The parts of the terminal in which something else is in front of a widget: a neighbour, a notification, an overlay.
+
+    The order is the compositor's own, by which the text is drawn.
+    """
+    screen, covers = widget.screen, []
+    for other, (region, clip) in screen._compositor.visible_widgets.items():  # from the front to the back
+        if other is widget:
+            break
+        covers.append(region.intersection(clip))
+    stack = widget.app.screen_stack
+    for above in stack[stack.index(screen) + 1 :]:
+        front = above._compositor.visible_widgets.items()
+        # Around what a modal screen shows, this one is seen.
+        covers += [
+            region.intersection(clip) for other, (region, clip) in front if other is not above or not above.is_modal
+        ]
+    return covers
+
+
 class FrameScreen(Screen[Any]):
     """Between `begin_frame` and `end_frame` it gathers what its panes mark, and then draws it at once."""
 
@@ -130,18 +150,22 @@ class FrameScreen(Screen[Any]):
         self._dirty_widgets.add(widget)
         return True
 
-    def end_frame(self) -> None:
-        """Draw what was marked; where Textual has to lay out or to repaint everything first, it draws that, too."""
+    def end_frame(self) -> bool:
+        """Draw what was marked; where Textual has to lay out or to repaint everything first, it draws that, too.
+
+        Returns whether anything was.
+        """
         if not self._in_frame:
-            return
+            return False
         self._in_frame = False
         if not self._dirty_widgets:
-            return
+            return False
         if self._layout_required or self._scroll_required or self._repaint_required or self.app._batch_count:
             self.check_idle()
-            return
+            return True
         self._compositor.update_widgets(self._dirty_widgets)
         self._compositor_refresh()
+        return True
 
 
 class DeskScreen(FrameScreen):

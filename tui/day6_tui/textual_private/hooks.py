@@ -8,13 +8,19 @@ from textual import events
 from textual.app import App
 from textual.screen import ModalScreen
 
+from day6_tui.textual_private.access import take_down
+
 if TYPE_CHECKING:
     from rich.console import RenderableType
+    from textual.notifications import Notification
     from textual.screen import Screen
 
 
 class HookedApp(App[None]):
-    """An application that is told of what it displays, and of what fails in it."""
+    """An application that is told of what it reads and displays, and of what fails in it."""
+
+    def key_read(self) -> None:
+        """Called when a key has been read and is about to be posted, in the thread that reads the terminal."""
 
     def displays(self) -> bool:
         """Whether anything is written to the terminal now."""
@@ -22,6 +28,13 @@ class HookedApp(App[None]):
 
     def displayed(self, renderable: RenderableType | None) -> None:
         """Called after each frame, or part of one, with what was written."""
+
+    def taken_down(self, box: Notification) -> None:
+        """Called when a notification was clicked, or its time was over."""
+
+    def _unnotify(self, notification: Notification, refresh: bool = True) -> None:
+        take_down(self, notification)
+        self.taken_down(notification)
 
     def failed(self, error: Exception) -> None:
         """Called where Textual would end with a traceback."""

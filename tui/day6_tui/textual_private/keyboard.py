@@ -221,3 +221,10 @@ def _without_beginning_of(mark: str, text: str) -> tuple[str, str]:
 def is_possible(event: events.Resize) -> bool:
     """Whether the size that the terminal reports is possible."""
     return 1 <= event.size.width <= LARGEST_WINDOW and 1 <= event.size.height <= LARGEST_WINDOW
+
+
+def keys_in(text: str) -> list[events.Key]:
+    """Return the keys for which a terminal sends this text."""
+    parser = KeyboardParser()
+    found = [*parser.feed(text), *parser._finish_key()]
+    return [each for each in found if isinstance(each, events.Key)]

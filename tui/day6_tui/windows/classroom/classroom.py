@@ -18,6 +18,7 @@ from textual.widget import Widget
 
 from day6_core.classroom.order import MOST_SECONDS, Order
 from day6_core.classroom.roster import PupilRow
+from day6_core.classroom.show import OWN
 from day6_core.link.state import DoorState
 from day6_core.session.display import Window
 from day6_tui.appearance.look import Look
@@ -72,7 +73,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
     def __init__(self, window: Window[TeacherLink], look: Look) -> None:
         super().__init__(window, look)
         self._roster = self.model.roster
-        self._table = ClassTable(look, is_room=self.model.is_room)
+        self._table = ClassTable(look, self._roster.questions, is_room=self.model.is_room)
         self._screens = Screens(look)
         self._typing = Typing(self._roster)
         self._orders = Orders(self)
@@ -96,10 +97,16 @@ class ClassroomPane(WindowPane[TeacherLink]):
 
     def on_mount(self) -> None:
         self._timer = self.set_interval(TICK_SECONDS, self._tick)
+        self.model.broadcast.cover = self._hide_screens
 
     def on_unmount(self) -> None:
         self._typing.end()
         self._roster.order(self._watched, Order("unwatch"))
+
+    def _hide_screens(self) -> None:
+        """The own screen is about to be shown: what is not to be seen there is gone before the first picture."""
+        if self.is_attached:
+            self.pull(time.monotonic())
 
     def _tick(self) -> None:
         self.look.wake()
@@ -134,6 +141,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
         texts, colours, pieces = self.look.texts, self.look.colours, []
         if self._roster.is_frozen:
             pieces.append(Piece(f" {texts('teacher.frozen')} ", colours.error, self._orders.freeze))
+        pieces += self._shown()
         if self._typing.is_on:
             text = texts("teacher.typing", name=self._typing.name)
             pieces.append(Piece(f" {text} ", colours.error, self._end_typing))
@@ -141,6 +149,16 @@ class ClassroomPane(WindowPane[TeacherLink]):
             pieces.append(Piece(f" {self._over()} ", colours.error, self._end_typing))
         elif self._orders.said:
             pieces.append(Piece(f" {self._orders.said} ", colours.strong))
+        return pieces
+
+    def _shown(self) -> list[Piece]:
+        """What the class sees, or shall see; a click ends it."""
+        texts, colours, stage, pieces = self.look.texts, self.look.colours, self.model.broadcast.stage, []
+        for key, show, style in (("shown", stage.on, colours.error), ("to_show", stage.wanted, colours.hint)):
+            if show is not None:
+                what = ".own" if show.source == OWN else ".full" if show.full else ""
+                text = texts(f"teacher.{key}{what}", name=show.source)
+                pieces.append(Piece(f" {text} ", style, stage.stop))
         return pieces
 
     def status_right(self) -> list[Piece]:
@@ -182,6 +200,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
             self.look.glyphs.name,
             (self._chosen, self._compared, self._is_large, self._has_preview, self._orders.said),
             (self._typing.name, self._typing.over, self._typing.awaited),
+            (self.model.broadcast.stage.on, self.model.broadcast.stage.wanted),
             (self._table.position, self._screens.top, self._screens.left),
         )
         if state != self._drawn:
@@ -217,7 +236,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
         if self._is_large:
             self._seen = tuple(name for name in (self._chosen, self._compared) if name)
             return self._draw_screens(width, height)
-        told, joining = self._draw_turned_away(width), self._draw_joining(width)
+        told, joining = [*self._draw_question(width), *self._draw_turned_away(width)], self._draw_joining(width)
         place = places_for(len(rows), len(told) + len(joining), height, preview=self._has_preview)
         now, is_frozen = self._roster.now, self._roster.is_frozen
         lines = self._table.draw(rows, self._chosen, width, place.table, now, is_frozen=is_frozen)
@@ -261,12 +280,28 @@ class ClassroomPane(WindowPane[TeacherLink]):
             return texts("teacher.port_in_use", port=words["port"])
         return texts("teacher.shut", reason=door.reason or texts(key, **words))
 
+    def _draw_question(self, width: int) -> list[list[Segment]]:
+        """What was asked last, and how many answered what: the counts are not cut."""
+        texts, questions = self.look.texts, self._roster.questions.open
+        if not questions:
+            return []
+        question = questions[-1]
+        counts = [f"{texts(f'class.reply.{kind}')} {count}" for kind, count in question.counts().items()]
+        text = f"  {f' {self.look.glyphs.dot} '.join([*counts, texts('teacher.reply.silent', count=len(question.silent))])}"
+        asked = clip(question.text, max(0, width - cell_len(text)), self.look.glyphs.ellipsis)
+        return [[Segment(asked, self.look.colours.muted), Segment(clip(text, width), self.look.colours.strong)]]
+
     def _draw_turned_away(self, width: int) -> list[list[Segment]]:
         texts, style, ellipsis = self.look.texts, self.look.colours.warning, self.look.glyphs.ellipsis
         told = [texts(f"teacher.turned.{each.why}", name=each.name) for each in self.model.turned_away[-MOST_TOLD:]]
         return [[Segment(clip(text, width, ellipsis), style)] for text in told]
 
     def _draw_screens(self, width: int, height: int) -> list[list[Segment]]:
+        if self.model.broadcast.shows_own:  # no pupil has agreed to be seen there
+            self._seen = ()
+            return [*_paragraph(self.look.texts("teacher.hidden"), width, self.look.colours.hint), *([[]] * height)][
+                :height
+            ]
         rows = [row for name in self._seen if (row := self._roster.row(name)) is not None]
         typed_at = self._typing.name if self._typing.is_on else ""
         sights = [Sight(row, self._remark(row), row.name == typed_at) for row in rows]
@@ -327,14 +362,30 @@ class ClassroomPane(WindowPane[TeacherLink]):
     def _asked(self) -> Mapping[str, Callable[[], object]]:
         """What can be asked of the pupils now."""
         orders, name = self._orders, self._chosen
-        of_all: dict[str, Callable[[], object]] = {"f": orders.freeze, "i": self._invite, "e": orders.ask_for_file}
+        press = self.model.broadcast.press
+        of_all: dict[str, Callable[[], object]] = {
+            "f": orders.freeze,
+            "i": self._invite,
+            "e": orders.ask_for_file,
+            "m": partial(press, OWN, full=False),
+            "M": partial(press, OWN, full=True),
+        }
         if not name:
             return of_all
         return of_all | {
             "s": partial(orders.ask_to_say, name),
             "S": partial(orders.ask_to_say, ALL),
+            "a": partial(orders.ask_for_question, name),
+            "A": partial(orders.ask_for_question, ALL),
+            "w": orders.settle,
+            "l": partial(orders.ask_for_link, name),
+            "L": partial(orders.ask_for_link, ALL),
+            "g": partial(orders.ask_for_path, name),
+            "G": partial(orders.ask_for_path, ALL),
             "o": partial(orders.choose_what_to_open, name),
             "O": partial(orders.choose_what_to_open, ALL),
+            "r": partial(press, name, full=False),
+            "R": partial(press, name, full=True),
             "t": self._ask_to_type,
             "c": self._show_beside,
             "h": partial(orders.send, name, Order("lower_hand")),
@@ -474,7 +525,9 @@ class ClassroomPane(WindowPane[TeacherLink]):
 
     def _ask_to_type(self) -> None:
         """Type for who is chosen, if allowed; else ask, and begin with the yes as long as the teacher looks on."""
-        if self._chosen and self._typing.may_begin(self._chosen):
+        if self.model.broadcast.shows_own:
+            self._orders.said = self.look.texts("teacher.hidden")
+        elif self._chosen and self._typing.may_begin(self._chosen):
             self._enlarge()
             self._typing.begin(self._chosen)
         elif self._chosen:

@@ -35,6 +35,12 @@ KEYS: Mapping[str, tuple[Key, ...]] = {
     "over": (("Esc", "acknowledge"),),
     "more": (
         ("S O", "all"),
+        ("a A", "ask"),
+        ("w", "settle"),
+        ("l L", "link"),
+        ("g G", "file"),
+        ("m M", "show_mine"),
+        ("r R", "show"),
         ("h", "lower"),
         ("PgUp PgDn", "page"),
         ("Home End", "ends"),

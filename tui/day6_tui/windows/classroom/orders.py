@@ -7,14 +7,18 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_core.classroom.order import LONGEST_SAYING, Order
+from day6_core.classroom.handed import LARGEST
+from day6_core.classroom.order import LONGEST_LINK, LONGEST_SAYING, Order, is_link
 from day6_core.reason import reason
+from day6_core.whole_file import open_at_once
+from day6_tui.classes.handing import Handing
 from day6_tui.classes.link import TeacherLink
 from day6_tui.windows import WindowPane
 
 if TYPE_CHECKING:
     from day6_tui.overlays.menu import MenuEntry
 
+LARGEST_WORDS = "1 MB"
 ALL = ""
 """In place of a pupil's name: everybody."""
 
@@ -48,9 +52,13 @@ class Orders:
 
     def _send_and_tell(self, name: str, order: Order) -> None:
         """Send an order that leaves no trace in the table, and tell whom it reached."""
-        texts, rows = self._look.texts, self._roster.rows()
-        names = [row.name for row in rows] if name == ALL else [name]
-        missed = self._roster.order(names, order)
+        self._tell_reached(name, self._roster.order(self._names(name), order))
+
+    def _names(self, name: str) -> list[str]:
+        return [row.name for row in self._roster.rows()] if name == ALL else [name]
+
+    def _tell_reached(self, name: str, missed: list[str]) -> None:
+        texts, names = self._look.texts, self._names(name)
         if reached := len(names) - len(missed):
             self._tell(texts("teacher.sent.all", count=reached) if name == ALL else texts("teacher.sent", name=name))
         self.tell_missed(missed)
@@ -77,6 +85,71 @@ class Orders:
             return self._look.texts("teacher.say.nothing")
         self._send_and_tell(name, Order("say", text=text.strip()[:LONGEST_SAYING]))
         return None
+
+    def ask_for_question(self, name: str) -> None:
+        """Ask for a sentence that is to be answered."""
+        texts = self._look.texts
+        title = texts("teacher.ask.all") if name == ALL else texts("teacher.ask", name=name)
+        self._window.ask(title, "", partial(self._ask, name))
+
+    def _ask(self, name: str, text: str) -> str | None:
+        if not text.strip():
+            return self._look.texts("teacher.say.nothing")
+        self._tell_reached(name, self._roster.ask(self._names(name), text.strip()[:LONGEST_SAYING]))
+        return None
+
+    def settle(self) -> None:
+        """Wait for the answers to the last question no longer."""
+        if questions := self._roster.questions.open:
+            self._roster.settle(questions[-1].number)
+        self._look.wake()
+
+    def ask_for_link(self, name: str) -> None:
+        """Ask for a link to hand over."""
+        texts = self._look.texts
+        title = texts("teacher.link.all") if name == ALL else texts("teacher.link", name=name)
+        self._window.ask(title, "https://", partial(self._hand, name))
+
+    def _hand(self, name: str, text: str) -> str | None:
+        link = text.strip()
+        if len(link) > LONGEST_LINK or not is_link(link):
+            return self._look.texts("teacher.link.none")
+        self._send_and_tell(name, Order("link", text=link))
+        return None
+
+    def ask_for_path(self, name: str) -> None:
+        """Ask for a file to hand out."""
+        texts = self._look.texts
+        title = texts("teacher.file.all") if name == ALL else texts("teacher.file", name=name)
+        self._window.ask(title, "", partial(self._hand_file, name), note=texts("teacher.file.note", most=LARGEST_WORDS))
+
+    def _hand_file(self, name: str, text: str) -> str | None:
+        path = self._window.model.home / text.strip().removeprefix("~/")
+        try:
+            with open(path, "rb", opener=open_at_once) as file:
+                data = file.read(LARGEST + 1)
+        except (OSError, ValueError) as error:
+            return reason(error)
+        if len(data) > LARGEST:
+            return self._look.texts("teacher.file.large", most=LARGEST_WORDS)
+        names = self._names(name)
+        here = [each for each in names if (row := self._roster.row(each)) is not None and row.is_here]
+        away = [each for each in names if each not in here]
+        handing = self._window.model.hand(path.name, data, here, partial(self._tell_handed, away))
+        self._tell_handed(away, handing)
+        return None
+
+    def _tell_handed(self, away: list[str], handing: Handing) -> None:
+        """How many have the file, and who has not, and why."""
+        texts, count = self._look.texts, len(handing.reached)
+        told = texts("teacher.file.handed", file=handing.file, count=count, all=len(handing.names) + len(away))
+        failed = [
+            texts("teacher.file.failed", name=name, reason=why or texts("teacher.file.silent"))
+            for name, why in handing.failed
+        ]
+        if missed := [*failed, *map(self._with_reason, away)]:
+            told = f"{told}; {texts('teacher.missed', names=texts('list.comma').join(missed))}"
+        self._tell(told)
 
     def choose_what_to_open(self, name: str) -> None:
         """Offer the lessons, drills and scenes."""

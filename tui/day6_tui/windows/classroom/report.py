@@ -22,5 +22,5 @@ def write_report(path: Path, roster: Roster, texts: Texts) -> list[str]:
     heads = [texts(f"teacher.csv.{name}") for name in Reached._fields]
     rows = [[each or "" for each in reached] for reached in roster.report()]
     write_table(path, csv_bytes(heads, rows), force=False)
-    write_table(log, as_csv(roster.events, texts), force=False)
+    write_table(log, as_csv(roster.journal.events(), texts), force=False)
     return [path.name, log.name]

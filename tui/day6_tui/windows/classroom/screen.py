@@ -22,12 +22,14 @@ from day6_tui.windows.classroom.words import ColouredWords
 
 
 class ScreenPicture:
-    """The lines of one picture."""
+    """The lines of one picture. Those that are in the one `before`, of the same style, are not read again."""
 
-    def __init__(self, source: PupilScreen, style: Style) -> None:
+    def __init__(self, source: PupilScreen, style: Style, before: ScreenPicture | None = None) -> None:
         self.source = source
         self._style = style
-        self._strips = [_strip(line, style) for line in source.ansi.split("\n")]
+        known, lines = before._read if before is not None else {}, source.ansi.split("\n")
+        self._read: dict[str, Strip] = {line: known.get(line) or _strip(line, style) for line in lines}
+        self._strips = [self._read[line] for line in lines]
 
     def lines(self, width: int, height: int, top: int = 0, left: int = 0) -> list[list[Segment]]:
         """Return the part from row `top` and column `left`, filled up to `width`; at most `height` lines."""
@@ -127,7 +129,7 @@ class Screens:
             return [[Segment(fit(text, width), colours.muted)]]
         picture = self._pictures.get(row.name)
         if picture is None or picture.source is not screen:
-            picture = self._pictures[row.name] = ScreenPicture(screen, colours.terminal)
+            picture = self._pictures[row.name] = ScreenPicture(screen, colours.terminal, picture)
         top = min(self.top, max(0, screen.rows - height))
         left = min(self.left, max(0, screen.columns - width))
         seen = min(width, screen.columns - left)

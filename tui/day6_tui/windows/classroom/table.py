@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from rich.segment import Segment
 
+from day6_core.classroom.asked import Questions
 from day6_core.classroom.roster import PupilRow
 from day6_tui.appearance.look import Look
 from day6_tui.panes.cells import cell_len, clip, fit
@@ -97,8 +98,9 @@ def with_room(words: Sequence[ColouredWords], room: int, look: Look) -> list[Seg
 class ClassTable:
     """Draws the rows from `top` on."""
 
-    def __init__(self, look: Look, *, is_room: bool) -> None:
+    def __init__(self, look: Look, questions: Questions, *, is_room: bool) -> None:
         self._look = look
+        self._questions = questions
         self._is_room = is_room
         self.top = 0
         self.page = 1
@@ -155,7 +157,7 @@ class ClassTable:
         base = colours.choice if is_chosen else colours.text if row.is_here else colours.muted
         left = fit(look.glyphs.chevron if is_chosen else "", MARK)
         left += "".join(f"{fit(each.text(row), cells, ellipsis)} " for each, cells in zip(COLUMNS, widths, strict=True))
-        words = list(words_of(row, now, look, is_room=self._is_room))
+        words = list(words_of(row, now, look, is_room=self._is_room, asked=self._questions.latest(row.name)))
         return [Segment(left, base), *with_room(words, max(0, width - cell_len(left)), look)]
 
     def _rest(self, below: int, width: int) -> list[Segment]:
