@@ -28,6 +28,11 @@ c = get_config()  # noqa: F821 - JupyterHub's
 
 FIRST_STEPS = Path(__file__).resolve().with_name("first_steps.ipynb")
 NAMES = r"[a-z][a-z0-9_-]{0,31}\Z"
+NO_NAME = (
+    "A name here begins with a letter from a to z; letters, digits, - and _ may follow, 32 characters at most: wang_xiaoming. "
+    "这里的名字以字母 a 到 z 开头，后面可以有字母、数字、- 和 _，最多 32 个字符，例如 wang_xiaoming。"
+)
+OFTEN = "Too many wrong words: wait a minute. 错的口令太多了，请等一分钟。"
 FIRST_PERSON, NOBODY = 1000, 65534
 """Unix accounts below the first one are the system's (UID_MIN of login.defs)."""
 
@@ -35,6 +40,19 @@ FIRST_PERSON, NOBODY = 1000, 65534
 def refuse(text):
     """End with one line."""
     sys.exit(f"jupyterhub_config.py: {text}")
+
+
+def told_by_name(base):
+    """JupyterHub calls a name that it doesn't take a wrong password; here it is said what a name looks like."""
+    from tornado.web import HTTPError
+
+    class ToldByName(base):
+        def validate_username(self, username):
+            if super().validate_username(username):
+                return True
+            raise HTTPError(403, NO_NAME)
+
+    return ToldByName
 
 
 # -- whoever knows the word --------------------------------------------------------------------------------------------
@@ -55,10 +73,12 @@ def let_in_by_word(word, teacher_word):
     except ImportError:  # before 5.3
         if teacher_word:
             refuse("DAY6_HUB_TEACHER_WORD needs JupyterHub 5.3 or newer")
-        c.JupyterHub.authenticator_class = "dummy"
+        from jupyterhub.auth import DummyAuthenticator
+
+        c.JupyterHub.authenticator_class = told_by_name(DummyAuthenticator)
         c.DummyAuthenticator.password = word
     else:
-        c.JupyterHub.authenticator_class = by_word(SharedPasswordAuthenticator)
+        c.JupyterHub.authenticator_class = told_by_name(by_word(SharedPasswordAuthenticator))
         c.SharedPasswordAuthenticator.user_password = word
         if teacher_word:
             c.SharedPasswordAuthenticator.admin_password = teacher_word
@@ -83,7 +103,7 @@ def by_word(base):
         async def authenticate(self, handler, data):
             found = await super().authenticate(handler, data) if data["password"].isascii() else None
             if tries.refusal(handler.request.remote_ip, is_right=found is not None) == "often":
-                raise HTTPError(429, "Too many wrong words: wait a minute.")
+                raise HTTPError(429, OFTEN)
             return found
 
     return ByWord
@@ -133,7 +153,7 @@ def let_in_by_account(group, teachers):
         def check_blocked_users(self, username, authentication=None):
             return is_person(username) and super().check_blocked_users(username, authentication)
 
-    c.JupyterHub.authenticator_class = ByAccount
+    c.JupyterHub.authenticator_class = told_by_name(ByAccount)
     c.LocalAuthenticator.allowed_groups = {group, teachers} & groups
     c.PAMAuthenticator.admin_groups = {teachers} & groups
     c.Authenticator.blocked_users = {"root"}

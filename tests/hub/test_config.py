@@ -24,7 +24,18 @@ HUB = Path(__file__).resolve().parents[2] / "hub"
 WORD, TEACHER = "chalk-and-sponge", "a sentence that only the teacher knows"
 
 
-class Shared:
+class Authenticator:
+    """In the place of JupyterHub's own: without a word a name that doesn't fit is as if the password were wrong."""
+
+    def validate_username(self, username: str) -> bool:
+        return username == "anna"
+
+
+class Dummy(Authenticator):
+    pass
+
+
+class Shared(Authenticator):
     """In the place of JupyterHub's own, whose comparison knows ASCII only."""
 
     async def authenticate(self, handler: object, data: dict[str, str]) -> str | None:
@@ -38,7 +49,7 @@ def entered(made: Any, word: str, address: str = "192.0.2.1") -> object:
     return asyncio.run(made.authenticate(handler, {"username": "anna", "password": word}))
 
 
-class Pam:
+class Pam(Authenticator):
     def check_blocked_users(self, username: str, authentication: object = None) -> bool:
         return username != "blocked"
 
@@ -61,7 +72,7 @@ def load(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Load:
         monkeypatch.delenv(name)
     for name, holds in (
         ("jupyterhub", {}),
-        ("jupyterhub.auth", {"PAMAuthenticator": Pam}),
+        ("jupyterhub.auth", {"PAMAuthenticator": Pam, "DummyAuthenticator": Dummy}),
         ("jupyterhub.authenticators", {}),
         ("jupyterhub.authenticators.shared", {"SharedPasswordAuthenticator": Shared}),
     ):
@@ -123,6 +134,22 @@ def test_words_cannot_be_guessed_by_the_thousand_from_one_address(load: Load) ->
     assert entered(made, WORD, "192.0.2.2") == "anna"
 
 
+@pytest.mark.parametrize("way", ["word", "before 5.3", "accounts"])
+def test_a_name_that_is_none_here_is_told_and_not_called_a_wrong_password(
+    load: Load, monkeypatch: pytest.MonkeyPatch, way: str
+) -> None:
+    web = pytest.importorskip("tornado.web", reason="there is no ipykernel here, which brings tornado")
+    groups(monkeypatch, "day6")
+    if way == "before 5.3":
+        monkeypatch.setitem(sys.modules, "jupyterhub.authenticators.shared", None)
+    config = load(0, ACCOUNTS="1") if way == "accounts" else load(WORD=WORD)
+    made = config.JupyterHub.authenticator_class()
+    assert made.validate_username("anna") is True
+    with pytest.raises(web.HTTPError, match=r"a to z.*字母 a 到 z") as error:
+        made.validate_username("安娜")
+    assert "%" not in str(error.value.log_message)  # tornado would fill it
+
+
 @pytest.mark.parametrize(
     ("variables", "said"),
     [
@@ -142,7 +169,7 @@ def test_a_word_that_will_not_do_is_told_before_the_hub_starts(
 def test_before_jupyterhub_5_3_the_word_is_the_dummys(load: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "jupyterhub.authenticators.shared", None)
     config = load(WORD=WORD)
-    assert config.JupyterHub.authenticator_class == "dummy" and config.DummyAuthenticator.password == WORD
+    assert issubclass(config.JupyterHub.authenticator_class, Dummy) and config.DummyAuthenticator.password == WORD
     with pytest.raises(SystemExit, match=r"JupyterHub 5\.3"):
         load(WORD=WORD, TEACHER_WORD=TEACHER)
 

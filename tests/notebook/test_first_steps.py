@@ -33,6 +33,8 @@ def test_every_cell_does_what_the_text_above_it_says(kernel: Kernel) -> None:
     assert "messages" in kernel.run(stop)
     assert kernel.run("%ros2 node list --no-daemon").split() == []
 
+    kernel.run(driver)
+    assert kernel.run(pose) == "None\n"  # as the text says of a graph without a turtle
     turtle = kernel.start("%ros2 run turtlesim turtlesim_node &")  # in place of the tile's
     kernel.wait(lambda: "Spawning turtle" in kernel.shown[turtle], turtle)
     kernel.run(driver)

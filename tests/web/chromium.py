@@ -129,8 +129,8 @@ class Chromium:
         """A new tab with cookies and storage of its own."""
         return self.background.run(self._page())
 
-    async def _page(self) -> Page:
-        context = (await self.ask("Target.createBrowserContext", {}))["browserContextId"]
+    async def _page(self, context: str = "") -> Page:
+        context = context or (await self.ask("Target.createBrowserContext", {}))["browserContextId"]
         target = await self.ask("Target.createTarget", {"url": "about:blank", "browserContextId": context})
         attached = await self.ask("Target.attachToTarget", {"targetId": target["targetId"], "flatten": True})
         page = Page(self, attached["sessionId"], context)
@@ -169,6 +169,10 @@ class Page:
         """Every address the tab asked for."""
         self.troubles: list[str] = []
         """Exceptions of scripts, and errors that the browser logged."""
+
+    def beside(self) -> Page:
+        """A new tab of the same browser: with the same cookies and storage."""
+        return self._browser.background.run(self._browser._page(self._context))
 
     def hear(self, method: str, parameters: Mapping[str, Any]) -> None:
         """Take an event of the browser."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.support.short_folder import make_short_folder
-from tests.web.browser import background, chromium  # noqa: F401
+from tests.web.browser import background, chromium, scripted_tab  # noqa: F401
 
 if TYPE_CHECKING:
     from tests.web.serving import Serving

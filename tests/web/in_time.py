@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Coroutine
+from collections.abc import Callable, Coroutine
 from typing import Any, TypeVar
 
 from tests.support.waiting import PATIENCE, Deadline
@@ -25,3 +25,12 @@ async def in_time(deed: Coroutine[Any, Any, T], limit: float = PATIENCE) -> T:
         if not task.done():
             task.cancel()
             await asyncio.wait([task])
+
+
+async def eventually(condition: Callable[[], T], told: Callable[[], object] = lambda: None) -> T:
+    """The condition's value as soon as it is true; `told` says more where it does not become so."""
+    deadline = Deadline()
+    while not (found := condition()):
+        assert not deadline.is_over(), told()
+        await asyncio.sleep(LOOK_SECONDS / 10)
+    return found

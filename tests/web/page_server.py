@@ -11,6 +11,8 @@ from typing import Any, TypeVar
 from aiohttp import WSMsgType, web
 
 from day6_tui import web as door
+from day6_tui.locale import Texts
+from day6_tui.web import pages
 from tests.support.waiting import until
 from tests.web.background import Background
 
@@ -32,11 +34,14 @@ class PageServer:
         self.farewell: str | None = None
         """Why a new connection is said goodbye to at once; None: it is not."""
         self.refuses = False
+        self.is_mute = False
+        """Whether it takes connections and never answers: a network that was cut somewhere on the way."""
         self.pongs = True
         self.connections: list[Mapping[str, str]] = []
         """What the addresses of the WebSockets said."""
         self.forget()
         self._socket: web.WebSocketResponse | None = None
+        self._shown: web.WebSocketResponse | None = None
         self.address = background.run(self._start())
 
     def forget(self) -> None:
@@ -50,6 +55,8 @@ class PageServer:
         app.router.add_get("/below/class", self._page("class.html"))
         app.router.add_get("/below/ws", self._line)
         app.router.add_get("/below/class/ws", self._line)
+        app.router.add_get("/below/shown", self._show)
+        app.router.add_get("/below/manifest.webmanifest", self._manifest)
         app.router.add_static("/below/static", STATIC)
         app.on_response_prepare.append(_with_policy)
         self._runner = web.AppRunner(app, shutdown_timeout=0.1)
@@ -58,13 +65,18 @@ class PageServer:
         await site.start()
         return f"http://127.0.0.1:{self._runner.addresses[0][1]}/below"
 
+    async def _manifest(self, request: web.Request) -> web.Response:
+        return pages.manifest(Texts("en"), request.query["start"])
+
     def _page(self, name: str) -> Any:
         async def page(request: web.Request) -> web.StreamResponse:
+            await self._be_mute()
             return web.Response(status=401) if self.refuses else web.FileResponse(STATIC / name)
 
         return page
 
     async def _line(self, request: web.Request) -> web.WebSocketResponse:
+        await self._be_mute()
         if self.refuses:
             raise web.HTTPUnauthorized
         socket = web.WebSocketResponse()
@@ -79,6 +91,34 @@ class PageServer:
         async for frame in socket:
             await self._take(socket, frame)
         return socket
+
+    async def _be_mute(self) -> None:
+        if self.is_mute:
+            while self.is_mute:
+                await asyncio.sleep(0.05)
+            raise web.HTTPServiceUnavailable  # nobody waits for it any more
+
+    async def _show(self, request: web.Request) -> web.WebSocketResponse:
+        """The line on which the pictures of another screen come."""
+        self._shown = socket = web.WebSocketResponse()
+        await socket.prepare(request)
+        await socket.send_json({"t": "hello"})
+        async for frame in socket:
+            await self._take(socket, frame)
+        self._shown = None
+        return socket
+
+    @property
+    def is_looked_at(self) -> bool:
+        """Whether the page looks at another screen."""
+        return self._shown is not None
+
+    def picture(self, *lines: str, columns: int = 40, rows: int = 5) -> None:
+        """Send lines of the other screen, the first ones."""
+        self.wait_for(lambda: self.is_looked_at)
+        assert self._shown is not None
+        told = {"t": "screen", "columns": columns, "rows": rows, "lines": dict(enumerate(lines))}
+        self._background.run(self._shown.send_json(told))
 
     async def _take(self, socket: web.WebSocketResponse, frame: Any) -> None:
         if frame.type == WSMsgType.BINARY:
@@ -122,6 +162,7 @@ class PageServer:
         until(lambda: expected in self.keys, told=lambda: f"{expected!r} is not in {self.keys!r}")
 
     def close(self) -> None:
+        self.is_mute = False
         self._background.run(self._runner.cleanup())
 
 

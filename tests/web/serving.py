@@ -46,6 +46,8 @@ class Serving:
     def start(self, *more: str) -> None:
         environ = {**os.environ, "DAY6_RUNTIME_DIR": str(self.folder / "run"), "SECRET_OF_SERVER": "x31337"}
         environ.pop("DAY6_LINK", None)
+        if "users" in self._words:  # for whom a runtime folder of ours is closed
+            del environ["DAY6_RUNTIME_DIR"]
         self.process = subprocess.Popen(
             [self._python, "-m", "day6_tui.main", "serve", *self._words, *more],
             stdout=subprocess.PIPE,
@@ -186,6 +188,11 @@ class Browser:
         headers = self.origin if origin is None else {"Origin": origin}
         async with self.session.post(self.base + path, data=form, headers=headers, allow_redirects=False) as answer:
             return answer.status, await answer.text()
+
+    async def opens(self) -> bool:
+        """Whether it is let into a desktop, the only one it could have."""
+        async with self.session.get(f"{self.base}desk") as answer:
+            return answer.status == 200 and "desk.js" in await answer.text()
 
     async def tab(self, query: str = "cols=80&rows=24&w=0&h=0", **headers: str) -> Tab:
         ws = await self.session.ws_connect(f"{self.base}ws?{query}", headers={**self.origin, **headers}, max_msg_size=0)

@@ -46,25 +46,55 @@ def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_a
             await told(
                 ws, lambda rows: rows.get("anna", {}).get("state") == "here" and rows["anna"].get("lesson", 0) is None
             )
-            await ws.send_json({"t": "order", "name": "anna", "order": {"do": "watch", "seconds": 10}})
+            await ws.send_json({"t": "order", "names": ["anna"], "order": {"do": "watch", "seconds": 10}})
             rows = await told(ws, lambda rows: rows["anna"].get("screen"))
-            await ws.send_json({"t": "order", "name": "anna", "order": {"do": "type", "text": "x"}})
+            await ws.send_json({"t": "order", "names": ["anna"], "order": {"do": "type", "text": "x"}})
             refused = await told(ws, lambda rows: rows["anna"].get("refused"))
             assert refused["anna"]["refused"] == "the pupil has not agreed"
             assert "anna@day6" in rows["anna"]["screen"]["ansi"] and rows["anna"]["watched"] is True
-            await ws.send_json({"t": "order", "name": "*", "order": {"do": "say", "text": "listen-to-me"}})
+            await ws.send_json({"t": "order", "names": "*", "order": {"do": "say", "text": "listen-to-me"}})
             await reading
             await tab.type("\x1b")
             await tab.ws.close()
             await told(ws, lambda rows: rows["anna"]["state"] == "away")
-            await ws.send_json({"t": "order", "name": "anna", "order": {"do": "end"}})
+            await ws.send_json({"t": "order", "names": ["anna"], "order": {"do": "end"}})
             await told(ws, lambda rows: rows["anna"]["state"] == "gone")
 
     run(deed())
 
 
+def test_a_pupil_sees_live_what_the_teacher_types_on_the_own_desktop_until_it_ends(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door, browser(class_server.base) as teacher:
+            await teacher.get(class_server.link("the teacher"))
+            ws = await teacher.session.ws_connect(teacher.base + "class/ws", headers=teacher.origin)
+            await door.get(class_server.link("bert"))
+            await ws.send_json({"t": "show", "do": "start", "name": "", "names": "*", "full": False})
+            mine = await teacher.tab("mine=1&cols=80&rows=24")
+            await mine.see("class sees this")
+            shown = await door.session.ws_connect(f"{door.base}shown", headers=door.origin)
+            lines: dict[str, str] = {}
+
+            async def sees(text: str) -> None:
+                while not any(text in line for line in lines.values()):
+                    message = await in_time(shown.receive_json())
+                    lines.update(message.get("lines", {}))
+                    await shown.send_json({"t": "ack"})
+
+            await sees("class sees this")
+            await mine.type("echo $((6 * 7))-live\r")
+            reading = asyncio.create_task(mine.see("42-live"))
+            await sees("42-live")
+            await reading
+            await ws.send_json({"t": "order", "names": ["@teacher"], "order": {"do": "end"}})
+            while (await in_time(shown.receive_json()))["t"] != "bye":
+                await shown.send_json({"t": "ack"})
+
+    run(deed())
+
+
 @pytest.mark.parametrize(
-    "sent", ["[]", '{"t": "order", "name": "*", "order": {"do": "rm"}}', "{}", "nothing", '{"t": 1}']
+    "sent", ["[]", '{"t": "order", "names": "*", "order": {"do": "rm"}}', "{}", "nothing", '{"t": 1}']
 )
 def test_orders_that_are_none_close_the_teachers_line(class_server: Serving, sent: str) -> None:
     async def deed() -> None:

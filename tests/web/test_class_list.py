@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.classroom.homes import folder_name, same_name
 from day6_tui.web import class_list
 from day6_tui.web.class_list import BadList
-from day6_tui.web.names import BadName, clean, folder_name, same_name
+from day6_tui.web.names import BadName, clean
 
 
 def read(folder: Path, data: bytes) -> class_list.ClassList:

@@ -5,14 +5,18 @@ from __future__ import annotations
 import asyncio
 import os
 import signal
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import aiohttp
 import pytest
 
-from day6_tui.web.viewer import MOST_UNACKNOWLEDGED
+from day6_tui.web.names import who_is
+from day6_tui.web.viewer import MOST_UNACKNOWLEDGED, UNTOLD
 from tests.support.short_folder import make_short_folder
 from tests.support.waiting import until
+from tests.web.in_time import in_time
 from tests.web.serving import WORD, Browser, Serving, Tab, browser, run
 
 pytestmark = pytest.mark.process
@@ -22,7 +26,7 @@ MADE = "echo made-by-$((40+2))"
 
 async def enter(door: Browser, serving: Serving, name: str) -> None:
     status, page = await door.get(serving.link(name))
-    assert status == 200 and "../desk" in page
+    assert status == 200 and f"../come?who={who_is(name)}" in page
 
 
 async def anna(door: Browser, serving: Serving, query: str = "cols=80&rows=24&w=0&h=0") -> Tab:
@@ -32,9 +36,20 @@ async def anna(door: Browser, serving: Serving, query: str = "cols=80&rows=24&w=
     return tab
 
 
+async def say_to_all(serving: Serving, text: str) -> None:
+    """What the teacher's page does; it is done when this returns."""
+    async with browser(serving.base) as teacher:
+        await teacher.get(serving.link("the teacher"))
+        ws = await teacher.session.ws_connect(teacher.base + "class/ws", headers=teacher.origin)
+        await ws.send_json({"t": "order", "names": "*", "order": {"do": "say", "text": text}})
+        while (await in_time(ws.receive_json()))["t"] != "sent":
+            pass
+
+
 def printed(serving: Serving) -> int:
-    """The last number that a loop of anna wrote into her file n; 0 while it is being written."""
-    return int((serving.folder / "class" / "homes" / "anna" / "n").read_text() or 0)
+    """The last number that a loop of anna wrote into her file n; 0 before the first and while it is being written."""
+    file = serving.folder / "class" / "homes" / "anna" / "n"
+    return int(file.read_text() or 0) if file.exists() else 0
 
 
 def test_a_link_opens_a_desktop_and_a_reload_shows_the_same_screen_again(class_server: Serving) -> None:
@@ -71,6 +86,47 @@ def test_pupils_have_desktops_and_homes_of_their_own(class_server: Serving) -> N
     run(deed())
     homes = class_server.folder / "class" / "homes"
     assert (homes / "anna" / "mine.txt").read_text() == "of-anna\n" and (homes / "李雷").is_dir()
+
+
+def test_a_desktop_is_measured_and_restarted_with_its_files_and_gets_an_empty_home(class_server: Serving) -> None:
+    async def until_told(ws: aiohttp.ClientWebSocketResponse, wanted: Callable[[dict[str, Any]], Any]) -> Any:
+        while True:
+            found = await in_time(ws.receive_json())
+            if found["t"] == "rows" and (told := wanted(found)):
+                return told
+
+    async def deed() -> None:
+        async with browser(class_server.base) as door, browser(class_server.base) as teacher:
+            tab = await anna(door, class_server)
+            await tab.type("echo kept-$((40+2)) > kept.txt; cat kept.txt\r")
+            await tab.see("kept-42")
+            await teacher.get(class_server.link("the teacher"))
+            ws = await teacher.session.ws_connect(teacher.base + "class/ws", headers=teacher.origin)
+            await ws.send_json({"t": "measure"})
+            of_anna = await until_told(
+                ws,
+                lambda found: [
+                    row for row in found["machine"].get("desktops", ()) if row["name"] == "anna" and row["disk"]
+                ],
+            )
+            assert of_anna[0]["memory"] > 10 << 20 and of_anna[0]["processes"] >= 2
+            ends = {"restart": "kept-42", "home": "No such file"}
+            for number, (do, seen) in enumerate(ends.items(), 1):
+                await ws.send_json({"t": "desk", "do": do, "names": ["anna"]})
+                assert await tab.end() == "restart"
+                tab = await door.tab()  # as the page does it by itself
+                await tab.see("anna@day6:~$")
+                await tab.type("clear; cat kept.txt\r")
+                await tab.see(seen)
+                told = await until_told(
+                    ws, lambda found, number=number: found["desks"][number - 1 :] and found["desks"][-1]["count"]
+                )
+                assert told == 1
+            await ws.close()
+
+    run(deed())
+    (kept,) = (class_server.folder / "class" / "before").iterdir()
+    assert (kept / "kept.txt").read_text() == "kept-42\n"
 
 
 def test_who_watches_sees_the_same_and_types_nothing(class_server: Serving) -> None:
@@ -160,19 +216,25 @@ def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_late
             await tab.type(
                 "\x1b[200~n=0; while :; do x=$((++n*999331)); echo $x$x$x$x$x$x$x$x$x$x$x$x; echo $n > n; done\x1b[201~\r"
             )
-            while tab.got - before < MOST_UNACKNOWLEDGED:
-                assert await tab.hear()
-            # The desktop has as much again to show, and its answer to the ping stands behind whatever it sent of that.
-            filled = printed(class_server)
-            await asyncio.to_thread(until, lambda: printed(class_server) > 2 * filled)
-            await tab.ws.send_json({"t": "ping", "n": 1})
-            while tab.said[-1] != {"t": "pong", "n": 1}:
-                assert await tab.hear()
-            assert tab.got - before == MOST_UNACKNOWLEDGED
-            tab.acknowledges = True
-            await tab.ws.send_json({"t": "ack", "bytes": tab.got})
-            await tab.hear()
-            await tab.type("\x03")
+            try:
+                while tab.got - before <= UNTOLD:
+                    assert await tab.hear()
+                held = 0
+                for number in range(1, 100):  # until it gets no more
+                    # The desktop has as much again to show, and its answer to the ping stands behind whatever it sent of that.
+                    filled = printed(class_server)
+                    await asyncio.to_thread(until, lambda filled=filled: printed(class_server) > 2 * filled)
+                    await tab.ws.send_json({"t": "ping", "n": number})
+                    while tab.said[-1] != {"t": "pong", "n": number}:
+                        assert await tab.hear()
+                    if tab.got == held:
+                        break
+                    held = tab.got
+                assert tab.got == held and UNTOLD < held - before <= MOST_UNACKNOWLEDGED
+            finally:  # the desktop is of all these tests
+                tab.acknowledges = True
+                await tab.ws.send_json({"t": "ack", "bytes": tab.got})
+                await tab.type("\x03")
             await tab.see("anna@day6:~$")
 
     run(deed())
@@ -229,6 +291,7 @@ def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_lea
                 await tab.type("echo kept > kept.txt; sleep 600 & " + MADE + "\r")
                 await tab.see("made-by-42")
                 cookies = door.session.cookie_jar
+                await say_to_all(serving, "this is not lost")
                 serving.end(signal.SIGKILL)
                 assert serving.cells()
                 if record is None:  # the disk was full when the desktop began
@@ -237,6 +300,10 @@ def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_lea
                     (folder / "class" / "server" / "sessions.json").write_bytes(record)
                 serving.start()
                 assert any("1 desktops of the last server are still running" in line for line in serving.said)
+                async with browser(serving.base) as teacher:
+                    await teacher.get(serving.link("the teacher"))
+                    log = (await teacher.get("class/log.csv"))[1]
+                    assert "teacher,anna,said,this is not lost" in log and log.count("server started") == 2
                 async with aiohttp.ClientSession(cookie_jar=cookies) as session:
                     again = await Browser(session, serving.base).tab()
                     await again.see("made-by-42")

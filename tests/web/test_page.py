@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from tests.web.background import Background
-    from tests.web.chromium import Chromium, Page
+    from tests.web.chromium import Page
     from tests.web.page_server import PageServer
 
 pytestmark = pytest.mark.browser
@@ -97,14 +96,9 @@ class Desk:
 
 
 @pytest.fixture(scope="module")
-def whole_desk(chromium: Chromium, background: Background) -> Iterator[Desk]:
+def whole_desk(scripted_tab: tuple[Page, PageServer]) -> Desk:
     """One tab and one server for all tests of this file."""
-    from tests.web.page_server import PageServer
-
-    page, server = chromium.page(), PageServer(background)
-    yield Desk(page, server)
-    page.close()
-    server.close()
+    return Desk(*scripted_tab)
 
 
 @pytest.fixture
@@ -120,7 +114,7 @@ def loaded_anew(whole_desk: Desk) -> Iterator[None]:
     whole_desk.page.troubles.clear()
     yield
     whole_desk.is_fresh = False
-    whole_desk.server.farewell, whole_desk.server.refuses = None, False
+    whole_desk.server.farewell, whole_desk.server.refuses, whole_desk.server.is_mute = None, False, False
     whole_desk.page.evaluate("localStorage.clear()")
 
 
@@ -150,6 +144,50 @@ def test_chinese_characters_fill_their_two_cells(desk: Desk, renderer: str) -> N
         desk.page.wait_for(f"{gap} < 0.05")
     desk.shows("海龟在动 Turtle")
     assert desk.line(0).startswith("海龟在动 Turtle")
+
+
+@anew
+def test_until_the_desktop_has_drawn_the_page_says_that_it_starts_and_how_many_are_before(desk: Desk) -> None:
+    starting = "(p => p.checkVisibility() ? p.textContent : '')(document.getElementById('starting'))"
+    desk.page.ask("Network.enable")
+    desk.page.ask("Network.setBlockedURLs", urls=["*/desk.js"])
+    desk.page.navigate(f"{desk.server.address}/desk")
+    desk.page.wait_for("document.readyState === 'complete'")
+    assert desk.page.evaluate(starting) == "桌面正在打开… / The desktop is opening…"
+    desk.page.ask("Network.setBlockedURLs", urls=[])
+    desk.page.troubles.clear()
+    for lang, opening, soon, now, watched in (
+        (
+            "en",
+            "The desktop is opening…",
+            "Your desktop will start soon… 3 before you.",
+            "Your desktop is starting…",
+            "This",
+        ),
+        ("zh", "桌面正在打开…", "你的桌面马上启动…前面还有 3 个。", "你的桌面正在启动…", "这个"),
+    ):
+        desk.open(lang=lang)
+        desk.is_fresh = False
+        desk.page.wait_for(f"{starting} === {opening!r}")
+        assert desk.page.evaluate("document.getElementById('starting').getAttribute('role')") == "status"
+        for before, text in ((3, soon), (0, now)):
+            desk.server.say({"t": "starting", "before": before})
+            desk.page.wait_for(f"{starting} === {text!r}")
+        desk.page.press("a")
+        desk.server.wait_for_keys(b"a")
+        desk.shows("\x1b[?1049h\x1b[?25l\x1b[2J")
+        assert desk.page.evaluate(starting) == now  # that was no picture
+        desk.shows("$ ")
+        assert desk.page.evaluate(starting) == ""
+        desk.server.hang_up()
+        desk.page.wait_for("desk._connection.isOpen && desk._connection._attempts === 0 || !desk._connection.isOpen")
+        assert desk.page.evaluate(starting) == ""
+        desk.open(lang=lang, read_only=True)
+        desk.server.say({"t": "starting", "before": 2})
+        desk.page.wait_for(f"{starting}.startsWith({watched!r})")
+        desk.part("full")
+        desk.page.wait_for(f"document.getElementById('strip').dataset.state === 'full' && {starting} === ''")
+        desk.is_fresh = False
 
 
 def test_the_first_key_reaches_the_desktop_without_a_click(desk: Desk) -> None:
@@ -475,18 +513,34 @@ def test_a_lost_connection_comes_back_and_begins_with_an_empty_screen(desk: Desk
     desk.server.wait_for_keys(b"b")
 
 
+@pytest.mark.parametrize("why", ["server", "restart"])
 @anew
-def test_a_server_that_is_away_is_told_and_tried_again(desk: Desk) -> None:
+def test_a_server_that_is_away_or_restarts_the_desktop_is_told_and_tried_again(desk: Desk, why: str) -> None:
     desk.open()
-    desk.server.farewell = "server"
+    desk.server.farewell = why
     desk.server.hang_up()
-    desk.page.wait_for("document.getElementById('strip').dataset.state === 'server'")
+    desk.page.wait_for(f"document.getElementById('strip').dataset.state === {why!r}")
+    assert "restarting" in desk.page.evaluate("document.getElementById('strip').innerText") or why == "server"
     tried = len(desk.server.connections)
     desk.server.farewell = None
     desk.page.evaluate("dispatchEvent(new Event('online'))")
     desk.page.wait_for("desk._connection.isOpen")
     assert len(desk.server.connections) == tried + 1
     assert desk.page.evaluate("document.getElementById('strip').hidden")
+
+
+@anew
+def test_a_network_that_takes_connections_and_answers_nothing_is_tried_until_it_does(desk: Desk) -> None:
+    desk.open()
+    desk.server.is_mute = True
+    desk.server.hang_up()
+    for attempt in (1, 2):
+        desk.page.wait_for(f"desk._connection._attempts === {attempt} && Boolean(desk._connection._socket)")
+        desk.page.evaluate("desk._connection._begun = -1e6")  # as if it had waited for the answer long enough
+    desk.page.wait_for("desk._connection._attempts === 3")
+    desk.server.is_mute = False
+    desk.page.evaluate("desk._connection._begun = -1e6")
+    desk.page.wait_for("desk._connection.isOpen")
 
 
 @anew

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.support.short_folder import make_short_folder
-from tests.web.serving import WORD, Serving
+from tests.web.serving import Serving
 
 if TYPE_CHECKING:
     from tests.web.chromium import Chromium, Page
@@ -105,6 +105,29 @@ def test_a_pupil_who_follows_a_link_to_watch_sees_the_other_ones_screen_and_cann
     assert "nobody types here" not in page.evaluate(SCREEN)
 
 
+def test_two_pupils_in_one_browser_are_asked_and_both_keep_their_tabs(serving: Serving, page: Page) -> None:
+    page.navigate(serving.link("anna"))
+    shows(page, "anna@day6")
+    second = page.beside()
+    second.navigate(serving.link("ben"))
+    second.wait_for("document.body.innerText.includes('anna is at work in this browser.')")
+    assert serving.link("ben").rpartition("/")[2] not in second.evaluate("location.href")
+    second.click_on("a.go")
+    shows(second, "ben@day6")
+    for _ in range(2):
+        page.reload()
+        shows(page, "anna@day6")
+        second.reload()
+        shows(second, "ben@day6")
+    page.navigate(f"{serving.base}desk")  # whose?
+    page.wait_for("['Continue as anna', 'Continue as ben'].every(text => document.body.innerText.includes(text))")
+    assert page.troubles == second.troubles == []
+    second.navigate(serving.base)
+    second.click_on("form.plain:nth-of-type(2) button")
+    second.wait_for("!document.body.innerText.includes('Continue as ben')")
+    second.close()
+
+
 def test_on_paper_there_are_names_pictures_and_addresses_and_nothing_else(serving: Serving, page: Page) -> None:
     page.navigate(serving.link("the teacher"))
     page.wait_for("location.pathname.endsWith('/class')")
@@ -121,8 +144,17 @@ def test_on_paper_there_are_names_pictures_and_addresses_and_nothing_else(servin
 
 @pytest.fixture
 def asked(chromium: Chromium) -> Iterator[Serving]:
-    with Serving(make_short_folder("d6p-"), "--word", WORD, "--unasked", "0", "--isolation", "none") as made:
+    with Serving(make_short_folder("d6p-"), "--word", "蓝色海龟", "--unasked", "0", "--isolation", "none") as made:
         yield made
+
+
+def enter(page: Page) -> None:
+    """Type the class word and a name, both with an input method, which browsers keep off in a field for a password."""
+    page.wait_for("document.activeElement.name === 'word' && document.activeElement.type === 'text'")
+    page.compose("l", "lan", result="蓝色海龟")
+    page.press("Tab")
+    page.compose("an", result="安娜")
+    page.press("Enter")
 
 
 def test_a_newcomer_waits_until_the_teacher_lets_them_in_and_goes_when_removed(
@@ -134,17 +166,33 @@ def test_a_newcomer_waits_until_the_teacher_lets_them_in_and_goes_when_removed(
     pupil = chromium.page()
     pupil.device(390, 700)
     pupil.navigate(asked.base)
-    pupil.evaluate(
-        f"document.querySelector('input[name=word]').value = {WORD!r}; document.querySelector('input[name=name]').value ="
-        "'安娜'; document.querySelector('form').submit()"
-    )
+    enter(pupil)
     pupil.wait_for("location.pathname.endsWith('/lobby') && document.body.innerText.includes('安娜, please wait')")
     page.wait_for("document.querySelector('#lobby li .name')?.textContent === '安娜'")
+    pupil.wait_for("document.readyState === 'complete'")  # its script has come, too
+    pupil.offline(True)
+    pupil.wait_for("document.body.innerText.includes('The server does not answer')")
+    pupil.offline(False)
+    pupil.wait_for("!document.body.innerText.includes('The server does not answer')")
+    pupil.troubles.clear()  # what the browser says of the network
     page.click_on("#lobby .in")
     pupil.wait_for("location.pathname.endsWith('/desk')")
     shows(pupil, "What would you like")
     page.wait_for("document.querySelector('.pupil .address')?.textContent === 'from 127.0.0.1'")
     page.wait_for("document.querySelector('.pupil')?.dataset.state === 'here'")
+    other = chromium.page()
+    other.navigate(asked.base)
+    enter(other)  # she moves to another machine
+    other.wait_for("document.body.innerText.includes('There is a 安娜 in this class')")
+    page.wait_for(
+        "document.querySelector('#lobby li .why')?.textContent.includes('安娜 is here right now, from 127.0.0.1')"
+    )
+    page.click_on("#lobby .in")
+    shows(other, "What would you like")
+    pupil.wait_for("document.getElementById('strip').dataset.state === 'taken'")
+    pupil.click_on("#strip button")
+    other.wait_for("document.getElementById('strip').dataset.state === 'taken'")
+    other.close()
     page.click_on(".pupil .open")
     page.click_on(".pane .remove")
     pupil.wait_for("document.getElementById('strip').dataset.state === 'removed'")

@@ -9,9 +9,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_core.classroom.homes import same_name
 from day6_core.isolation.cell import Phrase
 from day6_core.session.harmless import one_line
-from day6_tui.web.names import BadName, clean, same_name
+from day6_tui.web.names import BadName, clean
 
 COLUMNS = ("name", "姓名", "名字", "学生")
 """What the column of the names may be called."""

@@ -1,11 +1,9 @@
 """The teacher's page: `class` and its WebSocket `class/ws`, for the teacher's token only.
 
-The server says {"t":"rows"} after a change, at most twice a second; the page says {"t":"order","name","order"}, where the name
-`*`, which nobody can have, is everybody. To what is more than looking the server answers {"t":"sent","do","count","missed"}.
-{"t":"door","do"} is about who comes in: ask (`on`), admit (`ids`, `trust`), turn_away (`ids`), remove (`name`).
+The server says {"t":"rows"} after a change, at most twice a second; the page says {"t":"order","names","order"}, where the names
+`*` are everybody. To what is more than looking the server answers {"t":"sent","do","count","missed"}. What else the page can
+say, what the rows come with and what other addresses there are is each a `ClassPart`.
 As long as a page is open, a teacher is there (`Roster.attend`); a reload takes less than GRACE.
-
-class/log.csv is what happened in the lesson, as a table.
 """
 
 from __future__ import annotations
@@ -14,8 +12,7 @@ import asyncio
 import contextlib
 import json
 from collections.abc import Callable
-from dataclasses import asdict
-from datetime import date
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -25,13 +22,19 @@ from day6_core.classroom import order as orders
 from day6_core.classroom.order import OrderError
 from day6_core.classroom.roster import PupilRow
 from day6_core.lessons.scene import scenes
-from day6_tui.classes import log as class_log
 from day6_tui.locale import Texts
 from day6_tui.web import connections, pages
-from day6_tui.web.addresses import source
+from day6_tui.web.class_admin import ClassAdmin
+from day6_tui.web.class_answers import ClassAnswers
+from day6_tui.web.class_assignments import ClassAssignments
+from day6_tui.web.class_door import ClassDoor
+from day6_tui.web.class_groups import ClassGroups
+from day6_tui.web.class_handed import ClassHanded
+from day6_tui.web.class_machine import ClassMachine
+from day6_tui.web.class_part import Answer, ClassPart, Hear, names_of
+from day6_tui.web.class_show import ClassShow
 from day6_tui.web.entrance import Entrance
 from day6_tui.web.gate import Gate
-from day6_tui.web.lobby import MOST_OF_ALL, Newcomer
 from day6_tui.web.sessions import Sessions
 from day6_tui.web.tokens import TEACHER
 from day6_tui.web.told import told
@@ -50,7 +53,6 @@ LONGEST_FRAME = 16 << 10
 BEAT = 20.0
 SILENT = ("watch", "unwatch", "tell", "type")
 """Orders whose way is not told: they come again and again."""
-ALL = "*"
 
 
 def _scenes() -> list[dict[str, Any]]:
@@ -62,7 +64,7 @@ def _scenes() -> list[dict[str, Any]]:
 
 
 class ClassPage:
-    """Shows the roster and who waits at the door, and takes orders."""
+    """Shows the roster and what its parts add to it, and takes orders."""
 
     def __init__(
         self,
@@ -84,29 +86,37 @@ class ClassPage:
         self._background = sessions.background
         self._pages = 0
         self._leaving: asyncio.TimerHandle | None = None
+        self._assignments = ClassAssignments(gate, sessions, texts)
+        self._parts: list[ClassPart] = [
+            ClassDoor(entrance, sessions),
+            ClassShow(gate, texts, sessions),
+            ClassGroups(sessions.feed, sessions.folder / "groups.json"),
+            ClassAnswers(sessions.feed),
+            ClassHanded(gate, sessions),
+            self._assignments,
+            ClassAdmin(sessions),
+            ClassMachine(sessions),
+        ]
+        self._hears: dict[str, Hear] = {"ping": self._ping, "order": self._order}
+        for part in self._parts:
+            self._hears |= part.hears()
+
+    async def begin(self, _app: web.Application) -> None:
+        """The server begins."""
+        await self._assignments.begin()
 
     def routes(self) -> list[web.RouteDef]:
         """The addresses of the page."""
         return [
             web.get("/class", self._page),
             web.get("/class/ws", self._socket),
-            web.get("/class/log.csv", self._log),
+            *(route for part in self._parts for route in part.routes()),
         ]
 
     async def _page(self, request: web.Request) -> web.StreamResponse:
         if self._gate.ticket(request, TEACHER) is None:
             return pages.message(self._texts(request), "serve.wrong.stranger", status=403)
         return web.FileResponse(STATIC / "class.html")
-
-    async def _log(self, request: web.Request) -> web.StreamResponse:
-        texts = self._texts(request)
-        if self._gate.ticket(request, TEACHER) is None:
-            return pages.message(texts, "serve.wrong.stranger", status=403, up="../")
-        body = class_log.as_csv(self._feed.roster.events, texts)
-        name = f"class-log-{date.today():%Y-%m-%d}.csv"
-        return web.Response(
-            body=body, content_type="text/csv", headers={"Content-Disposition": f'attachment; filename="{name}"'}
-        )
 
     def _came(self) -> None:
         """One more page is open."""
@@ -120,7 +130,11 @@ class ClassPage:
         """One is closed."""
         self._pages -= 1
         if not self._pages:
-            self._leaving = asyncio.get_running_loop().call_later(GRACE, self._feed.roster.attend, False)
+            self._leaving = asyncio.get_running_loop().call_later(GRACE, self._leave)
+
+    def _leave(self) -> None:
+        self._feed.roster.attend(False)
+        self._feed.tell()
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
         if not self._gate.is_from_here(request) or self._gate.ticket(request, TEACHER) is None:
@@ -130,6 +144,7 @@ class ClassPage:
         connections.keep(request)
         language = self._texts(request).language
         hello = {"t": "hello", "lang": language, "lessons": self._lessons, "scenes": _scenes(), "word": self._has_word}
+        hello["days"] = [day.isoformat() for day in self._feed.roster.journal.days()]
         await ws.send_json(hello)
         changed = asyncio.Event()
         changed.set()
@@ -157,15 +172,16 @@ class ClassPage:
         while not ws.closed:
             changed.clear()
             now = self._feed.roster.now
-            rows = [self._told(row, now, texts) for row in self._feed.roster.rows()]
+            places = {name: place for place, name in enumerate(self._feed.roster.names())}
+            rows = [{**self._told(row, now, texts), "place": places[row.name]} for row in self._feed.roster.rows()]
             news = [each for each in self._feed.news if each.number > heard]
             heard = self._feed.told
             state = {
                 "frozen": self._feed.roster.is_frozen,
-                "asks": self._entrance.lobby.asks,
-                "lobby": [_waiting(each) for each in self._entrance.lobby.waiting()],
                 "news": [told(texts, each.key, each.values) for each in news],
             }
+            for part in self._parts:
+                state |= part.state(texts)
             with contextlib.suppress(ConnectionError):
                 await ws.send_json({"t": "rows", "rows": rows, **state})
             await asyncio.sleep(PAUSE)
@@ -186,6 +202,8 @@ class ClassPage:
             "listed": self._entrance.is_listed(row.name),
             "idle": row.idle(now),
             "stuck": row.is_stuck(now),
+            "raised": None if row.raised is None else now - row.raised,
+            "on_step": None if row.arrived is None else now - row.arrived,
         }
 
     async def _listen(self, ws: web.WebSocketResponse) -> str:
@@ -200,54 +218,27 @@ class ClassPage:
         return ""
 
     async def _obey(self, ws: web.WebSocketResponse, found: dict[str, Any]) -> None:
-        if found["t"] == "ping":
-            await ws.send_json({"t": "pong", "n": int(found["n"])})
-        elif found["t"] == "door":
-            await self._at_the_door(found)
-        elif found["t"] == "order":
-            roster, name = self._feed.roster, str(found["name"])
-            try:
-                order = orders.of(found["order"])
-            except OrderError as error:
-                raise ValueError(str(error)) from None
-            names = roster.everybody() if name == ALL else [name]
-            if order.do == "freeze":
-                missed = roster.freeze(order.on, None if name == ALL else name)
-                self._feed.tell()
-            else:
-                missed = roster.order(names, order)
-            if order.do not in SILENT:
-                count = len(names) - len(missed)
-                await ws.send_json({"t": "sent", "do": order.do, "count": count, "missed": missed})
+        if (answer := await self._hears[found["t"]](found)) is not None:
+            await ws.send_json(answer)
 
-    async def _at_the_door(self, found: dict[str, Any]) -> None:
-        """Who comes in, and who does not stay."""
-        do = found["do"]
+    async def _ping(self, found: dict[str, Any]) -> Answer:
+        return {"t": "pong", "n": int(found["n"])}
+
+    async def _order(self, found: dict[str, Any]) -> Answer:
+        roster, names = self._feed.roster, names_of(found)
         try:
-            if do == "ask":
-                self._entrance.lobby.asks = found["on"] is True
-                self._feed.tell()
-            elif do == "admit":
-                await self._entrance.admit(_numbers(found), trust=found["trust"] is True)
-            elif do == "turn_away":
-                self._entrance.turn_away(_numbers(found))
-            elif do == "remove":
-                await self._entrance.remove(str(found["name"]))
-            else:
-                raise ValueError("there is no such door")
-        except OSError:
-            return  # the tokens could not be written, which the teacher has been told: they are good until the server ends
-
-
-def _numbers(found: dict[str, Any]) -> list[int]:
-    return [int(each) for each in list(found["ids"])[:MOST_OF_ALL]]
-
-
-def _waiting(newcomer: Newcomer) -> dict[str, Any]:
-    return {
-        "id": newcomer.number,
-        "name": newcomer.name,
-        "address": newcomer.address,
-        "source": source(newcomer.address),
-        "why": newcomer.why,
-    }
+            order = orders.of(found["order"])
+        except OrderError as error:
+            raise ValueError(str(error)) from None
+        chosen = roster.everybody() if names is None else names
+        if order.do == "freeze":
+            missed = roster.freeze(order.on, names)
+            self._feed.tell()
+        elif order.do == "link":
+            missed = roster.hand(chosen, replace(order, number=0))
+            self._feed.tell()
+        else:
+            missed = roster.order(chosen, order)
+        if order.do in SILENT:
+            return None
+        return {"t": "sent", "do": order.do, "count": len(chosen) - len(missed), "missed": missed}

@@ -16,6 +16,7 @@ from day6_core.isolation.modes import ModeOffer
 from day6_core.language import language_of
 from day6_core.reason import fault, named_reason
 from day6_core.session.harmless import one_line
+from day6_tui import turns
 from day6_tui.locale import Texts
 from day6_tui.web.options import is_loopback, parse
 from day6_tui.web.places import isolation_before
@@ -45,6 +46,8 @@ def main(words: list[str]) -> int:
         _refuse_strangers(settings, offer)
         if settings.word_is_seen:
             tell("serve.word.seen")
+        turns.keep_from_children()
+        turns.take_short()
         return asyncio.run(_run(settings, offer, tell))
     except ServeRefused as error:
         return _fail(texts(error.words.key, **error.words.values), 2)
@@ -118,6 +121,7 @@ async def _run(settings: ServerSettings, offer: ModeOffer, tell: Callable[..., N
     for number in (signal.SIGINT, signal.SIGTERM):
         loop.add_signal_handler(number, is_to_end.set)
     server = Server(settings, offer, tell)
+    server.warm_up()
     try:
         await server.open()
     except BadList as error:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
+from day6_core.classroom.homes import same_name
 from day6_core.looks import looks_like, mixes_alphabets
 from day6_core.reason import reason
 from day6_tui.web.links import Links
 from day6_tui.web.lobby import Lobby, LobbyFull
-from day6_tui.web.names import BadName, clean, same_name
+from day6_tui.web.names import BadName, clean
 from day6_tui.web.sessions import Sessions, Tell
 from day6_tui.web.tokens import PUPIL, WATCHER, Ticket, Tokens
 
@@ -54,8 +55,8 @@ class Entrance:
 
     async def enter(self, typed: str, address: str, before: str) -> Admitted:
         """Somebody knows the word and has typed a name; `before` is what the same browser waits by. Raises NotIn."""
-        name = self._fit(typed, address)
-        if why := self.lobby.why_wait(address, has_files=self._has_files(name)):
+        name, claim = self._fit(typed, address)
+        if why := claim or self.lobby.why_wait(address, has_files=self._has_files(name)):
             return Admitted(waits=self._wait(name, address, why, before))
         self.lobby.leave(before)
         token = self._register(name, address)
@@ -75,25 +76,30 @@ class Entrance:
         self._sessions.feed.tell()
         return key
 
-    def _fit(self, typed: str, address: str) -> str:
+    def _fit(self, typed: str, address: str) -> tuple[str, str]:
+        """The name, and why the teacher is asked although it is somebody's already ("" if it is nobody's)."""
         try:
             name = clean(typed)
         except BadName as error:
             raise NotIn(str(error), 400) from None
         if mixes_alphabets(name):
             raise NotIn("serve.wrong.mixed", 400)
-        if refusal := self._taken(name):
-            raise refusal
+        if claim := self._taken(name):
+            return self._known(name) or name, claim
         if (like := looks_like(name, self._links.all_names())) is not None:
             self._tell_once((address, like), "serve.alike", name=name, like=like, address=address)
             raise NotIn("serve.wrong.alike", 409, name=name, like=like)
-        return name
+        return name, ""
 
-    def _taken(self, name: str) -> NotIn | None:
-        """Names of the list are reserved, also while no link opens them."""
-        if self._links.is_listed(name) or self._tokens.has(Ticket(PUPIL, name)):
-            return NotIn("serve.wrong.name", 409, name=name)
-        return None
+    def _taken(self, name: str) -> str:
+        """Whose the name is already (`lobby.CLAIMS`): names of the list are reserved, also while no link opens them."""
+        if self._links.is_listed(name):
+            return "listed"
+        return "known" if self._tokens.has(Ticket(PUPIL, name)) else ""
+
+    def _known(self, name: str) -> str | None:
+        """The pupil of this name, as the class writes it."""
+        return next((each for each in self._links.all_names() if same_name(each) == same_name(name)), None)
 
     def _tell_once(self, what: tuple[str, str], key: str, **values: str) -> None:
         """Who comes again and again makes no more of it; the page shows everybody who waits."""
@@ -134,14 +140,21 @@ class Entrance:
     # -- the teacher ---------------------------------------------------------------------------------------------------
 
     async def admit(self, numbers: Iterable[int], *, trust: bool) -> None:
-        """Let these in, and with `trust` also whoever comes from there later. Raises OSError; they are in all the same."""
+        """Let these in, and with `trust` also whoever comes from there later. Raises OSError; they are in all the same.
+
+        Nobody gets another's desktop by a click for all: who says to be a pupil that there is goes on waiting then.
+        """
         for newcomer in self.lobby.chosen(numbers):
             if trust:
                 self.lobby.trust(newcomer.address)
-            if self._taken(newcomer.name) or looks_like(newcomer.name, self._links.all_names()):
+            if newcomer.is_claim:
+                if not trust:
+                    newcomer.token = self._register(newcomer.name, newcomer.address)
+            elif self._taken(newcomer.name) or looks_like(newcomer.name, self._links.all_names()):
                 newcomer.refusal = "serve.wrong.name"  # another was let in under it meanwhile
             else:
                 newcomer.token = self._register(newcomer.name, newcomer.address)
+                self._sessions.feed.roster.journal.note("let_in", newcomer.name, newcomer.address)
         self._sessions.feed.tell()
         await self._keep()
 
@@ -149,14 +162,16 @@ class Entrance:
         """Do not let these in."""
         for newcomer in self.lobby.chosen(numbers):
             newcomer.refusal = "serve.lobby.away"
+            self._sessions.feed.roster.journal.note("turned_away", newcomer.name, newcomer.address)
             self.lobby.distrust(newcomer.address)
         self._sessions.feed.tell()
 
     async def remove(self, name: str) -> None:
         """End this pupil's desktop and let nobody use its links or browsers any more; the files stay. Raises OSError."""
-        known = next((each for each in self._links.all_names() if same_name(each) == same_name(name)), None)
+        known = self._known(name)
         if known is None:
             return
+        self._sessions.feed.roster.journal.note("removed", known)
         if address := self._sessions.address_of(known):
             self.lobby.distrust(address)
         self._revoke(known)

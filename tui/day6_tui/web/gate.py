@@ -12,8 +12,10 @@ from zlib import crc32
 
 from aiohttp import web
 
+from day6_core.classroom.homes import same_name
 from day6_tui.locale import Texts
 from day6_tui.web import connections, pages
+from day6_tui.web.names import who_is
 from day6_tui.web.places import login_name
 from day6_tui.web.settings import ServerSettings
 from day6_tui.web.tokens import PUPIL, Ticket, Tokens
@@ -49,21 +51,35 @@ class Gate:
         self._names = {*LOOPBACK_NAMES, socket.gethostname().lower(), f"{socket.gethostname().lower()}.local"}
         self._names |= {name for name in (urlsplit(settings.base_url).hostname, settings.host.lower()) if name}
 
-    def ticket(self, request: web.Request, kind: str) -> Ticket | None:
-        """Who this is, by the cookie for this kind; None for a stranger. A teacher can try a pupil's link beside the class."""
+    def tickets(self, request: web.Request, kind: str) -> list[Ticket]:
+        """Everybody of this kind who is signed in in this browser; nobody is a stranger's."""
         if self._settings.proxied:
-            return Ticket(PUPIL, login_name()) if kind == PUPIL else None
-        ticket = self._tokens.of(self.cookie(request, kind))
-        return ticket if ticket is not None and ticket.kind == kind else None
+            return [Ticket(PUPIL, login_name())] if kind == PUPIL else []
+        found = (self._tokens.of(value) for name, value in request.cookies.items() if self._is_cookie(name, kind))
+        good = [ticket for ticket in found if ticket is not None and ticket.kind == kind]
+        return list({same_name(ticket.name): ticket for ticket in good}.values())
+
+    def ticket(self, request: web.Request, kind: str) -> Ticket | None:
+        """Who this is. A tab's address says whose it is (`who`), for there may be several pupils in one browser; None for a
+        stranger, and where it could be this one or that. A teacher can try a pupil's link beside the class.
+        """
+        found = self.tickets(request, kind)
+        if "who" in request.query:
+            found = [ticket for ticket in found if who_is(ticket.name) == request.query["who"]]
+        return found[0] if len(found) == 1 else None
 
     def cookie(self, request: web.Request, kind: str) -> str:
-        """What the browser was told to remember of this kind; "" if nothing."""
+        """What the browser was told to remember of this kind, of which it has one; "" if nothing."""
         return request.cookies.get(f"{self._cookie}-{kind}", "")
 
-    def let_in(self, response: web.StreamResponse, kind: str, token: str) -> None:
+    def _is_cookie(self, name: str, kind: str) -> bool:
+        """Pupils and who watches one have a cookie for each name; one without was made by an older server."""
+        return f"{name}-".startswith(f"{self._cookie}-{kind}-")
+
+    def let_in(self, response: web.StreamResponse, kind: str, token: str, name: str = "") -> None:
         """Have the browser remember the token, out of reach of scripts and of other sites."""
         response.set_cookie(
-            f"{self._cookie}-{kind}",
+            f"{self._cookie}-{kind}-{who_is(name)}" if name else f"{self._cookie}-{kind}",
             token,
             max_age=COOKIE_SECONDS,
             httponly=True,
@@ -73,8 +89,15 @@ class Gate:
         )
 
     def forget(self, response: web.StreamResponse, kind: str) -> None:
-        """Have the browser forget it."""
+        """Have the browser forget what it has one of."""
         response.del_cookie(f"{self._cookie}-{kind}", path=self._path)
+
+    def sign_out(self, request: web.Request, response: web.StreamResponse, who: str) -> None:
+        """Have the browser forget this pupil."""
+        for cookie, value in request.cookies.items():
+            ticket = self._tokens.of(value) if self._is_cookie(cookie, PUPIL) else None
+            if ticket is not None and who_is(ticket.name) == who:
+                response.del_cookie(cookie, path=self._path)
 
     @property
     def _path(self) -> str:
@@ -131,6 +154,24 @@ class Gate:
             raise web.HTTPBadRequest from None
         except asyncio.TimeoutError:
             raise web.HTTPRequestTimeout(text="The form did not come.\n", headers={"Connection": "close"}) from None
+        finally:
+            if connection is not None:
+                connection.answer()
+
+    async def body(self, request: web.Request, most: int) -> bytes | None:
+        """Read what a page of ours sends, of at most so many bytes; None if it is more. Raises HTTPRequestTimeout."""
+        connection = connections.connection_of(request)
+        if connection is not None:
+            connection.await_more()
+        data = bytearray()
+        try:
+            while piece := await asyncio.wait_for(request.content.readany(), connections.BODY_SECONDS):
+                data += piece
+                if len(data) > most:
+                    return None
+            return bytes(data)
+        except asyncio.TimeoutError:
+            raise web.HTTPRequestTimeout(text="The file did not come.\n", headers={"Connection": "close"}) from None
         finally:
             if connection is not None:
                 connection.answer()

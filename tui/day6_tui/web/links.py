@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from urllib.parse import urlsplit
 
-from day6_tui.web.names import same_name
+from day6_core.classroom.homes import same_name
 from day6_tui.web.options import is_loopback
 from day6_tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
 

@@ -1,7 +1,8 @@
 """Who has the class word and waits until the teacher lets them in.
 
 Of an address, a few newcomers come in at once; after them the teacher is asked. So one who makes up names cannot fill a class,
-and a school whose browsers all have one address waits for one click.
+and a school whose browsers all have one address waits for one click. Who says to be a pupil that there is already always waits,
+and for a click of their own: it may be that pupil at another machine, or somebody else.
 """
 
 from __future__ import annotations
@@ -10,9 +11,11 @@ import itertools
 import secrets
 import time
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any
 
+from day6_core.classroom.kept import LESSON_SECONDS, Kept, Unkept
 from day6_tui.web.addresses import source
 
 MOST_OF_ONE = 60
@@ -20,6 +23,8 @@ MOST_OF_ONE = 60
 MOST_OF_ALL = 200
 MOST_KNOWN = 1000
 """Also those whose page has not asked lately."""
+CLAIMS = ("listed", "known")
+"""Why somebody waits who says to be a pupil that there is already: of the list, or one who came with the word."""
 AWAY_SECONDS = 20.0
 """Without a question of its page, somebody is not shown to the teacher."""
 GONE_SECONDS = 600.0
@@ -39,7 +44,8 @@ class Newcomer:
     name: str
     address: str
     why: str
-    """Why the teacher is asked: about all; many have come from there, or somebody was removed; there are files of this name."""
+    """Why the teacher is asked: about all; many have come from there, or somebody was removed; there are files of this name,
+    or there is a pupil of it (CLAIMS)."""
     seen: float
     """When its page asked last."""
     token: str = ""
@@ -52,18 +58,27 @@ class Newcomer:
         """Whether the teacher has yet to decide."""
         return not (self.token or self.refusal)
 
+    @property
+    def is_claim(self) -> bool:
+        """Whether this may be a pupil at another machine, and whoever is let in has that pupil's desktop."""
+        return self.why in CLAIMS
+
 
 class Lobby:
     """Decides who has to wait, and knows who does. Everything in the event loop, nothing is awaited."""
 
-    def __init__(self, unasked: int) -> None:
+    def __init__(self, unasked: int, kept: Kept | None = None, wall: Callable[[], float] = time.time) -> None:
+        """`kept` is where it outlives the server which addresses are trusted or not."""
         self._unasked = unasked
+        self._kept: Kept = kept or Unkept()
+        self._wall = wall
         self._numbers = itertools.count(1)
         self._by_key: dict[str, Newcomer] = {}
         self._came: Counter[str] = Counter()
         """Newcomers who came in unasked, by where from."""
-        self._trusted: set[str] = set()
-        self._distrusted: set[str] = set()
+        self._judged: dict[str, tuple[bool, float]] = {}
+        """place -> whether it is trusted, and when the teacher said so (seconds since 1970)"""
+        self._kept.restore(self._restore)
         self.asks = unasked == 0
         """Whether the teacher is asked about everybody."""
 
@@ -75,8 +90,8 @@ class Lobby:
         reasons = {
             "all": self.asks,
             "files": has_files,
-            "removed": place in self._distrusted,
-            "many": place not in self._trusted and self._came[place] >= self._unasked,
+            "removed": self._trusts(place) is False,
+            "many": self._trusts(place) is None and self._came[place] >= self._unasked,
         }
         return next((why for why, holds in reasons.items() if holds), "")
 
@@ -128,10 +143,20 @@ class Lobby:
 
     def trust(self, address: str) -> None:
         """Whoever comes from there with the word may come in, as long as the teacher is not asked about everybody."""
-        self._trusted.add(source(address))
-        self._distrusted.discard(source(address))
+        self._judge(source(address), True)
 
     def distrust(self, address: str) -> None:
         """Somebody from there was removed or turned away: the teacher is asked about the next one."""
-        self._trusted.discard(source(address))
-        self._distrusted.add(source(address))
+        self._judge(source(address), False)
+
+    def _trusts(self, place: str) -> bool | None:
+        return self._judged.get(place, (None,))[0]
+
+    def _judge(self, place: str, is_trusted: bool) -> None:
+        self._judged[place] = is_trusted, self._wall()
+        self._kept.write(self._judged)
+
+    def _restore(self, found: Any) -> None:
+        judged = {str(place): (trusted is True, float(when)) for place, (trusted, when) in found.items()}
+        now = self._wall()
+        self._judged = {place: each for place, each in judged.items() if abs(now - each[1]) < LESSON_SECONDS}

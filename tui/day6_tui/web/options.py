@@ -81,6 +81,7 @@ def parse(words: list[str], language: str) -> ServerSettings:
     found["limits"] = Limits(memory=memory, disk=disk, processes=processes, cpu_weight=weight)
     found["data"] = _data(found["data"])
     found["base_url"] = found["base_url"] or ""
+    found["desktop_lang"] = found["lang"] or ""
     found["lang"] = found["lang"] or language
     return ServerSettings(**found)
 

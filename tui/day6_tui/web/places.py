@@ -8,13 +8,14 @@ import sys
 from pathlib import Path
 from zlib import crc32
 
+from day6_core.classroom.homes import ASSIGNMENTS, BEFORE, HOMES, SERVER, folder_name, same_name
 from day6_core.isolation.cell import Cell, Limits
 from day6_core.isolation.mode import Mode
 from day6_core.isolation.modes import NAMES
 from day6_core.link.paths import base_folders
 from day6_core.places import default_home
 from day6_core.whole_file import write_private
-from day6_tui.web.names import folder_name, same_name
+from day6_tui.web.names import TEACHERS
 
 OPEN_TO_PASS = 0o711
 """Pupils that are Unix users of their own have to go through, and see no names."""
@@ -28,7 +29,7 @@ _FOR_ALL_USERS = Path("/run/day6-tui")
 def isolation_before(data: Path) -> str | None:
     """Return how the pupils of this folder were kept apart by the last server; None if there was none."""
     try:
-        name = (data / "server" / _ISOLATION).read_text(encoding="utf-8").strip()
+        name = (data / SERVER / _ISOLATION).read_text(encoding="utf-8").strip()
     except (OSError, ValueError):
         return None
     return name if name in NAMES else None
@@ -52,9 +53,15 @@ class Places:
 
     def __init__(self, data: Path, mode: Mode) -> None:
         self.data = data
-        self.homes = data / "homes"
-        self.server = data / "server"
+        self.homes = data / HOMES
+        self.server = data / SERVER
         """What the server remembers: tokens and sessions. No pupil's business."""
+        self.log = self.server / "log"
+        """What happened in the class, a file a day."""
+        self.assignments = data / ASSIGNMENTS
+        """What was handed out and collected. No pupil's business, either."""
+        self.grading = data / "grading"
+        """Where programs of pupils are graded: a home for each while that takes."""
         base = _FOR_ALL_USERS if mode.name == "users" and "DAY6_RUNTIME_DIR" not in os.environ else base_folders()[0]
         self._isolation = mode.name
         self._run = base.resolve() / f"c{crc32(os.fsencode(data)):08x}"
@@ -65,14 +72,19 @@ class Places:
         self.lock = self._run / "lock"
         """Held while the server runs, wherever its data is."""
 
+    @property
+    def hidden(self) -> tuple[Path, ...]:
+        """What no pupil may read."""
+        return (self.server, self.keepers, self.assignments, self.data / BEFORE)
+
     def make(self) -> None:
         """Create the folders. Raises OSError."""
-        for folder in (self.data, self.homes, self._run, self.runtimes):
+        for folder in (self.data, self.homes, self.grading, self._run, self.runtimes):
             is_the_users = folder == self.data and folder.exists()
             folder.mkdir(mode=OPEN_TO_PASS, parents=True, exist_ok=True)
             if sys.platform != "win32" and not is_the_users:
                 folder.chmod(OPEN_TO_PASS)
-        for folder in (self.server, self.keepers):
+        for folder in self.hidden:
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if sys.platform != "win32":
                 folder.chmod(0o700)
@@ -92,7 +104,7 @@ class Places:
 
     def home(self, name: str) -> Path:
         """The home folder of a pupil."""
-        return self.homes / folder_name(name)
+        return self.homes / (name if name == TEACHERS else folder_name(name))
 
     def cell(self, name: str, mode: Mode, limits: Limits, *, network: bool = False) -> Cell:
         """The cell of a pupil. Raises IsolationError."""
@@ -104,5 +116,5 @@ class Places:
             uid=mode.uid_of(home.name, self.homes),
             limits=limits,
             network=network,
-            hidden=(self.server, self.keepers),
+            hidden=self.hidden,
         )

@@ -10,21 +10,26 @@ import socket
 import ssl
 import stat
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from aiohttp import web
 
-from day6_core.isolation.cell import Phrase
+from day6_core.classroom.homes import TOKENS
+from day6_core.isolation import machine
+from day6_core.isolation.cell import Cell, IsolationError, Phrase
 from day6_core.isolation.modes import ModeOffer
 from day6_core.link.addresses import own_address
 from day6_core.link.file_lock import FileLock
 from day6_core.reason import fault, reason
-from day6_tui.web import class_list, connections
+from day6_tui.web import class_list, connections, room, starting
 from day6_tui.web.application import Application
 from day6_tui.web.entrance import Entrance
 from day6_tui.web.links import Links
 from day6_tui.web.lobby import Lobby
+from day6_tui.web.lookout import Lookout
+from day6_tui.web.nursery import Nursery
 from day6_tui.web.places import Places, login_name, own_home
 from day6_tui.web.sessions import Sessions, Tell
 from day6_tui.web.settings import ServerSettings
@@ -32,6 +37,9 @@ from day6_tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
 
 CLOSE_SECONDS = 3.0
 """What open sockets get to say goodbye."""
+
+LEAST_TO_SHARE = 3
+"""Desktops, from which on it takes less memory to fork them from a common parent."""
 
 ONLY_DESKTOP = "me"
 """The pupil where there is neither a list nor a word."""
@@ -49,10 +57,11 @@ class Server:
         self._settings = settings
         self._tell = tell
         self._offer = offer
+        self._mode = offer.mode
         self._places = Places(settings.data, offer.mode)
         self._lock = FileLock(self._places.server / "lock")
         self._runs = FileLock(self._places.lock)
-        self._tokens = Tokens(self._places.server / "tokens.json")
+        self._tokens = Tokens(self._places.server / TOKENS)
         self._sessions = Sessions(settings, self._places, offer.mode, tell, self._failed)
         self._runner: web.AppRunner | None = None
 
@@ -65,8 +74,10 @@ class Server:
         self._sessions.feed.say(key, **values)
 
     async def open(self) -> None:
-        """Begin to serve, and say where. Raises OSError, InUse, BadTokens, BadList."""
+        """Begin to serve, and say where. Raises IsolationError, OSError, InUse, BadTokens, BadList."""
         self._places.make()
+        if (closed := self._mode.closed_before((self._places.homes, self._places.runtimes))) is not None:
+            raise IsolationError("isolation.no.closed", folder=str(closed))
         if not self._lock.try_acquire():
             raise InUse(str(self._settings.data))
         self._runs.try_acquire()
@@ -79,15 +90,16 @@ class Server:
         new = links.enrol(names, anew=self._settings.new_links)
         teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
         await links.keep()
+        self._sessions.feed.roster.journal.note("began")
         self._sessions.feed.roster.expect(names)
         self._sessions.reserved = names
         again = await self._sessions.find_again([login_name()] if self._settings.proxied else links.all_names())
         await asyncio.to_thread(self._places.remember)
         lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
         what = self._offer.what_it_is
-        entrance = Entrance(
-            self._tokens, links, self._sessions, Lobby(self._settings.unasked), self._has_files, self._tell_all
-        )
+        kept = self._sessions.feed.kept(self._places.server / "addresses.json")
+        lobby = Lobby(self._settings.unasked, None if self._settings.proxied else kept)
+        entrance = Entrance(self._tokens, links, self._sessions, lobby, self._has_files, self._tell_all)
         application = Application(
             self._settings, self._tokens, links, self._sessions, entrance, what, self._tell, lessons
         )
@@ -101,8 +113,10 @@ class Server:
         )
         await self._runner.setup()
         await connections.Site(self._runner, listener, ssl_context=secure).start()
-        self._sessions.watch()
+        Lookout(self._sessions, self._tell).watch()
         self._tell("serve.apart", what=what)
+        cells = [each.cell for each in self._sessions.running.values()]
+        await asyncio.to_thread(self._tell_room, len(names), cells)
         if again:
             self._tell("serve.again", number=again)
         for name in new:
@@ -110,6 +124,30 @@ class Server:
         if teacher is not None:
             self._tell("serve.teacher", link=teacher)
         self._tell("serve.at", address=base)
+
+    def _tell_room(self, listed: int, cells: Sequence[Cell]) -> None:
+        """Say that this machine is too small for the list or, without one, for all that may come."""
+        settings = self._settings
+        if settings.proxied:
+            return
+        wanted = listed or settings.most
+        running: list[int] = []
+        if cells:
+            with contextlib.suppress(OSError):  # a system that does not tell
+                running = [machine.taken(pids).memory for pids in self._sessions.mode.processes_of(cells)]
+        desktop = room.remembered(self._places.server)
+        found = room.room(machine.memory(), machine.cores(), running, desktop, settings.most)
+        if found.desktops < wanted:
+            key = "serve.room.small" if listed else "serve.room.small.most"
+            self._tell(key, room=found.desktops, wanted=wanted, why=found.why)
+
+    def warm_up(self) -> None:
+        """Prepare what desktops are forked from, if there will be enough of them. Raises OSError."""
+        settings, mode = self._settings, self._offer.mode
+        is_worth_it = settings.most >= LEAST_TO_SHARE and not settings.proxied
+        if sys.platform == "linux" and mode is not None and mode.forks and is_worth_it:
+            self._sessions.nursery = Nursery(starting.environment(settings.domain))
+            self._sessions.nursery.begin()
 
     def _has_files(self, name: str) -> bool:
         return self._places.home(name).exists()
@@ -182,6 +220,8 @@ class Server:
         if self._settings.unix is not None:
             with contextlib.suppress(OSError):
                 os.unlink(self._settings.unix)
+        if self._sessions.nursery is not None:
+            await asyncio.to_thread(self._sessions.nursery.close)
         self._runs.release()
         self._lock.release()
 
@@ -190,7 +230,7 @@ def _lessons(folder: Path | None) -> list[dict[str, Any]]:
     """What a teacher can start for all: the days, or the lessons of the folder, and the drills."""
     from day6_core.lessons.catalogue import offer
 
-    return [{"name": each.name, "title": dict(each.title)} for each in offer(folder).all]
+    return [{"name": each.name, "title": dict(each.title), "drill": each.is_drill} for each in offer(folder).all]
 
 
 def _unix_listener(path: str) -> socket.socket:

@@ -55,6 +55,8 @@ class WebSession:
         self._ended = ended
         self._line: LoopLine | None = None
         self._is_read = False
+        self.on_drawn: Callable[[], None] | None = None
+        """Called once, when the desktop has begun to draw, or nobody waits for that any more."""
         self._early: bytearray | None = None
         """Keys that came before the desktop draws on the present line: the keeper takes none from a client that waits."""
 
@@ -118,6 +120,12 @@ class WebSession:
             self._line.close()
             self._line = None
         self._is_read = False
+        self._drawn()
+
+    def _drawn(self) -> None:
+        told, self.on_drawn = self.on_drawn, None
+        if told is not None:
+            told()
 
     def _read(self, on: bool) -> None:
         if self._line is None or on == self._is_read:
@@ -140,6 +148,7 @@ class WebSession:
             if kind == wire.OUTPUT:
                 self._type_early()
                 self._show(data)
+                self._drawn()
             elif kind == wire.END:
                 self._over("ended")
                 return

@@ -43,6 +43,9 @@ class ServerSettings:
     """Whether the desktops go on when the server is told to end."""
     lessons: Path | None = None
     lang: str = "en"
+    """Of what the server says, and of pages for browsers that ask for no language of ours."""
+    desktop_lang: str = ""
+    """Of all desktops; "": each begins in the language of the browser that it is started for."""
     base_url: str = ""
     """The address at which the pupils reach the server, where it is not the one it listens on."""
     proxied: bool = False

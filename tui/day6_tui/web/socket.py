@@ -11,7 +11,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from day6_core.isolation.cell import IsolationError
 from day6_tui.web import connections
-from day6_tui.web.session import WebSession, clamped
+from day6_tui.web.session import MOST_UNTYPED, clamped
 from day6_tui.web.sessions import Full, Sessions
 from day6_tui.web.tokens import WATCHER, Ticket
 from day6_tui.web.viewer import Viewer
@@ -48,7 +48,7 @@ async def talk(
     await ws.prepare(request)
     connections.keep(request)
     name, read_only = ticket.name, ticket.kind == WATCHER
-    viewer = Viewer(ws, _asked_size(request), read_only=read_only)
+    viewer = Viewer(ws, _asked_size(request), read_only=read_only, lang=lang)
     await viewer.say(t="hello", name=name, read_only=read_only, lang=lang)
     columns, rows, _, _ = viewer.size
     await viewer.say(t="size", cols=columns, rows=rows)
@@ -56,31 +56,38 @@ async def talk(
     try:
         if not is_good():
             viewer.bye("refused")
-        session = await sessions.show(name, viewer)
-        code, reason = await _exchange(ws, viewer, session, sending)
-    except (Full, IsolationError, OSError) as error:
-        if not isinstance(error, Full):
-            refused(name, error)
-        viewer.bye("full" if isinstance(error, Full) else "refused")
-        code, reason = WSCloseCode.OK, await _last_words(sending)
+        sessions.background.begin("serve.failed.start", _open(sessions, name, viewer, refused))
+        code, reason = await _exchange(ws, viewer, sending)
     finally:
-        await sessions.leave(name, viewer)
         sending.cancel()
+        viewer.bye("gone")
+        await sessions.leave(name, viewer)
         await asyncio.gather(sending, return_exceptions=True)
     await ws.close(code=code, message=reason.encode())
     return ws
 
 
-async def _exchange(
-    ws: web.WebSocketResponse, viewer: Viewer, session: WebSession | None, sending: asyncio.Task[str]
-) -> tuple[int, str]:
+async def _open(sessions: Sessions, name: str, viewer: Viewer, refused: Refused) -> None:
+    """Have the desktop shown, which may have to be started, after others; the tab may go meanwhile."""
+    why = "refused"
+    try:
+        await sessions.show(name, viewer)
+        why = "server"  # which ends, if there is no desktop
+    except Full:
+        why = "full"
+    except (IsolationError, OSError) as error:
+        refused(name, error)
+    finally:
+        if viewer.session is None:
+            viewer.bye(why)
+
+
+async def _exchange(ws: web.WebSocketResponse, viewer: Viewer, sending: asyncio.Task[str]) -> tuple[int, str]:
     """Carry to and fro until one of both leaves; return how to close.
 
     Reading ends before the socket is closed: aiohttp would else not wait for the browser's answer, and the last words get lost.
     """
-    if session is None:
-        return WSCloseCode.OK, await _last_words(sending)
-    listening = asyncio.create_task(_listen(ws, viewer, session))
+    listening = asyncio.create_task(_listen(ws, viewer))
     try:
         await asyncio.wait({sending, listening}, return_when=asyncio.FIRST_COMPLETED)
         if not listening.done():
@@ -111,16 +118,26 @@ def _asked_size(request: web.Request) -> tuple[int, int, int, int]:
     return clamped(*numbers)
 
 
-async def _listen(ws: web.WebSocketResponse, viewer: Viewer, session: WebSession) -> None:
+async def _listen(ws: web.WebSocketResponse, viewer: Viewer) -> None:
     async for message in ws:
         if message.type == WSMsgType.BINARY:
-            if not viewer.read_only and session.writer is viewer:
-                try:
-                    session.type(message.data)
-                except BlockingIOError:
-                    raise Nonsense("typed too much") from None
+            if not viewer.read_only:
+                _type(viewer, message.data)
         elif message.type == WSMsgType.TEXT:
-            await _obey(_parsed(message.data), viewer, session)
+            await _obey(_parsed(message.data), viewer)
+
+
+def _type(viewer: Viewer, keys: bytes) -> None:
+    session = viewer.session
+    try:
+        if session is None:
+            if len(viewer.early) > MOST_UNTYPED:
+                raise BlockingIOError
+            viewer.early += keys
+        elif session.writer is viewer:
+            session.type(keys)
+    except BlockingIOError:
+        raise Nonsense("typed too much") from None
 
 
 def _parsed(text: str) -> dict[str, Any]:
@@ -140,7 +157,7 @@ def _number(found: dict[str, Any], key: str) -> int:
     return int(value)
 
 
-async def _obey(found: dict[str, Any], viewer: Viewer, session: WebSession) -> None:
+async def _obey(found: dict[str, Any], viewer: Viewer) -> None:
     what = found.get("t")
     if what == "ack":
         viewer.acknowledge(_number(found, "bytes"))
@@ -150,6 +167,9 @@ async def _obey(found: dict[str, Any], viewer: Viewer, session: WebSession) -> N
         viewer.size = clamped(*(_number(found, key) for key in ("cols", "rows", "w", "h")))
         if not viewer.read_only:
             await viewer.say(t="size", cols=viewer.size[0], rows=viewer.size[1])
+        session = viewer.session
+        if session is None:
+            return
         if session.writer is viewer or (session.writer is None and session.watchers[:1] == [viewer]):
             session.resize()
     else:

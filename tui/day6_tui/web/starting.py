@@ -10,10 +10,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+from day6_core.isolation import enter
 from day6_core.isolation.cell import Cell
 from day6_core.isolation.mode import Mode
 from day6_core.ros import distribution
 from day6_tui.detached import meeting, wire
+from day6_tui.web.nursery import Nursery
 
 START_SECONDS = 30.0
 """What the system may take to start a process."""
@@ -24,12 +26,20 @@ END_SECONDS = 5.0
 LOCALE = "C.UTF-8"
 """Only the encoding matters: the desktop's language is said by `--lang`."""
 
-TERMINAL = {"TERM": "xterm-256color", "COLORTERM": "truecolor", "LANG": LOCALE, "LC_ALL": LOCALE}
+TERMINAL = {
+    "TERM": "xterm-256color",
+    "COLORTERM": "truecolor",
+    "TERM_PROGRAM": wire.PAGE,
+    "LANG": LOCALE,
+    "LC_ALL": LOCALE,
+}
 """What a desktop judges the browser's terminal by."""
 
 
-def start(mode: Mode, cell: Cell, keepers: Path, domain: int, words: list[str]) -> socket.socket:
-    """Start a keeper and return the first line to it; `words` are for the desktop.
+def start(
+    mode: Mode, cell: Cell, keepers: Path, domain: int, words: list[str], nursery: Nursery | None = None
+) -> socket.socket:
+    """Start a keeper and return the first line to it; `words` are for the desktop. With a nursery it is born there if possible.
 
     Raises BlockingIOError if one runs, IsolationError or OSError if it cannot be started.
     """
@@ -41,14 +51,25 @@ def start(mode: Mode, cell: Cell, keepers: Path, domain: int, words: list[str]) 
         ours, theirs = socket.socketpair()
         with theirs:
             descriptors = (held.listener.fileno(), held.lock, theirs.fileno())
-            keeper = [sys.executable, "-m", "day6_tui.detached.keeper", *map(str, descriptors)]
-            desktop = ["--home", str(cell.home), *words]
-            program = mode.command(cell, [*keeper, str(cell.home), str(cell.home), *desktop], descriptors)
-            numbers = ",".join(map(str, descriptors))
-            _run([sys.executable, "-I", "-m", "day6_tui.web.orphan", numbers, *program], domain, descriptors)
+            # -I: in the pupil's home, whose random.py is not Python's
+            keeper = [sys.executable, "-I", "-m", "day6_tui.detached.keeper", *map(str, descriptors)]
+            keeper += [str(cell.home), str(cell.home), "--home", str(cell.home), *words]
+            if nursery is None or not _is_born(nursery, mode, cell, keeper, domain, descriptors):
+                program = mode.command(cell, keeper, descriptors)
+                numbers = ",".join(map(str, descriptors))
+                _run([sys.executable, "-I", "-m", "day6_tui.web.orphan", numbers, *program], domain, descriptors)
         return ours
     finally:
         held.close()  # the keeper has inherited both
+
+
+def _is_born(
+    nursery: Nursery, mode: Mode, cell: Cell, keeper: list[str], domain: int, descriptors: tuple[int, ...]
+) -> bool:
+    plan = mode.plan(cell, descriptors)
+    shown = enter.command(cell, plan, keeper)
+    order = {"plan": enter.filled(plan), "keeper": keeper, "shown": shown, "environment": environment(domain)}
+    return nursery.bear(order, descriptors)
 
 
 def _run(program: list[str], domain: int, descriptors: tuple[int, ...]) -> None:

@@ -12,8 +12,8 @@ import secrets
 from dataclasses import dataclass
 from pathlib import Path
 
+from day6_core.classroom.homes import same_name
 from day6_core.whole_file import write_private
-from day6_tui.web.names import same_name
 
 PUPIL, WATCHER, TEACHER = "pupil", "watch", "teacher"
 KINDS = (PUPIL, WATCHER, TEACHER)

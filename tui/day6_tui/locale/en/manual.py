@@ -46,5 +46,6 @@ TEXTS = {
     "manual.lesson": "Lessons",
     "manual.kitchen": "Kitchen",
     "manual.classroom": "Class",
+    "manual.shown": "A screen that is shown",
     "manual.classroom_pupil": "Class: hand, teacher",
 }

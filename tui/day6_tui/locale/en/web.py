@@ -43,11 +43,14 @@ TEXTS = {
     "serve.apart": "how pupils are kept apart: {what}",
     "serve.back": "To the start page",
     "serve.start.what": "ROS 2 in a browser tab: turtlesim, RViz, rqt_graph and terminals, on your own desktop.",
+    "serve.app.desk": "day6: ROS 2 in a browser",
+    "serve.app.class": "day6: the class",
     "serve.start.word": "Class word",
     "serve.start.name": "Your name",
     "serve.start.enter": "Open my desktop",
     "serve.start.go_on": "Continue as {name}",
-    "serve.start.leave": "I'm not {name}",
+    "serve.start.leave": "Sign {name} out",
+    "serve.start.beside": "Somebody else wants to come in here, too",
     "serve.start.by_link": "Use the link or the QR code your teacher gave you.",
     "serve.start.apart": "How pupils are kept apart here:",
     "serve.start.none": (
@@ -56,9 +59,7 @@ TEXTS = {
     ),
     "serve.wrong.word": "That is not the class word.",
     "serve.wrong.often": "Too many wrong attempts. Wait a minute.",
-    "serve.wrong.name": (
-        "Somebody is already called {name}. Choose another name; if it's you, use the browser you started with."
-    ),
+    "serve.wrong.name": "Somebody has just come in as {name}. Choose another name.",
     "serve.wrong.link": "This link is not valid (any more). Ask your teacher for a new one.",
     "serve.wrong.stranger": "This page needs a link from your teacher.",
     "serve.wrong.host": "Open the address your teacher gave you.",
@@ -87,6 +88,33 @@ TEXTS = {
     ),
     "serve.no_record": "{file}: cannot be written ({reason})",
     "serve.bad_record": "{file} was not written by this program; the last desktops are found by the pupils' names",
+    "serve.groups.unread": "{file} cannot be read or is no file of groups; there are no groups now",
+    "serve.groups.unkept": "groups are lost at the end of the server: {file} cannot be written ({reason})",
+    "serve.groups.nobody": "a group needs somebody of the class",
+    "serve.groups.many": "no more than {most} groups",
+    "serve.failed.hand": "handing out a file",
+    "serve.failed.desk": "restarting a desktop",
+    "serve.failed.machine": "measuring what the desktops take",
+    "serve.desk.none": "no desktop is running",
+    "serve.desk.no_home": "there is no home folder yet",
+    "serve.desk.busy": "this is being done already",
+    "serve.desk.progress": "the progress file cannot be read; it was left as it is",
+    "serve.room": "Room for {room} desktops: {why}",
+    "serve.room.small": "room for {room} desktops on this machine, {wanted} are on the list: {why}",
+    "serve.room.small.most": "room for {room} desktops on this machine, --most allows {wanted}: {why}",
+    "serve.room.most": "--most allows no more than {most}",
+    "serve.room.cores": "it has {cores} cores",
+    "serve.room.memory": (
+        "{free} MB of memory are free; a desktop takes {desktop} MB, measured here, and {programs} MB are kept for each "
+        "pupil's programs"
+    ),
+    "serve.room.memory.unmeasured": (
+        "{free} MB of memory are free; a desktop takes {desktop} MB, not measured here yet, and {programs} MB are kept for "
+        "each pupil's programs"
+    ),
+    "serve.short.memory": "memory: {left} MB left",
+    "serve.short.disk": "disk: {left} MB left",
+    "serve.short.who": " (most of it is taken by {name}: {taken} MB)",
     "serve.disk.over": "{name}: {used} MB in the home folder, more than {most} MB",
     "serve.disk.ended": "{name}: ended, {used} MB in the home folder with {most} MB allowed; the files stay",
     "serve.class.large": "{file} is too large for a list of names",
@@ -105,13 +133,33 @@ TEXTS = {
         "or --word - for standard input"
     ),
     "serve.lobby.asks": "{name} from {address} is waiting to be let in on the class page (or start with a larger --unasked)",
+    "serve.beside.what": "{name} is at work in this browser.",
+    "serve.beside.both": "Come in as {name}, too: each keeps a tab",
+    "serve.beside.instead": "Sign {other} out and come in as {name}",
+    "serve.beside.back": "Go on as {other}; {name} does not come in",
+    "serve.beside.note": (
+        "Whoever uses this browser can open the desktops of everyone who is signed in here. "
+        "Signing out ends nothing: desktops and files stay."
+    ),
+    "serve.lobby.lost": "The server does not answer. This page keeps trying.",
     "serve.lobby.wait": "{name}, please wait: your teacher will let you in. This page goes on by itself.",
+    "serve.lobby.claim": (
+        "There is a {name} in this class. If that's you, your teacher will let you in to your own desktop, and this page goes on "
+        "by itself. If not, choose another name."
+    ),
     "serve.lobby.leave": "Choose another name",
     "serve.lobby.full": "Too many people are waiting to be let in. Tell your teacher.",
     "serve.lobby.away": "Your teacher did not let {name} in. If this is a mistake, tell your teacher, or use another name.",
+    "serve.kept.unread": "{file} cannot be read or was not written by this program; what the last server kept in it is forgotten",
+    "serve.kept.unkept": "{file} cannot be written ({reason}): if the server is killed, the next one does not know what is in it",
+    "serve.no_log": (
+        "the log of the lesson cannot be written ({file}: {reason}); the class goes on, and what happens is kept in memory "
+        "until it can"
+    ),
     "serve.failed": "{what} failed and goes on ({reason}); please report this",
     "serve.failed.look": "looking for idle desktops and full home folders",
     "serve.failed.end": "ending a desktop",
+    "serve.failed.start": "starting a desktop",
     "serve.failed.page": "the class page",
     "serve.links.what": (
         "Print this page and cut it up: each pupil gets one link. Anyone with the link has the desktop."

@@ -3,30 +3,32 @@
 TEXTS = {
     # 一个班：学生看到的
     "action.hand": "举手，或者放下手",
+    "action.answer": "回答老师，或打开发来的东西",
     "action.sayings": "老师说过的话",
     "action.take_back": "不再让老师打字",
+    "action.stop_showing": "不再展示我的屏幕",
     "help.action.hand": "班里的老师会看到",
+    "help.action.answer": "有要回答或打开的，顶栏里会显示；没有的时候，这个键归终端",
     "help.action.sayings": "老师发给你的每一条消息",
     "help.action.take_back": "从现在起只有你能打字",
+    "help.action.stop_showing": "从现在起全班看不到你的屏幕",
     "class.hand.raised": "你举手了，老师看得到",
     "class.hand.alone": "你举手了；现在还没有老师连上",
     "class.hand.lowered": "手放下了",
     "class.taken_back": "老师不能再打字了",
+    "class.not_shown": "全班看不到你的屏幕了",
     "class.hand.seen": "老师看到你举手了",
     "class.ended": "老师结束了这个桌面。你的文件都留着。",
     "class.sayings": "老师说过",
     "class.log.time": "时间",
-    "class.log.name": "名字",
+    "class.log.name": "学生",
+    "class.log.by": "谁",
     "class.log.what": "事情",
     "class.log.text": "内容",
-    "class.log.came": "来了",
-    "class.log.left": "走了",
-    "class.log.lesson": "打开课程",
-    "class.log.step": "下一步",
-    "class.log.error": "出错",
-    "class.log.mended": "错误已解决",
-    "class.log.hand": "举手",
-    "class.log.lowered": "手放下",
+    "class.log.all": "全班",
+    "class.log.by.pupil": "学生",
+    "class.log.by.teacher": "老师",
+    "class.log.by.server": "服务器",
     "class.sayings.none": "还没有。",
     # 网络班级：老师的窗口
     "action.class": "班级：谁学到哪里、屏幕、指令",
@@ -95,6 +97,7 @@ TEXTS = {
     "teacher.state.frozen": "已锁定",
     "teacher.state.idle": "{minutes} 分钟没有按键",
     "teacher.hints": "看过提示：{count}",
+    "teacher.hidden": "全班在看你的屏幕，这里不显示学生的屏幕",
     "teacher.no_screen": "正在等屏幕",
     "teacher.missed": "没有送到：{names}",
     "teacher.sent": "已发给 {name}",
@@ -106,12 +109,34 @@ TEXTS = {
     "teacher.say": "对 {name} 说",
     "teacher.say.all": "对全班说",
     "teacher.say.nothing": "还没有写内容",
+    "teacher.ask": "问 {name}；回答是“是”“不是”“做好了”或几个字",
+    "teacher.ask.all": "问全班；回答是“是”“不是”“做好了”或几个字",
+    "teacher.link": "发给 {name} 的链接",
+    "teacher.link.all": "发给全班的链接",
+    "teacher.link.none": "链接要以 http:// 或 https:// 开头",
+    "teacher.reply.none": "还没回答",
+    "teacher.reply.words": "“{text}”",
+    "teacher.reply.silent": "还没回答 {count}",
+    "teacher.state.step": "这一步已 {minutes} 分钟",
+    "teacher.state.step.short": "这步 {minutes} 分",
+    "teacher.key.ask": "提问，问全班",
+    "teacher.key.settle": "不再等回答",
+    "teacher.key.link": "发链接，发给全班",
+    "teacher.key.file": "发文件，发给全班",
+    "teacher.file": "发给 {name} 的文件",
+    "teacher.file.all": "发给全班的文件",
+    "teacher.file.note": "你的主目录里的文件，或者完整路径；最大 {most}",
+    "teacher.file.large": "太大了：最大 {most}",
+    "teacher.file.handed": "{file}：{count}/{all} 人收到",
+    "teacher.file.failed": "{name}（{reason}）",
+    "teacher.file.silent": "没有回答",
     "teacher.open": "打开",
     "teacher.open.lesson": "课程",
     "teacher.open.scene": "场景",
     "teacher.end": "结束 {name} 的桌面？",
     "teacher.end.text": "那里的程序会结束，文件都留着。",
     "teacher.end.yes": "结束",
+    "teacher.no_log": "课堂记录写不进去：{reason}",
     "teacher.csv": "把表格和旁边的课堂记录写到",
     "teacher.csv.name": "名字",
     "teacher.csv.lesson": "课程",
@@ -127,17 +152,32 @@ TEXTS = {
         "t 问学生能不能代打字。学生同意时，如果你还在看这块屏幕，就自动开始；否则再按一次 t。之后按键都送到学生的终端，"
         "直到 Ctrl-]。只有 F1 到 F9、Alt 加数字或方向键、Ctrl-Q 仍然归你的桌面，和在每个终端里一样。"
         "学生收回同意或者断开以后，按键不起作用，直到你按 Ctrl-] 或 Esc。\n\n"
-        "s 说一句话，o 在那里打开一课、一道排错题或一个场景；S 和 O 是对全班。f 锁定全班的键盘，后来加入的也一样，"
+        "s 说一句话，o 在那里打开一课、一道排错题或一个场景；S 和 O 是对全班。a 提问，用“是”“不是”"
+        "“做好了”或几个字回答，A 问全班：回答在名单里，人数在下面，w 不再等回答。l 发链接，L 发给全班；"
+        "g 发你主目录里的一个文件，G 发给全班：放进学生的 handed 文件夹，不会覆盖任何文件，最下面一行写着谁收到了。"
+        "f 锁定全班的键盘，后来加入的也一样，"
         "再按 f 继续，最长十分钟。x 结束的是这个学生的桌面，不是你的。d 删去已经走了的人那一行。\n\n"
+        "m 把你的屏幕实时展示给全班，r 展示选中学生的屏幕，要这个学生同意；再按一次同一个键就结束，点最下面一行的字也行。"
+        "学生可以在旁边继续做自己的。M 和 R 让画面铺满他们的桌面，学生按 F8 可以缩小。被展示的人自己看不到这个窗口。"
+        "全班在看你的屏幕的时候，你的窗口里不显示学生的屏幕。\n\n"
         "e 写出每个人学到了哪里，旁边再写一份课堂记录；不会覆盖任何文件。\n\n"
         "在你的终端里，每个学生的计算图都在他的名字下面：ros2 topic echo /anna/turtle1/pose。"
+    ),
+    "help.shown": (
+        "老师正在向全班实时展示一块屏幕：老师自己的，或者一个学生的。你只能看，自己的事可以在旁边继续做。"
+        "屏幕比这个窗口大的时候，显示的是那边正在用的部分；方向键和鼠标滚轮可以移动，Home 重新跟着画面走。\n\n"
+        "画面铺满桌面的时候，按 F8 缩小，键盘也回到你的终端。不需要就关掉：点顶栏里的字，或者按 F7 选"
+        "“看正在向全班展示的屏幕”，可以再打开。老师结束展示，它就自己关上。\n\n"
+        "你说可以，你的屏幕才会展示给全班。随时可以收回：点顶栏里的字。"
     ),
     "help.classroom_pupil": (
         "上课：老师的桌面或者老师的网页知道你的桌面。顶栏里写着这一点，也写着老师在做什么。\n\n"
         "举手：点顶栏里的“举手”，或者按 F7 输入“举手”。再点一次就放下。老师也可以把手放下，那就是看到了。\n\n"
         "老师看得到你在哪一课的哪一步、你的节点的名字、上一个错误的卡片，还有多久没有按键。"
         "老师可以对你说话（F7：老师说过的话），也可以打开一课或一个场景；正在运行的程序不会停。\n\n"
-        "只有顶栏写着“老师在看”的时候，老师才看得到你的屏幕。你这里什么都不会变。\n\n"
+        "顶栏写着老师提问的时候，按 F10 或者点那里：y、n、d 是“是”“不是”“做好了”，w 写几个字。"
+        "老师发来的东西也用 F10 打开：文件在编辑器里，链接在浏览器里。没有要回答或打开的，F10 归终端。\n\n"
+        "只有顶栏写着“老师在看”的时候，老师才看得到你的屏幕；你同意展示以后，顶栏写着“全班在看你的屏幕”。你这里什么都不会变。\n\n"
         "“请看前面”：老师锁定了全班的键盘。程序照常运行，什么都不会丢，它会自己消失，最长十分钟。\n\n"
         "你说可以，老师才能在你的终端里打字。随时可以收回：点顶栏里的“老师可以打字”，或者按 F7 输入“老师”。"
         "老师打的字会进到你的键盘所在的终端。\n\n"
@@ -146,6 +186,31 @@ TEXTS = {
         "如果是 --room 的班，所有人共用一个图，场景会在你的名字下面运行。"
     ),
     "class.says": "老师说",
+    "class.says.read": "看完了点一下这里，或按 {key} 选“{action}”",
+    "class.later": "以后再说",
+    "class.asks": "老师问",
+    "class.asks.how": "按 {key} 回答。",
+    "class.bar.asks": "老师提问：{key} 回答",
+    "class.bar.asks.short": "{key}：回答",
+    "class.handed.how": "按 {key} 打开。",
+    "class.bar.handed": "老师发来东西：{key} 打开",
+    "class.bar.handed.short": "{key}：打开",
+    "class.handed.link": "老师发来一个链接：{what}",
+    "class.handed.file": "老师发来 {what}",
+    "class.handed.open": "打开",
+    "class.handed.copied": "链接已复制，请粘贴到浏览器里",
+    "class.handed.gone": "{file} 已经不在了",
+    "class.handed.no_text": "{file} 不是文本；它在你的主目录里",
+    "class.reply.yes": "是",
+    "class.reply.no": "不是",
+    "class.reply.done": "做好了",
+    "class.reply.words": "写几个字",
+    "class.reply.note": "最多 {most} 个字；回车发送",
+    "class.reply.nothing": "还没有内容",
+    "class.reply.long": "太长了：最多 {most} 个字",
+    "class.reply.late": "老师已经不再等这个回答了",
+    "class.replied": "你的回答：{answer}",
+    "class.sayings.open": "o 打开最近发来的",
     "class.opened": "老师打开了这一课",
     "class.bar.unread": "老师说了 {count} 句",
     "class.bar.unread.short": "老师说 {count}",
@@ -155,6 +220,8 @@ TEXTS = {
     "class.bar.hand.short": "已举手",
     "class.bar.types": "老师可以打字：点这里结束",
     "class.bar.types.short": "老师打字：结束",
+    "class.bar.shown": "全班在看你的屏幕：点这里结束",
+    "class.bar.shown.short": "全班在看：结束",
     "class.bar.watched": "老师在看",
     "class.bar.watched.short": "老师在看",
     "class.bar.seen": "有人在看",
@@ -164,13 +231,44 @@ TEXTS = {
     "class.frozen.keys": "它会自己消失",
     "class.consent.title": "让老师来打字吗？",
     "class.consent.text": "老师想在你的终端里打字。\n随时可以收回：点顶栏里的“老师可以打字”，或者按 F7。",
+    "class.consent_show.title": "让全班看你的屏幕吗？",
+    "class.consent_show.text": "老师想把你的屏幕实时展示给全班看。\n随时可以收回：点顶栏里的“全班在看你的屏幕”，或者按 F7。",
     "class.consent.yes": "可以",
     "class.consent.no": "不要",
+    "class.show.gone": "{name} 的桌面没有运行，不能展示",
+    "class.show.no": "{name} 不愿意展示自己的屏幕",
+    "class.show.busy": "没有问 {name}：那边的屏幕上正有一个问题等着回答",
+    "class.show.silent": "{name} 没有回答是否可以展示屏幕",
+    "class.show.over": "{name} 的屏幕不再展示",
+    "class.show.not_mine": "没有展示你的屏幕：你的桌面没有打开",
+    "class.show.mine_over": "你的屏幕不再展示",
+    "action.see_shown": "看正在向全班展示的屏幕",
+    "help.action.see_shown": "窗口关掉以后，再打开它",
+    "class.bar.see": "正在展示屏幕：点这里看",
+    "class.bar.see.short": "展示：点这里",
+    "shown.own": "老师的屏幕",
+    "shown.of": "{name} 的屏幕",
+    "shown.live": "实时",
+    "shown.waiting": "正在等画面",
+    "shown.over": "展示结束了",
+    "shown.none": "现在没有展示屏幕",
+    "shown.key.scroll": "移动",
+    "shown.key.follow": "跟着画面走",
+    "teacher.key.show_mine": "向全班展示我的屏幕、铺满",
+    "teacher.key.show": "向全班展示这个学生的屏幕、铺满",
+    "teacher.shown": "全班在看 {name} 的屏幕：点这里结束",
+    "teacher.shown.full": "全班在看 {name} 的屏幕（铺满）：点这里结束",
+    "teacher.shown.own": "全班在看你的屏幕：点这里结束",
+    "teacher.to_show": "正在问 {name} 能不能展示：点这里取消",
+    "teacher.to_show.full": "正在问 {name} 能不能展示：点这里取消",
+    "teacher.to_show.own": "正要展示你的屏幕",
+    "teacher.state.shown": "正在向全班展示",
+    "teacher.state.asked_show": "已问能不能展示屏幕",
     "class.refused.busy": "那边的屏幕上正有一个问题等着回答",
     "class.refused.type": "学生还没有同意",
     "class.refused.no": "学生说不要",
     "class.refused.taken_back": "学生收回了同意",
     "class.refused.full": "那个桌面上开着东西",
-    "class.refused.place": "那边的键盘不在终端里",
+    "class.refused.place": "那边有对话框开着，或者这个键只能由学生自己按",
     "class.refused.unknown": "没有这个",
 }

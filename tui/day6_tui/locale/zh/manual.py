@@ -44,5 +44,6 @@ TEXTS = {
     "manual.lesson": "课程",
     "manual.kitchen": "厨房",
     "manual.classroom": "班级",
+    "manual.shown": "展示的屏幕",
     "manual.classroom_pupil": "上课：举手、老师",
 }

@@ -10,6 +10,7 @@ const SILENCE_MS = 9000; // without any sign of the server after a ping: the lin
 const FIRST_RETRY_MS = 250;
 const LONGEST_RETRY_MS = 5000;
 const FULL_RETRY_MS = 10000;
+const ANSWER_MS = 4000; // a network may take what is asked and never answer
 const ACK_BYTES = 32 * 1024;
 const KEY_BYTES = 16 * 1024; // the longest frame of keys
 const LATENCIES = 9;
@@ -20,6 +21,19 @@ const FINAL = new Set(["taken", "left", "ended", "idle", "disk", "refused", "rem
 /** How long to wait before the attempt number `count` (from 1): doubling, at most 5 s, a little apart for thirty tabs. */
 export function retryDelay(count, chance = Math.random()) {
   return Math.min(LONGEST_RETRY_MS, FIRST_RETRY_MS * 2 ** (count - 1)) * (0.75 + 0.25 * chance);
+}
+
+/** What the server answers to a question for a page's state, without the page; null if it does not answer in time. */
+export async function asked(address, milliseconds = ANSWER_MS) {
+  const late = new AbortController();
+  const timer = setTimeout(() => late.abort(), milliseconds);
+  try {
+    return await fetch(address, { method: "HEAD", cache: "no-store", signal: late.signal });
+  } catch {
+    return null; // no server at all
+  } finally {
+    clearTimeout(timer);
+  }
 }
 
 export function median(values) {
@@ -52,6 +66,7 @@ export class Connection {
   /** Connect now: at the start, and when the user asks. */
   open() {
     this._drop();
+    this._isClosed = false;
     this._bye = null;
     this._on.state(this._attempts ? "lost" : "connecting", this._attempts);
     this._asked = [];
@@ -67,6 +82,17 @@ export class Connection {
     this._pings = new Map();
     socket.onmessage = (event) => socket === this._socket && this._take(socket, event.data);
     socket.onclose = () => socket === this._socket && this._closed();
+  }
+
+  /** Be connected no longer, until `open` is called. */
+  close() {
+    this._isClosed = true;
+    this._cut();
+  }
+
+  _cut() {
+    this._drop();
+    this._greeted = false;
   }
 
   get isOpen() {
@@ -190,10 +216,9 @@ export class Connection {
 
   async _closed() {
     const greeted = this._greeted;
-    this._drop();
-    this._greeted = false;
+    this._cut();
     if (!this._bye && !greeted && (await this._refused())) this._bye = "refused";
-    if (this._socket || this._timer) return; // somebody was quicker while we asked
+    if (this._socket || this._timer || this._isClosed) return; // somebody was quicker while we asked
     if (FINAL.has(this._bye)) {
       this._attempts = 0;
       this._on.state(this._bye);
@@ -207,11 +232,7 @@ export class Connection {
 
   /** A browser hides why a WebSocket was refused; the page itself is refused for the same reason. */
   async _refused() {
-    try {
-      const answer = await fetch(location.href, { method: "HEAD", cache: "no-store" });
-      return answer.status === 401 || answer.status === 403;
-    } catch {
-      return false; // no server at all
-    }
+    const answer = await asked(location.href);
+    return answer?.status === 401 || answer?.status === 403;
   }
 }

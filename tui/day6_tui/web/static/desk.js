@@ -1,31 +1,30 @@
 /** The page of a desktop: the terminal, its connection, the tools around it. */
 
 import { Connection } from "./connection.js";
-import { KeyRow, keepsFocus } from "./key_row.js";
+import { KeyChooser } from "./key_chooser.js";
+import { KeyRow, chosenKeys, keepsFocus } from "./key_row.js";
 import { meaning } from "./keys.js";
+import { memory } from "./memory.js";
 import { Notice } from "./notice.js";
+import { PageLink } from "./page_link.js";
 import { Screen, copyText } from "./screen.js";
+import { Shown } from "./shown.js";
+import { Speaker } from "./speak.js";
 import { Strip } from "./strip.js";
 import { Texts, language } from "./texts.js";
 import { fingersAreAMouse, keepVisible } from "./touch.js";
 
 const NARROW = 600; // CSS pixels: phones
 const MIDDLE = 1000; // tablets
+const HOPEFUL = new Set(["connecting", "open"]); // of the connection: the desktop may be about to come
 const NOTICE_MS = 2500;
+const OPENS = 7701; // the number of the sequence by which the desktop opens a link
 const HINT_MS = 8000; // a sentence that says what to do
+
+const GOES_ON = new Set(["open", "connecting", "lost", "offline", "server", "full", "restart"]); // the page comes back by itself
 
 const at = (id) => document.getElementById(id);
 const touching = matchMedia("(pointer: coarse)").matches;
-
-/** What this browser remembers; nothing where it must not. */
-const memory = {
-  get(name) {
-    try { return localStorage.getItem(`day6.${name}`); } catch { return null; }
-  },
-  set(name, value) {
-    try { localStorage.setItem(`day6.${name}`, value); } catch { /* private browsing: forgotten with the tab */ }
-  },
-};
 
 class Desk {
   constructor() {
@@ -33,9 +32,11 @@ class Desk {
     this._texts = new Texts(this._query.get("lang") || navigator.language);
     this._readOnly = false;
     this._row = null;
+    this._isDrawn = false; // whether the desktop has shown a picture since it was started
     this._copied = ""; // what the desktop copied last: it is still marked there
     this._notice = new Notice(at("notice"));
     this._strip = new Strip(at("strip"), () => this._connection.open());
+    this._link = new PageLink(at("link"), () => this._terminal.focus());
     keepVisible();
     this._screen = new Screen(at("screen"), {
       fontSize: this._firstFontSize(),
@@ -45,15 +46,33 @@ class Desk {
       copies: (text) => this._copies(text),
     });
     this._terminal = this._screen.terminal;
-    const address = location.pathname.endsWith("/watch") ? "ws?watch=1" : "ws"; // a pupil may watch another one
-    this._connection = new Connection(address, () => this._screen.size(), {
+    const page = location.pathname.split("/").at(-1);
+    this._isMine = page === "mine"; // the teacher's own
+    const whose = new URLSearchParams(this._query.has("who") ? { who: this._query.get("who") } : {});
+    if (page === "watch" || page === "mine") whose.set(page, "1"); // a pupil may watch another one
+    this._shown = new Shown(at("shown"), at("shown-again"), `shown?${whose}`, {
+      memory,
+      say: (text, milliseconds) => this._notice.show(text, milliseconds),
+      leave: () => this._terminal.focus(),
+    });
+    this._terminal.parser.registerOscHandler(OPENS, (text) => this._open(text));
+    this._connection = new Connection(`ws?${whose}`, () => this._screen.size(), {
       hello: (message) => this._hello(message),
-      output: (bytes, done) => this._terminal.write(bytes, done),
+      output: (bytes, done) => this._terminal.write(bytes, () => {
+        if (!this._isDrawn) this._lookForPicture();
+        done();
+      }),
+      message: (message) => {
+        if (message.t === "starting") this._starts(message);
+        else if (message.t === "show") this._shown.hear(message, this._texts);
+      },
       size: (cols, rows) => this._screen.show(cols, rows, this._readOnly),
       latency: (ms) => this._showLatency(ms),
       state: (name, count) => {
+        if (!GOES_ON.has(name)) this._shown.end();
         const shown = name === "left" && this._readOnly ? "left_by_pupil" : name;
         this._strip.show(shown, count, this._texts);
+        at("starting").hidden = this._isDrawn || !HOPEFUL.has(name);
       },
     });
     this._listen();
@@ -78,11 +97,29 @@ class Desk {
       this._texts = new Texts(lang);
       this._write();
     }
-    at("who").textContent = name || "";
+    const who = this._isMine ? this._texts.say("bar.mine") : name || "";
+    at("who").textContent = who;
     at("watching").hidden = !this._readOnly;
     document.body.classList.toggle("watching", this._readOnly);
-    if (name) document.title = `${name} · day6`;
+    if (who) document.title = `${who} · day6`;
     this._terminal.focus();
+  }
+
+  /** The desktop is being started, after those of `before` others. */
+  _starts({ before }) {
+    const key = this._readOnly ? "watched" : before ? "queued" : "now";
+    this._isDrawn = false;
+    at("starting").textContent = this._texts.say(`starting.${key}`, { before });
+    at("starting").hidden = false;
+  }
+
+  /** What is said instead of the desktop goes when the desktop itself has something to show. */
+  _lookForPicture() {
+    const { active } = this._terminal.buffer;
+    for (let row = 0; row < this._terminal.rows && !this._isDrawn; row += 1) {
+      this._isDrawn = Boolean(active.getLine(row)?.translateToString(true));
+    }
+    at("starting").hidden ||= this._isDrawn;
   }
 
   _listen() {
@@ -102,7 +139,12 @@ class Desk {
     place.addEventListener("contextmenu", (event) => {
       if (this._terminal.modes.mouseTrackingMode !== "none" && !event.shiftKey) event.preventDefault();
     });
-    fingersAreAMouse(place, () => place.clientHeight / this._terminal.rows);
+    fingersAreAMouse(place, {
+      rowHeight: () => this._screen.rowHeight,
+      word: (x, y) => this._screen.wordAt(x, y),
+      size: () => this._screen.fontSize,
+      zoom: (size) => this._zoomTo(size),
+    });
   }
 
   /** Keys belong to the terminal wherever the focus went, except in a dialog and among the tools. */
@@ -110,7 +152,7 @@ class Desk {
     addEventListener("focus", () => this._terminal.focus());
     document.addEventListener("keydown", (event) => {
       if (event.target.closest?.("dialog, .xterm")) return;
-      if (event.target.closest?.("button") && ["Tab", "Enter", " ", "Escape"].includes(event.key)) {
+      if (event.target.closest?.("button, a") && ["Tab", "Enter", " ", "Escape"].includes(event.key)) {
         if (event.key === "Escape") this._terminal.focus();
         return;
       }
@@ -131,12 +173,18 @@ class Desk {
     return false;
   }
 
-  /** The desktop copies: a plain drag in one of its panes does it at once. */
+  /** The desktop copies: a plain drag in one of its panes does it at once. For who types here, not for those who watch. */
   async _copies(text) {
-    if (!text) return;
+    if (!text || this._readOnly) return;
     this._copied = text;
     const done = await copyText(text);
     this._say(done ? "copied" : "copy_needs_click", done ? NOTICE_MS : HINT_MS);
+  }
+
+  /** A link is opened by who types in this tab, not by those who watch. */
+  _open(text) {
+    if (!this._readOnly && text.startsWith("open;")) this._link.open(text.slice("open;".length));
+    return true;
   }
 
   /** What is selected on this page, or else in the desktop. */
@@ -169,8 +217,19 @@ class Desk {
       copy: () => this._copy(),
       paste: () => this._paste(),
       full: () => this._fullScreen(),
+      "choose-keys": () => this._chooser.open(chosenKeys(memory.get("row")), this._texts),
       help: () => at("help-dialog").showModal(),
     };
+    this._chooser = new KeyChooser(at("choose-dialog"), (names) => {
+      memory.set("row", names && names.join(" "));
+      this._writeKeys();
+    });
+    this._speaker = new Speaker(this._terminal, at("spoken"), (count) => this._texts.say("speak.more", { count }));
+    this._speaker.isOn = at("speak").checked = memory.get("speak") === "yes";
+    at("speak").addEventListener("change", () => {
+      this._speaker.isOn = at("speak").checked;
+      memory.set("speak", at("speak").checked ? "yes" : null);
+    });
     for (const [id, act] of Object.entries(tools)) {
       keepsFocus(at(id));
       at(id).addEventListener("click", act);
@@ -181,11 +240,16 @@ class Desk {
       if (at("paste-dialog").returnValue === "send") this._screen.paste(at("paste-text").value);
       this._terminal.focus();
     });
-    at("help-dialog").addEventListener("close", () => this._terminal.focus());
+    for (const id of ["help-dialog", "choose-dialog"]) at(id).addEventListener("close", () => this._terminal.focus());
   }
 
   _zoom(step) {
-    this._screen.fontSize += step;
+    this._zoomTo(this._screen.fontSize + step);
+  }
+
+  _zoomTo(size) {
+    if (Math.round(size) === this._screen.fontSize) return;
+    this._screen.fontSize = Math.round(size);
     memory.set("font", this._screen.fontSize);
   }
 
@@ -227,6 +291,7 @@ class Desk {
   _write() {
     const texts = this._texts;
     texts.write(document);
+    this._shown.write(texts);
     this._terminal.textarea.setAttribute("aria-label", texts.say("screen.label"));
     const lines = texts.lines("help.lines").map((line) => {
       const item = document.createElement("li");
@@ -234,9 +299,16 @@ class Desk {
       return item;
     });
     at("help-lines").replaceChildren(...lines);
-    at("keys").replaceChildren();
+    this._writeKeys();
+  }
+
+  _writeKeys() {
     const mode = () => this._terminal.modes.applicationCursorKeysMode;
-    this._row = new KeyRow(at("keys"), texts, (text) => this._terminal.input(text), mode);
+    const choose = at("choose-keys");
+    at("keys").replaceChildren();
+    const names = chosenKeys(memory.get("row"));
+    this._row = new KeyRow(at("keys"), this._texts, names, (text) => this._terminal.input(text), mode);
+    at("keys").append(choose);
   }
 }
 

@@ -28,17 +28,19 @@ export class Lobby {
   _place({ address, newcomers }, texts) {
     const element = fromTemplate("place", texts);
     const ids = newcomers.map(({ id }) => id);
+    const strangers = newcomers.filter(({ isClaim }) => !isClaim).map(({ id }) => id); // nobody gets another's desk among many
+    element.querySelector(".all").hidden = !strangers.length;
     element.querySelector(".from").textContent = texts.say("lobby.from", { count: ids.length, address });
-    this._on(element, ".all", { do: "admit", ids, trust: true });
+    this._on(element, ".all", { do: "admit", ids: strangers, trust: true });
     this._on(element, ".none", { do: "turn_away", ids });
     element.querySelector("ul").replaceChildren(...newcomers.map((newcomer) => this._newcomer(newcomer, texts)));
     return element;
   }
 
-  _newcomer({ id, name, why }, texts) {
+  _newcomer({ id, name, why, was }, texts) {
     const element = fromTemplate("newcomer", texts);
     element.querySelector(".name").textContent = name;
-    element.querySelector(".why").textContent = texts.say(`lobby.why.${why}`);
+    element.querySelector(".why").textContent = texts.say(`lobby.why.${why}`, { name, was });
     for (const [button, order] of [
       [".in", { do: "admit", ids: [id], trust: false }],
       [".away", { do: "turn_away", ids: [id] }],

@@ -4,4 +4,5 @@ document.addEventListener("DOMContentLoaded", function () {
   strip.firstChild.textContent =
     "这个浏览器太旧，请使用较新的 Chrome、Edge、Firefox 或 Safari。 / This browser is too old: please use a recent Chrome, Edge, Firefox or Safari.";
   strip.removeAttribute("hidden");
+  document.getElementById("starting").setAttribute("hidden", "");
 });

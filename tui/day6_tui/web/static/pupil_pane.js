@@ -2,29 +2,32 @@
 
 import { Mirror } from "./mirror.js";
 import { Notice } from "./notice.js";
-import { fromTemplate } from "./pupil_card.js";
+import { fromTemplate, put } from "./pupil_card.js";
 
-const FOR_DESKTOPS = ".say input, .say button, .start, .freeze, .ask, .stop, .end"; // of no use while none runs
+const FOR_DESKTOPS = ".say input, .say button, .start, .freeze, .ask, .stop, .show, .end"; // of no use while none runs
+const LONGEST_KEYS = 256; // of one order
 
 export class PupilPane {
   /** `order(order)` sends to this pupil and returns whether there was a line; `close()` and `beside(name)` are for the page. */
-  constructor(name, texts, { order, close, beside, remove, fillStart }) {
+  constructor(name, texts, { order, close, beside, remove, fillStart, fillDesks, shows }) {
     this.name = name;
     this.element = fromTemplate("pane", texts);
     this._texts = texts;
     this._order = order;
+    this._shows = shows;
     this._row = null;
     this._hasJustAsked = false;
     this._others = "";
     this._find = (what) => this.element.querySelector(`.${what}`);
     this.notice = new Notice(this._find("sent"));
-    this._mirror = new Mirror(this._find("mirror"), (keys) => this._row?.mayType && order({ do: "type", text: keys }));
+    this._mirror = new Mirror(this._find("mirror"), (keys) => this._type(keys));
     const acts = {
       close,
       remove,
       freeze: () => order({ do: "freeze", on: !this._row.frozen }),
       ask: () => this._ask(),
       stop: () => order({ do: "stop_typing" }),
+      show: () => (shows.of(name) ? shows.stop() : shows.start(name)),
       end: () => {
         if (confirm(texts.say("large.end.confirm", { name: this._row.shownName }))) order({ do: "end" });
       },
@@ -36,10 +39,18 @@ export class PupilPane {
       if (field.value.trim() && order({ do: "say", text: field.value.trim() })) field.value = "";
     });
     fillStart(this._find("start"), order);
+    fillDesks(this._find("desks"));
     this._find("beside").addEventListener("change", (event) => {
       if (event.target.value) beside(event.target.value);
       event.target.value = "";
     });
+  }
+
+  /** Keys go in pieces that an order can hold: a paste may be long. */
+  _type(keys) {
+    if (!this._row?.mayType) return;
+    const signs = [...keys];
+    for (let at = 0; at < signs.length; at += LONGEST_KEYS) this._order({ do: "type", text: signs.slice(at, at + LONGEST_KEYS).join("") });
   }
 
   show(row, rows) {
@@ -56,6 +67,7 @@ export class PupilPane {
     this._find("freeze").textContent = texts.say(row.frozen ? "large.unfreeze" : "large.freeze");
     this._find("ask").hidden = row.mayType;
     this._find("stop").hidden = !row.mayType;
+    this._find("show").textContent = texts.say(this._shows.of(row.name) ? "large.show.stop" : "large.show");
     this._showScreen(row);
     this._hint();
   }
@@ -80,10 +92,10 @@ export class PupilPane {
     if (!runs) text = "";
     else if (this._hasJustAsked) text = "…";
     else if (mayType) text = this._texts.say("large.typing", { name: shownName });
-    else if (asked) text = this._texts.say("large.asked", { name: shownName });
+    else if (asked || this._shows.of(this._row.name) === "wanted") text = this._texts.say("large.asked", { name: shownName });
     else if (refused) text = refused;
     else if (!screen) text = this._texts.say("large.waiting");
-    this._find("hint").textContent = text;
+    put(this._find("hint"), text);
   }
 
   /** The choice of a second pupil; made anew only when the class changed, so that it can be used. */

@@ -32,10 +32,11 @@ function titled(value, language) {
   return typeof value === "string" ? line(value) : line(value?.[language]) || line(value?.en) || line(value?.zh);
 }
 
-function lessonOf(value, language) {
+function lessonOf(value, language, lessons) {
   if (!value || typeof value !== "object") return null;
   const title = titled(value.title, language) || line(value.name);
-  return { title, step: whole(value.step), all: whole(value.all), solved: value.solved === true, hints: whole(value.hints) };
+  const rank = lessons.indexOf(value.name); // in the order in which lessons come
+  return { title, rank, step: whole(value.step), all: whole(value.all), solved: value.solved === true, hints: whole(value.hints) };
 }
 
 function troubleOf(value, language) {
@@ -52,11 +53,25 @@ function screenOf(value) {
   if (!value || typeof value.ansi !== "string" || value.ansi.length > LONGEST_SCREEN) return null;
   const cols = Math.min(MOST_COLUMNS, whole(value.columns));
   const rows = Math.min(MOST_ROWS, whole(value.rows));
-  return cols && rows ? { cols, rows, ansi: harmlessScreen(value.ansi) } : null;
+  return cols && rows ? { cols, rows, ansi: harmlessScreen(value.ansi), work: workOf(value.work) } : null;
+}
+
+/** What the pupil works in, in cells; the server has judged it. */
+function workOf(value) {
+  if (!Array.isArray(value)) return null;
+  const [x, y, cols, rows, line] = value.map(whole);
+  return cols && rows ? { x, y, cols, rows, line } : null;
 }
 
 /** Why the teacher is asked about a newcomer. */
-const WHYS = new Set(["all", "many", "removed", "files"]);
+const WHYS = new Set(["all", "many", "removed", "files", "listed", "known"]);
+const CLAIMS = new Set(["listed", "known"]);
+
+/** The text that says why; of who says to be a pupil that there is, what the teacher can judge that by. */
+function whyOf({ why, was, here }) {
+  if (!CLAIMS.has(why)) return WHYS.has(why) ? why : "all";
+  return here === true ? "here" : line(was) ? "was" : why;
+}
 
 /** In the order in which they come on the page: with and without a tab, who found no room, who has left, who never came. */
 const STATES = ["here", "away", "full", "gone", "absent"];
@@ -72,6 +87,8 @@ function nowOf(row) {
   return {
     nodes: nodes.slice(0, MOST_NODES).map((node) => line(node, 80)).filter(Boolean),
     hand: row.hand === true,
+    raised: whole(row.raised),
+    onStep: whole(row.on_step),
     idle: whole(row.idle),
     watched: row.watched === true,
     seen: row.seen === true,
@@ -84,7 +101,7 @@ function nowOf(row) {
 }
 
 /** A row as the page shows it. `name` stays as it is: orders go to it. */
-export function shownRow(row, language) {
+export function shownRow(row, language, lessons = []) {
   const state = STATES.includes(row.state) ? row.state : "gone";
   return {
     name: String(row.name),
@@ -93,7 +110,8 @@ export function shownRow(row, language) {
     runs: runs(state),
     address: line(row.address, LONGEST_NAME),
     isListed: row.listed === true,
-    lesson: lessonOf(row.lesson, language),
+    place: whole(row.place),
+    lesson: lessonOf(row.lesson, language, lessons),
     trouble: troubleOf(row.trouble, language),
     ...nowOf(runs(state) ? row : {}),
   };
@@ -102,47 +120,34 @@ export function shownRow(row, language) {
 /** Who waits to be let in, made safe to show, by where they come from: {address, newcomers}; a crowd from one place comes last. */
 export function places(waiting) {
   const found = new Map();
-  for (const { id, name, address, source, why } of Array.isArray(waiting) ? waiting : []) {
-    const place = String(source);
+  for (const newcomer of Array.isArray(waiting) ? waiting : []) {
+    const { id, name, address, was } = newcomer;
+    const place = String(newcomer.source);
     if (!found.has(place)) found.set(place, { address: line(address, LONGEST_NAME), newcomers: [] });
-    found.get(place).newcomers.push({ id: whole(id), name: line(name, LONGEST_NAME), why: WHYS.has(why) ? why : "all" });
+    const shown = { id: whole(id), name: line(name, LONGEST_NAME), why: whyOf(newcomer), was: line(was, LONGEST_NAME) };
+    found.get(place).newcomers.push({ ...shown, isClaim: CLAIMS.has(newcomer.why) });
   }
   return [...found.values()].sort((a, b) => a.newcomers.length - b.newcomers.length);
 }
 
-/** Raised hands first, who is not there last; otherwise as the server has them. */
-export function ordered(rows) {
-  const rank = (row) => (row.runs ? Number(!row.hand) : STATES.indexOf(row.state));
-  return [...rows].sort((a, b) => rank(a) - rank(b));
+/** How far a pupil is, as numbers to compare: who has no lesson open is furthest behind. */
+function farness(row) {
+  return row.lesson ? [1 + row.lesson.rank, row.lesson.step, Number(row.lesson.solved)] : [0, 0, 0];
 }
 
-/** One cell of a CSV file; a spreadsheet must not take it for a formula. */
-function csvCell(value) {
-  const text = String(value);
-  const plain = /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
-  return `"${plain.replaceAll('"', '""')}"`;
-}
-
-/** What is in each column of the report; `report.column.<name>` stands above it. */
-const COLUMNS = {
-  name: (row) => row.shownName,
-  state: (row, texts) => texts.say(`state.${row.state}`),
-  lesson: (row) => row.lesson?.title ?? "",
-  step: (row) => row.lesson?.step ?? "",
-  steps: (row) => row.lesson?.all ?? "",
-  solved: (row) => (row.lesson ? Number(row.lesson.solved) : ""),
-  hints: (row) => row.lesson?.hints ?? "",
-  trouble: (row) => row.trouble?.title ?? "",
-  line: (row) => row.trouble?.line ?? "",
-  idle: (row) => (row.runs ? row.idle : ""),
-  hand: (row) => (row.hand ? 1 : 0),
-  nodes: (row) => row.nodes.join(" "),
-  address: (row) => row.address,
+/** The orders of those who are there; what they leave open is as the server has it: who waits longest first. */
+export const ORDERS = {
+  need: (a, b) => Number(b.hand) - Number(a.hand),
+  list: (a, b) => a.place - b.place,
+  step: (a, b) => {
+    const [one, two] = [farness(a), farness(b)];
+    return one[0] - two[0] || one[1] - two[1] || one[2] - two[2];
+  },
 };
 
-/** The class as a CSV file that Excel opens, too. */
-export function report(rows, texts) {
-  const head = Object.keys(COLUMNS).map((column) => texts.say(`report.column.${column}`));
-  const lines = rows.map((row) => Object.values(COLUMNS).map((cell) => cell(row, texts)));
-  return "\ufeff" + [head, ...lines].map((cells) => cells.map(csvCell).join(",") + "\r\n").join("");
+/** In one of ORDERS; who is not there last. */
+export function ordered(rows, order = "need") {
+  const rank = (row) => (row.runs ? 0 : STATES.indexOf(row.state));
+  const inList = order === "list" ? ORDERS.list : () => 0;
+  return [...rows].sort((a, b) => rank(a) - rank(b) || (a.runs ? ORDERS[order](a, b) : inList(a, b)));
 }

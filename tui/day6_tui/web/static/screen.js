@@ -13,6 +13,7 @@ const MOST = { cols: 500, rows: 200 };
 const SMALLEST_LETTERS = 6;
 const LARGEST_LETTERS = 40;
 const LARGEST_SCALE = 2;
+const WORD = /^[\p{L}\p{N}\p{M}/_.:~+-]/u; // names, paths and numbers
 
 export function clamp(value, least, most) {
   return Math.min(most, Math.max(least, value));
@@ -151,6 +152,29 @@ export class Screen {
   size() {
     const { offsetWidth, offsetHeight } = this._area;
     return { cols: this.terminal.cols, rows: this.terminal.rows, w: offsetWidth, h: offsetHeight };
+  }
+
+  /** Pixels of a row as it is seen. */
+  get rowHeight() {
+    return this._area.getBoundingClientRect().height / this.terminal.rows;
+  }
+
+  /** Where the word at a point of the page begins and ends: two points in the middles of cells; null where there is none. */
+  wordAt(x, y) {
+    const { left, top, width, height } = this._area.getBoundingClientRect();
+    const { cols, rows, buffer } = this.terminal;
+    const [column, row] = [Math.floor(((x - left) * cols) / width), Math.floor(((y - top) * rows) / height)];
+    const line = buffer.active.getLine(buffer.active.viewportY + row);
+    const isWord = (at) => {
+      const cell = at >= 0 && at < cols ? line?.getCell(at) : undefined;
+      return cell !== undefined && (cell.getWidth() === 0 || WORD.test(cell.getChars()));
+    };
+    if (!isWord(column)) return null;
+    let [first, last] = [column, column];
+    while (isWord(first - 1)) first--;
+    while (isWord(last + 1)) last++;
+    const middle = (at) => ({ clientX: left + ((at + 0.5) * width) / cols, clientY: top + ((row + 0.5) * height) / rows });
+    return [middle(first), middle(last)];
   }
 
   get fontSize() {
