@@ -26,6 +26,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from tests.support import (
+    choosing,
     one_process,
     skips,
     waiting,  # noqa: F401 - before sleeping is watched
@@ -51,6 +52,7 @@ KEPT = frozenset(
         *("PATH", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH"),
         *("SYSTEMROOT", "SYSTEMDRIVE", "COMSPEC", "PATHEXT", "WINDIR", "TEMP", "TMP", "PROGRAMDATA"),
         *(
+            *("DAY6_AXE", "DAY6_AXE_TO"),
             "DAY6_PYRIGHT",
             "DAY6_REAL_COLCON",
             "DAY6_REAL_PYTHON",
@@ -148,6 +150,8 @@ activate()
 platform.processor()  # asks another program, once in a process: a test that comes first must not have to
 one_process.install()
 
+_MONOTONIC = time.monotonic
+
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--whole", action="store_true", help="all tests, not only those of the default layer")
@@ -164,6 +168,12 @@ def pytest_configure(config: pytest.Config) -> None:
     chosen = config.getoption("--whole") or any(word.startswith("-m") for word in config.invocation_params.args)
     if not chosen and not all(".py" in word for word in config.args):
         config.option.markexpr = f"not ({' or '.join(one_process.LAYERS)})"
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Import no file, of a whole folder, in which `-m` chooses nothing."""
+    named = any(".py" in word for word in config.args)
+    return True if not named and choosing.left_out(collection_path, config.option.markexpr) else None
 
 
 def pytest_collection_finish() -> None:
@@ -188,15 +198,25 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
             gc.collect(2 if gc.get_count()[2] > MANY_COLLECTIONS else 1)
 
 
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_teardown() -> Iterator[None]:
+    """Leave no test a clock that stands still: it would wait for ever."""
+    yield
+    left, time.monotonic = time.monotonic, _MONOTONIC
+    assert left is _MONOTONIC, "time.monotonic is still patched"
+
+
 def _unit(nodeid: str) -> str:
     """The piece of work that a test belongs to: its file, or the test alone."""
     file = nodeid.partition("::")[0]
     return nodeid if file.startswith(SPREAD) else file
 
 
-@pytest.hookimpl(trylast=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> Iterator[None]:
     """With pytest-xdist, order by what takes longest, so that nobody is left with it in the end."""
+    choosing.judge(items)
+    yield
     if "PYTEST_XDIST_WORKER" in os.environ:
         sizes = Counter(_unit(item.nodeid) for item in items)
         items.sort(key=lambda item: (not item.nodeid.startswith(FIRST), -sizes[_unit(item.nodeid)]))
@@ -223,13 +243,17 @@ def _own_text_tools(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPa
 
 @pytest.fixture(autouse=True)
 def own_environment() -> Iterator[None]:
-    """Start in an empty folder; what a test does to variables, current folder, umask and sourced packages ends with it."""
-    before, folder, sourced = dict(os.environ), os.getcwd(), list(registry._more_prefixes)
+    """Start in an empty folder.
+
+    What a test does to variables, current folder, umask, sourced packages and Python's path ends with it.
+    """
+    before, folder, sourced, path = dict(os.environ), os.getcwd(), list(registry._more_prefixes), list(sys.path)
     os.chdir(os.environ["HOME"])
     yield
     if registry._more_prefixes != sourced:
         registry._more_prefixes[:] = sourced
         registry.forget("")
+    sys.path[:] = path  # another distribution's folder would be in the place of this one's
     os.umask(0o022)
     os.chdir(folder)
     if dict(os.environ) != before:

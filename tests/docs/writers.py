@@ -73,12 +73,6 @@ LATE = (
         ("day6_core/session/streams.py",),
         (f"a block of {FILE_BLOCK:,} bytes is full, or the program ends", f"攒满 {FILE_BLOCK:,} 字节，或者程序结束"),
     ),
-    Late(
-        ("what happened in a class, in the teacher's view", "教师界面里课堂上发生过的事"),
-        "",
-        ("day6_tui/windows/classroom/report.py",),
-        ("it is saved as a table", "保存成表格"),
-    ),
 )
 """What is lost at most when day6-tui is killed."""
 
@@ -88,7 +82,9 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
         "day6_tui/settings.py",
         "day6_tui/panes/arranging.py",
     ),
-    "logs and recordings, with every line": (
+    "logs, recordings and what is open in a class, with every line": (
+        "day6_core/classroom/journal.py",
+        "day6_core/classroom/kept.py",
         "day6_core/ros/python/launch/logging/__init__.py",
         "day6_core/ros/python/rclpy/_day6/log_file.py",
         "day6_core/workspace/logs.py",
@@ -131,6 +127,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
         "day6_core/workspace/package_tests.py",
         "day6_core/workspace/setup_scripts.py",
         "day6_tui/cast/command.py",
+        "day6_tui/windows/classroom/report.py",
         "day6_tui/wheelhouse/closure.py",
         "day6_tui/wheelhouse/folder.py",
         "day6_tui/wheelhouse/own_wheel.py",
@@ -143,10 +140,21 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
         "day6_tui/web/records.py",
         "day6_tui/web/tokens.py",
     ),
+    "a class's groups, assignments and marks, and files that a teacher hands out, as soon as the teacher asks for it": (
+        "day6_tui/web/class_groups.py",
+        "day6_core/classroom/handed.py",
+        "day6_tui/web/pupil_files.py",
+        "day6_tui/web/assignments.py",
+        "day6_tui/classes/marks.py",
+    ),
     "locks, sockets, copies and files of the system, which are made again": (
         "day6_core/isolation/enter.py",
         "day6_core/isolation/groups.py",
+        "day6_tui/web/room.py",
+        "day6_core/lessons/collected.py",
         "day6_core/lessons/grading/archive.py",
+        "day6_core/lessons/grading/apart.py",
+        "day6_core/lessons/work.py",
         "day6_core/lessons/grading/shield.py",
         "day6_core/link/file_lock.py",
         "day6_core/link/gateway.py",

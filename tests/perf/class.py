@@ -1,14 +1,17 @@
 """Measures a class on this machine: kept desktops, one a pupil, each looked at in a tab of 120x40. One table.
 
-    python -m tests.perf.class [--pupils 1 8 16 30] [--seconds S] [--no-bomb] [--serve]
+    python -m tests.perf.class [--pupils 1 8 16 30] [--seconds S] [--no-bomb] [--serve] [--busy N]
 
 Every pupil has a home folder and a domain of his own; a tab speaks to the desktop's keeper as `day6-tui attach` does, without a
-terminal of its own. For each number of pupils: memory (PSS of desktop and keeper), the seconds until all are started and until
-one is seen again after a reload, CPU of a session with the turtle standing and driving (ten commands a second), bytes for a
-tab, and the milliseconds from a key to its echo in one tab, while the turtles of the others stand, while all drive, and beside a
-pupil's fork bomb of 200 processes at most, which ends by itself. Same user for all, without isolation. Linux only.
+terminal of its own. For each number of pupils: memory (PSS of desktop and keeper), the seconds from the moment in which all come
+until the first, the middle and the last desktop has started, and until one is seen again after a reload, CPU of a session with
+the turtle standing and driving (ten commands a second), bytes for a tab, and the milliseconds from a key to its echo in one tab,
+while all turtles stand, while those of the others drive, while all drive, and beside a pupil's fork bomb of 200 processes at
+most, which ends by itself. Same user for all, without isolation. Linux only.
 
-With --serve the tabs are those of a real `day6-tui serve`: what the server itself takes is told below each row.
+With --serve the tabs are those of a real `day6-tui serve`: a desktop has started when its tab has the first picture, and what the
+server itself takes is told below each row. With --busy so many loops keep the machine busy. What is too slow to be measured is
+named, the rest is measured all the same, and nothing is left running.
 
 Below: how many pupils fit, by CPU (a core is 70 % full at most, half of the class drives) and by memory (1 GB for the rest).
 """
@@ -16,6 +19,7 @@ Below: how many pupils fit, by CPU (a core is 70 % full at most, half of the cla
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import select
 import signal
@@ -24,6 +28,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 RUNTIME = tempfile.mkdtemp(prefix="day6-class-")
@@ -31,13 +36,16 @@ os.environ["DAY6_RUNTIME_DIR"] = RUNTIME
 
 from day6_tui.detached import meeting, view, wire  # noqa: E402
 from tests.perf.bench import TURTLE, TWIST  # noqa: E402  (the line above is read at import)
-from tests.perf.served import Server, Tab  # noqa: E402
+from tests.perf.runs import loops  # noqa: E402
+from tests.perf.served import PATIENCE, Server, Tab, TooSlow  # noqa: E402
 
 SIZE = [40, 120, 0, 0]
 PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\n"
 KEYS = "zqwj"
 """Letters that nothing on the screen shows by itself."""
 ECHOES = 40
+PICTURE = 1500
+"""Bytes that a first picture has at least."""
 BOMB_SECONDS, BOMB_PROCESSES = 15, 200
 BOMB = f"""
 import os, time
@@ -50,6 +58,15 @@ while time.time() < end:
 """
 """Forks until there are 200, and every one of them keeps a core busy."""
 FULL, DRIVING, REST_GB = 0.7, 0.5, 1.0
+
+
+def wait_for(what: str, is_done: Callable[[], object], pause: Callable[[], object]) -> None:
+    """Pause until it is done. Raises TooSlow."""
+    began = time.perf_counter()
+    while not is_done():
+        if time.perf_counter() - began > PATIENCE:
+            raise TooSlow(f"{what}: not within {PATIENCE:.0f} s, load {os.getloadavg()[0]:.0f}")
+        pause()
 
 
 class Pupil:
@@ -71,26 +88,37 @@ class Pupil:
         self.received = 0
         self.line: wire.Connection | None = None
 
-    def started(self) -> float:
-        """Wait for the desktop; the seconds since it was asked for."""
-        if self.starting.wait(120):
-            raise RuntimeError("a desktop did not start")
-        seconds = time.perf_counter() - self.began
-        self.processes = _processes_of(self.home)
-        return seconds
+    def has_started(self) -> bool:
+        """Whether the desktop is there."""
+        if status := self.starting.poll():
+            raise RuntimeError(f"a desktop did not start: status {status}")
+        return status is not None
+
+    def find_processes(self) -> list[int]:
+        """Keeper and desktop."""
+        self.processes = [
+            int(folder.name)
+            for folder in Path("/proc").iterdir()
+            if folder.name.isdecimal() and os.fsencode(self.home) in _command_of(folder).split(b"\0")
+        ]
+        return self.processes
 
     def open(self) -> float:
         """Open a tab, as a reload does; the seconds until the whole screen was sent."""
-        began = last = time.perf_counter()
+        began = self._last = time.perf_counter()
         self.reload()
         self.output.clear()
-        while time.perf_counter() - began < 20:
-            if select.select([self.line], [], [], 0.15)[0]:
-                self.take()
-                last = time.perf_counter()
-            elif len(self.output) > 1500:
-                return last - began
-        raise TimeoutError(bytes(self.output[-300:]))
+        wait_for(f"{self.home.name} sees its desktop again", self._is_whole, lambda: None)
+        return self._last - began
+
+    def _is_whole(self) -> bool:
+        """Whether nothing more comes for now."""
+        assert self.line is not None
+        if select.select([self.line], [], [], 0.15)[0]:
+            self.take()
+            self._last = time.perf_counter()
+            return False
+        return len(self.output) > PICTURE
 
     def reload(self) -> None:
         """Have the whole screen sent anew."""
@@ -115,11 +143,12 @@ class Pupil:
 
     def cpu_seconds(self) -> float:
         """What desktop and keeper have used."""
-        return sum(
-            int((task / "schedstat").read_text().split()[0]) / 1e9
-            for process in self.processes
-            for task in Path(f"/proc/{process}/task").iterdir()
-        )
+        total = 0
+        for process in self.processes:
+            for task in Path(f"/proc/{process}/task").iterdir():
+                with contextlib.suppress(OSError):  # a thread that has ended meanwhile
+                    total += int((task / "schedstat").read_text().split()[0])
+        return total / 1e9
 
     def pss_mb(self) -> float:
         """The memory of both."""
@@ -133,12 +162,13 @@ class Pupil:
         """End the desktop, and wait for it."""
         if self.line is not None:
             self.line.close()
-        for process in self.processes:
-            if _is_alive(process):
-                os.kill(process, signal.SIGTERM)
-        deadline = time.monotonic() + 20
-        while any(_is_alive(process) for process in self.processes) and time.monotonic() < deadline:
-            time.sleep(0.05)
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            for process in self.find_processes():
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(process, number)
+            deadline = time.monotonic() + 20
+            while self.find_processes() and time.monotonic() < deadline:
+                time.sleep(0.1)
 
 
 class ServedPupil(Pupil):
@@ -153,27 +183,17 @@ class ServedPupil(Pupil):
         self.tab = Tab(server, self._name)
         self.line = self.tab  # type: ignore[assignment]
 
-    def started(self) -> float:
-        deadline = time.monotonic() + 60
-        while b"day6_tui.main" not in b"".join(_command_of(Path(f"/proc/{each}")) for each in _processes_of(self.home)):
-            if time.monotonic() > deadline:
-                raise RuntimeError("a desktop did not start")
-            time.sleep(0.05)
-        self.processes = _processes_of(self.home)
+    def has_started(self) -> bool:
+        if len(self.output) <= PICTURE:
+            return False
         (self.home / "bomb.py").write_text(BOMB, encoding="utf-8")
-        return time.perf_counter() - self.began
+        return True
 
     def reload(self) -> None:
         self.tab.reload()
 
-
-def _processes_of(home: Path) -> list[int]:
-    """Keeper and desktop."""
-    return [
-        int(folder.name)
-        for folder in Path("/proc").iterdir()
-        if folder.name.isdecimal() and os.fsencode(home) in _command_of(folder).split(b"\0")
-    ]
+    def end(self) -> None:
+        self.tab.close()  # the server ends the desktop
 
 
 def _command_of(folder: Path) -> bytes:
@@ -183,10 +203,6 @@ def _command_of(folder: Path) -> bytes:
         return b""
 
 
-def _is_alive(process: int) -> bool:
-    return bool(_command_of(Path(f"/proc/{process}")))
-
-
 def look(pupils: list[Pupil], seconds: float) -> None:
     """Let all tabs read for so long."""
     lines = {each.line.fileno(): each for each in pupils if each.line is not None}
@@ -194,6 +210,23 @@ def look(pupils: list[Pupil], seconds: float) -> None:
     while (left := deadline - time.perf_counter()) > 0:
         for number in select.select(list(lines), [], [], left)[0]:
             lines[number].take()
+
+
+def starts(pupils: list[Pupil]) -> list[float]:
+    """Wait for all desktops; the seconds in which each has started, in order."""
+    left, seconds = list(pupils), []
+
+    def is_done() -> bool:
+        for pupil in [each for each in left if each.has_started()]:
+            left.remove(pupil)
+            seconds.append(time.perf_counter() - pupil.began)
+        return not left
+
+    try:
+        wait_for("", is_done, lambda: look(pupils, 0.02))
+    except TooSlow as error:
+        raise TooSlow(f"{len(left)} of {len(pupils)} desktops start{error}") from None
+    return sorted(seconds)
 
 
 def usage(pupils: list[Pupil], seconds: float) -> tuple[float, float]:
@@ -226,13 +259,13 @@ def echoes(pupils: list[Pupil], count: int = ECHOES, most: float = 60.0) -> tupl
 
 def a_class(count: int, seconds: float, bomb: bool, server: Server | None) -> list[str]:
     """Measure so many pupils; the cells of the row, and the figures for the extrapolation at the end."""
-    began = time.perf_counter()
-    numbers = range(1, count + 1)
-    pupils = [Pupil(number) if server is None else ServedPupil(number, server) for number in numbers]
+    pupils: list[Pupil] = []
     try:
+        for number in range(1, count + 1):
+            pupils.append(Pupil(number) if server is None else ServedPupil(number, server))
+        started = starts(pupils)
         for pupil in pupils:
-            pupil.started()
-        all_started = time.perf_counter() - began
+            pupil.find_processes()
         for pupil in pupils:
             pupil.open()
         look(pupils, 1)
@@ -245,9 +278,12 @@ def a_class(count: int, seconds: float, bomb: bool, server: Server | None) -> li
         stands = server.cpu_seconds() - before if server is not None else 0.0
         alone = echoes(pupils)
         reloads = [pupil.open() for pupil in pupils]
-        for pupil in pupils:
+        for pupil in pupils[1:]:
             pupil.type(PUBLISH)
         look(pupils, 4 + count / 8)
+        others_drive = echoes(pupils)
+        pupils[0].type(PUBLISH)
+        look(pupils, 2)
         before = server.cpu_seconds() if server is not None else 0.0
         driving, sent = usage(pupils, seconds)
         if server is not None:
@@ -266,9 +302,10 @@ def a_class(count: int, seconds: float, bomb: bool, server: Server | None) -> li
             f"{standing:.2f}",
             f"{driving:.2f}",
             f"{sent:.0f}",
-            f"{all_started:.1f}",
+            f"{started[0]:.1f} / {statistics.median(started):.1f} / {started[-1]:.1f}",
             f"{statistics.median(reloads):.2f} / {max(reloads):.2f}",
             "{:.0f} / {:.0f}".format(*alone),
+            "{:.0f} / {:.0f}".format(*others_drive) if count > 1 else "-",
             "{:.0f} / {:.0f}".format(*drives),
             beside,
         ]
@@ -285,9 +322,10 @@ HEADS = (
     "CPU % standing",
     "driving",
     "bytes/s a tab",
-    "all started s",
+    "started s first / median / last",
     "reload s median / worst",
-    "key ms p50 / p95, others stand",
+    "key ms p50 / p95, all stand",
+    "others drive",
     "all drive",
     "beside a fork bomb",
 )
@@ -300,15 +338,27 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=8.0)
     parser.add_argument("--no-bomb", action="store_true")
     parser.add_argument("--serve", action="store_true")
+    parser.add_argument("--busy", type=int, default=0, metavar="N")
     options = parser.parse_args()
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the beginning\n")
     print(f"| {' | '.join(HEADS)} |\n|{' --- |' * len(HEADS)}")
+    slow = False
     for count in options.pupils:
         server = Server(Path(tempfile.mkdtemp(prefix="day6-served-"))) if options.serve else None
-        print(f"| {' | '.join(a_class(count, options.seconds, not options.no_bomb, server))} |", flush=True)
-        if server is not None:
-            print("(the server itself: {:.2f} % of a core standing, {:.2f} % driving)".format(*SERVER[count]))
-            server.close()
+        try:
+            with loops(options.busy):
+                print(f"| {' | '.join(a_class(count, options.seconds, not options.no_bomb, server))} |", flush=True)
+            if server is not None:
+                print("(the server itself: {:.2f} % of a core standing, {:.2f} % driving)".format(*SERVER[count]))
+        except TooSlow as error:
+            slow = True
+            print(f"({count} pupils: too slow: {error})", flush=True)
+        finally:
+            if server is not None and not server.close():
+                slow = True
+                print(f"({count} pupils: the server had to be killed)", flush=True)
+    if not RESULTS:
+        return 1
     standing, driving, memory = RESULTS[max(RESULTS)]
     mixed = DRIVING * driving + (1 - DRIVING) * standing
     print(
@@ -317,7 +367,7 @@ def main() -> int:
     for cores, gigabytes in ((2, 4), (4, 8)):
         by_cpu, by_memory = cores * 100 * FULL / mixed, (gigabytes - REST_GB) * 1024 / memory
         print(f"{cores} cores, {gigabytes} GB: {by_cpu:.0f} pupils by CPU, {by_memory:.0f} by memory.")
-    return 0
+    return int(slow)
 
 
 if __name__ == "__main__":

@@ -131,7 +131,7 @@ def main() -> int:
     for count in options.desktops:
         rows = []
         for kind in ("separate", "forked"):
-            command = [sys.executable, __file__, "--run", kind, str(count)]
+            command = [sys.executable, "-m", "tests.perf.fork_server", "--run", kind, str(count)]
             done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
             rows.append([float(word) for word in done.stdout.split()])
         texts = [f"{row[0]:.0f} = {row[0] / count:.1f} each, {row[1]:.2f} / {row[2]:.2f}" for row in rows]

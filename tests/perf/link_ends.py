@@ -19,6 +19,7 @@ import time
 from collections import Counter
 
 from day6_core.ros.environment import program_environment
+from tests.perf.runs import loops
 
 TALKER = """
 import rclpy
@@ -91,8 +92,7 @@ def main() -> int:
     parser.add_argument("pythons", nargs="*", metavar="PYTHON", default=[sys.executable])
     chosen = parser.parse_args()
     good = True
-    burners = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(os.cpu_count() or 1)]
-    try:
+    with loops(os.cpu_count() or 1):
         for python in chosen.pythons:
             with tempfile.TemporaryDirectory(prefix="d6-") as folder:
                 environment = {**program_environment(), "DAY6_LINK": "on", "DAY6_RUNTIME_DIR": f"{folder}/r"}
@@ -108,10 +108,6 @@ def main() -> int:
             for problem, count in wrong.items():
                 print(f"   {count} x {problem}", flush=True)
             good = good and not wrong
-    finally:
-        for burner in burners:
-            burner.kill()
-            burner.wait()
     return 0 if good else 1
 
 

@@ -35,7 +35,9 @@ FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.MULTILINE)
 @contextlib.contextmanager
 def loops(number: int) -> Iterator[None]:
     """Have programs beside that compute without end."""
-    running = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(number)]
+    running = [
+        subprocess.Popen([sys.executable, "-c", "while True: pass"], start_new_session=True) for _ in range(number)
+    ]
     try:
         yield
     finally:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import concurrent.futures
 import os
 import re
 import signal
@@ -10,14 +11,21 @@ import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Coroutine, Iterator
 from pathlib import Path
+from typing import Any
 
 import aiohttp
 
 from day6_tui.detached import wire
 
 WORD = "class"
+PATIENCE = 180.0
+"""Seconds after which something counts as too slow."""
+
+
+class TooSlow(Exception):
+    """Something took longer than PATIENCE; the message says what."""
 
 
 class Server:
@@ -57,11 +65,18 @@ class Server:
         tasks = Path(f"/proc/{self.process.pid}/task").iterdir()
         return sum(int((task / "schedstat").read_text(encoding="ascii").split()[0]) / 1e9 for task in tasks)
 
-    def close(self) -> None:
-        """End it, with all its desktops."""
+    def close(self) -> bool:
+        """End it, with all its desktops; False if it had to be killed."""
         self.process.send_signal(signal.SIGTERM)
-        self.process.communicate(timeout=60)
-        self.loop.call_soon_threadsafe(self.loop.stop)
+        try:
+            self.process.communicate(timeout=PATIENCE)
+            return True
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.communicate()
+            return False
+        finally:
+            self.loop.call_soon_threadsafe(self.loop.stop)
 
 
 class Tab:
@@ -77,7 +92,7 @@ class Tab:
 
     def reload(self) -> None:
         """Open the desktop again, as the browser's reload does."""
-        self._run(self._open())
+        self._run("opens the desktop", self._open())
 
     async def _open(self) -> None:
         base = self._server.base
@@ -99,8 +114,13 @@ class Tab:
                 await asyncio.get_running_loop().sock_sendall(self._theirs, message.data)
                 await ws.send_json({"t": "ack", "bytes": taken})
 
-    def _run(self, coroutine: object) -> None:
-        asyncio.run_coroutine_threadsafe(coroutine, self._server.loop).result(60)  # type: ignore[arg-type]
+    def _run(self, what: str, coroutine: Coroutine[Any, Any, None]) -> None:
+        deed = asyncio.run_coroutine_threadsafe(coroutine, self._server.loop)
+        try:
+            deed.result(PATIENCE)
+        except concurrent.futures.TimeoutError:
+            deed.cancel()
+            raise TooSlow(f"{self._name} {what}: not within {PATIENCE:.0f} s") from None
 
     def fileno(self) -> int:
         """What becomes readable with output."""
@@ -116,11 +136,11 @@ class Tab:
     def send(self, kind: bytes, data: bytes) -> None:
         """Type."""
         assert kind == wire.INPUT
-        self._run(self._ws.send_bytes(data))
+        self._run("types", self._ws.send_bytes(data))
 
     def close(self) -> None:
         """Close the tab; the desktop stays."""
-        self._run(self._leave())
+        self._run("leaves", self._leave())
 
     async def _leave(self) -> None:
         assert self._session is not None

@@ -163,6 +163,7 @@ ALLOWED = {
     "day6_core/workspace/files.py": "colcon's output: the one way, and only where colcon may write",
     "day6_core/ros/executables.py": "commands for PATH, in a new folder that gets its name when it is whole",
     "day6_core/lessons/grading/archive.py": "unpacks into a temporary folder",
+    "day6_core/lessons/grading/apart.py": "in a temporary folder of its own",
     "day6_core/lessons/grading/shield.py": "not files: what the kernel reads in /proc",
     "day6_core/isolation/attacks.py": "what one cell tries on another; the files are its own, in a folder of the trial's",
     "day6_core/isolation/enter.py": "writes no file: the umask of the pupil's program, which it becomes",
