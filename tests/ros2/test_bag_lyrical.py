@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 import rosbag2_interfaces.srv
 import rosbag2_py
 from builtin_interfaces.msg import Time
+from rosbag2_py import _lost_messages
 from rosbag2_py._lost_messages import LostMessages
 from std_msgs.msg import Int32, String
 
@@ -221,7 +224,9 @@ def lost_messages(count):
     return info
 
 
-def test_lost_messages_are_told_on_a_topic_not_too_often_and_at_the_end(machine):
+@pytest.mark.parametrize("seconds_since_boot", [1.0, 1e6])
+def test_lost_messages_are_told_on_a_topic_not_too_often_and_at_the_end(machine, monkeypatch, seconds_since_boot):
+    monkeypatch.setattr(_lost_messages, "time", SimpleNamespace(monotonic=lambda: seconds_since_boot))
     told = heard(machine, get_interface("rosbag2_interfaces/msg/MessagesLostEvent"), "/events/rosbag2_messages_lost")
     node = machine.node("recorder", lambda node: node)
     lost = LostMessages(node, 0.001)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import Counter
 from typing import TYPE_CHECKING, Any
@@ -25,7 +26,7 @@ class LostMessages:
         self._publisher: Any = None
         self._untold: Counter[str] = Counter()
         self._total = 0
-        self._told = 0.0
+        self._told = -math.inf
 
     def offer(self) -> None:
         """Create the topic."""
