@@ -37,10 +37,11 @@ STATUS = (
 )
 PATIENCE = 120.0
 SECRET = "x31337"
+environment = starting.environment
 
 
 def kept(place: Path) -> set[tuple[str, str]]:
-    """What descriptors are open all the time, with what they stand for: a desktop asks others by a socket now and then."""
+    """What descriptors are open all the time, with what they stand for: a desktop opens one for a moment now and then."""
     looks: list[set[tuple[str, str]]] = []
     for _ in range(5):
         looks.append(set())
@@ -93,7 +94,7 @@ def one(mode: Mode, top: Path, nursery: Nursery | None) -> list[dict[str, Any]]:
             output += b"".join(data for kind, data in line.receive() if kind == wire.OUTPUT)
 
     wait_for(b"anna@day6")
-    found = [facts(pid) for pid in mode.processes(cell)]
+    found = sorted((facts(pid) for pid in mode.processes(cell)), key=lambda each: each["words"])  # numbers start over
     line.send(wire.INPUT, f"cat {top}/secret; echo tried-$((1+1))\r".encode())
     wait_for(b"tried-2")
     found.append({"reads the server's files": SECRET.encode() in output})
@@ -101,6 +102,11 @@ def one(mode: Mode, top: Path, nursery: Nursery | None) -> list[dict[str, Any]]:
     if not starting.stop(mode, cell, keepers) or mode.processes(cell):
         raise RuntimeError("something is left of the cell")
     return found
+
+
+def without_a_link(domain: int) -> dict[str, str]:
+    """What a desktop sees of the world, and no link: it opens some time after the prompt, with descriptors of its own."""
+    return {**environment(domain), "DAY6_LINK": "off"}
 
 
 class Counting(Nursery):
@@ -125,6 +131,7 @@ def main() -> None:
         (top / part).chmod(rights)
     (top / "secret").write_text(SECRET)
     (top / "secret").chmod(0o600)
+    starting.environment = without_a_link
     nursery = Counting(starting.environment(0))
     found = {"started": one(offer.mode, top, None), "forked": one(offer.mode, top, nursery)}
     nursery.close()
