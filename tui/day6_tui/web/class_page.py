@@ -35,6 +35,7 @@ from day6_tui.web.class_part import Answer, ClassPart, Hear, names_of
 from day6_tui.web.class_show import ClassShow
 from day6_tui.web.entrance import Entrance
 from day6_tui.web.gate import Gate
+from day6_tui.web.in_time import in_time
 from day6_tui.web.sessions import Sessions
 from day6_tui.web.tokens import TEACHER
 from day6_tui.web.told import told
@@ -186,7 +187,7 @@ class ClassPage:
                 await ws.send_json({"t": "rows", "rows": rows, **state})
             await asyncio.sleep(PAUSE)
             try:
-                await asyncio.wait_for(changed.wait(), TICK)
+                await in_time(changed.wait(), TICK)
             except asyncio.TimeoutError:
                 continue
 

@@ -15,6 +15,7 @@ from aiohttp import web
 from day6_core.classroom.homes import same_name
 from day6_tui.locale import Texts
 from day6_tui.web import connections, pages
+from day6_tui.web.in_time import in_time
 from day6_tui.web.names import who_is
 from day6_tui.web.places import login_name
 from day6_tui.web.settings import ServerSettings
@@ -146,7 +147,7 @@ class Gate:
         try:
             if request.content_type != "application/x-www-form-urlencoded":
                 raise ValueError(request.content_type)
-            data = await asyncio.wait_for(request.read(), connections.BODY_SECONDS)
+            data = await in_time(request.read(), connections.BODY_SECONDS)
             return dict(parse_qsl(data.decode(), keep_blank_values=True, max_num_fields=MOST_FIELDS))
         except ValueError:
             raise web.HTTPBadRequest(text="This form does not belong to this server.\n") from None
@@ -165,7 +166,7 @@ class Gate:
             connection.await_more()
         data = bytearray()
         try:
-            while piece := await asyncio.wait_for(request.content.readany(), connections.BODY_SECONDS):
+            while piece := await in_time(request.content.readany(), connections.BODY_SECONDS):
                 data += piece
                 if len(data) > most:
                     return None

@@ -25,6 +25,7 @@ from day6_core.lessons.grading.scenarios import Grading
 from day6_core.lessons.lag import cores
 from day6_core.session.harmless import one_line
 from day6_tui.web import starting
+from day6_tui.web.in_time import in_time
 from day6_tui.web.places import Places
 
 APART = "day6_core.lessons.grading.apart"
@@ -101,8 +102,8 @@ class GradingRoom:
         )  # fmt: skip
         seconds = 2 * scenarios.longest(gradings) + PATIENCE
         try:
-            said = await asyncio.wait_for(_answer(process, json.dumps(job).encode() + b"\n" + packed), seconds)
-            await asyncio.wait_for(process.wait(), PATIENCE)
+            said = await in_time(_answer(process, json.dumps(job).encode() + b"\n" + packed), seconds)
+            await in_time(process.wait(), PATIENCE)
         except asyncio.TimeoutError:
             raise NotGraded(f"> {seconds:g} s") from None
         finally:

@@ -103,9 +103,10 @@ async def _exchange(ws: web.WebSocketResponse, viewer: Viewer, sending: asyncio.
 
 async def _last_words(sending: asyncio.Task[str]) -> str:
     """Wait until the last words were sent, for a while; return why it is over."""
+    await asyncio.wait({sending}, timeout=LAST_SECONDS)
     try:
-        return await asyncio.wait_for(sending, LAST_SECONDS)
-    except (asyncio.TimeoutError, ConnectionError):
+        return sending.result() if sending.done() else ""
+    except ConnectionError:
         return ""
 
 

@@ -1,0 +1,25 @@
+"""Waiting with a limit that never loses a cancellation.
+
+`asyncio.wait_for` loses it before Python 3.12, if what is waited for ends just then: the task goes on, and whoever waits for its
+end waits for ever.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Coroutine
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+
+async def in_time(deed: Coroutine[Any, Any, T], seconds: float) -> T:
+    """Return what comes of it. Raises asyncio.TimeoutError, and ends it, if it is not done in time."""
+    task = asyncio.create_task(deed)
+    try:
+        if not (await asyncio.wait({task}, timeout=seconds))[0]:
+            raise asyncio.TimeoutError
+        return task.result()
+    finally:
+        task.cancel()
+        await asyncio.gather(task, return_exceptions=True)
