@@ -23,6 +23,9 @@ while True:
 """
 
 ASKS = """\
+import select
+import sys
+select.select([sys.stdin], [], [])  # asks only when the answer is there
 name = input('Your name? ')
 print(f'Hello {name}!')
 """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -18,13 +19,15 @@ HEAD = "---\nlesson: small\norder: 1\nminutes: 5\ntitle: {zh: 课, en: Lesson}\n
 TEXT = "\n## {language} Title\n\ntext\n\n### do\n\ndo\n\n### hints\n\n1. one\n2. two\n3. three\n"
 
 
-def play(tmp_path: Path, only: str | None = None, **steps: str) -> list[Played]:
+def play(
+    tmp_path: Path, only: str | None = None, told: Callable[[Played], None] = lambda _: None, **steps: str
+) -> list[Played]:
     text = HEAD
     for name, block in steps.items():
         text += f"\n# {name}\n\n~~~yaml\n{block}~~~\n{TEXT.format(language='zh')}{TEXT.format(language='en')}"
     path = tmp_path / "lesson.md"
     path.write_text(text, encoding="utf-8")
-    return rehearse(read_lesson(path), tmp_path / "home", only=only)
+    return rehearse(read_lesson(path), tmp_path / "home", told, only)
 
 
 @pytest.mark.process
@@ -56,7 +59,7 @@ def test_a_wrong_answer_is_told_with_its_line_and_with_what_holds(tmp_path: Path
 def test_a_wrong_answer_during_which_the_machine_stood_still_is_played_again(
     stalls: list[float], faults: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    left = stalls.copy()
+    left = [*stalls, 0.0]  # the last one is the solution's
 
     async def watch(lag: Lag, session: Session) -> None:
         lag.add(left.pop(0))
@@ -68,6 +71,40 @@ def test_a_wrong_answer_during_which_the_machine_stood_still_is_played_again(
     (played,) = play(tmp_path, one=text)
     assert left == [] and len(played.faults) == faults
     assert all(("(this machine stood still for 0.7 s)" in fault) == bool(stalls[-1]) for fault in played.faults)
+
+
+@pytest.mark.process
+@pytest.mark.parametrize(
+    ("stalls", "faults"),
+    [
+        ([0.0], 1),
+        ([0.2, 0.0], 0),
+        ([0.2, 0.2, 0.2], 1),
+    ],
+    ids=["it kept up", "it stood still once", "it stood still each time"],
+)
+def test_a_solution_that_goes_wrong_while_the_machine_stands_still_is_played_again(
+    stalls: list[float], faults: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("day6_core.lessons.rehearsal.SOLVED_WITHIN", 0.5)
+    left = [0.0, stalls[0], 0.0, *stalls[1:]]  # three steps, then the second one again
+
+    async def watch(lag: Lag, session: Session) -> None:
+        lag.add(left.pop(0))
+
+    monkeypatch.setattr(Lag, "watch", watch)
+    told: list[str] = []
+    works = "false" if stalls[-1] or not any(stalls) else f"test -e {tmp_path}/once"
+    steps = {
+        "one": "check:\n  - file: ~/one\nsolve:\n  - type: touch one\n",
+        "two": f"needs: [one]\ncheck:\n  - file: ~/two\nsolve:\n  - type: {works} && cp one two; touch {tmp_path}/once\n",
+        "three": "check:\n  - file: ~/three\nsolve:\n  - type: touch three\n",
+    }
+    played = play(tmp_path, told=lambda step: told.append(step.step), **steps)
+    assert left == [] and [each.step for each in played] == ["one", "two", "three"]
+    assert told == (["one", "three", "two"] if stalls[0] else ["one", "two", "three"])
+    assert [len(each.faults) for each in played] == [0, faults, 0]
+    assert all(("(this machine stood still for 0.2 s)" in fault) == bool(stalls[-1]) for fault in played[1].faults)
 
 
 @pytest.mark.process

@@ -27,7 +27,10 @@ SOON = 0.5
 SOLVED_WITHIN = 30.0
 REFUSED_WITHIN = 12.0
 TIMES = 3
-"""A wrong answer is played again if the machine stood still meanwhile."""
+"""An answer is played again if the machine stood still meanwhile."""
+
+HELD_UP = 0.15
+"""Seconds that it may stand still while a solution is played: programs that count the wall's seconds go wrong by that."""
 
 LOOK = 0.05
 LONGEST = 600.0
@@ -42,6 +45,8 @@ class Played:
     line: int
     seconds: float = 0.0
     faults: list[str] = field(default_factory=list)
+    held_up: float = 0.0
+    """Seconds for which the machine stood still while its solution went wrong."""
 
 
 def rehearse(
@@ -49,9 +54,37 @@ def rehearse(
 ) -> list[Played]:
     """Play a lesson with `home` as the machine's home folder; `told` hears of each step when it is done.
 
-    `only`: this step alone, after the solutions of those that it needs. The machine meets no other one. Blocks; for commands
-    and tests. Raises TimeoutError.
+    `only`: this step alone, after the solutions of those that it needs. A step whose solution went wrong while the machine was
+    held up is played alone once more, at the end and with a home beside `home`. The machine meets no other one. Blocks; for
+    commands and tests. Raises TimeoutError.
     """
+
+    def hear(step: Played) -> None:
+        if not step.held_up:
+            told(step)
+
+    played = _play(lesson, home, hear, only)
+    for place, step in enumerate(played):
+        if step.held_up:
+            played[place] = _play_again(lesson, home, step.step)
+            told(played[place])
+    return played
+
+
+def _play_again(lesson: Lesson, home: Path, name: str) -> Played:
+    for number in range(2, TIMES + 1):
+        (step,) = _play(lesson, home.with_name(f"{home.name}-{name}-{number}"), lambda _: None, name)
+        if not step.held_up:
+            return step
+    step.faults[-1] += _stood_still(step.held_up)
+    return step
+
+
+def _stood_still(seconds: float) -> str:
+    return f" (this machine stood still for {seconds} s)" if seconds else ""
+
+
+def _play(lesson: Lesson, home: Path, told: Callable[[Played], None], only: str | None) -> list[Played]:
     played: list[Played] = []
     with apart():
         desk = Desk(home, domain_id=0)
@@ -139,15 +172,26 @@ class _Rehearsal:
                 played.faults.append(f"is solved before anything was done: {self._holding(step)}")
             for number, wrong in enumerate(step.wrong, 1):
                 await self._refuse(step, number, wrong, played)
-            self._now = "solve"
-            await self._perform(step, step.solve)
-            if not await self._session.until(lambda: self._solved(step), SOLVED_WITHIN, LOOK):
-                played.faults.append(f"is not solved by its solution: {self._missing(step)}")
+            await self._solve(step, played)
         except (StageError, OSError, ValueError, KeyError) as error:
             reason = f"unknown name {error}" if isinstance(error, KeyError) else named_reason(error)
             played.faults.append(f"could not be played, {self._now}: {reason}")
         played.seconds = time.monotonic() - began
         return played
+
+    async def _solve(self, step: Step, played: Played) -> None:
+        self._now = "solve"
+        is_solved = False
+        began, lag = time.monotonic(), Lag()
+        try:
+            with lag.watched(self._session):
+                await self._perform(step, step.solve)
+                is_solved = await self._session.until(lambda: self._solved(step), SOLVED_WITHIN, LOOK)
+            if not is_solved:
+                played.faults.append(f"is not solved by its solution: {self._missing(step)}")
+        finally:
+            if not is_solved:
+                played.held_up = worst_of(time.monotonic() - began, lag, stall=HELD_UP)
 
     async def _perform(self, step: Step, actions: tuple[Action, ...]) -> None:
         """Perform actions and look meanwhile, as the desktop does: messages are heard by a check that was asked."""
@@ -178,7 +222,7 @@ class _Rehearsal:
             if not fault or not stood_still:
                 break
         if fault:
-            played.faults.append(f"{fault} (this machine stood still for {stood_still} s)" if stood_still else fault)
+            played.faults.append(fault + _stood_still(stood_still))
 
     async def _fault_with(self, step: Step, wrong: Wrong, what: str) -> str:
         """Play a wrong answer, and return what the step does wrong with it; empty if nothing."""
