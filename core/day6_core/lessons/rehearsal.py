@@ -55,8 +55,8 @@ def rehearse(
     """Play a lesson with `home` as the machine's home folder; `told` hears of each step when it is done.
 
     `only`: this step alone, after the solutions of those that it needs. A step whose solution went wrong while the machine was
-    held up is played alone once more, at the end and with a home beside `home`. The machine meets no other one. Blocks; for
-    commands and tests. Raises TimeoutError.
+    held up is played again at the end, alone and with a home beside `home`, TIMES in all. The machine meets no other one. Blocks;
+    for commands and tests. Raises TimeoutError.
     """
 
     def hear(step: Played) -> None:
