@@ -5,6 +5,8 @@ from __future__ import annotations
 import errno
 import json
 import os
+import threading
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
@@ -282,6 +284,29 @@ def test_progress_that_a_full_disk_does_not_take_is_told_and_written_later(
     room.wait(lambda: room.solved() and room.course.kept.failed == os.strerror(errno.ENOSPC))
     full[0] = False
     room.wait(lambda: room.saved() and not room.course.kept.failed)
+
+
+def test_what_was_not_yet_written_when_the_desktop_is_closed_is_written_and_nothing_after_that(
+    room: Classroom, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real, closed, late = kept_progress.save, threading.Event(), []
+
+    def save(path: Path, progress: Progress) -> Progress:
+        time.sleep(0.3)  # a slow disk
+        late.append(closed.is_set())
+        return real(path, progress)
+
+    room.open()
+    room.wait(room.saved)
+    monkeypatch.setattr(kept_progress, "save", save)
+    (room.home / "one.txt").touch()
+    room.wait(room.solved)
+    room.desk.hurry()
+    room.desk.close()
+    closed.set()
+    assert room.saved() and load(file_of(room.home, "anna")).step("small", "touch").solved
+    time.sleep(0.5)
+    assert True not in late
 
 
 def test_a_lesson_that_is_being_written_is_read_again(room: Classroom) -> None:

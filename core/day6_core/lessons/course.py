@@ -121,6 +121,8 @@ class Course:
                     await self._session.wait(self._wanted, CALM_SECONDS if self._is_calm() else LOOK_SECONDS)
         finally:
             self._leave()
+            if self.kept.unwritten:
+                self._desk.in_background(self.kept.write_last, "day6-progress")
 
     def _is_calm(self) -> bool:
         """Whether there has been no news for a while."""

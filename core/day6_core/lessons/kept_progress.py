@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import logging
+import threading
 import time
 from pathlib import Path
 
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, save
 from day6_core.reason import reason
 from day6_core.session.threads import in_thread
+
+_log = logging.getLogger(__name__)
 
 RETRY_SECONDS = 2.0
 """Seconds between tries where the file cannot be written."""
@@ -26,11 +30,19 @@ class KeptProgress:
         """When to try again after that, on `time.monotonic`."""
         self._file = file_of(home, pupil)
         self._saving = False
+        self._writing = threading.Lock()
+        self._over = False
+        """Whether what was known at the end was written."""
 
     @property
     def is_due(self) -> bool:
         """Whether it is time to write: one writing after the other."""
         return self.unsaved and not self._saving and time.monotonic() >= self._again
+
+    @property
+    def unwritten(self) -> bool:
+        """Whether the file may lack something that is known."""
+        return self.unsaved or self._saving
 
     async def load(self) -> None:
         """Read how far the pupil is; the beginning where the file cannot be used."""
@@ -47,9 +59,23 @@ class KeptProgress:
         self.unsaved, self._saving = False, True
         progress = self.progress.copy()
         try:
-            await in_thread(lambda: save(self._file, progress))
+            await in_thread(lambda: self._write(progress))
             self.failed = ""
         except (ProgressError, OSError) as error:
             self.failed, self.unsaved, self._again = reason(error), True, time.monotonic() + RETRY_SECONDS
         finally:
             self._saving = False
+
+    def _write(self, progress: Progress) -> None:
+        with self._writing:
+            if not self._over:  # else the thread of an earlier state came late
+                save(self._file, progress)
+
+    def write_last(self) -> None:
+        """Write what is known when nothing changes any more; nothing is written after that. Blocks; for a thread."""
+        with self._writing:
+            self._over = True
+            try:
+                save(self._file, self.progress)
+            except (ProgressError, OSError) as error:
+                _log.warning("the progress was not kept: %s", reason(error))

@@ -134,7 +134,7 @@ class Desk:
         self._join_link = join_link and os.environ.get("DAY6_LINK") != "off"
         self._joined: set[Graph] = set()
         self._on_demand = False
-        self._link_threads: list[threading.Thread] = []
+        self._background: list[threading.Thread] = []
         self._last_pid = FIRST_PID - 1
         self._changed = threading.Condition()
         self._started = False
@@ -257,6 +257,12 @@ class Desk:
 
         self.scheduler.call_soon_threadsafe(start)
 
+    def in_background(self, work: Callable[[], None], name: str) -> None:
+        """Do something in a thread of this name; `close` waits for its end, `GRACE` seconds at most."""
+        thread = threading.Thread(target=work, name=name, daemon=True)
+        self._background = [*(each for each in self._background if each.is_alive()), thread]
+        thread.start()
+
     # -- time ----------------------------------------------------------------------------------------------------------
 
     def pause(self) -> None:
@@ -330,9 +336,7 @@ class Desk:
         self._on_demand = self._join_link
 
     def _join_in_background(self, graph: Graph) -> None:
-        thread = threading.Thread(target=self._join, args=(graph,), name="day6-join", daemon=True)
-        self._link_threads.append(thread)
-        thread.start()
+        self.in_background(partial(self._join, graph), "day6-join")
 
     def _join(self, graph: Graph) -> None:
         from day6_core.link import join
@@ -365,7 +369,7 @@ class Desk:
         self.end_programs(list(self.programs.values()))
         for terminal in list(self.terminals):  # each takes itself off the list
             terminal.close()
-        for thread in self._link_threads:
+        for thread in self._background:
             cores.join(thread, GRACE)
         if self._joined:
             from day6_core.link import leave
