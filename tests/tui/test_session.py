@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -164,6 +165,27 @@ async def test_a_session_that_a_full_disk_does_not_take_is_told_and_written_late
         app.session.save_meanwhile()  # though nothing has changed
         await until(app, pilot, session_file(tmp_path).exists)
         assert app.session.save() == ""
+
+
+async def test_what_a_slow_disk_takes_meanwhile_never_replaces_what_was_saved_at_the_end(tmp_path, monkeypatch) -> None:
+    written: list[int] = []
+    disk = threading.Event()
+
+    def slow(path: Path, data: bytes) -> None:
+        if threading.current_thread() is not threading.main_thread():
+            disk.wait()
+        written.append(len(json.loads(data)["terminals"]))
+
+    monkeypatch.setattr("day6_tui.features.saved_desktop.write_private", slow)
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        app.session.save_meanwhile()
+        await pilot.press("alt+minus")
+        await until(app, pilot, lambda: screen_text(app).count("student@day6:~$") == 2)
+        threading.Timer(0.3, disk.set).start()
+        app.session.save()
+        await until(app, pilot, lambda: len(written) == 2)
+        assert written == [1, 2]
 
 
 async def test_one_idle_terminal_is_no_session(tmp_path) -> None:

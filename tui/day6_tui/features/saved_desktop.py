@@ -43,6 +43,9 @@ PREFIXES = "COLCON_PREFIX_PATH"
 INTERRUPTED = 130
 """The status after Ctrl-C."""
 
+LONGEST_WRITING = 2.0
+"""Seconds that a writing which goes on is waited for when the desktop is left."""
+
 WAITED = 60.0
 """Seconds for which windows of programs that were started again go to their old places."""
 
@@ -135,12 +138,16 @@ class SavedDesktop(Feature):
         """A terminal, and the line that is to be typed in it again."""
         self._foreign = False
         """The file is not one of ours: it is left as it is."""
+        self._writing: threading.Thread | None = None
+        """What writes the file while the desktop goes on."""
 
     # -- leaving -------------------------------------------------------------------------------------------------------
 
     def save(self) -> str:
         """Write down what is there; return why that was impossible, or ''. A disk that is full is no reason to stay."""
         path, data = self._machine.own_file(SESSION_FILE), self._taken()
+        if self._writing is not None:
+            self._writing.join(LONGEST_WRITING)  # else the older state would come last
         if path is not None and data is not None:
             self._write(path, data)
         return self._unwritten
@@ -157,13 +164,18 @@ class SavedDesktop(Feature):
         path = self._machine.own_file(SESSION_FILE)
         if path is None or (state == self._state and not self._unwritten):
             return
+        if self._writing is not None and self._writing.is_alive():
+            return
         if self._unwritten != self._told:
             self._told = self._unwritten
             if self._told:
                 self._notices.show(self._look.texts("session.not_kept", reason=self._told), NOTICE_SECONDS)
         self._state = state
         if (data := self._taken()) is not None:
-            threading.Thread(target=self._write, args=(path, data), name="day6-save-session", daemon=True).start()
+            self._writing = threading.Thread(
+                target=self._write, args=(path, data), name="day6-save-session", daemon=True
+            )
+            self._writing.start()
 
     def _write(self, path: Path, data: bytes) -> None:
         try:
