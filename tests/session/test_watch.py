@@ -16,6 +16,7 @@ import pytest
 from day6_core.session import watch
 from day6_core.session.clock import WorldClock
 from day6_core.session.scheduler import Scheduler
+from day6_core.whole_file import replace_file
 from tests.support.waiting import until
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="pipes and ptys of Unix")
@@ -88,6 +89,30 @@ def test_a_wait_that_no_call_betrays_is_named_from_outside(
     threading.Thread(target=release, daemon=True).start()
 
     assert "a wait of more than 1 s" in (said := told(planted)) and "in planted" in said
+
+
+def test_waiting_until_a_file_is_on_the_disk_is_named(
+    told: Callable[[Callable[[], object]], str], tmp_path: Path
+) -> None:
+    assert "fsync()" in told(lambda: replace_file(tmp_path / "file.txt", b"text"))
+
+
+def test_a_disk_that_is_busy_for_long_is_nobodys_fault(
+    told: Callable[[Callable[[], object]], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    empty: queue.SimpleQueue[None] = queue.SimpleQueue()
+    seen = threading.Event()
+    asked: list[int] = []
+
+    def waits(thread: int) -> bool:
+        asked.append(thread)
+        if len(asked) > 2 * watch.SAMPLES:
+            seen.set()
+        return True
+
+    monkeypatch.setattr(watch, "_waits_for_disk", waits)
+    threading.Thread(target=lambda: (seen.wait(), empty.put(None)), daemon=True).start()
+    assert told(empty.get) == ""
 
 
 def test_work_and_writes_that_cannot_wait_are_not_named(

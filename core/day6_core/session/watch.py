@@ -3,7 +3,8 @@
 Two checks, because neither sees everything. Calls that always block are noticed when they are made, on any machine and however
 short they are. Anything else that stops the thread is noticed by a sampling thread: it stays at the same instruction for a second
 without processor time, although samples were taken all the time (so the machine was neither suspended nor merely loaded, which
-still gives every thread some milliseconds a second).
+still gives every thread some milliseconds a second) and it did not wait for a disk, which holds up any use of a file where it is
+busy.
 """
 
 from __future__ import annotations
@@ -72,6 +73,7 @@ def _install() -> None:
     _guard(subprocess.Popen, "wait", lambda popen, timeout=None: popen.returncode is None)
 
     _guard(time, "sleep", lambda seconds: True)
+    _guard(os, "fsync", lambda fd: True)
     threading.Thread(target=_sample, name="day6-watch", daemon=True).start()
 
 
@@ -133,7 +135,7 @@ def _sample() -> None:
             place = (id(frame), frame.f_lasti)
             used = time.clock_gettime(time.pthread_getcpuclockid(thread))
             before = standing.get(thread)
-            if before is None or before[0] != place or used - before[1] > STILL:
+            if before is None or before[0] != place or used - before[1] > STILL or _waits_for_disk(thread):
                 standing[thread] = (place, used, 1)
             elif before[2] == SAMPLES:
                 _report(file, f"a wait of more than {EVERY * SAMPLES:g} s", frame)
@@ -146,6 +148,16 @@ def _waits_for_work(frame: FrameType) -> bool:
     """Whether this is the scheduler, waiting in its inbox."""
     caller = frame.f_back
     return frame.f_code is Inbox.get.__code__ and caller is not None and caller.f_code.co_name == "_turn"
+
+
+def _waits_for_disk(thread: int) -> bool:
+    """Whether a thread is in the state D, "disk sleep" (proc(5)); False where the system doesn't tell."""
+    number = next((each.native_id for each in threading.enumerate() if each.ident == thread), None)
+    try:
+        with open(f"/proc/self/task/{number}/stat", encoding="utf-8", errors="replace") as file:
+            return file.read().rpartition(")")[2].split()[0] == "D"
+    except (OSError, IndexError):
+        return False
 
 
 def _report(path: str, what: str, frame: FrameType | None) -> None:
