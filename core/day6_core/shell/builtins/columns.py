@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Generator
+from functools import partial
 
 from day6_core.session.session import Session
 from day6_core.session.task import in_turns
+from day6_core.session.threads import in_thread
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.builtins.text import lines_of, unescape
 from day6_core.shell.outside import agreed, keys_of
@@ -229,8 +231,8 @@ async def _in_place(session: Session, names: list[str], steps: list[_Step], sile
             status = status or 2
             continue
         try:
-            edited = "".join(await _edited(lines, steps, silent))
-            replace_file(path, edited.encode("utf-8", "surrogateescape"), follow=False)
+            edited = "".join(await _edited(lines, steps, silent)).encode("utf-8", "surrogateescape")
+            await in_thread(partial(replace_file, path, edited, follow=False))
         except TooComplex as error:
             complain(session, str(error))
             return 1

@@ -14,6 +14,7 @@ from day6_core.session.blocking_files import refuse
 from day6_core.session.session import Session
 from day6_core.session.streams import FileInput, InputStream
 from day6_core.session.task import let_others_run
+from day6_core.session.threads import in_thread
 from day6_core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_core.shell.byte_text import joined, of_byte, of_code
 from day6_core.shell.outside import agreed, keys_of
@@ -343,7 +344,8 @@ async def write_named(session: Session, name: str, data: bytes) -> None:
         path = session.cwd / name
         if name.endswith("/") and not path.is_dir():
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
-        (overwrite_file if must_stay(path) else replace_file)(path, data)
+        write = overwrite_file if must_stay(path) else replace_file
+        await in_thread(lambda: write(path, data))
     else:
         own.write(data.decode("utf-8", "surrogateescape"))
         await own.drain()
