@@ -130,7 +130,7 @@ def apart() -> Iterator[None]:
     """A meeting place of this process's own, so that nobody else's nodes are seen."""
     before = {name: os.environ.get(name) for name in ("DAY6_RUNTIME_DIR", "DAY6_LINK", "ROS_DOMAIN_ID")}
     short = "/tmp" if os.name == "posix" and os.access("/tmp", os.W_OK | os.X_OK) else None  # it holds sockets
-    with tempfile.TemporaryDirectory(prefix="d6l-", dir=short) as folder:
+    with tempfile.TemporaryDirectory(prefix="d6l-", dir=short, ignore_cleanup_errors=True) as folder:
         os.environ["DAY6_RUNTIME_DIR"] = folder
         os.environ.pop("DAY6_LINK", None)
         os.environ.pop("ROS_DOMAIN_ID", None)

@@ -12,6 +12,7 @@ from day6_core.lessons.actions import presses
 from day6_core.lessons.checks import condition_of
 from day6_core.lessons.live import OutsideHome
 from day6_core.lessons.player import LONGEST_WAIT, LOOK, Player, StageError
+from day6_core.session.threads import in_thread
 from day6_core.whole_file import replace_file
 
 if TYPE_CHECKING:
@@ -150,7 +151,7 @@ class Stage(Player):
             await self._type_file(file["file"], file["text"])
         else:
             path.parent.mkdir(parents=True, exist_ok=True)
-            replace_file(path, file["text"].encode(), sync=False)
+            await _replace(path, file["text"])
         self._written[path] = path.read_bytes()
 
     async def _keep(self, name: str, path: Path) -> None:
@@ -176,7 +177,7 @@ class Stage(Player):
             for word, lines in (("-", change["old"]), ("+", change["new"])):
                 for line in lines.strip("\n").split("\n"):
                     await self._do_type(f"# {change['file'].rpartition('/')[2]} {word} {line.strip()}")
-        replace_file(path, text.replace(change["old"], change["new"]).encode(), sync=False)
+        await _replace(path, text.replace(change["old"], change["new"]))
         self._written[path] = path.read_bytes()
 
     async def _do_wait(self, given: object) -> None:
@@ -203,6 +204,11 @@ class Stage(Player):
 
     async def _do_answer(self, letter: str) -> None:
         self._live.answer = letter
+
+
+async def _replace(path: Path, text: str) -> None:
+    """Write a file without waiting for the disk. Raises OSError."""
+    await in_thread(lambda: replace_file(path, text.encode(), sync=False))
 
 
 def _can_be_typed(text: str) -> bool:
