@@ -107,6 +107,35 @@ def test_a_solution_that_goes_wrong_while_the_machine_stands_still_is_played_aga
     assert all(("(this machine stood still for 0.2 s)" in fault) == bool(stalls[-1]) for fault in played[1].faults)
 
 
+UNDONE = """check:
+  - file: ~/one
+solve:
+  - terminal: idle
+  - type: test -e undone && touch one
+wrong:
+  - do:
+      - type: ls
+    says: not yet
+    undo:
+      - type: sleep {seconds}; touch undone
+"""
+
+
+@pytest.mark.process
+def test_what_cleans_up_after_a_wrong_answer_has_ended_when_the_next_thing_is_done(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = tmp_path / "first", tmp_path / "second"
+    first.mkdir()
+    second.mkdir()
+    (played,) = play(first, one=UNDONE.format(seconds=0.5))
+    assert played.faults == []
+    monkeypatch.setattr("day6_core.lessons.stage.LONGEST_WAIT", 0.5)
+    (played,) = play(second, one=UNDONE.format(seconds=1000))
+    (fault,) = played.faults
+    assert fault.startswith("could not be played, the wrong answer 1 (line 17), undo: it ends with  sleep 1000  which")
+
+
 @pytest.mark.process
 def test_what_was_seen_is_not_taken_for_what_is_wanted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("day6_core.lessons.rehearsal.SOLVED_WITHIN", 0.2)

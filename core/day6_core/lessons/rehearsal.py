@@ -218,6 +218,8 @@ class _Rehearsal:
             stood_still = worst_of(time.monotonic() - began, lag)
             self._now = f"{what}, undo"
             await self._stage.perform(wrong.undo)
+            if wrong.undo and "type" in wrong.undo[-1]:
+                await self._stage.until_line_ends()  # what comes next may open a terminal beside it
             self._live.begin_step()
             if not fault or not stood_still:
                 break

@@ -115,6 +115,15 @@ class Stage(Player):
             runs = "; ".join(terminal.running) or "a program"
             raise StageError(f"'{line}' was not typed: the terminal was busy for {LONGEST_WAIT:g} s, it runs  {runs}")
 
+    async def until_line_ends(self) -> None:
+        """Wait for the end of the line that was typed last. Raises StageError."""
+        terminal = self._here
+        if not await self._session.until(_is_idle(terminal), LONGEST_WAIT, LOOK):
+            line = "; ".join(terminal.running) or "a program"
+            raise StageError(
+                f"it ends with  {line}  which has not ended after {LONGEST_WAIT:g} s: wait for what it starts"
+            )
+
     async def _type_file(self, name: str, text: str) -> None:
         """Write a file where everybody sees it: `cat > FILE << 'EOF'`."""
         end = "EOF"
