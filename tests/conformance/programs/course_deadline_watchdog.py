@@ -40,8 +40,10 @@ def spin(seconds):
 spin(0.5)
 print("before the first message:", events)
 publisher.publish(Range())
-spin(1.05)
-print(sorted(events))
+while min(sum(event[0] == side for event in events) for side in ("offered", "requested")) < 3:
+    rclpy.spin_once(node, timeout_sec=0.01)
+for side in ("offered", "requested"):
+    print([event for event in events if event[0] == side][:3])
 events.clear()
 publisher.publish(Range())
 spin(0.15)

@@ -22,14 +22,12 @@ ex.add_node(n)
 out = []
 n.create_timer(0.1, lambda: (out.append("n"), ex.add_node(m) if "x" not in out else 0, out.append("x")))
 m.create_timer(0.1, lambda: out.append("m"))
-t0 = time.time()
-while time.time() - t0 < 0.35:
+while "m" not in out:
     ex.spin_once(timeout_sec=0.02)
 print(out[:2], sorted(set(out)), len(ex.get_nodes()))
 ex.remove_node(n)
 out.clear()
-t0 = time.time()
-while time.time() - t0 < 0.25:
+while out.count("m") < 2:
     ex.spin_once(timeout_sec=0.02)
 print(set(out), n.executor is ex)
 
