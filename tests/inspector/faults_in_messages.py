@@ -29,6 +29,7 @@ from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 rclpy.init()
 node = Node({name!r})
+began = time.monotonic()
 
 
 def now(seconds=0.0):
@@ -222,12 +223,18 @@ def handed_over(lab: Lab) -> None:
 
 def simulated(lab: Lab) -> None:
     """A simulator's clock begins at 0, and everybody goes by it."""
-    ticks = "'/clock', Clock, Clock(clock=Time(sec=int(time.monotonic()) % 1000))"
+    ticks = "'/clock', Clock, Clock(clock=Time(sec=int(time.monotonic() - began)))"
     start(lab, ticks, name="simulator", number=2)
     start(lab, "'/odom', Odometry, odometry()", TREE, name="robot", options="--ros-args -p use_sim_time:=true")
 
 
-HEALTHY: tuple[Callable[[Lab], object], ...] = (played, measured, handed_over, simulated)
+def paused(lab: Lab) -> None:
+    """A simulator that has sent its very first time, and waits for somebody to press Play."""
+    start(lab, "'/clock', Clock, Clock()", name="simulator", number=2)
+    start(lab, "'/odom', Odometry, odometry()", TREE, name="robot", options="--ros-args -p use_sim_time:=true")
+
+
+HEALTHY: tuple[Callable[[Lab], object], ...] = (played, measured, handed_over, simulated, paused)
 
 TREE = "'/tf', TFMessage, TFMessage(transforms=[tf('odom', 'base_link'), tf('base_link', 'laser')])"
 WHEELS = "name=['left_wheel_joint', 'right_wheel_joint']"

@@ -173,8 +173,10 @@ def _full_name(node: Node) -> str:
 
 
 def _stands(node: Node) -> bool:
-    clock = node._clock
-    return clock._is_simulated() and clock._now_ns() == 0 and bool(node._timers)
+    """Whether its timers wait for a simulated time that nobody has sent; a simulator's may well be 0."""
+    clock, heard = node._clock, node._time_source._clock_sub
+    is_told = heard is not None and heard._endpoint.received > 0
+    return clock._is_simulated() and clock._now_ns() == 0 and not is_told and bool(node._timers)
 
 
 def _node(node: Node, spinning: bool, now: float) -> dict[str, Any]:
