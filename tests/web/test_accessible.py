@@ -89,6 +89,7 @@ DESK: dict[str, tuple[bool, Act]] = {
     "desk, key row": (True, does(opens("choose-keys"))),
 }
 CLASS: dict[str, tuple[bool, Act]] = {
+    "class, nothing heard yet": (False, does("true")),
     "class, empty": (False, shows_class(rows=[])),
     "class": (False, shows_class(opens("screens"))),
     "class on a phone": (True, shows_class()),

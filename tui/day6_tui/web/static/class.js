@@ -388,6 +388,7 @@ class Class {
   _fillMenus() {
     this._fillStart(at("start"), (order) => this._orderThem(order, "class.confirm"));
     this._fillDesks(at("desks"), () => this._chosen.names);
+    this._showTools();
   }
 
   _fillDesks(select, chosen) {
