@@ -122,7 +122,7 @@ class Course:
         finally:
             self._leave()
             if self.kept.unwritten:
-                self._desk.in_background(self.kept.write_last, "day6-progress")
+                self._desk.in_background(self.kept.last_writing(), "day6-progress")
 
     def _is_calm(self) -> bool:
         """Whether there has been no news for a while."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import logging
-import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from day6_core.lessons.progress import Progress, ProgressError, file_of, load, save
 from day6_core.reason import reason
-from day6_core.session.threads import in_thread
+from day6_core.session.threads import Newest, in_thread
 
 _log = logging.getLogger(__name__)
 
@@ -30,9 +30,7 @@ class KeptProgress:
         """When to try again after that, on `time.monotonic`."""
         self._file = file_of(home, pupil)
         self._saving = False
-        self._writing = threading.Lock()
-        self._over = False
-        """Whether what was known at the end was written."""
+        self._newest = Newest()
 
     @property
     def is_due(self) -> bool:
@@ -59,23 +57,19 @@ class KeptProgress:
         self.unsaved, self._saving = False, True
         progress = self.progress.copy()
         try:
-            await in_thread(lambda: self._write(progress))
+            await in_thread(self._newest.of(lambda: save(self._file, progress)))
             self.failed = ""
         except (ProgressError, OSError) as error:
             self.failed, self.unsaved, self._again = reason(error), True, time.monotonic() + RETRY_SECONDS
         finally:
             self._saving = False
 
-    def _write(self, progress: Progress) -> None:
-        with self._writing:
-            if not self._over:  # else the thread of an earlier state came late
-                save(self._file, progress)
+    def last_writing(self) -> Callable[[], None]:
+        """Return, for a thread, what writes all that is known when nothing changes any more."""
+        return self._newest.of(self._write_last)
 
-    def write_last(self) -> None:
-        """Write what is known when nothing changes any more; nothing is written after that. Blocks; for a thread."""
-        with self._writing:
-            self._over = True
-            try:
-                save(self._file, self.progress)
-            except (ProgressError, OSError) as error:
-                _log.warning("the progress was not kept: %s", reason(error))
+    def _write_last(self) -> None:
+        try:
+            save(self._file, self.progress)
+        except (ProgressError, OSError) as error:
+            _log.warning("the progress was not kept: %s", reason(error))

@@ -1,4 +1,4 @@
-"""Runs work that would stall every program in a thread, while its program waits."""
+"""Runs work that would stall every program in a thread, while its program waits; and keeps what is older from coming last."""
 
 from __future__ import annotations
 
@@ -33,3 +33,26 @@ async def in_thread(function: Callable[[], _Result]) -> _Result:
     if errors:
         raise errors[0]
     return results[0]
+
+
+class Newest:
+    """Work of threads of which the newest counts, such as writing a state to a file: one at a time, and never an older one last.
+
+    A thread that its program left behind goes on; what it would do then is done already, or of no use.
+    """
+
+    def __init__(self) -> None:
+        self._one_at_a_time = threading.Lock()
+        self._turn = 0
+
+    def of(self, work: Callable[[], object]) -> Callable[[], None]:
+        """Return `work` for a thread; it does nothing if it comes after something newer was asked for. One thread asks."""
+        self._turn += 1
+        turn = self._turn
+
+        def run() -> None:
+            with self._one_at_a_time:
+                if turn == self._turn:
+                    work()
+
+        return run

@@ -13,11 +13,13 @@ import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_core.places import SESSION_FILE
 from day6_core.reason import reason
+from day6_core.session.threads import Newest
 from day6_core.whole_file import write_private
 from day6_tui.bars.notices import NOTICE_SECONDS
 from day6_tui.json_file import read_object
@@ -42,9 +44,6 @@ PREFIXES = "COLCON_PREFIX_PATH"
 
 INTERRUPTED = 130
 """The status after Ctrl-C."""
-
-LONGEST_WRITING = 2.0
-"""Seconds that a writing which goes on is waited for when the desktop is left."""
 
 WAITED = 60.0
 """Seconds for which windows of programs that were started again go to their old places."""
@@ -138,18 +137,15 @@ class SavedDesktop(Feature):
         """A terminal, and the line that is to be typed in it again."""
         self._foreign = False
         """The file is not one of ours: it is left as it is."""
-        self._writing: threading.Thread | None = None
-        """What writes the file while the desktop goes on."""
+        self._newest = Newest()
 
     # -- leaving -------------------------------------------------------------------------------------------------------
 
     def save(self) -> str:
         """Write down what is there; return why that was impossible, or ''. A disk that is full is no reason to stay."""
         path, data = self._machine.own_file(SESSION_FILE), self._taken()
-        if self._writing is not None:
-            self._writing.join(LONGEST_WRITING)  # else the older state would come last
         if path is not None and data is not None:
-            self._write(path, data)
+            self._newest.of(partial(self._write, path, data))()
         return self._unwritten
 
     def type_again(self, terminal: Terminal, line: str) -> None:
@@ -164,18 +160,14 @@ class SavedDesktop(Feature):
         path = self._machine.own_file(SESSION_FILE)
         if path is None or (state == self._state and not self._unwritten):
             return
-        if self._writing is not None and self._writing.is_alive():
-            return
         if self._unwritten != self._told:
             self._told = self._unwritten
             if self._told:
                 self._notices.show(self._look.texts("session.not_kept", reason=self._told), NOTICE_SECONDS)
         self._state = state
         if (data := self._taken()) is not None:
-            self._writing = threading.Thread(
-                target=self._write, args=(path, data), name="day6-save-session", daemon=True
-            )
-            self._writing.start()
+            write = self._newest.of(partial(self._write, path, data))
+            threading.Thread(target=write, name="day6-save-session", daemon=True).start()
 
     def _write(self, path: Path, data: bytes) -> None:
         try:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
-from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 from day6_core.reason import named_reason
@@ -21,7 +20,7 @@ from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings,
 from day6_core.session.argument_parser import ParserExit
 from day6_core.session.session import Session, Terminated
 from day6_core.session.task import Signal
-from day6_core.session.threads import in_thread
+from day6_core.session.threads import Newest, in_thread
 
 if TYPE_CHECKING:
     import argparse
@@ -107,9 +106,8 @@ class Container:
         """Whether the perspective is written when something changes: not over one that could not be read."""
         self._written: list[Instance] = []
         """What the perspective's file has."""
-        self._writing = Lock()
-        self._turn = 0
-        """Counts what was to be written."""
+        self._newest = Newest()
+        """What writes it: Ctrl-C leaves that behind, and what is newer must not be lost to it."""
         self.model = Rqt(plugins(), session.cwd, self._woken.set)
 
     async def run(self, options: argparse.Namespace) -> int:
@@ -256,15 +254,9 @@ class Container:
         """Write the perspective, so that the next rqt begins with it."""
         self._written = self._instances()
         if self._kept:
-            self._turn += 1
-            await self._try(partial(self._write, self._turn, self.model.perspective, self._written))
+            save = partial(self._store.save, self.model.perspective, self._written)
+            await self._try(self._newest.of(save))
         self._tell_names(await in_thread(self._store.names))
-
-    def _write(self, turn: int, name: str, instances: list[Instance]) -> None:
-        """Write a perspective, on a thread. One that Ctrl-C interrupted goes on there: what is newer must not be lost to it."""
-        with self._writing:
-            if turn == self._turn:
-                self._store.save(name, instances)
 
     async def _try(self, work: Any) -> Any:
         """Return what work at the disk returns; what fails is told in the window, and None returned."""
