@@ -35,6 +35,8 @@ class Lag:
 
     worst: float = 0.0
     total: float = 0.0
+    watched_for: float = 0.0
+    """Seconds in which the clocks were compared."""
 
     def add(self, late: float) -> None:
         """Note how late one look came."""
@@ -43,11 +45,16 @@ class Lag:
     @contextmanager
     def watched(self, session: Session) -> Iterator[None]:
         """Compare the world's clock with the wall's inside this."""
-        watch = session.spawn(self.watch(session))
+        watch, began = session.spawn(self.watch(session)), time.monotonic()
         try:
             yield
         finally:
             watch.cancel()
+            self.watched_for += time.monotonic() - began
+
+    def stood_still(self, stall: float = STALL) -> float:
+        """The longest time for which the world stood still while it was watched; 0 if it kept up, see `worst_of`."""
+        return worst_of(self.watched_for, self, stall=stall)
 
     async def watch(self, session: Session) -> None:
         """Compare them until this is cancelled."""

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from day6_core.lessons.checks import Verdict
 from day6_core.lessons.document import Action, Lesson, Step, Wrong
-from day6_core.lessons.lag import Lag, worst_of
+from day6_core.lessons.lag import Lag
 from day6_core.lessons.live import Live
 from day6_core.lessons.player import StageError
 from day6_core.lessons.stage import Stage
@@ -182,7 +182,7 @@ class _Rehearsal:
     async def _solve(self, step: Step, played: Played) -> None:
         self._now = "solve"
         is_solved = False
-        began, lag = time.monotonic(), Lag()
+        lag = Lag()
         try:
             with lag.watched(self._session):
                 await self._perform(step, step.solve)
@@ -191,7 +191,7 @@ class _Rehearsal:
                 played.faults.append(f"is not solved by its solution: {self._missing(step)}")
         finally:
             if not is_solved:
-                played.held_up = worst_of(time.monotonic() - began, lag, stall=HELD_UP)
+                played.held_up = lag.stood_still(HELD_UP)
 
     async def _perform(self, step: Step, actions: tuple[Action, ...]) -> None:
         """Perform actions and look meanwhile, as the desktop does: messages are heard by a check that was asked."""
@@ -212,10 +212,10 @@ class _Rehearsal:
         what = f"the wrong answer {number} (line {wrong.line})"
         for _ in range(TIMES):
             self._now = what
-            began, lag = time.monotonic(), Lag()
+            lag = Lag()
             with lag.watched(self._session):
                 fault = await self._fault_with(step, wrong, what)
-            stood_still = worst_of(time.monotonic() - began, lag)
+            stood_still = lag.stood_still()
             self._now = f"{what}, undo"
             await self._stage.perform(wrong.undo)
             if wrong.undo and "type" in wrong.undo[-1]:
