@@ -35,7 +35,7 @@ from day6_tui.web.class_part import Answer, ClassPart, Hear, names_of
 from day6_tui.web.class_show import ClassShow
 from day6_tui.web.entrance import Entrance
 from day6_tui.web.gate import Gate
-from day6_tui.web.in_time import in_time
+from day6_tui.web.in_time import in_time, stop
 from day6_tui.web.sessions import Sessions
 from day6_tui.web.tokens import TEACHER
 from day6_tui.web.told import told
@@ -161,9 +161,7 @@ class ClassPage:
         finally:
             end()
             self._went()
-            for task in (showing, listening):
-                task.cancel()
-            await asyncio.gather(showing, listening, return_exceptions=True)
+            await stop(showing, listening)
         await ws.close(code=WSCloseCode.POLICY_VIOLATION if reason else WSCloseCode.OK, message=reason.encode())
         return ws
 

@@ -28,6 +28,7 @@ from day6_tui.locale import Texts
 from day6_tui.web import connections, pages
 from day6_tui.web.class_part import Answer, Hear, names_of
 from day6_tui.web.gate import Gate
+from day6_tui.web.in_time import stop
 from day6_tui.web.names import TEACHERS
 from day6_tui.web.picture import Picture
 from day6_tui.web.sessions import Sessions
@@ -180,9 +181,7 @@ class ClassShow:
             await asyncio.wait({sending, listening}, return_when=asyncio.FIRST_COMPLETED)
         finally:
             self._wakes.discard(page.wakes)
-            for task in (sending, listening):
-                task.cancel()
-            await asyncio.gather(sending, listening, return_exceptions=True)
+            await stop(sending, listening)
         await ws.close()
         return ws
 

@@ -1,4 +1,4 @@
-"""Waiting with a limit that never loses a cancellation.
+"""Waiting with a limit that never loses a cancellation, and the end of tasks.
 
 `asyncio.wait_for` loses it before Python 3.12, if what is waited for ends just then: the task goes on, and whoever waits for its
 end waits for ever.
@@ -21,5 +21,11 @@ async def in_time(deed: Coroutine[Any, Any, T], seconds: float) -> T:
             raise asyncio.TimeoutError
         return task.result()
     finally:
+        await stop(task)
+
+
+async def stop(*tasks: asyncio.Task[Any]) -> None:
+    """Cancel tasks and wait until they have ended, whatever comes of them."""
+    for task in tasks:
         task.cancel()
-        await asyncio.gather(task, return_exceptions=True)
+    await asyncio.gather(*tasks, return_exceptions=True)

@@ -11,6 +11,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from day6_core.isolation.cell import IsolationError
 from day6_tui.web import connections
+from day6_tui.web.in_time import stop
 from day6_tui.web.session import MOST_UNTYPED, clamped
 from day6_tui.web.sessions import Full, Sessions
 from day6_tui.web.tokens import WATCHER, Ticket
@@ -97,8 +98,7 @@ async def _exchange(ws: web.WebSocketResponse, viewer: Viewer, sending: asyncio.
     except Nonsense as nonsense:
         return WSCloseCode.POLICY_VIOLATION, str(nonsense)
     finally:
-        listening.cancel()
-        await asyncio.gather(listening, return_exceptions=True)
+        await stop(listening)
 
 
 async def _last_words(sending: asyncio.Task[str]) -> str:
