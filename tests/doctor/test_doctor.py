@@ -171,7 +171,7 @@ def test_a_package_that_is_missing_or_too_old_is_a_problem(monkeypatch: pytest.M
         trials.Requirement("aiohttp", ">=3.10", None, False, "serve"),
     ]
     monkeypatch.setattr(trials, "requirements", lambda: wrong)
-    monkeypatch.setattr(trials, "failing_imports", lambda: {"zenoh": "ImportError: no"})
+    monkeypatch.setattr(trials, "failing_imports", lambda modules: {"zenoh": "ImportError: no"})
     monkeypatch.setattr("day6_tui.textual_private.version", lambda: "99.0.1")
     found = {line.key: line.level for line in checks.packages()}
     assert found == {

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from textual import events
 
+from day6_core.parts import has_part
 from day6_tui.appearance.glyphs import CANVASES, GLYPH_SETS, PIXELS, terminal_environ
 from day6_tui.pixels.ask import SIXEL, WINDOWS_TERMINAL_CELL, Ability, Answered, may_be_asked
 from day6_tui.pixels.pictures import Pictures
@@ -39,6 +40,10 @@ class PictureApp(HookedApp):
         """Find out whether the terminal shows pixels; `glyphs` is what the user chose. `environ` tells of another terminal."""
         look, environ = self.look, terminal_environ() if environ is None else environ
         if self.is_headless or look.colours.colourless or look.glyphs.name not in (PIXELS, *CANVASES[:2]):
+            return
+        if not has_part("PIL"):
+            if glyphs == PIXELS:
+                self.post_message(TerminalTrouble("pixels.missing"))
             return
         look.pictures = pictures = Pictures(
             look, environ, self._write_picture, changed=self._pictures_changed, given_up=self._too_slow

@@ -21,6 +21,7 @@ TEXTS = {
     "input.gbk": "Your terminal sends GBK, not UTF-8: set it to UTF-8 (PuTTY: Window > Translation)",
     "input.not_utf8": "Your terminal sends bytes that are not UTF-8: set it to UTF-8",
     "pixels.slow": "Pixels are too slow over this connection: pictures are now drawn with characters",
+    "pixels.missing": "Pictures of pixels need pillow, which isn't installed: pip install pillow",
     "terminal.hint": "{keys} work only in here: click or {key}",
     "terminal.hint.short": "{keys}: click here or {key}",
     "terminal.arrows": "{keys} only drive in terminal {number}: {key} goes there",

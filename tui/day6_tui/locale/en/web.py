@@ -67,7 +67,7 @@ TEXTS = {
     "serve.name.empty": "Type a name.",
     "serve.name.long": "This name is too long: 32 characters at most.",
     "serve.name.letters": "A name may have letters and digits, and also spaces, dots and dashes.",
-    "serve.no_packages": "serve needs more packages: pip install 'day6-tui[serve]'",
+    "serve.no_packages": "serve needs more packages: pip install aiohttp segno",
     "serve.not_apart": (
         "--host {host}: pupils are not kept apart here (--isolation {name}), so each could read and change everything this "
         "user owns; if you trust them: --trust-pupils"

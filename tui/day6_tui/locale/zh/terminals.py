@@ -21,6 +21,7 @@ TEXTS = {
     "input.gbk": "你的终端发送的是 GBK 而不是 UTF-8：请把终端编码设为 UTF-8（PuTTY：Window > Translation）",
     "input.not_utf8": "你的终端发送的不是 UTF-8：请把终端编码设为 UTF-8",
     "pixels.slow": "这条连接传送像素图太慢，已改用字符来画",
+    "pixels.missing": "用像素画图需要 pillow，这里没有安装：pip install pillow",
     "terminal.hint": "{keys}只在这个终端里有用：点一下这里，或按 {key}",
     "terminal.hint.short": "{keys}：点这里，或按 {key}",
     "terminal.arrows": "{keys}只在终端 {number}（遥控）里有用：按 {key} 切换过去",

@@ -54,7 +54,7 @@ TEXTS = {
     "serve.name.empty": "请输入名字。",
     "serve.name.long": "名字太长：最多 32 个字。",
     "serve.name.letters": "名字由字母、汉字和数字组成，可以有空格、点和横线。",
-    "serve.no_packages": "serve 还需要几个包：pip install 'day6-tui[serve]'",
+    "serve.no_packages": "serve 还需要几个包：pip install aiohttp segno",
     "serve.not_apart": "--host {host}：这里没有把学生隔开（--isolation {name}），"
     "谁都能读、改这个用户的一切；如果信任他们，请加 --trust-pupils",
     "serve.in_use": "{folder}：另一个服务器正在用这个目录",

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from day6_core.parts import MissingPart, part
 from day6_core.ros.programs import image_pixels
 
 MOST_COMPRESSED_PIXELS = 50_000_000
@@ -192,13 +193,16 @@ def _measured(message: Any, rows: Any, columns: Any, view: ImageRequest) -> Any:
 def _compressed(message: Any, view: ImageRequest) -> DecodedImage:
     """A JPEG or PNG; a large JPEG is decoded only as finely as it is shown."""
     import numpy as np
-    from PIL import Image
 
+    try:
+        images = part("PIL.Image", "compressed images need")
+    except MissingPart as error:
+        raise Undecodable(str(error)) from None
     name = message.format
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("error", Image.DecompressionBombWarning)
-            image = Image.open(io.BytesIO(bytes(message.data)), formats=("JPEG", "PNG"))
+            warnings.simplefilter("error", images.DecompressionBombWarning)
+            image = images.open(io.BytesIO(bytes(message.data)), formats=("JPEG", "PNG"))
             width, height = image.size
             if width * height > MOST_COMPRESSED_PIXELS:
                 raise Undecodable(f"{width}x{height}: too large")

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from geometry_msgs.msg import Point
 
 from day6_core.interfaces import DeserializationError, deserialize, get_message
+from day6_core.parts import part
 from day6_core.ros.programs.rqt_image_view.decoding import DecodedImage, ImageRequest, Undecodable, picture_of
 from day6_core.ros.programs.rqt_py_common.requests import Requests
 from rclpy.qos import qos_profile_sensor_data
@@ -78,8 +79,6 @@ class ImageView(Requests):
 
     def save(self, name: str, view: ImageRequest) -> Path:
         """Write the whole newest image, turned as `view`, to a file; its suffix names the format. OSError, ValueError."""
-        from PIL import Image
-
         message = self._message()
         if message is None:
             raise ValueError("there is no image yet")
@@ -91,8 +90,9 @@ class ImageView(Requests):
         from day6_core.whole_file import replacing
 
         pixels = picture_of(message, whole).pixels
+        images = part("PIL.Image", "saving images needs")
         with replacing(path) as file:
-            Image.fromarray(pixels).save(file, Image.registered_extensions()[path.suffix.lower()])
+            images.fromarray(pixels).save(file, images.registered_extensions()[path.suffix.lower()])
         return path
 
     def path(self, name: str) -> Path:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import Any
 
-import zstandard
+from day6_core.parts import MissingPart, part
 
 
 class CompressionMode(IntEnum):
@@ -42,22 +43,38 @@ def get_registered_compressors() -> set[str]:
     return {"zstd"}
 
 
+class MissingCodec(RuntimeError):
+    """The package that a compression needs isn't installed."""
+
+
+def codec(name: str) -> Any:
+    """Return the package of a compression, 'zstd' or 'lz4'; None for any other. Raises MissingCodec."""
+    package = {"zstd": "zstandard", "lz4": "lz4"}.get(name)
+    try:
+        return part(package, "compressed bags need") if package else None
+    except MissingPart as error:
+        raise MissingCodec(str(error)) from None
+
+
 def zstd_compress(data: bytes, level: int) -> bytes:
-    """Compress data as one Zstandard frame."""
-    return zstandard.ZstdCompressor(level=level).compress(data)
+    """Compress data as one Zstandard frame. Raises MissingCodec."""
+    compressed: bytes = codec("zstd").ZstdCompressor(level=level).compress(data)
+    return compressed
 
 
 def decompress(name: str, data: bytes) -> bytes:
     """Decompress data; `name` is the format ('': not compressed).
 
     Raises:
-        RuntimeError: the name is unknown, or the data are damaged.
+        RuntimeError: the name is unknown, the data are damaged, or what unpacks them isn't installed.
     """
     if not name:
         return data
     if name == "zstd":
+        zstandard = codec(name)
         try:
-            return zstandard.ZstdDecompressor().decompressobj().decompress(data)
+            plain: bytes = zstandard.ZstdDecompressor().decompressobj().decompress(data)
+            return plain
         except zstandard.ZstdError as error:
             raise RuntimeError(f"zstd: {error}") from None
     raise RuntimeError(f"unsupported compression: {name}")

@@ -18,7 +18,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import IO
 
-import zstandard
 from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
@@ -26,11 +25,16 @@ from mcap.reader import SeekingReader
 from mcap.records import Channel, Chunk, ChunkIndex, Metadata, Schema
 from mcap.stream_reader import get_chunk_data_stream
 from mcap.summary import Summary
-from zstandard import ZstdError
 
+from rosbag2_py._compression import MissingCodec, codec
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._qos import QoS, from_yaml
 from rosbag2_py._storage import MCAP_MAGIC, BadBag, BagMetadata, Message, MessageDefinition, TopicMetadata
+
+try:
+    from zstandard import ZstdError
+except ImportError:  # then it raises none
+    ZstdError = McapError  # type: ignore[misc,assignment]
 
 COMPRESSIONS = {"", "zstd", "lz4"}
 """The formats of compressed chunks; the library treats any other as not compressed."""
@@ -157,7 +161,7 @@ class McapFile:
         """Turn the library's errors for damaged bytes into a BadBag that names the file."""
         try:
             yield
-        except BadBag:
+        except (BadBag, MissingCodec):
             raise
         except DAMAGE as error:
             raise BadBag(f"{self.path.name} is damaged: {error or type(error).__name__}") from error
@@ -337,10 +341,11 @@ class McapFile:
             chunk = Chunk.read(ReadDataStream(BytesIO(self.read(offset + RECORD.size, head[1]))))
             size = chunk.uncompressed_size
             if chunk.compression == "zstd":
-                size = max(size, zstandard.frame_content_size(chunk.data))
+                size = max(size, codec("zstd").frame_content_size(chunk.data))
             if size > _MOST_UNPACKED:
                 raise ValueError(f"a chunk of {size} bytes")
             check_compression(chunk.compression)
+            codec(chunk.compression)
             stream, length = get_chunk_data_stream(chunk, validate_crc=check)
             self._unpacked = (offset, stream.read(length))
         return self._unpacked[1]

@@ -13,6 +13,7 @@ from mcap.reader import SeekingReader
 from mcap.records import ChunkIndex
 from mcap.summary import Summary
 
+from rosbag2_py._compression import codec
 from rosbag2_py._mcap_file import McapFile, check_compression
 from rosbag2_py._storage import (
     BagMetadata,
@@ -137,8 +138,11 @@ class McapReader:
 
         Raises:
             BadBag: the file is damaged, from there on.
+            MissingCodec: its chunks are compressed, and what unpacks them isn't installed.
         """
         topics = {channel.topic for channel in self._file.channels.values() if wanted(channel.topic)}
+        for compression in {chunk.compression for chunk in self._contents.chunks}:
+            codec(compression)  # the library would not say which package it lacks
         with self._file.reading():
             loose = self._loose_messages(start_ns, topics, reverse=reverse, by_file=by_file)
             packed = self._packed_messages(start_ns, topics, reverse=reverse, by_file=by_file)

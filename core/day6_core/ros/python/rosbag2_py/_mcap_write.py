@@ -10,7 +10,6 @@ import zlib
 from contextlib import suppress
 from pathlib import Path
 
-import zstandard
 from mcap.data_stream import RecordBuilder
 from mcap.opcode import Opcode
 from mcap.records import (
@@ -30,6 +29,7 @@ from mcap.records import (
     SummaryOffset,
 )
 
+from rosbag2_py._compression import codec
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._qos import yaml_lines
 from rosbag2_py._storage import MCAP_MAGIC, BagMetadata, MessageDefinition, TopicMetadata
@@ -57,7 +57,7 @@ class McapWriter:
 
     def __init__(self, path: Path, preset: str = "") -> None:
         level = _LEVELS.get(preset)
-        self._compressor = zstandard.ZstdCompressor(level=level) if level is not None else None
+        self._compressor = codec("zstd").ZstdCompressor(level=level) if level is not None else None
         self._chunk_size = 4 * 1024 * 1024 if preset == "zstd_small" else CHUNK_SIZE
         self._file = path.open("xb", buffering=0)
         self._summary = b""

@@ -13,7 +13,13 @@ from pathlib import Path
 
 from day6_core.ros.differences import value
 from day6_core.whole_file import replace_file
-from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_compress
+from rosbag2_py._compression import (
+    CompressionMode,
+    CompressionOptions,
+    codec,
+    get_registered_compressors,
+    zstd_compress,
+)
 from rosbag2_py._console import Log, to_console
 from rosbag2_py._definitions import LocalMessageDefinitionSource
 from rosbag2_py._files import (
@@ -175,6 +181,8 @@ class _Bag:
         if preset and preset not in known:
             listed = ", ".join(map(repr, known))
             raise RuntimeError(f"unknown {self.storage} storage preset profile (valid options are {listed}): {preset}")
+        if self.compression.compression_mode or preset.startswith("zstd_"):
+            codec("zstd")  # asked for before anything is made
         least, size = MINIMUM_SPLIT[self.storage], self.options.max_bagfile_size
         if 0 < size < least:
             raise RuntimeError(

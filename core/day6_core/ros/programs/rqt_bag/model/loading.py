@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import zstandard
 from rosbag2_py._blocks import open_blocks
+from rosbag2_py._compression import codec
 from rosbag2_py._files import NO_STORAGE
 from rosbag2_py._metadata import FILE_NAME, MetadataIo
 from rosbag2_py._reader import last_moment
@@ -125,7 +125,7 @@ def _unpack(bag: OpenBag, path: Path, cancelled: Callable[[], bool]) -> Path:
     """Decompress a file, or its first part, into a temporary folder, which is removed with the bag."""
     folder = Path(tempfile.mkdtemp(prefix="rqt_bag-"))
     weakref.finalize(bag, shutil.rmtree, folder, ignore_errors=True)
-    target = folder / path.stem
+    target, zstandard = folder / path.stem, codec("zstd")
     size, before = path.stat().st_size, bag._unpacked
     try:
         with path.open("rb") as packed, target.open("xb") as plain:

@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
+from day6_core.parts import part
 from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, InkLine, InkText, Point, Stroke
 from day6_core.ros.programs.rqt_graph.model.pdf import as_pdf
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, Cell, LaidOutGraph, Rect
@@ -153,12 +154,13 @@ def _element(stroke: Stroke) -> str:
 
 
 def _pixels(strokes: Sequence[Stroke], width: int, height: int, suffix: str) -> bytes:
-    from PIL import Image, ImageDraw, ImageFont
-
+    images, drawing, fonts = (
+        part(f"PIL.{each}", f"{suffix} files need") for each in ("Image", "ImageDraw", "ImageFont")
+    )
     scale = 2 if 4 * width * height <= MOST_PIXELS else 1  # twice as large, as the real tool saves it
-    image = Image.new("RGB", (width * scale, height * scale), "white")
-    draw = ImageDraw.Draw(image)
-    font = ImageFont.load_default(FONT_SIZE * scale * 0.95)
+    image = images.new("RGB", (width * scale, height * scale), "white")
+    draw = drawing.Draw(image)
+    font = fonts.load_default(FONT_SIZE * scale * 0.95)
     for stroke in strokes:
         if isinstance(stroke, Ellipse):
             draw.ellipse(

@@ -20,6 +20,7 @@ from functools import cache
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from day6_core.parts import part
 from day6_core.ros.programs.rqt_graph.model.ink import FONT_SIZE, INK, Arrow, Ellipse, InkText, Stroke
 from day6_core.session.harmless import one_line
 
@@ -38,12 +39,11 @@ FONTS = (("cp1252", LATIN), ("gbk", "STSong-Light"), ("cp949", "HYSMyeongJo-Medi
 
 
 def as_pdf(strokes: Iterable[Stroke], width: int, height: int) -> bytes:
-    """Return the file of a drawing of `width` x `height` pixels; see `written` for what stands in it."""
-    from reportlab.pdfgen.canvas import Canvas
-
+    """Return the file of a drawing of `width` x `height` pixels; see `written` for what stands in it. Raises OSError."""
+    canvas_module = part("reportlab.pdfgen.canvas", "PDF files need")
     scale = min(POINTS, LONGEST / width, LONGEST / height)
     buffer = io.BytesIO()
-    canvas = Canvas(buffer, pagesize=(width * scale, height * scale), pageCompression=1)
+    canvas: Canvas = canvas_module.Canvas(buffer, pagesize=(width * scale, height * scale), pageCompression=1)
     canvas.setTitle("")
     canvas.scale(scale, scale)
     canvas.setLineWidth(1.2)
