@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
 
 from day6_tui.wheelhouse import closure, command, folder, guide, own_wheel
 from day6_tui.wheelhouse.targets import PLATFORMS, Target, this_platform, this_python
@@ -61,7 +62,6 @@ class Index:
         monkeypatch.setattr(closure.subprocess, "run", self.run)
 
     def run(self, words: Sequence[str], **_: object) -> subprocess.CompletedProcess[str]:
-        from packaging.requirements import Requirement
         from packaging.utils import parse_wheel_filename
 
         wanted = Requirement(words[-1])
@@ -103,6 +103,30 @@ def test_markers_are_judged_for_the_other_machine(index: Index, tmp_path: Path) 
     assert needed(index, tmp_path, own, "windows-x86_64") == {"colours", "wincon"}
     assert needed(index, tmp_path, own, "macos-arm64", "3.10") == {"colours", "old"}
     assert needed(index, tmp_path, own, "linux-aarch64", "3.12", "serve") == {"colours", "web", "cable"}
+
+
+def test_of_what_yourdfpy_brings_only_what_is_used_is_fetched(index: Index, tmp_path: Path) -> None:
+    wheel_of(index.place, "trimesh", "5.0", *(f"{name}; extra == 'easy'" for name in ("scipy", "pycollada", "lxml")))
+    wheel_of(index.place, "yourdfpy", "1.0", "trimesh[easy]", "lxml")
+    for name in ("scipy", "pycollada", "lxml"):
+        wheel_of(index.place, name, "1.0")
+    own = wheel_of(tmp_path, "own", "1.0", "yourdfpy")
+    assert needed(index, tmp_path, own, "linux-x86_64") == {"trimesh", "yourdfpy", "pycollada", "lxml"}
+    assert not [each for each in index.asked if "scipy" in each]
+
+
+def test_the_list_says_which_machine_needs_which_version() -> None:
+    linux, windows = HERE
+    common = {"rich-15.0.0-py3-none-any.whl", "day6_tui-0.1.0-py3-none-any.whl"}
+    text = guide.listed({linux: {*common, "a-1.0-py3-none-any.whl"}, windows: {*common, "a-2.0-py3-none-any.whl"}})
+    lines = [Requirement(line) for line in text.splitlines()]
+    for target, version in ((linux, "1.0"), (windows, "2.0")):
+        wanted = [each for each in lines if each.marker is None or each.marker.evaluate(target.markers())]
+        assert [str(each).partition(" ;")[0].partition(";")[0] for each in wanted] == [
+            f"a=={version}",
+            "day6-tui==0.1.0",
+            "rich==15.0.0",
+        ]
 
 
 def test_the_metadata_of_a_package_inside_the_wheel_is_not_the_wheels(index: Index, tmp_path: Path) -> None:

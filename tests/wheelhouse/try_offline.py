@@ -6,6 +6,7 @@ Needs a package index for the first half. Prints what it does; exit status 0 if 
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -29,7 +30,8 @@ def main() -> None:
         venv.create(home, with_pip=True)
         programs = home / ("Scripts" if os.name == "nt" else "bin")
         run(sys.executable, "check.py", cwd=stick)
-        run(programs / "pip", "install", "-q", "--no-index", "--find-links", ".", "day6-tui[serve]", env=env, cwd=stick)
+        line = re.findall(r"bin/(pip install .*)", (stick / "INSTALL.txt").read_text(encoding="utf-8"))[0]
+        run(programs / "pip", *line.split()[1:], env=env, cwd=stick)
         run(programs / "day6-tui", "--version", env=env, cwd=place)
         run(programs / "day6-tui", "exec", "-c", "ros2 topic list", env=env, cwd=place)
         run(programs / "day6-tui", "wheelhouse", place / "again", "--lang", "en", cwd=place)

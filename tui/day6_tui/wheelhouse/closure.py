@@ -26,6 +26,9 @@ from day6_tui.wheelhouse.targets import Target
 
 MOST_FETCHES = 400
 
+USED = {("trimesh", "easy"): {"pycollada"}}
+"""Of what an extra brings, that which is used here: the rest is left out, as `exclude-dependencies` in pyproject.toml has it."""
+
 
 _CONNECTION = re.compile(
     r"(NewConnectionError|NameResolutionError|ConnectTimeoutError|ReadTimeoutError|ProxyError|ConnectionResetError)"
@@ -67,8 +70,10 @@ def fetch(wheel: Path, extras: Iterable[str], target: Target, folder: Path, tell
             tell(f"{project.wheel.name} ({target})")
         for extra in _unread(project):
             project.read.add(extra)
+            used = USED.get((name, extra))
             for requirement in _requirements(project.wheel, extra, target):
-                _want(projects, requirement)
+                if used is None or canonicalize_name(requirement.name) in used:
+                    _want(projects, requirement)
     raise FetchError(f"{target}: no end of requirements")
 
 

@@ -14,7 +14,7 @@ from day6_core.reason import named_reason, reason
 from day6_core.session.harmless import one_line
 from day6_tui.locale import Texts
 from day6_tui.wheelhouse import closure, folder, own_wheel
-from day6_tui.wheelhouse.guide import checker, guide
+from day6_tui.wheelhouse.guide import checker, guide, listed
 from day6_tui.wheelhouse.targets import PLATFORMS, PYTHONS, Target, this_platform, this_python
 
 EXTRAS = ("serve",)
@@ -54,8 +54,9 @@ def main(words: list[str]) -> int:
             raise folder.NotOurs(name)
         folder.try_to_write(options.folder)
         with tempfile.TemporaryDirectory(prefix="day6-wheelhouse-") as place:
-            wheels = _fetch(targets, Path(place))
-            folder.fill(options.folder, wheels, {folder.GUIDE: guide(targets), folder.CHECK: checker(targets)})
+            wheels, pinned = _fetch(targets, Path(place))
+            texts_beside = {folder.GUIDE: guide(targets), folder.CHECK: checker(targets), folder.LIST: pinned}
+            folder.fill(options.folder, wheels, texts_beside)
     except folder.NotOurs as error:
         return _refuse(texts("wheelhouse.foreign", file=options.folder / str(error)), 1)
     except closure.NoInternet as error:
@@ -70,19 +71,20 @@ def main(words: list[str]) -> int:
     return 0
 
 
-def _fetch(targets: list[Target], place: Path) -> list[Path]:
-    """Everything for all targets, in a folder of ours, of which errors name what it is in."""
+def _fetch(targets: list[Target], place: Path) -> tuple[list[Path], str]:
+    """Everything for all targets, in a folder of ours, of which errors name what it is in; with the list for pip."""
     own, others = place / "own", place / "others"
-    names = set()
+    names = dict[Target, set[str]]()
     try:
         own.mkdir()
         others.mkdir()
         wheel = own_wheel.make(own)
         for target in targets:
-            names |= closure.fetch(wheel, EXTRAS, target, others, lambda line: print(one_line(line), flush=True))
+            names[target] = closure.fetch(wheel, EXTRAS, target, others, lambda line: print(one_line(line), flush=True))
     except OSError as error:
         raise closure.FetchError(f"{place.parent}: {reason(error)}") from error
-    return [wheel, *(others / name for name in sorted(names))]
+    pinned = listed({target: {wheel.name, *found} for target, found in names.items()})
+    return [wheel, *(others / name for name in sorted(set().union(*names.values())))], pinned
 
 
 def _refuse(text: object, status: int) -> int:

@@ -18,7 +18,7 @@ from pathlib import Path
 from day6_core.reason import reason
 from day6_core.whole_file import replace_file
 
-SUMS, GUIDE, CHECK = "SHA256SUMS", "INSTALL.txt", "check.py"
+SUMS, GUIDE, CHECK, LIST = "SHA256SUMS", "INSTALL.txt", "check.py", "requirements.txt"
 WHEEL, PART = ".whl", ".whl.part"
 
 

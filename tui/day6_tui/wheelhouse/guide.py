@@ -1,12 +1,19 @@
-"""What lies beside the wheels for who installs them: INSTALL.txt in all languages, and check.py, which any Python 3 can run."""
+"""What lies beside the wheels for who installs them: INSTALL.txt in all languages, the list for pip, and check.py for any Python 3."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from itertools import chain
+
+from packaging.utils import parse_wheel_filename
+
 from day6_core.language import LANGUAGES
 from day6_tui.locale import Texts
+from day6_tui.wheelhouse.folder import LIST
 from day6_tui.wheelhouse.targets import PYTHONS, Target
 
-_INSTALL = "pip install --no-index --find-links . day6-tui"
+_INSTALL = f"pip install --no-compile --no-index --find-links . --no-deps -r {LIST}"
+"""Without what they require, as the list has all that is used."""
 
 
 def guide(targets: list[Target]) -> str:
@@ -36,6 +43,21 @@ def _guide(texts: Texts, targets: list[Target]) -> str:
         run=_steps(run),
         other=texts("wheelhouse.guide.other", python=python) if len(pythons) > 1 else "",
     )
+
+
+def listed(wheels: Mapping[Target, Iterable[str]]) -> str:
+    """Return the list for pip: the projects of these wheels, with markers where not all machines have the same."""
+    lines = []
+    for line in sorted({_pinned(wheel) for wheel in chain(*wheels.values())}):
+        where = [target for target, names in wheels.items() if line in map(_pinned, names)]
+        marker = "" if len(where) == len(wheels) else f" ; {' or '.join(target.marker for target in where)}"
+        lines.append(f"{line}{marker}\n")
+    return "".join(lines)
+
+
+def _pinned(wheel: str) -> str:
+    name, version, *_ = parse_wheel_filename(wheel)
+    return f"{name}=={version}"
 
 
 def _steps(steps: list[tuple[str, str]]) -> str:

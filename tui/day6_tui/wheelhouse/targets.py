@@ -72,6 +72,17 @@ class Target:
             "sys_platform": self.platform.sys_platform,
         }
 
+    @property
+    def marker(self) -> str:
+        """The condition of requirements that only this target has."""
+        platform = self.platform
+        known = {
+            "sys_platform": platform.sys_platform,
+            "platform_machine": platform.machine,
+            "python_version": self.python,
+        }
+        return f"({' and '.join(f'{name} == {value!r}' for name, value in known.items())})"
+
     def pip_words(self) -> list[str]:
         """Return the options by which pip chooses wheels for it."""
         words = ["--only-binary=:all:", "--implementation", "cp", "--python-version", self.python]

@@ -30,7 +30,5 @@ Raspberry Pi OS also need the package python3-venv. Copy this folder to the mach
 {other}
 3. Run.
 {run}
-
-On a teacher's machine that serves desktops to browsers (day6-tui serve), write "day6-tui[serve]" instead of day6-tui in 2.
 """,
 }

@@ -30,7 +30,5 @@ TEXTS = {
 {other}
 3. 运行。
 {run}
-
-老师的电脑如果要让学生在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
 """,
 }
