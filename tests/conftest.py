@@ -41,6 +41,11 @@ ROOT = TESTS.parent
 if importlib.util.find_spec("day6_core") is None:
     sys.path += [str(ROOT / name) for name in ("core", "tui", "urdf")]
 
+# What yourdfpy brings, and an installation by requirements/everything.txt has not: nothing may lean on it.
+UNUSED = "colorlog embreex manifold3d mapbox_earcut networkx rtree scipy shapely svg vhacdx"
+for name in UNUSED.split():
+    sys.modules.setdefault(name, None)  # type: ignore[arg-type]
+
 # How long an example takes says something about the machine.
 settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 # Odd surroundings are the same for every example; all of them are played in plain ones.

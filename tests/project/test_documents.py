@@ -14,14 +14,14 @@ from tests.support.source_files import ROOT
 
 OF_USERS = {"setup.py", "package.xml", "CMakeLists.txt", "INSTALL.txt", "README.txt", "sin(i/10)"}
 """What isn't ours, or no file."""
-OURS = re.compile(r"(\.ci|\.github|core|docs|hub|tests|tui|urdf|day6_core|day6_tui|day6_urdf)/")
+OURS = re.compile(r"(\.ci|\.github|core|docs|hub|requirements|tests|tui|urdf|day6_core|day6_tui|day6_urdf)/")
 """How a path of ours begins; pages for users name their own files, too (`talker.py`)."""
 
 
 @functools.cache
 def ours() -> set[str]:
     """Return every file and folder by each end of its path: 'core/day6_core/elide.py', 'day6_core/elide.py', 'elide.py'."""
-    names = ".ci .github CHANGELOG.md core docs hub pyproject.toml tests tui urdf"
+    names = ".ci .github CHANGELOG.md core docs hub pyproject.toml requirements tests tui urdf"
     paths = [Path(name) for name in names.split()]
     found = {inner.relative_to(ROOT) for path in paths for inner in ((ROOT / path), *(ROOT / path).rglob("*"))}
     return {"/".join(path.parts[start:]) for path in found for start in range(len(path.parts))}

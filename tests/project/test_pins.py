@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+from importlib.metadata import requires
 from pathlib import Path
 
 import pytest
@@ -13,9 +14,16 @@ from hatchling.metadata.core import ProjectMetadata
 from hatchling.plugin.manager import PluginManager
 from packaging.requirements import Requirement
 
+from day6_core.parts import PROJECTS
+from day6_tui.wheelhouse import closure
 from tests.support.source_files import ROOT
 
 CONSTRAINTS = (ROOT / ".ci/constraints.txt").read_text(encoding="utf-8")
+TOML = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+DESKTOP = (ROOT / "requirements/desktop.txt").read_text(encoding="utf-8")
+EVERYTHING = (ROOT / "requirements/everything.txt").read_text(encoding="utf-8").removeprefix(
+    "-r desktop.txt\n"
+) + DESKTOP
 OF_THE_HUB = (ROOT / "hub/requirements.txt").read_text(encoding="utf-8")
 CONTAINERFILE = (ROOT / "hub/Containerfile").read_text(encoding="utf-8")
 WORKFLOWS = [*(ROOT / ".github/workflows").glob("*.yml"), *(ROOT / ".github/actions").rglob("*.yml")]
@@ -52,11 +60,27 @@ def test_all_that_is_asked_for_has_a_version_that_is_allowed() -> None:
     beside = [Requirement(line.partition(" #")[0]) for line in lines if not line.startswith("#")]
     assert unfit(wanted("serve", "test", "mutation"), CONSTRAINTS) == [], "run .ci/pins"
     assert unfit([*wanted("serve"), *beside], OF_THE_HUB) == [], "run .ci/pins"
+    assert unfit(wanted(), EVERYTHING) == [], "run .ci/pins"
 
 
 def test_a_version_that_is_missing_or_not_allowed_is_seen() -> None:
     asked = [Requirement(line) for line in ("rich>=14", "PyYAML>=6", "day6-tui[serve]", "numpy>=1")]
     assert unfit(asked, "rich==13.0.0\npyyaml==6.0.2\n") == ["rich>=14", "numpy>=1"]
+
+
+def test_the_desktop_has_all_but_the_parts_that_can_be_missing() -> None:
+    assert versions(EVERYTHING).keys() - versions(DESKTOP).keys() == set(PROJECTS.values()), "run .ci/pins"
+
+
+def test_what_yourdfpy_brings_is_either_used_or_excluded() -> None:
+    excluded = set(re.findall(r'"([\w-]+)"', TOML[TOML.index("exclude-dependencies = [") :].partition("]")[0]))
+    brought = {
+        re.sub(r"[-_.]+", "-", each.name.lower())
+        for each in map(Requirement, requires("trimesh") or ())
+        if each.marker is not None and each.marker.evaluate({"extra": "easy", "platform_machine": "x86_64"})
+    }
+    assert brought - excluded == brought & versions(EVERYTHING).keys()
+    assert closure.USED["trimesh", "easy"] < brought and not excluded & versions(EVERYTHING).keys()
 
 
 def test_every_package_of_the_image_has_checksums() -> None:
@@ -67,7 +91,7 @@ def test_every_package_of_the_image_has_checksums() -> None:
 
 
 def test_the_pinned_packages_come_from_any_index() -> None:
-    assert re.findall(r"://|^-", CONSTRAINTS + OF_THE_HUB.replace("    --hash", ""), re.MULTILINE) == []
+    assert re.findall(r"://|^-", CONSTRAINTS + EVERYTHING + OF_THE_HUB.replace("    --hash", ""), re.MULTILINE) == []
 
 
 def test_every_image_is_named_by_version_and_digest() -> None:

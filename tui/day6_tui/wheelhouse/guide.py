@@ -1,4 +1,4 @@
-"""What lies beside the wheels for who installs them: INSTALL.txt in all languages, the list for pip, and check.py for any Python 3."""
+"""What lies beside the wheels: INSTALL.txt in all languages, the list for pip, and check.py, which any Python 3 can run."""
 
 from __future__ import annotations
 
