@@ -307,6 +307,37 @@ def test_the_states_of_all_goals_are_published(world: Any) -> None:
     assert latest == {1: GoalStatus.STATUS_SUCCEEDED, 2: GoalStatus.STATUS_EXECUTING}
 
 
+def test_who_changes_a_state_that_was_published_changes_nobody_elses(world: Any) -> None:
+    pair = Pair(world)
+    from rclpy.qos import qos_profile_action_status_default
+
+    def spoil(message: GoalStatusArray) -> None:
+        for each in message.status_list:
+            each.status, each.goal_info.stamp.sec = GoalStatus.STATUS_UNKNOWN, 7
+            each.goal_info.goal_id.uuid[:] = 0
+        message.status_list = []
+
+    heard: list[GoalStatusArray] = []
+
+    def listen(callback: Any) -> None:
+        pair.node.create_subscription(
+            GoalStatusArray, "count/_action/status", callback, qos_profile_action_status_default
+        )
+
+    listen(spoil)
+    handle = pair.send(1)
+    world.settle()
+    listen(spoil)  # late: gets what was kept
+    world.settle()
+    listen(heard.append)
+    world.settle()
+    (state,) = heard[-1].status_list
+    assert (bytes(state.goal_info.goal_id.uuid)[0], state.status) == (1, GoalStatus.STATUS_EXECUTING)
+    assert state.goal_info.stamp.sec != 7 and handle.status == GoalStatus.STATUS_EXECUTING
+    pair.end("succeed")
+    assert handle.status == GoalStatus.STATUS_SUCCEEDED
+
+
 def test_the_result_of_an_unknown_goal_is_unknown(world: Any) -> None:
     pair = Pair(world)
     asker = pair.node.create_client(Fibonacci.Impl.GetResultService, "count/_action/get_result")

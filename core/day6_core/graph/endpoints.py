@@ -219,7 +219,8 @@ class Publisher(Endpoint):
         if matched:
             now = self.node.graph.now_ns()
             for subscription in matched:
-                subscription.receive((copy(message), source_timestamp, number, self, now))
+                own = copy(message) if subscription.copies else message
+                subscription.receive((own, source_timestamp, number, self, now))
 
     def match(self, subscription: Subscription) -> None:
         """Deliver to a subscription of this process from now on, first what was kept for a late joiner (called by the graph)."""
@@ -283,6 +284,8 @@ class Subscription(Endpoint):
         self.dropped = 0
         self.accepts: Callable[[Any], bool] | None = None
         """The content filter: messages for which it returns false are not received."""
+        self.copies = True
+        """Whether it is given a copy of its own of each message of this process; without, it may only read them."""
         self.takes_bytes = False
         """Whether it is given the messages of other processes as they come, as CDR bytes; those of this one never are."""
         self._received = 0

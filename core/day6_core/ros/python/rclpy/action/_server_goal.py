@@ -14,7 +14,7 @@ from rclpy.action._protocol import ABORTED, ACCEPTED, CANCELED, CANCELING, EXECU
 from rclpy.type_support import FeedbackT, GoalT, ResultT
 
 if TYPE_CHECKING:
-    from action_msgs.msg import GoalInfo
+    from action_msgs.msg import GoalInfo, GoalStatus
     from unique_identifier_msgs.msg import UUID
 
     from rclpy.action.server import ActionServer
@@ -66,6 +66,7 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         self._returns_result = False
         """Whether a callback executes the goal, which returns its result."""
         self._lock = threading.Lock()
+        self._last_status: GoalStatus | None = None
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and bool(self.goal_id == other.goal_id)
@@ -99,6 +100,15 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
     def status(self) -> int:
         """The state of the goal (action_msgs/msg/GoalStatus)."""
         return UNKNOWN if self._destroyed else self._state
+
+    def _as_status(self) -> GoalStatus:
+        """Return the state for the status topic: a message that never changes, the same one until the state does."""
+        status, last = self.status, self._last_status
+        if last is None or last.status != status:
+            from action_msgs.msg import GoalStatus
+
+            self._last_status = last = GoalStatus(goal_info=self._goal_info, status=status)
+        return last
 
     def _end(self, event: GoalEvent, response: ResultT | None) -> None:
         if response is not None and not value("action.execute_callback_is_optional"):

@@ -150,6 +150,9 @@ class ActionClient(Waitable["ClientTaken[ResultT, FeedbackT]"], Generic[GoalT, R
         self._result_client = handle.client("get_result", parts.GetResultService, result_service_qos_profile)
         self._feedback_sub = handle.subscription("feedback", parts.FeedbackMessage, feedback_sub_qos_profile)
         self._status_sub = handle.subscription("status", parts.GoalStatusMessage, status_sub_qos_profile)
+        self._status_sub.copies = (
+            False  # with each message comes every goal of the last seconds, and they are only read
+        )
         self._goal_handles: dict[bytes, weakref.ReferenceType[ClientGoalHandle[GoalT, ResultT, FeedbackT]]] = {}
         self._pending_goals: dict[int, tuple[Future[ClientGoalHandle[GoalT, ResultT, FeedbackT]], UUID]] = {}
         self._pending_cancels: dict[int, Future[CancelGoal.Response]] = {}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import traceback
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, cast
 
@@ -24,6 +25,7 @@ from rclpy.action._server_goal import default_goal_callback as default_goal_call
 from rclpy.action._server_goal import default_handle_accepted_callback as default_handle_accepted_callback
 from rclpy.constants import S_TO_NS
 from rclpy.executors import await_or_execute
+from rclpy.logging import LoggingSeverity
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.task import Future
 from rclpy.timer import Timer
@@ -126,6 +128,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         self._result_service = handle.service("get_result", parts.GetResultService, result_service_qos_profile)
         self._feedback_pub = handle.publisher("feedback", parts.FeedbackMessage, feedback_pub_qos_profile)
         self._status_pub = handle.publisher("status", parts.GoalStatusMessage, status_pub_qos_profile)
+        self._status_pub.keep = lambda message: message  # see `_publish_status`
         self._unsettled: ExecuteCallback[GoalT, ResultT, FeedbackT] | None = None
         """The function that returned and left its goal as it was, for the inspector."""
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
@@ -197,7 +200,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
 
         goal_uuid = request.goal_id
         key = bytes(goal_uuid.uuid)
-        self._logger.debug(f"New goal request with ID: {goal_uuid.uuid}")
+        self._debug(lambda: f"New goal request with ID: {goal_uuid.uuid}")
         accepted = False
         if key not in self._goal_handles:
             decision = await await_or_execute(self._goal_callback, request.goal)
@@ -217,9 +220,9 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
             self.add_future(future)
         self._handle.send_response(self._goal_service, request_id, response)
         if goal_handle is None:
-            self._logger.debug(f"New goal rejected: {goal_uuid.uuid}")
+            self._debug(lambda: f"New goal rejected: {goal_uuid.uuid}")
             return
-        self._logger.debug(f"New goal accepted: {goal_uuid.uuid}")
+        self._debug(lambda: f"New goal accepted: {goal_uuid.uuid}")
         self._publish_status()
         await await_or_execute(self._handle_accepted_callback, goal_handle)
 
@@ -229,7 +232,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT],
     ) -> None:
         goal_uuid = goal_handle.goal_id.uuid
-        self._logger.debug(f"Executing goal with ID {goal_uuid}")
+        self._debug(lambda: f"Executing goal with ID {goal_uuid}")
         try:
             result = await await_or_execute(execute_callback, goal_handle)
             if goal_handle.is_active:
@@ -241,7 +244,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         if goal_handle.is_active:
             self._logger.warning(f"Goal state not set, assuming aborted. Goal ID: {goal_uuid}")
             goal_handle.abort()
-        self._logger.debug(f"Goal with ID {goal_uuid} finished with state {goal_handle.status}")
+        self._debug(lambda: f"Goal with ID {goal_uuid} finished with state {goal_handle.status}")
         self._set_result(goal_handle, result)
 
     def _set_result(self, goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], result: object) -> None:
@@ -253,7 +256,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
             future.set_result((goal_handle.status, result))
 
     async def _execute_cancel_request(self, request: Any, request_id: RequestId) -> None:
-        self._logger.debug(f"Cancel request received: {request}")
+        self._debug(lambda: f"Cancel request received: {request}")
         code, candidates = self._cancelable(request)
         response = self._handle.implementation.CancelGoalService.Response(return_code=code)
         for goal_handle in candidates:
@@ -294,7 +297,7 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
 
     def _execute_get_result_request(self, request: Any, request_id: RequestId) -> None:
         goal_uuid = request.goal_id.uuid
-        self._logger.debug(f"Result request received for goal with ID: {goal_uuid}")
+        self._debug(lambda: f"Result request received for goal with ID: {goal_uuid}")
         future = self._result_futures.get(bytes(goal_uuid))
         if future is None:
             self._logger.warning(f"Sending result response for unknown or expired goal ID: {goal_uuid}")
@@ -315,6 +318,11 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
         response = self._handle.implementation.GetResultService.Response(status=status, result=result)
         self._handle.send_response(self._result_service, request_id, response)
 
+    def _debug(self, text: Callable[[], str]) -> None:
+        """Log what takes longer to write than all the rest of a goal, if anybody wants it."""
+        if self._logger.is_enabled_for(LoggingSeverity.DEBUG):
+            self._logger.debug(text())
+
     # -- goals ---------------------------------------------------------------------------------------------------------
 
     def _check_context(self, failed: str) -> None:
@@ -323,14 +331,10 @@ class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, Feedb
             raise RCLError(f"{failed}: {_INVALID}")
 
     def _publish_status(self) -> None:
+        """Publish the states of all goals whose results are kept. Neither the message nor the states in it change afterwards."""
         self._check_context("Failed get goal status array")
-        from action_msgs.msg import GoalStatus
-
         message = self._handle.implementation.GoalStatusMessage()
-        message.status_list = [
-            GoalStatus(goal_info=goal_handle._goal_info, status=goal_handle.status)
-            for goal_handle in list(self._goal_handles.values())
-        ]
+        message.status_list = [goal_handle._as_status() for goal_handle in list(self._goal_handles.values())]
         if not self._handle.destroyed:
             self._status_pub.publish(message)
 
