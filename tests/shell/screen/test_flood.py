@@ -5,12 +5,14 @@ from __future__ import annotations
 from random import Random
 from time import process_time
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from day6_core.session.harmless import for_emulation
+from day6_core.shell.screen import screen as screen_module
 from day6_core.shell.screen import text as text_module
 from day6_core.shell.screen import whole_lines
 from day6_core.shell.screen.rows import Folded
@@ -113,20 +115,28 @@ def picture(screen: Screen) -> dict[str, Any]:
 
 
 @pytest.mark.long
-@given(st.lists(st.tuples(texts, st.none() | sizes), min_size=1, max_size=4), sizes, st.randoms(use_true_random=False))
+@given(
+    st.lists(st.tuples(texts, st.none() | sizes), min_size=1, max_size=4),
+    sizes,
+    st.sampled_from([0, 4, text_module.MOST_ARRIVING]),
+    st.randoms(use_true_random=False),
+)
 # A tab skips the cells before the fold, inserting takes the last one of a folded row, another width cuts it off.
-@example([("aaaaaaaaaaaaaaaaa\t aaa\u3000\u3000\x1b[A\u3000", None)], (2, 8), Random(0))
-@example([("\x1b[99;99H 你\x1b[A\u3000\x1b[99C\x1b[@", None)], (4, 10), Random(0))
-@example([("\x1b[?1049h\x1b[99;99Ha\u3000", (5, 8))], (6, 10), Random(0))
+@example([("aaaaaaaaaaaaaaaaa\t aaa\u3000\u3000\x1b[A\u3000", None)], (2, 8), 512, Random(0))
+@example([("\x1b[99;99H 你\x1b[A\u3000\x1b[99C\x1b[@", None)], (4, 10), 512, Random(0))
+@example([("\x1b[?1049h\x1b[99;99Ha\u3000", (5, 8))], (6, 10), 512, Random(0))
 @settings(max_examples=400, deadline=None)
-def test_a_flood_leaves_the_same_picture_as_drawing_every_character(parts: Any, size: Any, random: Any) -> None:
+def test_a_flood_leaves_the_same_picture_as_drawing_every_character(
+    parts: Any, size: Any, most: int, random: Any
+) -> None:
     lines, columns = size
     fast, drawn = Screen(columns, lines), DrawnScreen(columns, lines)
     for text, other in parts:
         at = 0
         while at < len(text):
             end = at + random.choice([1, 3, 20, 200, 5000])
-            fast.feed(text[at:end])
+            with patch.object(screen_module, "MOST_ARRIVING", most):
+                fast.feed(text[at:end])
             if random.random() < 0.2:
                 assert fast.row(0) is not None  # looking in between changes nothing
             at = end

@@ -222,7 +222,11 @@ def as_row(line: Mapping[int, Char], *, folded: bool = False) -> Row:
         return ""
     last = max(line)
     cells = list(map(line.get, range(last + 1), repeat(BLANK)))
-    runs = [("".join(map(_DATA, group)), Style(*style)) for style, group in groupby(cells, _STYLE)]
+    styles = list(map(_STYLE, cells))
+    if styles.count(styles[0]) == len(styles):  # most lines
+        runs = [("".join(map(_DATA, cells)), Style(*styles[0]))]
+    else:
+        runs = [("".join(map(_DATA, group)), Style(*style)) for style, group in groupby(cells, _STYLE)]
     return _row_of(runs, folded=folded)
 
 

@@ -145,7 +145,7 @@ class Screen(SizedText):
         if self._arriving:
             self.dirty.update(range(self.lines))
             if len(self._arriving) > MOST_ARRIVING:
-                self._settle()
+                self._make_room()
         return read
 
     def control(self, char: str) -> None:

@@ -49,6 +49,8 @@ class ScreenText(Vt):
         """Rows above the one with the cursor that have not moved into the screen yet; a line that left it is one of cells."""
         self._passed = 0
         """Rows that went by before those and are not even kept in the scrollback."""
+        self._is_full = False
+        """Whether those fill the screen, and the scrollback has all that came before them."""
         self._pen: list[str] = []
         """The last line cell by cell, while it is plain text and no line of cells yet."""
         self._cells: dict[tuple[object, ...], Cells] = {}
@@ -139,6 +141,18 @@ class ScreenText(Vt):
         elif self.keeps_history and self.scrollback:
             self._scrollback[-1] = ended(self._scrollback[-1])
 
+    def _make_room(self) -> None:
+        """Let the rows that queued up below and are not on the screen any more go into the scrollback, without drawing any."""
+        bottom = self.lines - 1
+        if not bottom or self._passed or len(self._arriving) <= bottom:
+            self._settle()
+            return
+        if not self._is_full:
+            self._remember_all([self._buffer.pop(y, None) for y in range(bottom)])
+            self._is_full = True
+        self._remember_all(self._arriving[:-bottom])
+        del self._arriving[:-bottom]
+
     def _settle(self) -> None:
         """Let the rows that queued up below move into the screen, and what they push out into the scrollback."""
         if self._pen:
@@ -149,7 +163,8 @@ class ScreenText(Vt):
         passed, self._passed = self._passed, 0
         buffer, bottom = self._buffer, self.lines - 1
         current = buffer.pop(bottom, None)
-        above = [buffer.pop(y, None) for y in range(bottom)]
+        above = [] if self._is_full else [buffer.pop(y, None) for y in range(bottom)]
+        self._is_full = False
         if passed:  # between what was here and what arrives
             self._remember_all(above)
             self._scrolled += passed
