@@ -48,6 +48,8 @@ Visualization Manager:
       Distance: 0.9
 """
 
+CIRCLE = '"{linear: {x: 0.15}, angular: {z: 0.6}}"'
+TURNING = "[left_wheel_joint, right_wheel_joint, turntable]"
 TWIST = '"{linear: {x: 2.0}, angular: {z: 0.7}}"'
 DENSE = "".join(
     f'ros2 service call /turtle1/teleport_absolute turtlesim/srv/TeleportAbsolute "{{x: {x}, y: {y}}}" > /dev/null; '
@@ -189,9 +191,7 @@ class Bench:
 
     def rviz(self) -> Iterator[Row]:
         """The car on a turntable in an enlarged RViz: the whole robot turns, not only its wheels."""
-        (self.home / "turntable.urdf").write_text(
-            _on_a_turntable(shipped_model().read_text(encoding="utf-8")), encoding="utf-8"
-        )
+        (self.home / "turntable.urdf").write_text(on_a_turntable(), encoding="utf-8")
         (self.home / "turntable.rviz").write_text(TURNTABLE_VIEW, encoding="utf-8")
         with self.desktop(120, 40, "--scene", "empty") as screen:
             screen.first_frame()
@@ -205,8 +205,7 @@ class Bench:
             yield "RViz, robot standing still, 120x40", f"{screen.use(self.seconds).cpu_percent:.1f} %", "-"
             screen.send("\x1bOR")  # back to the terminal
             screen.read(1)
-            joints = "[left_wheel_joint, right_wheel_joint, turntable]"
-            screen.send(f"ros2 run day6_bot wheel_spinner --ros-args -p 'joints:={joints}' > /dev/null 2>&1 &\n")
+            screen.send(f"ros2 run day6_bot wheel_spinner --ros-args -p 'joints:={TURNING}' > /dev/null 2>&1 &\n")
             screen.read(2)
             yield "  memory", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
             screen.send("\x1bOR")
@@ -223,8 +222,7 @@ class Bench:
             screen.send("ros2 launch day6_world world.launch.py world:=walls > /dev/null 2>&1 &\n")
             screen.read(5)
             yield "world, car standing still, 120x40", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 10 %"
-            circle = '"{linear: {x: 0.15}, angular: {z: 0.6}}"'
-            screen.send(f"ros2 topic pub --once /cmd_vel geometry_msgs/msg/Twist {circle} > /dev/null\n")
+            screen.send(f"ros2 topic pub --once /cmd_vel geometry_msgs/msg/Twist {CIRCLE} > /dev/null\n")
             screen.read(4)
             usage = screen.use(self.seconds)
             yield "  driving in circles", f"{usage.cpu_percent:.1f} %", "<= 14 %"
@@ -387,13 +385,13 @@ def _bare_flood(program: Path) -> float:
     return time.perf_counter() - began
 
 
-def _on_a_turntable(urdf: str) -> str:
-    """The car's description with a stand below it that turns it about the vertical."""
+def on_a_turntable() -> str:
+    """The description of the shipped car with a stand below it that turns it about the vertical."""
     joint = (
         '<link name="stand"/><joint name="turntable" type="continuous"><parent link="stand"/><child link="base_link"/>'
         '<axis xyz="0 0 1"/></joint>'
     )
-    return urdf.replace("</robot>", f"{joint}</robot>")
+    return shipped_model().read_text(encoding="utf-8").replace("</robot>", f"{joint}</robot>")
 
 
 def _echoes(screen: Screen, count: int) -> list[float]:

@@ -17,11 +17,11 @@ import statistics
 import sys
 import tempfile
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from tests.perf.bench import DENSE, TURTLE, TWIST
+from tests.perf.bench import CIRCLE, DENSE, TURNING, TURNTABLE_VIEW, TURTLE, TWIST, on_a_turntable
 from tests.perf.screen import Screen
 
 COLUMNS, ROWS = 120, 40
@@ -40,6 +40,8 @@ class Scene:
     prepare: Callable[[Screen], None]
     held: tuple[str, ...] = ()
     size: tuple[int, int] = (COLUMNS, ROWS)
+    files: Mapping[str, str] = field(default_factory=dict)
+    """What is in the home folder, by name."""
 
 
 def _wait(seconds: float) -> Callable[[Screen], None]:
@@ -71,9 +73,31 @@ SCENES = {
         ("--scene", "car"),
         _type(("", 13), ("\x1bOQ", 1), ("rviz2 > /dev/null 2>&1 &\n", 5)),
     ),
+    "panes": Scene(("--scene", "turtle"), _type(("", 10), ("\x1bOQ", 1), (PUBLISH, 5))),
+    "turning": Scene(
+        ("--scene", "empty"),
+        _type(
+            ("ros2 run robot_state_publisher robot_state_publisher turntable.urdf > /dev/null 2>&1 &\n", 2),
+            ("rviz2 -d turntable.rviz > /dev/null 2>&1 &\n", 5),
+            ("\x1bOR\x1b[19~", 2),  # F3: the window, F8: enlarged
+            ("\x1bOR", 1),
+            (f"ros2 run day6_bot wheel_spinner --ros-args -p 'joints:={TURNING}' > /dev/null 2>&1 &\n", 2),
+            ("\x1bOR", 3),
+        ),
+        files={"turntable.urdf": on_a_turntable(), "turntable.rviz": TURNTABLE_VIEW},
+    ),
+    "lidar": Scene(
+        ("--scene", "empty"),
+        _type(
+            ("ros2 launch day6_world world.launch.py world:=walls > /dev/null 2>&1 &\n", 5),
+            (f"ros2 topic pub --once /cmd_vel geometry_msgs/msg/Twist {CIRCLE} > /dev/null\n", 4),
+            ("\x1bORl", 2),  # F3: the window, l: the lidar
+        ),
+    ),
 }
 """welcome; turtle standing; driven by ten commands a second; the same over many lines; teleop and echo beside it, standing and
-with an arrow held down; the car with turning wheels, and RViz beside it."""
+with an arrow held down; the car with turning wheels, and RViz beside it; the turtle's four panes while a program drives; a robot
+that turns in an enlarged RViz; the world with its lidar drawn while the car drives in circles."""
 
 STILL = {
     **{f"ros2 run {name} {name}": name for name in (
@@ -109,7 +133,9 @@ class Measured:
 
     def __init__(self, python: str, scene: Scene) -> None:
         self.home = Path(tempfile.mkdtemp(prefix="day6-load-"))
-        command = [python, "-m", "day6_tui.main", "--home", str(self.home), "--lang", "en", *scene.options]
+        for name, text in scene.files.items():
+            (self.home / name).write_text(text, encoding="utf-8")
+        command = [str(Path(python).with_name("day6-tui")), "--home", str(self.home), "--lang", "en", *scene.options]
         env = {"DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-load-"), "LANG": "C.UTF-8"}
         self.screen = Screen(command, *scene.size, **env)
 

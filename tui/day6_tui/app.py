@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import contextvars
+import gc
 import logging
 import os
 import sys
@@ -98,6 +99,9 @@ TITLE_SECONDS = 0.2
 
 BAR_SECONDS = 0.1
 """Between two looks whether the bars have changed."""
+
+YOUNG_OBJECTS = 5_000
+"""New objects after which Python looks for circles among them."""
 
 WHILE_ASKED = ("help", "language", "theme", "glyphs", "detach", "copy")
 """What keys may do while a question waits for its answer."""
@@ -691,6 +695,8 @@ class Day6App(TerminalApp):
 def run(options: Options) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
     keep_heap_small()
+    # A frame makes thousands of objects and drops them: looking for circles among them after every 700 costs a tenth of it.
+    gc.set_threshold(YOUNG_OBJECTS, *gc.get_threshold()[1:])
     keep_log_off_the_screen()
     environ = dict(os.environ)
     try:

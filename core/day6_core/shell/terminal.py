@@ -188,6 +188,11 @@ class Terminal:
         return bool(self._ring)
 
     @property
+    def is_flooded(self) -> bool:
+        """Whether so much of it waits that it should not wait for the next frame."""
+        return self._size > PIECE
+
+    @property
     def is_crowded(self) -> bool:
         """Whether so much waits to be shown that programs pause."""
         return self._size > CROWDED

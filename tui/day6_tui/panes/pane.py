@@ -283,8 +283,7 @@ class Pane(Surviving, Widget, can_focus=True):
     def _make_strip(self, y: int) -> Strip:
         width, height = self.extent
         if not self.framed:
-            segments = list(harmless(self.content_line(y, width)))
-            strip = Strip(segments).adjust_cell_length(width, self.background)
+            strip = Strip(self._inside(y, width), width)
         elif y == 0:
             strip = self._edge(0, self.title(), self.title_right())
         elif y == height - 1:
@@ -292,13 +291,16 @@ class Pane(Surviving, Widget, can_focus=True):
         else:
             border, style = self._border()
             self._hits.pop(y, None)
-            inside = Strip(harmless(self.content_line(y - 1, width - 2))).adjust_cell_length(width - 2, self.background)
             side = Segment(border.vertical, style)
-            strip = Strip([side, *inside, side], width)
+            strip = Strip([side, *self._inside(y - 1, width - 2), side], width)
         strip = showable(strip, self.look)
         for each in self.look.filters:
             strip = strip.apply_filter(each, BLACK)
         return strip
+
+    def _inside(self, y: int, width: int) -> list[Segment]:
+        """Line `y` of the inside, as long as it has to be: no strip yet, of which each costs as much as its segments."""
+        return Segment.adjust_line_length(list(harmless(self.content_line(y, width))), width, self.background)
 
     def _border(self) -> tuple:  # type: ignore[type-arg]
         glyphs, colours = self.look.glyphs, self.look.colours

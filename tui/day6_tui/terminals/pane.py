@@ -202,14 +202,19 @@ class TerminalPane(Pane):
             self.touch_lines([self.inner_height - 1])
         return more
 
+    @property
+    def in_flood(self) -> bool:
+        """Whether a program prints more than frames can show, or just did. What waits otherwise is read with the next frame."""
+        view = self._view
+        return view is not None and (view.is_flooded or time.monotonic() < self._flood_until)
+
     def read_flood(self, *, shown: bool) -> float | None:
-        """Let the screen follow a flood of output between two frames; the seconds until the next turn, None without a flood.
+        """Let the screen follow a flood of output between two frames; the seconds until the next turn, None when it is over.
 
         A terminal that is not shown is read, too, once its programs wait for it.
         """
         view = self._view
-        if view is None:
-            return None
+        assert view is not None
         if view.is_crowded or (shown and view.has_more):
             view.terminal.update()
             self._flood_until = time.monotonic() + FLOOD_SECONDS

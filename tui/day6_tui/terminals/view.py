@@ -201,6 +201,11 @@ class TerminalView:
         return self.terminal.has_more
 
     @property
+    def is_flooded(self) -> bool:
+        """Whether so much of it waits that it should not wait for the next frame."""
+        return self.terminal.is_flooded
+
+    @property
     def is_crowded(self) -> bool:
         """Whether so much output is waiting that its programs pause."""
         return self.terminal.is_crowded
@@ -421,6 +426,7 @@ def _whole(row: Sequence[Char], x: int) -> str:
     return data
 
 
+@lru_cache(maxsize=64)
 def tab_name(command: str) -> str:
     """A short name for what runs: of `ros2 run turtlesim turtle_teleop_key` the executable, of `ros2 topic echo /x` 'echo /x'."""
     try:
