@@ -44,6 +44,12 @@ def inside_callback() -> bool:
     return _state.inside
 
 
+def run_as_engine(function: Callable[[], None]) -> None:
+    """Run the body of a thread that takes the part of Zenoh's. Python started it, and keeps what it needs to run on it."""
+    _state.inside = _state.kept = True
+    function()
+
+
 def callback(function: Callable[..., None], *, often: bool = False) -> Callable[..., None]:
     """Wrap `function` for handing it to Zenoh; `often`: for messages, which come on few threads and may be thousands a second."""
     calls = 0
@@ -51,7 +57,7 @@ def callback(function: Callable[..., None], *, often: bool = False) -> Callable[
     def call(*arguments: Any) -> None:
         nonlocal calls
         state = _state
-        state.inside = True
+        before, state.inside = state.inside, True
         if often and not state.kept:
             calls += 1
             if calls > OFTEN:
@@ -60,7 +66,7 @@ def callback(function: Callable[..., None], *, often: bool = False) -> Callable[
         try:
             function(*arguments)
         finally:
-            state.inside = False
+            state.inside = before
 
     return call
 

@@ -18,6 +18,7 @@ from day6_core.interrupts import DEFERRED, unsignalled
 from day6_core.link.announcing import Announcements
 from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import command_config, process_config
+from day6_core.link.engine import chosen, is_local
 from day6_core.link.engine_thread import callback, inside_callback, open_session
 from day6_core.link.gateway import Gateway
 from day6_core.link.gid import gid_of
@@ -129,15 +130,15 @@ class Link:
         Raises:
             LinkError: the other processes cannot be reached; the message gives the reason.
         """
-        try:
-            import zenoh
-        except ImportError as error:
-            raise LinkError(f"no Zenoh here: {error}") from error
+        engine = chosen()
         self._place = place = meeting_place(self.graph.domain_id)
         self._neighbourhood = Neighbourhood(place)
         try:
             remove_dead_sockets(place)
-            if self._one_shot:
+            if is_local():
+                self._one_shot = False  # being a member costs nothing more than being a client
+                self._attach(engine.Session(engine.Config(place, self.zid)))
+            elif self._one_shot:
                 self._try_as_client()
             else:
                 self._meeting = MeetingPoint(place, self.graph.domain_id)
@@ -146,7 +147,7 @@ class Link:
         except LinkError:
             self.close()
             raise
-        except (zenoh.ZError, OSError) as error:
+        except (engine.ZError, OSError) as error:
             self.close()
             raise LinkError(f"{place.folder}: {reason(error)}") from error
         with unsignalled():
@@ -199,14 +200,12 @@ class Link:
         """
         if self._session is None and self._gate is None and self._meeting is None:
             return
-        import zenoh
-
         # The processes of this machine first: a gate flooded by other machines takes long.
         owners = [owner for owner in (self._session, self._gate, self._meeting) if owner is not None]
         for closing in (owner.close for owner in owners):
             try:
                 closing()
-            except zenoh.ZError as error:
+            except chosen().ZError as error:
                 self._report("not closed in an orderly way", error)
         announcements, self._announcements = self._announcements, None
         if announcements is not None:
@@ -253,11 +252,9 @@ class Link:
             self._send(self._services.send_response, service, request_id, response)
 
     def _send(self, send: Callable[..., None], *arguments: object) -> None:
-        import zenoh
-
         try:
             send(*arguments)
-        except zenoh.ZError as error:
+        except chosen().ZError as error:
             # A program goes on without its network, as in ROS.
             if not self._closed:
                 self._report("not sent", error)
@@ -291,14 +288,12 @@ class Link:
         return any(each.zid not in self._presence["here"] and not remove_if_deaf(each) for each in self._others())
 
     def _read_all_tokens(self, session: zenoh.Session, deadline: float) -> bool:
-        import zenoh
-
         read, taken = threading.Event(), threading.Event()
-        handler = zenoh.handlers.Callback(callback(self._on_reply), read.set, indirect=False)
+        handler = chosen().handlers.Callback(callback(self._on_reply), read.set, indirect=False)
         try:
             with DEFERRED:
                 session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
-        except zenoh.ZError:  # the link is being closed
+        except chosen().ZError:  # the link is being closed
             return False
         if not read.wait(max(0.0, deadline - time.monotonic())):
             return False
@@ -308,14 +303,12 @@ class Link:
     # -- the session ---------------------------------------------------------------------------------------------------
 
     def _try_as_client(self) -> None:
-        import zenoh
-
         assert self._place is not None
         if not self._place.tcp and not self._place.meeting_socket.exists():
             return
         try:
             session = open_session(command_config(self._place, self.zid))
-        except zenoh.ZError as error:
+        except chosen().ZError as error:
             self._report("no meeting point", error)
             return
         if self._closed:
@@ -350,10 +343,8 @@ class Link:
 
     def _subscribe_tokens(self, session: zenoh.Session) -> None:
         """Subscribe to all announcements of others; they go to the inbox."""
-        import zenoh
-
         for key in (all_presence_tokens(self.graph.domain_id), all_tokens(self.graph.domain_id)):
-            handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
+            handler = chosen().handlers.Callback(self._inbox.put, indirect=False)
             self._token_subscribers.append(session.liveliness().declare_subscriber(key, handler, history=True))
 
     def _identify(self, endpoint: Endpoint) -> bytes:
@@ -371,15 +362,13 @@ class Link:
 
     def _follow(self, subject: Node | Endpoint) -> None:
         """Declare or undeclare a local node or endpoint, by whether it exists now: events may come in any order."""
-        import zenoh
-
         announcements = self._announcements
         if subject.origin is not None or announcements is None:
             return
         try:
             with DEFERRED:
                 announcements.follow(subject)
-        except zenoh.ZError as error:
+        except chosen().ZError as error:
             if not self._closed:
                 self._report("not announced", error)
 
@@ -415,11 +404,10 @@ class Link:
 
     def _start_over(self) -> None:
         """Drop the announcements in the inbox, of which there are too many, and subscribe again, which replays all tokens."""
-        import zenoh
-
+        engine = chosen()
         for _ in range(self._inbox.qsize()):
             entry = self._inbox.get()
-            if not isinstance(entry, (zenoh.Sample, tuple)):
+            if not isinstance(entry, (engine.Sample, tuple)):
                 self._take(entry)
         self.refusals.add("floods")
         self._remote.clear()
@@ -428,9 +416,8 @@ class Link:
                 self._token_subscribers.pop().undeclare()
             self._subscribe_tokens(self._session)
 
-    def _take(self, entry: _Entry) -> None:
-        import zenoh
-
+    def _take(self, entry: Any) -> None:
+        """Take an `_Entry`; which class is whose depends on the engine."""
         if entry is None:
             return
         if isinstance(entry, threading.Event):
@@ -439,11 +426,12 @@ class Link:
         if isinstance(entry, (Node, Endpoint)):
             self._follow(entry)
             return
-        if isinstance(entry, zenoh.Query):
+        engine = chosen()
+        if isinstance(entry, engine.Query):
             answer(entry, self.graph, self.zid)
             return
-        if isinstance(entry, zenoh.Sample):
-            entry = entry.kind == zenoh.SampleKind.PUT, str(entry.key_expr)
+        if isinstance(entry, engine.Sample):
+            entry = entry.kind == engine.SampleKind.PUT, str(entry.key_expr)
         present, key = entry
         if not key.startswith(PRESENCE_PREFIX):
             if present:
@@ -528,7 +516,10 @@ class Link:
         self.graph.transport = None
         self.graph.identify = lambda _: self.graph.new_gid()
         self.graph.renew_lock()
-        if self._place is not None and not self._place.tcp:
+        abandon: Callable[[], None] | None = getattr(self._session, "abandon", None)  # Zenoh's has none
+        if abandon is not None:
+            abandon()
+        elif self._place is not None and not self._place.tcp:
             close_inherited_sockets(self._place)
 
     def _report(self, what: str, error: Exception) -> None:

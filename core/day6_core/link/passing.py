@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from day6_core.graph.endpoints import Publisher
 from day6_core.interrupts import unsignalled
 from day6_core.link.attachment import unpack
+from day6_core.link.engine import chosen
 from day6_core.link.engine_thread import callback
 from day6_core.link.keys import data_key
 from day6_core.link.remote import Origin
@@ -77,8 +78,7 @@ class Passing:
 
     def _work(self) -> None:
         """On a thread of its own, because declaring may wait for Zenoh's."""
-        import zenoh
-
+        engine = chosen()
         subscribers: dict[str, Any] = {}
         while (keys := self._wanted.get()) is not None:
             try:
@@ -86,10 +86,10 @@ class Passing:
                     subscribers.pop(key).undeclare()
                 for key in keys - subscribers.keys():
                     if (session := self._session()) is not None:
-                        handler = zenoh.handlers.Callback(callback(self._heard), indirect=False)
-                        remote = zenoh.Locality.REMOTE
+                        handler = engine.handlers.Callback(callback(self._heard), indirect=False)
+                        remote = engine.Locality.REMOTE
                         subscribers[key] = session.declare_subscriber(key, handler, allowed_origin=remote)
-            except zenoh.ZError:  # the link is being closed; what is not heard is not counted as 0
+            except engine.ZError:  # the link is being closed; what is not heard is not counted as 0
                 self._open = frozenset()
                 continue
             self._open = frozenset(subscribers)
@@ -97,7 +97,7 @@ class Passing:
         for subscriber in subscribers.values():
             try:
                 subscriber.undeclare()
-            except zenoh.ZError:
+            except engine.ZError:
                 continue
 
     def _heard(self, sample: zenoh.Sample) -> None:

@@ -3,6 +3,7 @@
     <base>/<domain>/meet                 socket of the meeting point
     <base>/<domain>/meeting.lock         held by the process that runs the meeting point
     <base>/<domain>/p-<zid>-<pid>        socket of one process (with TCP sockets: an empty marker file)
+    <base>/local/<domain>/…              the same of those that use our own engine: they have no meeting point
 
 `base` is DAY6_RUNTIME_DIR, or else the first of these that nobody else can have prepared: `day6` in XDG_RUNTIME_DIR,
 /tmp/day6-<uid>, ~/.cache/day6-tui/run. Without Unix sockets (Windows, or DAY6_LINK=tcp) everything is on 127.0.0.1, and a
@@ -23,6 +24,7 @@ from pathlib import Path
 from typing import NamedTuple
 from zlib import crc32
 
+from day6_core.link.engine import LOCAL_TCP, is_local
 from day6_core.places import runtime_folders, shorter_runtime_folder
 from day6_core.reason import reason
 from day6_core.whole_file import PRIVATE, replace_file
@@ -108,7 +110,7 @@ def meeting_place(domain_id: int) -> MeetingPlace:
     Raises:
         LinkError: no folder is safe.
     """
-    tcp = sys.platform == "win32" or os.environ.get("DAY6_LINK") == "tcp"
+    tcp = sys.platform == "win32" or os.environ.get("DAY6_LINK") in ("tcp", LOCAL_TCP)
     found: list[MeetingPlace] = []
     refusals: list[str] = []
     for base in runtime_folders():
@@ -122,11 +124,13 @@ def meeting_place(domain_id: int) -> MeetingPlace:
 
 
 def _domain_folder(base: Path, domain_id: int, tcp: bool) -> Path:
+    inside = ("local", str(domain_id)) if is_local() else (str(domain_id),)
     if not tcp:
-        base = _with_room(base, len(f"/{domain_id}/") + _SOCKET_NAME_LENGTH)
-    for folder in (base, base / str(domain_id)):
-        _private_folder(folder)
-    return base / str(domain_id)
+        base = _with_room(base, len("/".join(("", *inside, ""))) + _SOCKET_NAME_LENGTH)
+    _private_folder(folder := base)
+    for name in inside:
+        _private_folder(folder := folder / name)
+    return folder
 
 
 def _with_room(base: Path, length: int) -> Path:

@@ -10,6 +10,7 @@ import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from day6_core.link.engine import chosen
 from day6_core.link.engine_thread import callback
 from day6_core.link.keys import report_key
 
@@ -28,12 +29,10 @@ MOST = 500
 
 def offer(session: zenoh.Session, graph: Graph, zid: str, put: Callable[[zenoh.Query], None]) -> zenoh.Queryable[None]:
     """Answer from now on: every question is given to `put`, on a thread of Zenoh's, which must hand it on to `answer`."""
-    import zenoh
-
-    handler = zenoh.handlers.Callback(put, indirect=False)
-    return session.declare_queryable(
-        report_key(graph.domain_id, zid), handler, complete=True, allowed_origin=zenoh.Locality.REMOTE
-    )
+    engine = chosen()
+    handler = engine.handlers.Callback(put, indirect=False)
+    remote = engine.Locality.REMOTE
+    return session.declare_queryable(report_key(graph.domain_id, zid), handler, complete=True, allowed_origin=remote)
 
 
 def answer(query: zenoh.Query, graph: Graph, zid: str) -> None:
@@ -47,8 +46,7 @@ class Question:
     """One question to all processes; `answers` are complete when `over`. Any thread may read."""
 
     def __init__(self, session: zenoh.Session, domain_id: int) -> None:
-        import zenoh
-
+        engine = chosen()
         self.answers: dict[str, bytes] = {}
         """Session -> what it told."""
         self._over = threading.Event()
@@ -63,11 +61,11 @@ class Question:
 
         session.get(
             report_key(domain_id, "*"),
-            zenoh.handlers.Callback(callback(receive), callback(self._over.set), indirect=False),
-            target=zenoh.QueryTarget.ALL,
-            consolidation=zenoh.ConsolidationMode.NONE,
+            engine.handlers.Callback(callback(receive), callback(self._over.set), indirect=False),
+            target=engine.QueryTarget.ALL,
+            consolidation=engine.ConsolidationMode.NONE,
             timeout=PATIENCE_S,
-            allowed_destination=zenoh.Locality.REMOTE,
+            allowed_destination=engine.Locality.REMOTE,
         )
 
     @property

@@ -14,6 +14,7 @@ from day6_core.graph.endpoints import Client, RequestId, Service
 from day6_core.interfaces import deserialize, serialize
 from day6_core.link.attachment import pack, unpack
 from day6_core.link.classes import service_class
+from day6_core.link.engine import chosen
 from day6_core.link.engine_thread import callback
 from day6_core.link.gid import gid_of
 from day6_core.link.keys import data_key, endpoint_token
@@ -47,14 +48,13 @@ class Services:
 
     def serve(self, service: Service) -> Any:
         """Receive requests for a local server from now on, until `undeclare()` of the returned queryable."""
-        import zenoh
-
+        engine = chosen()
         self._open_requests[service] = {}
         return self._open_session().declare_queryable(
             data_key(service),
-            zenoh.handlers.Callback(callback(self._receiver(service)), indirect=False),
+            engine.handlers.Callback(callback(self._receiver(service)), indirect=False),
             complete=True,
-            allowed_origin=zenoh.Locality.REMOTE,
+            allowed_origin=engine.Locality.REMOTE,
         )
 
     def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
@@ -73,8 +73,7 @@ class Services:
         self._send(client, serialize(request), pack(number, client.node.graph.now_ns(), gid), 0)
 
     def _send(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
-        import zenoh
-
+        engine = chosen()
         answered = False
 
         def receive(reply: zenoh.Reply) -> None:
@@ -94,16 +93,16 @@ class Services:
         _, cancellation = self._open_client(client)
         self._open_session().get(
             data_key(client),
-            zenoh.handlers.Callback(callback(receive), callback(done), indirect=False),
-            target=zenoh.QueryTarget.ALL_COMPLETE,
-            consolidation=zenoh.ConsolidationMode.NONE,
-            congestion_control=zenoh.CongestionControl.BLOCK,
+            engine.handlers.Callback(callback(receive), callback(done), indirect=False),
+            target=engine.QueryTarget.ALL_COMPLETE,
+            consolidation=engine.ConsolidationMode.NONE,
+            congestion_control=engine.CongestionControl.BLOCK,
             # A queue of their own: requests and responses do not wait behind messages.
-            priority=zenoh.Priority.INTERACTIVE_HIGH,
+            priority=engine.Priority.INTERACTIVE_HIGH,
             timeout=_FOREVER,
             payload=payload,
             attachment=attachment,
-            allowed_destination=zenoh.Locality.REMOTE,
+            allowed_destination=engine.Locality.REMOTE,
             cancellation_token=cancellation,
         )
 
@@ -144,13 +143,11 @@ class Services:
             query.drop()
 
     def _open_client(self, client: Client) -> tuple[bytes, zenoh.CancellationToken]:
-        import zenoh
-
         with self._lock:
             opened = self._clients.get(client)
             if opened is None:
                 gid = gid_of(endpoint_token(client, self._zid))
-                opened = self._clients[client] = (gid, zenoh.CancellationToken())
+                opened = self._clients[client] = (gid, chosen().CancellationToken())
             return opened
 
     def _receiver(self, service: Service) -> Callable[[zenoh.Query], None]:

@@ -12,6 +12,7 @@ from day6_core.graph.qos import Durability, Reliability
 from day6_core.interfaces import deserialize, serialize
 from day6_core.link.attachment import pack, unpack
 from day6_core.link.classes import message_class
+from day6_core.link.engine import chosen, extras
 from day6_core.link.engine_thread import callback
 from day6_core.link.gid import gid_of
 from day6_core.link.keys import data_key, endpoint_token
@@ -110,21 +111,19 @@ class Topics:
         Each subscription has its own Zenoh subscriber, so that every late joiner gets the messages publishers kept, and
         volatile ones do not.
         """
-        import zenoh
-
-        handler = zenoh.handlers.Callback(callback(self._receiver(subscription), often=True), indirect=False)
+        engine = chosen()
+        handler = engine.handlers.Callback(callback(self._receiver(subscription), often=True), indirect=False)
         if subscription.qos.durability != Durability.TRANSIENT_LOCAL:
             return self._open_session().declare_subscriber(
-                data_key(subscription), handler, allowed_origin=zenoh.Locality.REMOTE
+                data_key(subscription), handler, allowed_origin=engine.Locality.REMOTE
             )
-        from zenoh.ext import HistoryConfig, declare_advanced_subscriber
-
-        return declare_advanced_subscriber(
+        ext = extras()
+        return ext.declare_advanced_subscriber(
             self._open_session(),
             data_key(subscription),
             handler,
-            allowed_origin=zenoh.Locality.REMOTE,
-            history=HistoryConfig(detect_late_publishers=True, max_samples=subscription.qos.capacity),
+            allowed_origin=engine.Locality.REMOTE,
+            history=ext.HistoryConfig(detect_late_publishers=True, max_samples=subscription.qos.capacity),
         )
 
     def withdraw(self, publisher: Publisher) -> None:
@@ -146,23 +145,21 @@ class Topics:
         return self._session
 
     def _declare(self, publisher: Publisher) -> Any:
-        import zenoh
-
+        engine = chosen()
         waits = publisher.qos.reliability == Reliability.RELIABLE and not self._never_wait
-        control = zenoh.CongestionControl.BLOCK if waits else zenoh.CongestionControl.DROP
-        remote = zenoh.Locality.REMOTE
+        control = engine.CongestionControl.BLOCK if waits else engine.CongestionControl.DROP
+        remote = engine.Locality.REMOTE
         if publisher.cache is None:
             return self._open_session().declare_publisher(
                 data_key(publisher), congestion_control=control, allowed_destination=remote
             )
-        from zenoh.ext import CacheConfig, declare_advanced_publisher
-
-        return declare_advanced_publisher(
+        ext = extras()
+        return ext.declare_advanced_publisher(
             self._open_session(),
             data_key(publisher),
             congestion_control=control,
             allowed_destination=remote,
-            cache=CacheConfig(max_samples=publisher.qos.capacity),
+            cache=ext.CacheConfig(max_samples=publisher.qos.capacity),
             publisher_detection=True,
         )
 
