@@ -169,7 +169,8 @@ class Peer:
         """Return nodes, endpoints (those of its own with how many match), errors and links: for people to read."""
         link: Any = self.graph.transport
         session = link._session if link is not None else None
-        links = [str(each.zid) for each in session.info.links()] if session is not None else []
+        info = getattr(session, "info", None)  # Zenoh's
+        links = [str(each.zid) for each in info.links()] if info is not None else []
         there = self.graph.endpoints(*EndpointKind)
         matches = {each: f" matches {_matched(each)}" for each in there if each.origin is None}
         endpoints = [f"{each.kind.value} {each.topic} {each.gid.hex()}{matches.get(each, '')}" for each in there]

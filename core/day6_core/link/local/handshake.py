@@ -62,7 +62,7 @@ class Handshake:
             raise Malformed(f"version {frame.number}")
         if not 0 < len(frame.key) <= _LONGEST_ZID or len(frame.attachment) != _NONCE_BYTES:
             raise Malformed("no session")
-        if not self._is_welcome(frame.key):
+        if not self.calling and not self._is_welcome(frame.key):
             raise Malformed("not needed")
         self.zid = frame.key
         if not self.calling:
