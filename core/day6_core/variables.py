@@ -89,10 +89,13 @@ VARIABLES = (
         "DAY6_LINK",
         "choice",
         (
-            "How programs of this machine meet: `off` keeps each one alone, `tcp` uses TCP on 127.0.0.1.",
-            "本机的程序怎样互相连接：`off` 表示互不连接，`tcp` 表示用 127.0.0.1 上的 TCP。",
+            "How programs of this machine meet: `off` keeps each one alone, `tcp` uses TCP on 127.0.0.1, `local` goes without Zenoh.",
+            "本机的程序怎样互相连接：`off` 表示互不连接，`tcp` 表示用 127.0.0.1 上的 TCP，`local` 表示不用 Zenoh。",
         ),
-        ("Unix sockets; TCP on Windows", "Unix 套接字；Windows 上用 TCP"),
+        (
+            "Zenoh, where it is installed; Unix sockets, TCP on Windows",
+            "装了 Zenoh 就用 Zenoh；Unix 套接字，Windows 上用 TCP",
+        ),
     ),
     Variable(
         "DAY6_LOG",

@@ -91,7 +91,11 @@ class Values:
 
         def read(text: str) -> str:
             from day6_core.link.addresses import address_of, meant
+            from day6_core.link.engine import why_no_zenoh
             from day6_core.link.unusable import Unusable
+
+            if why := why_no_zenoh(self._texts.language):
+                raise ArgumentTypeError(why)
 
             try:
                 address_of(endpoint := meant(text, port), listening=listening)

@@ -1,7 +1,8 @@
 """Joins the graphs of several processes and machines over Eclipse Zenoh, in rmw_zenoh's wire format.
 
-Importing this costs nothing; the first `join` imports Zenoh. Callers check DAY6_LINK=off first. It imports `day6_core.graph` and
-`day6_core.interfaces` only; rclpy, the `ros2` commands and the desktop import it.
+Without Zenoh, the processes of one machine are joined all the same (`engine`). Importing this costs nothing; the first `join`
+imports the engine. Callers check DAY6_LINK=off first. It imports `day6_core.graph` and `day6_core.interfaces` only; rclpy, the `ros2`
+commands and the desktop import it.
 """
 
 from __future__ import annotations
@@ -71,6 +72,8 @@ def _joined(
     part: ClassPart | None,
 ) -> Link:
     from day6_core.graph.discovery import discovery_is_off
+    from day6_core.language import language_of, said
+    from day6_core.link.engine import OTHER_ENGINE
     from day6_core.link.link import Link
     from day6_core.link.paths import LinkError
 
@@ -96,11 +99,18 @@ def _joined(
                 raise LinkError("this process was forked from one that had joined already")
             link.open()
         except LinkError as error:
-            import logging
-
             link.problem = str(error)
-            logging.getLogger(__name__).warning("other processes cannot be seen: %s", error)
+            _warn(f"other processes cannot be seen: {error}")
+        else:
+            if count := link.state.with_zenoh:
+                _warn(said(OTHER_ENGINE, language_of(os.environ)).format(count=count))
         return link
+
+
+def _warn(text: str) -> None:
+    import logging
+
+    logging.getLogger(__name__).warning("%s", text)
 
 
 def leave(graph: Graph, *, ending: bool = False) -> None:

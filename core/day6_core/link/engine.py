@@ -12,22 +12,22 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from day6_core.language import Pair
+from day6_core.language import Pair, said
 
 LOCAL, LOCAL_TCP = "local", "local-tcp"
 """The values of DAY6_LINK that choose our engine, with Unix sockets or with TCP."""
 
 NEEDS_ZENOH: dict[str, Pair] = {
     "missing": (
-        "{what} needs eclipse-zenoh, which isn't installed here: pip install eclipse-zenoh",
-        "{what} 需要 eclipse-zenoh，这里没有安装：pip install eclipse-zenoh",
+        "reaching other machines needs eclipse-zenoh, which isn't installed here: pip install eclipse-zenoh",
+        "连接其他电脑需要 eclipse-zenoh，这里没有安装：pip install eclipse-zenoh",
     ),
     "chosen": (
-        "{what} needs Zenoh, and DAY6_LINK={value} has chosen day6-tui's own transport",
-        "{what} 需要 Zenoh，而 DAY6_LINK={value} 选择了 day6-tui 自带的传输",
+        "reaching other machines needs Zenoh, and DAY6_LINK={value} has chosen day6-tui's own transport",
+        "连接其他电脑需要 Zenoh，而 DAY6_LINK={value} 选择了 day6-tui 自带的传输",
     ),
 }
-"""Why something that reaches other machines cannot be had."""
+"""Why other machines cannot be reached."""
 
 _missing: set[str] = set()
 """Filled once importing Zenoh has failed."""
@@ -63,12 +63,12 @@ def extras() -> Any:
     return import_module(f"{chosen().__name__}.ext")
 
 
-def why_no_zenoh(what: str, language: str) -> str | None:
-    """Return why `what` (an option, say) cannot be had here, in 'zh' or 'en'; None where there is Zenoh."""
+def why_no_zenoh(language: str) -> str | None:
+    """Return why other machines cannot be reached, in 'zh' or 'en'; None where there is Zenoh."""
     if not is_local():
         return None
-    text = NEEDS_ZENOH["chosen" if is_chosen() and not _missing and _has_zenoh() else "missing"][language == "zh"]
-    return text.format(what=what, value=os.environ.get("DAY6_LINK"))
+    kind = "chosen" if is_chosen() and not _missing and _has_zenoh() else "missing"
+    return said(NEEDS_ZENOH[kind], language).format(value=os.environ.get("DAY6_LINK"))
 
 
 @cache

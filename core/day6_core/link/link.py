@@ -18,7 +18,7 @@ from day6_core.interrupts import DEFERRED, unsignalled
 from day6_core.link.announcing import Announcements
 from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import command_config, process_config
-from day6_core.link.engine import chosen, is_local
+from day6_core.link.engine import chosen, is_local, why_no_zenoh
 from day6_core.link.engine_thread import callback, inside_callback, open_session
 from day6_core.link.gateway import Gateway
 from day6_core.link.gid import gid_of
@@ -40,6 +40,7 @@ from day6_core.link.paths import (
     Neighbour,
     Neighbourhood,
     close_inherited_sockets,
+    count_with_zenoh,
     meeting_place,
     neighbours,
     remove_dead_sockets,
@@ -48,7 +49,7 @@ from day6_core.link.paths import (
 from day6_core.link.process_reports import Question, answer, offer
 from day6_core.link.remote import RemoteGraph
 from day6_core.link.services import Services
-from day6_core.link.state import Door, LinkState, read_doors
+from day6_core.link.state import Door, DoorState, LinkState, read_doors
 from day6_core.link.topics import Topics
 from day6_core.reason import named_reason, reason
 
@@ -152,7 +153,7 @@ class Link:
             raise LinkError(f"{place.folder}: {reason(error)}") from error
         with unsignalled():
             self._thread.start()
-        if self._listen or self._connect:
+        if (self._listen or self._connect) and not is_local():
             self._gate = Gateway(
                 place,
                 self.graph.domain_id,
@@ -494,9 +495,12 @@ class Link:
         """The state of each endpoint of `listen` and `connect`."""
         if self._gate is not None:
             return self._gate.doors
-        # Reached when the link itself could not be opened.
+        # Reached when the link itself could not be opened, or without Zenoh.
         kinds = [(endpoint, True) for endpoint in self._listen] + [(endpoint, False) for endpoint in self._connect]
-        return tuple(Door(endpoint, listening, secret=self._secret is not None) for endpoint, listening in kinds)
+        why = why_no_zenoh("en") or ""
+        state = DoorState.FAILED if why else DoorState.OPENING
+        secret = self._secret is not None
+        return tuple(Door(endpoint, listening, state, secret, reason=why) for endpoint, listening in kinds)
 
     @property
     def state(self) -> LinkState:
@@ -506,7 +510,8 @@ class Link:
         refused = Counter(self.refusals.counts)
         if self._gate is not None:
             refused.update(self._gate.refusals.counts)
-        return LinkState(self.problem, doors or self.doors, refused, passed_over)
+        with_zenoh = count_with_zenoh(self._place) if self._place is not None else 0
+        return LinkState(self.problem, doors or self.doors, refused, passed_over, with_zenoh)
 
     def abandon(self) -> None:
         """In a forked child: drop everything without touching Zenoh, whose threads stayed in the parent."""

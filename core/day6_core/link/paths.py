@@ -169,6 +169,16 @@ def neighbours(place: MeetingPlace) -> Iterator[Neighbour]:
             yield neighbour
 
 
+def count_with_zenoh(place: MeetingPlace) -> int:
+    """Return how many processes of this user and domain use Zenoh while this one uses our own engine: it can't see them."""
+    if not is_local():
+        return 0
+    folder = place.folder.parents[1] / place.folder.name
+    with suppress(OSError):
+        return sum(1 for _ in neighbours(place._replace(folder=folder)))
+    return 0
+
+
 class Neighbourhood:
     """The sessions of the processes in a meeting place, where nobody else can be: `zid in neighbourhood`.
 

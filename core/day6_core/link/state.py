@@ -72,6 +72,8 @@ class LinkState(NamedTuple):
     refused: Mapping[str, int] = MappingProxyType({})
     passed_over: tuple[str, ...] = ()
     """The reasons why the processes of this user do not meet in the usual folder."""
+    with_zenoh: int = 0
+    """Processes of this user and domain that this one cannot see, because they use Zenoh and it doesn't."""
 
 
 def write_doors(place: MeetingPlace, doors: tuple[Door, ...]) -> None:

@@ -103,6 +103,7 @@ TEXTS = {
     "inspector.other_domain": "{endpoint}: this room has another ROS_DOMAIN_ID; retrying",
     "inspector.unreachable": "cannot connect to {endpoint} ({reason}); retrying",
     "inspector.alone": "other processes cannot be seen: {reason}",
+    "inspector.with_zenoh": "{count} of your processes use Zenoh, which isn't used here: they can't be seen",
     "inspector.elsewhere": "meeting other processes in an unusual folder: {reason}",
     "inspector.refused_many": "{count} announcements from other processes were refused: too many",
     "inspector.refused_names": "{count} announcements from other processes were refused: ROS doesn't allow such names",

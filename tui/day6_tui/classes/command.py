@@ -14,6 +14,7 @@ from day6_core.link.addresses import ROUTER_PORT, address_of, meant
 from day6_core.link.classroom.keys import LONGEST_NAME, TEACHER, is_name
 from day6_core.link.classroom.pupil import Pupil
 from day6_core.link.classroom.teacher import Teacher
+from day6_core.link.engine import why_no_zenoh
 from day6_tui.commands import desktop
 
 
@@ -46,6 +47,8 @@ def main(words: list[str]) -> int:
 def _take_part(parser: CommandParser, options: argparse.Namespace) -> None:
     """Put the part in the class into the options of the desktop, in place of those of `class`; ends where they do not fit."""
     texts = parser.texts
+    if why := why_no_zenoh(texts.language):
+        parser.error(why)
     if options.connect:
         parser.error(texts("cli.class.connect"))
     elif options.teacher:

@@ -19,7 +19,8 @@ from pathlib import Path
 from day6_core.graph.domain import DomainError, domain_from_text
 from day6_core.guardian import MARK
 from day6_core.language import LANGUAGES, language_of
-from day6_core.link.paths import LinkError, base_folders, meeting_place
+from day6_core.link import engine
+from day6_core.link.paths import LinkError, base_folders, count_with_zenoh, meeting_place
 from day6_core.parts import PROJECTS, has_part
 from day6_core.places import PLACES, data_folder, default_home, runtime_folders
 from day6_core.reason import reason
@@ -223,11 +224,13 @@ def packages() -> Iterator[Line]:
         )
     modules = tuple(each for each in trials.MODULES if each not in PROJECTS or has_part(each))
     failed = trials.failing_imports(modules)
+    if reason := failed.pop("zenoh", ""):
+        yield note("packages.zenoh", "packages.zenoh.todo", reason=reason)
     yield from (
         problem("packages.import", "packages.todo", name=name, reason=reason) for name, reason in failed.items()
     )
     if not failed:
-        yield ok("packages.imports", count=len(modules))
+        yield ok("packages.imports", count=len(modules) - bool(reason))
 
 
 def extras() -> Iterator[Line]:
@@ -283,6 +286,10 @@ def sockets() -> Iterator[Line]:
     except DomainError:
         return  # `graph` reports it
     yield from (note("sockets.passed_over", reason=reason) for reason in place.passed_over)
+    if engine.is_chosen():
+        yield note("sockets.chosen", value=os.environ["DAY6_LINK"])
+    if count := count_with_zenoh(place):
+        yield note("sockets.with_zenoh", "sockets.with_zenoh.todo", count=count)
     try:
         trials.meet(None if place.tcp else folder)
     except OSError as error:

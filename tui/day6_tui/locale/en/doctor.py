@@ -72,6 +72,11 @@ TEXTS = {
     "doctor.packages.textual.todo": "pip install 'textual=={tested}.*'",
     "doctor.packages.import": "{name} cannot be imported: {reason}",
     "doctor.packages.imports": "all {count} packages can be imported",
+    "doctor.packages.zenoh": (
+        "eclipse-zenoh cannot be imported ({reason}): programs of this machine see each other by day6-tui's own transport; "
+        "--listen, --connect, day6-tui class and real ROS 2 need Zenoh"
+    ),
+    "doctor.packages.zenoh.todo": "if you want them: pip install eclipse-zenoh",
     "doctor.extras.serve": "extra 'serve' is installed",
     "doctor.extras.serve.missing": "extra 'serve' is not installed (a class in browser tabs)",
     "doctor.extras.serve.todo": "if you want it: pip install aiohttp segno",
@@ -91,6 +96,9 @@ TEXTS = {
     "doctor.sockets": "programs can meet in {path} (a Unix socket was opened and reached)",
     "doctor.sockets.tcp": "programs can meet at 127.0.0.1 (a port was opened and reached)",
     "doctor.sockets.passed_over": "a better folder for sockets can't be used: {reason}",
+    "doctor.sockets.chosen": "DAY6_LINK={value}: day6-tui's own transport is used, also where Zenoh is installed",
+    "doctor.sockets.with_zenoh": "{count} of your processes use Zenoh, which isn't used here: they don't see each other",
+    "doctor.sockets.with_zenoh.todo": "start all programs with the same installation and the same DAY6_LINK",
     "doctor.sockets.nowhere": "programs cannot meet: {reason}",
     "doctor.sockets.nowhere.todo": "name a folder of your own: export DAY6_RUNTIME_DIR=~/.day6-run (or use TCP: DAY6_LINK=tcp)",
     "doctor.sockets.fail": "no socket can be used in {path}: {reason}",

@@ -72,6 +72,11 @@ TEXTS = {
     "doctor.packages.textual.todo": "pip install 'textual=={tested}.*'",
     "doctor.packages.import": "{name} 无法导入：{reason}",
     "doctor.packages.imports": "{count} 个软件包都能导入",
+    "doctor.packages.zenoh": (
+        "eclipse-zenoh 不能导入（{reason}）：本机的程序通过 day6-tui 自带的传输互相看到；"
+        "--listen、--connect、day6-tui class 和真正的 ROS 2 需要 Zenoh"
+    ),
+    "doctor.packages.zenoh.todo": "需要的话：pip install eclipse-zenoh",
     "doctor.extras.serve": "已安装可选部分 serve",
     "doctor.extras.serve.missing": "没有安装可选部分 serve（浏览器里的班级）",
     "doctor.extras.serve.todo": "需要的话：pip install aiohttp segno",
@@ -91,6 +96,9 @@ TEXTS = {
     "doctor.sockets": "程序可以在 {path} 互相连接（打开并连上了一个 Unix 套接字）",
     "doctor.sockets.tcp": "程序可以在 127.0.0.1 互相连接（打开并连上了一个端口）",
     "doctor.sockets.passed_over": "更合适的套接字文件夹不能用：{reason}",
+    "doctor.sockets.chosen": "DAY6_LINK={value}：使用 day6-tui 自带的传输，即使装了 Zenoh",
+    "doctor.sockets.with_zenoh": "有 {count} 个你的进程用 Zenoh，这里没有用：它们互相看不到",
+    "doctor.sockets.with_zenoh.todo": "用同一个安装和同样的 DAY6_LINK 启动所有程序",
     "doctor.sockets.nowhere": "程序无法互相连接：{reason}",
     "doctor.sockets.nowhere.todo": "指定自己的文件夹：export DAY6_RUNTIME_DIR=~/.day6-run（或者用 TCP：DAY6_LINK=tcp）",
     "doctor.sockets.fail": "{path} 里不能用套接字：{reason}",

@@ -112,6 +112,7 @@ TEXTS = {
     "inspector.other_domain": "{endpoint}：这个房间的 ROS_DOMAIN_ID 和你的不同；会再试",
     "inspector.unreachable": "无法呼叫 {endpoint}（{reason}）；会再试",
     "inspector.alone": "看不到其他进程的程序：{reason}",
+    "inspector.with_zenoh": "有 {count} 个你的进程用 Zenoh，这里没有用：看不到它们",
     "inspector.elsewhere": "与其他进程会合没有用通常的文件夹：{reason}",
     "inspector.refused_many": "拒绝了其他进程的 {count} 个声明：太多了",
     "inspector.refused_names": "拒绝了其他进程的 {count} 个声明：ROS 不允许这样的名字",

@@ -241,6 +241,8 @@ def link_findings(link: LinkState) -> Iterator[Finding]:
     """Yield the findings about other processes and machines, including that the link is open to others."""
     if link.problem is not None:
         yield finding("warning", "alone", reason=link.problem)
+    if link.with_zenoh:
+        yield finding("warning", "with_zenoh", count=link.with_zenoh)
     for reason in link.passed_over:
         yield finding("info", "elsewhere", reason=reason)
     yield from map(_door, link.doors)
