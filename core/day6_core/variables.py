@@ -89,7 +89,7 @@ VARIABLES = (
         "DAY6_LINK",
         "choice",
         (
-            "How programs of this machine meet: `off` keeps each one alone, `tcp` uses TCP on 127.0.0.1, `local` goes without Zenoh.",
+            "How programs of this machine meet: `off` keeps each one alone, `tcp` uses TCP on 127.0.0.1, `local` avoids Zenoh.",
             "本机的程序怎样互相连接：`off` 表示互不连接，`tcp` 表示用 127.0.0.1 上的 TCP，`local` 表示不用 Zenoh。",
         ),
         (

@@ -41,9 +41,17 @@ def hour_of_lease(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TEST_LEASE", HOUR)
 
 
-_APART = [
-    pytest.param(how, marks=pytest.mark.process) for how in ("two graphs", "two processes", "two processes on TCP")
-]
+_LINKS = {
+    "two graphs": "on",
+    "two processes": "on",
+    "two processes on TCP": "tcp",
+    "two graphs without Zenoh": "local",
+    "two processes without Zenoh": "local",
+    "two processes on TCP without Zenoh": "local-tcp",
+}
+"""The ways to be apart, with the DAY6_LINK of each."""
+
+_APART = [pytest.param(how, marks=pytest.mark.process) for how in _LINKS]
 
 
 @pytest.fixture(params=["one graph", *_APART])
@@ -52,9 +60,5 @@ def pair(request: pytest.FixtureRequest, world: World, monkeypatch: pytest.Monke
     if request.param == "one graph":
         peer = world.here(joined=False)
         return peer, peer
-    if request.param == "two graphs":
-        return world.here(), world.here()
-    if request.param == "two processes on TCP":
-        monkeypatch.setenv("DAY6_LINK", "tcp")
-        return world.here(), world.process(DAY6_LINK="tcp")
-    return world.here(), world.process()
+    monkeypatch.setenv("DAY6_LINK", _LINKS[request.param])
+    return world.here(), world.here() if request.param.startswith("two graphs") else world.process()

@@ -14,9 +14,10 @@ import pytest
 import zenoh
 import zenoh.ext
 
-from day6_core.graph import EndpointKind, Graph, QoS
+from day6_core.graph import EndpointKind, Graph
 from day6_core.graph.endpoints import Publisher
-from day6_core.link import config, join, leave, state_of
+from day6_core.language import said
+from day6_core.link import config, engine, join, leave, state_of
 from tests.link.link_harness import World
 from tests.link.link_peer import Peer
 from tests.support.waiting import until
@@ -229,20 +230,34 @@ def test_a_message_of_somebody_without_a_known_gid_is_delivered_with_it(world: W
     assert sample == {"data": "hello", "number": 5, "gid": bytes(range(16)).hex(), "source": 123, "intra": False}
 
 
-def test_without_zenoh_a_program_runs_alone_and_says_so(
+def test_without_zenoh_programs_see_each_other_all_the_same(
     world: World, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
+    monkeypatch.setattr(engine, "_missing", set())
     monkeypatch.setitem(sys.modules, "zenoh", None)
-    graph = Graph()
-    link = join(graph)
-    assert link.problem is not None and link.problem.startswith("no Zenoh here")
-    assert "other processes cannot be seen" in caplog.text
-    node = graph.create_node("alone")
-    publisher = node.create_publisher("/chatter", "std_msgs/msg/String", "", QoS(), no_copy)
-    subscription = node.create_subscription("/chatter", "std_msgs/msg/String", "", QoS())
-    publisher.publish("to myself")
-    assert subscription.take() is not None
-    leave(graph)
+    near, far = world.here(), world.here()
+    publisher = near.publisher(near.node("talker"), "/chatter")
+    subscription = far.subscription(far.node("listener"), "/chatter")
+    assert until(lambda: near.matched(publisher) == 1)
+    near.publish(publisher, data="hello")
+    assert until(lambda: far.messages(subscription) == ["hello"])
+    assert caplog.text == "", "nothing is missing"
+
+
+@pytest.mark.process
+def test_who_uses_another_engine_is_not_seen_and_that_is_said_once(
+    world: World, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    with_zenoh = world.here()
+    with_zenoh.node("with_zenoh")
+    monkeypatch.setenv("DAY6_LINK", "local")
+    without = world.here()
+    without.node("without")
+    assert caplog.messages == [said(engine.OTHER_ENGINE, "en").format(count=1)]
+    assert state_of(without.graph).with_zenoh == 1
+    assert without.nodes() == ["/without"] and with_zenoh.nodes() == ["/with_zenoh"]
+    assert len(caplog.messages) == 1
+    leave(without.graph)
 
 
 def engine_objects(root: object) -> set[str]:

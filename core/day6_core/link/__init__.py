@@ -1,8 +1,8 @@
 """Joins the graphs of several processes and machines over Eclipse Zenoh, in rmw_zenoh's wire format.
 
 Without Zenoh, the processes of one machine are joined all the same (`engine`). Importing this costs nothing; the first `join`
-imports the engine. Callers check DAY6_LINK=off first. It imports `day6_core.graph` and `day6_core.interfaces` only; rclpy, the `ros2`
-commands and the desktop import it.
+imports the engine. Callers check DAY6_LINK=off first. It imports `day6_core.graph` and `day6_core.interfaces` only; rclpy, the
+`ros2` commands and the desktop import it.
 """
 
 from __future__ import annotations

@@ -103,7 +103,7 @@ class Connection:
             self._frames.append(frame)
             was_waiting, self.waiting = self.waiting, self.waiting + len(frame)
             self._flush()
-            if self.waiting and not was_waiting:
+            if self.waiting and not was_waiting and not self.broken:
                 self._on_backlog(self)
         return True
 

@@ -93,7 +93,11 @@ class Loop:
 
     def _turn(self) -> None:
         left = self._timers[0][0] - time.monotonic() if self._timers else None
-        for key, events in self._selector.select(0 if self._tasks else left):
+        ready = self._selector.select(0 if self._tasks else left)
+        # First what this process did before it got what the others did after that.
+        for _ in range(len(self._tasks)):
+            _safely(self._tasks.popleft())
+        for key, events in ready:
             on_readable, on_writable = key.data
             if events & selectors.EVENT_WRITE and on_writable is not None:
                 _safely(on_writable)
@@ -101,8 +105,6 @@ class Loop:
                 _safely(on_readable)
         while self._timers and self._timers[0][0] <= time.monotonic():
             _safely(heapq.heappop(self._timers)[2])
-        for _ in range(len(self._tasks)):
-            _safely(self._tasks.popleft())
 
     def _take_waking(self) -> None:
         with suppress(BlockingIOError):
