@@ -53,6 +53,10 @@ got = []
 node.create_subscription(Kind, 'back', lambda message: got.append(time.perf_counter()), 10)
 there = node.create_publisher(Kind, 'there', 10)
 spin(lambda: there.get_subscription_count() and node.count_publishers('back'))
+while not got:  # the other one may not know this one's subscription yet
+    there.publish(message)
+    spin(lambda: got, 0.2)
+spin(lambda: False, 0.5)
 took = []
 for number in range(520 if Kind is Twist else 70):
     sent, before = time.perf_counter(), len(got)

@@ -62,6 +62,7 @@ def test_of_two_that_start_at_once_each_has_one_connection(
 
     monkeypatch.setattr(mesh, "connect", connect_late)
     first = sessions.one(order[0])
+    assert until(lambda: made)
     second = made[0]
     heard, seen = Heard(), Heard()
     first.liveliness().declare_subscriber("t/**", heard.handler, history=True)

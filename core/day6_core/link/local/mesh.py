@@ -37,7 +37,7 @@ class Party(Protocol):
 
 
 class Mesh:
-    """Opened with the process's own socket and connections to all that are there; the rest is done by the thread of `loop`."""
+    """Opened with the process's own socket; all else is done by the thread of `loop`, which may wait for others."""
 
     def __init__(self, config: Config, loop: Loop, party: Party) -> None:
         self._config = config
@@ -49,10 +49,7 @@ class Mesh:
         """The sessions that this one has connected to."""
         self._listener = listen(config)
         self._port = port_of(self._listener)
-        for neighbour, port, connected in connect(config):
-            self._called.add(neighbour.zid)
-            self._welcome(connected, calling=True, port=port)
-        loop.watch(self._listener, self._accept)
+        loop.do(self._begin)
 
     def finish(self, then: Callable[[], None]) -> None:
         """Accept nobody any more, let the others take what waits for them, and close."""
@@ -90,6 +87,16 @@ class Mesh:
 
     # -- connecting ----------------------------------------------------------------------------------------------------
 
+    def _begin(self) -> None:
+        for neighbour, port, connected in connect(self._config):
+            self._called.add(neighbour.zid)
+            self._welcome(connected, calling=True, port=port)
+        self._watch()
+
+    def _watch(self) -> None:
+        if self._listener.fileno() != -1:
+            self._loop.watch(self._listener, self._accept)
+
     def _accept(self) -> None:
         try:
             connected, _ = self._listener.accept()
@@ -97,15 +104,11 @@ class Mesh:
             return
         except OSError:
             self._loop.forget(self._listener)
-            self._loop.later(_FULL_SECONDS, self._accept_again)
+            self._loop.later(_FULL_SECONDS, self._watch)
             return
         connection = self._welcome(connected, calling=False, port=self._port)
         if self._password:
             self._loop.later(_PROOF_SECONDS, partial(self._drop_stranger, connection))
-
-    def _accept_again(self) -> None:
-        if self._listener.fileno() != -1:
-            self._loop.watch(self._listener, self._accept)
 
     def _drop_stranger(self, connection: Connection) -> None:
         if not connection.handshake.done:
