@@ -73,7 +73,7 @@ def _joined(
 ) -> Link:
     from day6_core.graph.discovery import discovery_is_off
     from day6_core.language import language_of, said
-    from day6_core.link.engine import OTHER_ENGINE
+    from day6_core.link.engine import OTHER_ENGINE, is_local
     from day6_core.link.link import Link
     from day6_core.link.paths import LinkError
 
@@ -102,7 +102,7 @@ def _joined(
             link.problem = str(error)
             _warn(f"other processes cannot be seen: {error}")
         else:
-            if count := link.state.with_zenoh:
+            if is_local() and (count := link.state.with_zenoh):
                 _warn(said(OTHER_ENGINE, language_of(os.environ)).format(count=count))
         return link
 
