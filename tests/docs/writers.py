@@ -158,6 +158,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
         "day6_core/lessons/grading/shield.py",
         "day6_core/link/file_lock.py",
         "day6_core/link/gateway.py",
+        "day6_core/link/local/place.py",
         "day6_core/link/paths.py",
         "day6_core/link/state.py",
         "day6_core/ros/executables.py",
