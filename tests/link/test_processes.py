@@ -15,19 +15,30 @@ from tests.support.waiting import communicate, run, until
 needs_kill = pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
 
 
+@pytest.fixture(params=["on", "local"], ids=["Zenoh", "our engine"])
+def any_engine(request: pytest.FixtureRequest, world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is tested holds for either engine."""
+    monkeypatch.setenv("DAY6_LINK", request.param)
+
+
 def sockets(world: World, domain: str = "0") -> list[str]:
     return sorted(path.name for path in (world.runtime / domain).iterdir() if path.name.startswith("p-"))
 
 
 def run_python(world: World, source: str, **environment: str) -> subprocess.CompletedProcess[str]:
     """Run a student's program to its end."""
-    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
+    settings = {
+        "DAY6_RUNTIME_DIR": str(world.runtime),
+        "DAY6_LINK": os.environ["DAY6_LINK"],
+        "PYTHONPATH": os.pathsep.join(sys.path),
+    }
     return run([sys.executable, "-c", source], env={**os.environ, **settings, **environment})
 
 
 @pytest.mark.process
 @needs_kill
 @pytest.mark.usefixtures("hour_of_lease")
+@pytest.mark.usefixtures("any_engine")
 def test_a_killed_process_is_gone_at_once(world: World) -> None:
     stays, victim = world.here(), world.process()
     node = victim.node("victim")
@@ -62,6 +73,25 @@ def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: 
     newcomer.node("newcomer")
     everybody = ["/listener", "/newcomer", "/talker"]
     assert until(lambda: talker.nodes() == listener.nodes() == newcomer.nodes() == everybody)
+
+
+@pytest.mark.process
+@needs_kill
+@pytest.mark.parametrize("oldest_first", [True, False])
+def test_without_zenoh_nobody_is_needed_by_the_others(
+    world: World, monkeypatch: pytest.MonkeyPatch, oldest_first: bool
+) -> None:
+    monkeypatch.setenv("DAY6_LINK", "local")
+    peers = {f"/n{number}": world.process() for number in range(4)}
+    for name, peer in peers.items():
+        peer.node(name[1:])
+    while len(peers) > 1:
+        assert until(lambda: all(peer.nodes() == sorted(peers) for peer in peers.values()))
+        peers.pop(min(peers) if oldest_first else max(peers)).kill()
+    newcomer = peers["/new"] = world.process()
+    newcomer.node("new")
+    assert until(lambda: all(peer.nodes() == sorted(peers) for peer in peers.values()))
+    assert len(sockets(world, "local/0")) == 2, "those of killed processes were cleared away"
 
 
 @pytest.mark.process
@@ -122,6 +152,7 @@ def test_the_next_process_clears_away_the_sockets_of_killed_ones(world: World) -
 
 
 @pytest.mark.process
+@pytest.mark.usefixtures("any_engine")
 def test_three_processes_hear_each_message_once(world: World) -> None:
     peers = [world.here(), world.process(), world.process()]
     publishers, subscriptions = [], []
@@ -145,6 +176,7 @@ def test_three_processes_hear_each_message_once(world: World) -> None:
 
 
 @pytest.mark.process
+@pytest.mark.usefixtures("any_engine")
 def test_two_domains_never_meet(world: World) -> None:
     zero, seven = world.here(), world.process(ROS_DOMAIN_ID="7")
     publisher = zero.publisher(zero.node("zero"), "/chatter")
@@ -160,6 +192,7 @@ def test_two_domains_never_meet(world: World) -> None:
 
 
 @pytest.mark.process
+@pytest.mark.usefixtures("any_engine")
 def test_a_one_shot_command_sees_every_node_of_the_machine_before_it_answers(world: World) -> None:
     peers = [world.process() for _ in range(4)]
     for number, peer in enumerate(peers):
@@ -190,6 +223,7 @@ def test_a_one_shot_command_alone_answers_at_once(world: World) -> None:
 
 
 @pytest.mark.process
+@pytest.mark.usefixtures("any_engine")
 def test_a_one_shot_command_that_waits_finds_a_process_that_starts_later(world: World) -> None:
     command = world.here(one_shot=True)
     client = command.client(command.node("asker"), "/add")
@@ -203,6 +237,7 @@ def test_a_one_shot_command_that_waits_finds_a_process_that_starts_later(world: 
 @pytest.mark.process
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 @pytest.mark.parametrize("way_out", ["os._exit(0)", "sys.exit(0)", "raise SystemExit"])
+@pytest.mark.usefixtures("any_engine")
 def test_a_program_that_forks_goes_on_and_its_child_ends(world: World, way_out: str) -> None:
     keeper = world.here()
     source = f"""
@@ -226,7 +261,11 @@ _, status = os.waitpid(child, 0)
 print("child", os.waitstatus_to_exitcode(status), flush=True)
 sys.stdin.readline()
 """
-    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
+    settings = {
+        "DAY6_RUNTIME_DIR": str(world.runtime),
+        "DAY6_LINK": os.environ["DAY6_LINK"],
+        "PYTHONPATH": os.pathsep.join(sys.path),
+    }
     with subprocess.Popen(
         [sys.executable, "-c", source],
         env={**os.environ, **settings},
@@ -248,6 +287,7 @@ sys.stdin.readline()
 @pytest.mark.process
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 @pytest.mark.usefixtures("hour_of_lease")
+@pytest.mark.usefixtures("any_engine")
 def test_a_killed_program_is_gone_although_its_forked_child_lives(world: World) -> None:
     keeper = world.here()
     source = f"""{HOUR_OF_LEASE}
@@ -261,7 +301,11 @@ link.wait_settled(5.0)
 os.write(1, f"{{os.fork()}}\\n".encode())  # two processes, each line in one piece
 time.sleep(3600)
 """
-    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
+    settings = {
+        "DAY6_RUNTIME_DIR": str(world.runtime),
+        "DAY6_LINK": os.environ["DAY6_LINK"],
+        "PYTHONPATH": os.pathsep.join(sys.path),
+    }
     with subprocess.Popen(
         [sys.executable, "-c", source],
         env={**os.environ, **settings},
@@ -295,6 +339,7 @@ link.wait_settled(2.0)
 
 @pytest.mark.process
 @pytest.mark.parametrize("ending", ["", "raise KeyboardInterrupt", "import sys; sys.exit(3)", "1/0"])
+@pytest.mark.usefixtures("any_engine")
 def test_a_program_ends_as_python_ends_it_and_its_last_words_arrive(world: World, ending: str) -> None:
     keeper = world.here()
     subscription = keeper.subscription(keeper.node("listener"), "/chatter", depth=1000, latched=True)

@@ -24,7 +24,7 @@ MOST_WAITING = 2 * 1024 * 1024
 """Bytes that wait for one process; more messages are dropped, or their publishers wait (see `wait_for_room`)."""
 MOST_WAITING_IN_ALL = 256 * 1024 * 1024
 """Bytes, with the announcements, requests and responses, which are never dropped: with more the connection is closed."""
-STALLED_SECONDS = 0.25
+STALLED_SECONDS = 0.5
 """A process that has taken nothing for that long has stopped, or is stuck: nobody waits for it."""
 _TOGETHER = 1 << 16
 """Bytes of small frames that are written at once."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import socket
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from typing import Protocol
 
@@ -71,7 +72,8 @@ class Mesh:
         if self._listener.fileno() != -1:
             self._loop.forget(self._listener)
             self._listener.close()
-            self._config.place.own_socket(self._config.zid).unlink(missing_ok=True)
+            with suppress(OSError):  # the folder is gone, or Windows has the file open for somebody else
+                self._config.place.own_socket(self._config.zid).unlink()
 
     def _linger(self, until: float, then: Callable[[], None]) -> None:
         unsent = [each for each in self.connections if each.waiting and not each.is_stalled]
@@ -88,9 +90,10 @@ class Mesh:
     # -- connecting ----------------------------------------------------------------------------------------------------
 
     def _begin(self) -> None:
-        for neighbour, port, connected in connect(self._config):
-            self._called.add(neighbour.zid)
-            self._welcome(connected, calling=True, port=port)
+        with suppress(OSError):  # the folder is gone
+            for neighbour, port, connected in connect(self._config):
+                self._called.add(neighbour.zid)
+                self._welcome(connected, calling=True, port=port)
         self._watch()
 
     def _watch(self) -> None:
