@@ -73,6 +73,7 @@ class Publisher:
     def __init__(self, session: Session, key: str, patient: bool, keeps: int) -> None:
         self._session = session
         self.key = key
+        self.key_bytes = key.encode()
         self.patient = patient
         """Whether it waits for those who are slow."""
         self.kept: deque[tuple[bytes, bytes]] | None = deque(maxlen=keeps) if keeps else None

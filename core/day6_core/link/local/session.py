@@ -76,7 +76,7 @@ class Session:
     def _check(self, key: str = "", payload: bytes = b"") -> None:
         if self._closing:
             raise ZError("the session is closed")
-        if len(key.encode()) > LONGEST_KEY or len(payload) > LARGEST:
+        if len(payload) > LARGEST or (key and len(key.encode()) > LONGEST_KEY):
             raise ZError(f"{len(payload)} bytes, {len(key)} characters of a key: too long")
 
     # -- what this process declares ------------------------------------------------------------------------------------
@@ -136,14 +136,14 @@ class Session:
                 each.wait_for_room()
             self._loop.do(partial(self._keep, publisher, payload, attachment))
         elif listeners:
-            frame = packed(Kind.MESSAGE, 0, publisher.key.encode(), attachment, payload)
+            frame = packed(Kind.MESSAGE, 0, publisher.key_bytes, attachment, payload)
             for each in listeners:
                 each.offer(frame, patiently=patiently)
 
     def _keep(self, publisher: Publisher, payload: bytes, attachment: bytes) -> None:
         assert publisher.kept is not None
         publisher.kept.append((attachment, payload))
-        frame = packed(Kind.MESSAGE, 0, publisher.key.encode(), attachment, payload)
+        frame = packed(Kind.MESSAGE, 0, publisher.key_bytes, attachment, payload)
         for each in self._others.to(Kind.SUBSCRIBER, publisher.key):
             each.offer(frame)
 
