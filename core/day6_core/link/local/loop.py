@@ -99,6 +99,8 @@ class Loop:
             _safely(self._tasks.popleft())
         for key, events in ready:
             on_readable, on_writable = key.data
+            if key.fd not in self._selector.get_map():
+                continue  # it has been closed meanwhile
             if events & selectors.EVENT_WRITE and on_writable is not None:
                 _safely(on_writable)
             if events & selectors.EVENT_READ:
