@@ -15,7 +15,8 @@ from day6_core.link import pace as pace_module
 from day6_core.link.bridge import Bridge
 from day6_core.link.gid import gid_of
 from day6_core.link.limits import Refusals
-from tests.link.fake_engine import Clock, FakeQuery, FakeSession, StillThread, sample
+from tests.link.clock import Clock
+from tests.link.fake_engine import FakeQuery, FakeSession, StillThread, sample
 
 TYPE = "std_msgs::msg::dds_::String_"
 REMOTE = zenoh.Locality.REMOTE

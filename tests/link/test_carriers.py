@@ -25,7 +25,8 @@ from day6_core.link.paths import LinkError
 from day6_core.link.remote import Origin, RemoteGraph
 from day6_core.link.services import Services
 from day6_core.link.topics import Topics
-from tests.link.fake_engine import Clock, Declared, FakeQuery, FakeSession, sample
+from tests.link.clock import Clock
+from tests.link.fake_engine import Declared, FakeQuery, FakeSession, sample
 
 String = get_message("std_msgs/msg/String")
 Add = get_service("example_interfaces/srv/AddTwoInts")

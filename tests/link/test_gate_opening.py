@@ -17,7 +17,8 @@ from day6_core.link.file_lock import FileLock
 from day6_core.link.gateway import Gateway
 from day6_core.link.paths import MeetingPlace
 from day6_core.link.state import Door, DoorState, read_doors
-from tests.link.fake_engine import Clock, FakeSession, StillThread
+from tests.link.clock import Clock
+from tests.link.fake_engine import FakeSession, StillThread
 
 IN, IN_TOO, OUT = "tcp/0.0.0.0:1", "tcp/0.0.0.0:2", "tcp/robot:3"
 SECRET = "chalk-and-sponge"

@@ -31,7 +31,8 @@ from day6_core.link.link import Link
 from day6_core.link.meeting import MeetingPoint
 from day6_core.link.paths import LinkError, MeetingPlace
 from day6_core.link.state import Door, LinkState, write_doors
-from tests.link.fake_engine import Clock, FakeSession, StillThread
+from tests.link.clock import Clock
+from tests.link.fake_engine import FakeSession, StillThread
 
 
 class FakeMeeting:

@@ -10,7 +10,7 @@ import pytest
 from day6_core.link.local import connection as module
 from day6_core.link.local.connection import MOST_WAITING, STALLED_SECONDS, Connection
 from day6_core.link.local.handshake import Handshake
-from tests.link.fake_engine import Clock
+from tests.link.clock import Clock
 
 FRAME = bytes(100_000)
 
