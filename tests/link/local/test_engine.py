@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -21,6 +22,15 @@ def without_zenoh(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engine, "_missing", {"zenoh"})
 
 
+@pytest.fixture
+def with_zenoh(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(engine, "_missing", set())
+    for name in ("zenoh", "zenoh.ext"):
+        monkeypatch.setitem(sys.modules, name, ModuleType(name))
+    monkeypatch.setattr(engine, "_has_zenoh", lambda: True)
+
+
+@pytest.mark.usefixtures("with_zenoh")
 @pytest.mark.parametrize(
     ("value", "module"),
     [("on", "zenoh"), ("tcp", "zenoh"), ("local", "day6_core.link.local"), ("local-tcp", "day6_core.link.local")],
@@ -32,10 +42,12 @@ def test_a_variable_chooses_the_engine(monkeypatch: pytest.MonkeyPatch, value: s
 
 def test_a_zenoh_that_cannot_be_imported_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engine, "_missing", set())
+    monkeypatch.setattr(engine, "_has_zenoh", lambda: True)
     monkeypatch.setitem(sys.modules, "zenoh", None)
     assert engine.chosen().__name__ == "day6_core.link.local" and engine.is_local()
 
 
+@pytest.mark.usefixtures("with_zenoh")
 def test_the_two_engines_meet_in_folders_of_their_own(monkeypatch: pytest.MonkeyPatch, short_folder: Path) -> None:
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(short_folder))
     places = {}
@@ -81,6 +93,7 @@ def test_what_reaches_other_machines_says_in_a_sentence_what_it_needs(
     assert said.endswith(f"{engine.NEEDS_ZENOH['missing'][language == 'zh']}\n")
 
 
+@pytest.mark.usefixtures("with_zenoh")
 def test_who_has_chosen_to_do_without_zenoh_is_told_so(monkeypatch: pytest.MonkeyPatch) -> None:
     assert engine.why_no_zenoh("en") is None
     monkeypatch.setenv("DAY6_LINK", "local")
