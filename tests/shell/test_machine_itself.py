@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from day6_core.graph.domain import DomainError
+from day6_core.link import engine
 from day6_core.session.clock import WorldClock
 from day6_core.session.streams import Captured, InputStream
 from day6_core.shell import desk as desk_module
@@ -47,6 +48,15 @@ def test_a_login_has_a_students_variables_and_what_ros_and_the_language_need(
     assert env["HOME"] == str(machine.desk.home) and env["ROS_DOMAIN_ID"] == "0"
     monkeypatch.delenv("LANG")
     assert machine.desk.environment()["LANG"] == "C.UTF-8"
+
+
+def test_programs_of_a_desktop_without_zenoh_do_without_it_too(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DAY6_LINK")
+    assert "DAY6_LINK" not in machine.desk.environment()
+    monkeypatch.setattr(engine, "_missing", {"zenoh"})
+    assert machine.desk.environment()["DAY6_LINK"] == "local"
+    monkeypatch.setenv("DAY6_LINK", "off")
+    assert machine.desk.environment()["DAY6_LINK"] == "off"
 
 
 def test_a_shell_begins_at_home_or_where_it_is_told(machine: Any, tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from day6_core.graph.domain import DomainError, domain_from_text
 from day6_core.graph.graph import Graph
 from day6_core.places import default_home
+from day6_core.link.engine import LOCAL, is_local
 from day6_core.ros.environment import activate, program_environment
 from day6_core.ros.home_python import BELOW_HOME, scripts_of
 from day6_core.session import cores
@@ -178,6 +179,8 @@ class Desk:
         kept = {name: real[name] for name in _PASSED_ON if name in real}
         kept.update({name: value for name, value in real.items() if name.startswith(("ROS_", "RCUTILS_", "DAY6_"))})
         kept.setdefault("LANG", "C.UTF-8")
+        if is_local():  # also if a user installs Zenoh for his programs: they are to see this desktop
+            kept.setdefault("DAY6_LINK", LOCAL)
         env = program_environment(kept)
         ours, *others = env["PATH"].split(os.pathsep)
         scripts = scripts_of(self.login_home / BELOW_HOME)
