@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from day6_core.graph.domain import DomainError, domain_from_text
 from day6_core.graph.graph import Graph
-from day6_core.places import default_home
 from day6_core.link.engine import LOCAL, is_local
+from day6_core.places import default_home
 from day6_core.ros.environment import activate, program_environment
 from day6_core.ros.home_python import BELOW_HOME, scripts_of
 from day6_core.session import cores
