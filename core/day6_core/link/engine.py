@@ -58,9 +58,18 @@ def chosen() -> Any:
     return import_module("day6_core.link.local")
 
 
-def extras() -> Any:
+def engine_of(session: object) -> Any:
+    """Return the module of the engine that a session belongs to, whatever the environment says by now; None is no session yet."""
+    if session is None:
+        return chosen()
+    return import_module(
+        "day6_core.link.local" if type(session).__module__.startswith("day6_core.link.local") else "zenoh"
+    )
+
+
+def extras_of(session: object) -> Any:
     """Return its module for publishers that keep messages for those who come later."""
-    return import_module(f"{chosen().__name__}.ext")
+    return import_module(f"{engine_of(session).__name__}.ext")
 
 
 def why_no_zenoh(language: str) -> str | None:

@@ -18,7 +18,7 @@ from day6_core.interrupts import DEFERRED, unsignalled
 from day6_core.link.announcing import Announcements
 from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import command_config, process_config
-from day6_core.link.engine import chosen, is_local, why_no_zenoh
+from day6_core.link.engine import chosen, engine_of, is_local, why_no_zenoh
 from day6_core.link.engine_thread import callback, inside_callback, open_session
 from day6_core.link.gateway import Gateway
 from day6_core.link.gid import gid_of
@@ -206,7 +206,7 @@ class Link:
         for closing in (owner.close for owner in owners):
             try:
                 closing()
-            except chosen().ZError as error:
+            except self._engine.ZError as error:
                 self._report("not closed in an orderly way", error)
         announcements, self._announcements = self._announcements, None
         if announcements is not None:
@@ -255,7 +255,7 @@ class Link:
     def _send(self, send: Callable[..., None], *arguments: object) -> None:
         try:
             send(*arguments)
-        except chosen().ZError as error:
+        except self._engine.ZError as error:
             # A program goes on without its network, as in ROS.
             if not self._closed:
                 self._report("not sent", error)
@@ -290,11 +290,11 @@ class Link:
 
     def _read_all_tokens(self, session: zenoh.Session, deadline: float) -> bool:
         read, taken = threading.Event(), threading.Event()
-        handler = chosen().handlers.Callback(callback(self._on_reply), read.set, indirect=False)
+        handler = self._engine.handlers.Callback(callback(self._on_reply), read.set, indirect=False)
         try:
             with DEFERRED:
                 session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
-        except chosen().ZError:  # the link is being closed
+        except self._engine.ZError:  # the link is being closed
             return False
         if not read.wait(max(0.0, deadline - time.monotonic())):
             return False
@@ -303,13 +303,17 @@ class Link:
 
     # -- the session ---------------------------------------------------------------------------------------------------
 
+    @property
+    def _engine(self) -> Any:
+        return engine_of(self._session)
+
     def _try_as_client(self) -> None:
         assert self._place is not None
         if not self._place.tcp and not self._place.meeting_socket.exists():
             return
         try:
             session = open_session(command_config(self._place, self.zid))
-        except chosen().ZError as error:
+        except self._engine.ZError as error:
             self._report("no meeting point", error)
             return
         if self._closed:
@@ -345,7 +349,7 @@ class Link:
     def _subscribe_tokens(self, session: zenoh.Session) -> None:
         """Subscribe to all announcements of others; they go to the inbox."""
         for key in (all_presence_tokens(self.graph.domain_id), all_tokens(self.graph.domain_id)):
-            handler = chosen().handlers.Callback(self._inbox.put, indirect=False)
+            handler = self._engine.handlers.Callback(self._inbox.put, indirect=False)
             self._token_subscribers.append(session.liveliness().declare_subscriber(key, handler, history=True))
 
     def _identify(self, endpoint: Endpoint) -> bytes:
@@ -369,7 +373,7 @@ class Link:
         try:
             with DEFERRED:
                 announcements.follow(subject)
-        except chosen().ZError as error:
+        except self._engine.ZError as error:
             if not self._closed:
                 self._report("not announced", error)
 
@@ -405,10 +409,9 @@ class Link:
 
     def _start_over(self) -> None:
         """Drop the announcements in the inbox, of which there are too many, and subscribe again, which replays all tokens."""
-        engine = chosen()
         for _ in range(self._inbox.qsize()):
             entry = self._inbox.get()
-            if not isinstance(entry, (engine.Sample, tuple)):
+            if not isinstance(entry, (self._engine.Sample, tuple)):
                 self._take(entry)
         self.refusals.add("floods")
         self._remote.clear()
@@ -427,7 +430,7 @@ class Link:
         if isinstance(entry, (Node, Endpoint)):
             self._follow(entry)
             return
-        engine = chosen()
+        engine = self._engine
         if isinstance(entry, engine.Query):
             answer(entry, self.graph, self.zid)
             return

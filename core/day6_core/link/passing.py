@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from day6_core.graph.endpoints import Publisher
 from day6_core.interrupts import unsignalled
 from day6_core.link.attachment import unpack
-from day6_core.link.engine import chosen
+from day6_core.link.engine import engine_of
 from day6_core.link.engine_thread import callback
 from day6_core.link.keys import data_key
 from day6_core.link.remote import Origin
@@ -78,7 +78,7 @@ class Passing:
 
     def _work(self) -> None:
         """On a thread of its own, because declaring may wait for Zenoh's."""
-        engine = chosen()
+        engine = engine_of(self._session())
         subscribers: dict[str, Any] = {}
         while (keys := self._wanted.get()) is not None:
             try:

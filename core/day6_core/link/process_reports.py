@@ -10,7 +10,7 @@ import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from day6_core.link.engine import chosen
+from day6_core.link.engine import engine_of
 from day6_core.link.engine_thread import callback
 from day6_core.link.keys import report_key
 
@@ -29,7 +29,7 @@ MOST = 500
 
 def offer(session: zenoh.Session, graph: Graph, zid: str, put: Callable[[zenoh.Query], None]) -> zenoh.Queryable[None]:
     """Answer from now on: every question is given to `put`, on a thread of Zenoh's, which must hand it on to `answer`."""
-    engine = chosen()
+    engine = engine_of(session)
     handler = engine.handlers.Callback(put, indirect=False)
     remote = engine.Locality.REMOTE
     return session.declare_queryable(report_key(graph.domain_id, zid), handler, complete=True, allowed_origin=remote)
@@ -46,7 +46,7 @@ class Question:
     """One question to all processes; `answers` are complete when `over`. Any thread may read."""
 
     def __init__(self, session: zenoh.Session, domain_id: int) -> None:
-        engine = chosen()
+        engine = engine_of(session)
         self.answers: dict[str, bytes] = {}
         """Session -> what it told."""
         self._over = threading.Event()

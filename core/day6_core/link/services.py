@@ -14,7 +14,7 @@ from day6_core.graph.endpoints import Client, RequestId, Service
 from day6_core.interfaces import deserialize, serialize
 from day6_core.link.attachment import pack, unpack
 from day6_core.link.classes import service_class
-from day6_core.link.engine import chosen
+from day6_core.link.engine import engine_of
 from day6_core.link.engine_thread import callback
 from day6_core.link.gid import gid_of
 from day6_core.link.keys import data_key, endpoint_token
@@ -48,9 +48,10 @@ class Services:
 
     def serve(self, service: Service) -> Any:
         """Receive requests for a local server from now on, until `undeclare()` of the returned queryable."""
-        engine = chosen()
+        session = self._open_session()
+        engine = engine_of(session)
         self._open_requests[service] = {}
-        return self._open_session().declare_queryable(
+        return session.declare_queryable(
             data_key(service),
             engine.handlers.Callback(callback(self._receiver(service)), indirect=False),
             complete=True,
@@ -73,7 +74,8 @@ class Services:
         self._send(client, serialize(request), pack(number, client.node.graph.now_ns(), gid), 0)
 
     def _send(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
-        engine = chosen()
+        session = self._open_session()
+        engine = engine_of(session)
         answered = False
 
         def receive(reply: zenoh.Reply) -> None:
@@ -91,7 +93,7 @@ class Services:
             timer.start()
 
         _, cancellation = self._open_client(client)
-        self._open_session().get(
+        session.get(
             data_key(client),
             engine.handlers.Callback(callback(receive), callback(done), indirect=False),
             target=engine.QueryTarget.ALL_COMPLETE,
@@ -147,7 +149,7 @@ class Services:
             opened = self._clients.get(client)
             if opened is None:
                 gid = gid_of(endpoint_token(client, self._zid))
-                opened = self._clients[client] = (gid, chosen().CancellationToken())
+                opened = self._clients[client] = (gid, engine_of(self._open_session()).CancellationToken())
             return opened
 
     def _receiver(self, service: Service) -> Callable[[zenoh.Query], None]:

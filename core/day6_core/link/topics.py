@@ -12,7 +12,7 @@ from day6_core.graph.qos import Durability, Reliability
 from day6_core.interfaces import deserialize, serialize
 from day6_core.link.attachment import pack, unpack
 from day6_core.link.classes import message_class
-from day6_core.link.engine import chosen, extras
+from day6_core.link.engine import engine_of, extras_of
 from day6_core.link.engine_thread import callback
 from day6_core.link.gid import gid_of
 from day6_core.link.keys import data_key, endpoint_token
@@ -111,15 +111,14 @@ class Topics:
         Each subscription has its own Zenoh subscriber, so that every late joiner gets the messages publishers kept, and
         volatile ones do not.
         """
-        engine = chosen()
+        session = self._open_session()
+        engine = engine_of(session)
         handler = engine.handlers.Callback(callback(self._receiver(subscription), often=True), indirect=False)
         if subscription.qos.durability != Durability.TRANSIENT_LOCAL:
-            return self._open_session().declare_subscriber(
-                data_key(subscription), handler, allowed_origin=engine.Locality.REMOTE
-            )
-        ext = extras()
+            return session.declare_subscriber(data_key(subscription), handler, allowed_origin=engine.Locality.REMOTE)
+        ext = extras_of(session)
         return ext.declare_advanced_subscriber(
-            self._open_session(),
+            session,
             data_key(subscription),
             handler,
             allowed_origin=engine.Locality.REMOTE,
@@ -145,17 +144,18 @@ class Topics:
         return self._session
 
     def _declare(self, publisher: Publisher) -> Any:
-        engine = chosen()
+        session = self._open_session()
+        engine = engine_of(session)
         waits = publisher.qos.reliability == Reliability.RELIABLE and not self._never_wait
         control = engine.CongestionControl.BLOCK if waits else engine.CongestionControl.DROP
         remote = engine.Locality.REMOTE
         if publisher.cache is None:
-            return self._open_session().declare_publisher(
+            return session.declare_publisher(
                 data_key(publisher), congestion_control=control, allowed_destination=remote
             )
-        ext = extras()
+        ext = extras_of(session)
         return ext.declare_advanced_publisher(
-            self._open_session(),
+            session,
             data_key(publisher),
             congestion_control=control,
             allowed_destination=remote,

@@ -15,6 +15,7 @@ from day6_core.link.paths import meeting_place
 from day6_core.link.state import DoorState
 from day6_tui.classes import command
 from day6_tui.commands import desktop
+from tests.link.local.sessions import Sessions
 
 
 @pytest.fixture
@@ -37,7 +38,23 @@ def with_zenoh(monkeypatch: pytest.MonkeyPatch) -> None:
 )
 def test_a_variable_chooses_the_engine(monkeypatch: pytest.MonkeyPatch, value: str, module: str) -> None:
     monkeypatch.setenv("DAY6_LINK", value)
-    assert engine.chosen().__name__ == module and engine.extras().__name__ == f"{module}.ext"
+    assert engine.chosen().__name__ == engine.engine_of(None).__name__ == module
+
+
+@pytest.mark.usefixtures("with_zenoh")
+def test_a_session_keeps_its_engine_whatever_becomes_of_the_variable(
+    monkeypatch: pytest.MonkeyPatch, short_folder: Path
+) -> None:
+    sessions = Sessions(short_folder / "0")
+    try:
+        session = sessions.one()
+        monkeypatch.setenv("DAY6_LINK", "on")
+        assert engine.engine_of(session).__name__ == "day6_core.link.local"
+        assert engine.extras_of(session).__name__ == "day6_core.link.local.ext"
+        monkeypatch.setenv("DAY6_LINK", "local")
+        assert engine.extras_of(object()).__name__ == "zenoh.ext"
+    finally:
+        sessions.close()
 
 
 def test_a_zenoh_that_cannot_be_imported_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
