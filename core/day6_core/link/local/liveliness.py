@@ -33,7 +33,11 @@ class Liveliness:
 
     def get(self, key: str, handler: Callback, *, timeout: float) -> None:
         """Have the tokens that are there called for, at once."""
-        self._session.do(partial(self._read, key, handler))
+        self._session.check()
+        for token in self._session.tokens():
+            if matches(key, token):
+                handler.callback(Reply(Sample(token)))
+        handler.end()
 
     def tell(self, key: str, kind: SampleKind) -> None:
         """Tell those who watch that a token came or went. By the session's thread."""
@@ -46,12 +50,6 @@ class Liveliness:
         for key in self._session.tokens():
             if matches(watcher.key, key):
                 watcher.call(Sample(key))
-
-    def _read(self, pattern: str, handler: Callback) -> None:
-        for key in self._session.tokens():
-            if matches(pattern, key):
-                handler.callback(Reply(Sample(key)))
-        handler.end()
 
     def _forget(self, watcher: Announced) -> None:
         self._session.do_if_open(partial(self._watchers.remove, watcher))

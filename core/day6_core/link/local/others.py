@@ -1,4 +1,4 @@
-"""What the other processes have declared, by their connections. Changed by the session's thread only; any thread may read `to`.
+"""What the other processes have declared, by their connections. Changed by the session's thread only; any thread may read.
 
 The tuples are replaced and never changed, so that nobody needs a lock, in which a garbage collection might destroy a node.
 """
@@ -33,8 +33,9 @@ class Others:
         return {each for key, way in list(self._ways[kind].items()) if matches(pattern, key) for each in way}
 
     def tokens(self) -> list[str]:
-        """Return all tokens."""
-        return [each.key for those in self._of.values() for each in those.values() if each.kind == Kind.TOKEN]
+        """Return all tokens; any thread may, of what changes meanwhile it gets the old or the new."""
+        announced = (each for those in list(self._of.values()) for each in list(those.values()))
+        return [each.key for each in announced if each.kind == Kind.TOKEN]
 
     def learn(self, connection: Connection, frame: Frame) -> Announced:
         """Take what a process has declared. Raises Malformed."""

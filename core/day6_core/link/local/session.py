@@ -65,7 +65,7 @@ class Session:
 
     def do(self, task: Task) -> None:
         """Have the session's thread do something."""
-        self._check()
+        self.check()
         self._loop.do(task)
 
     def do_if_open(self, task: Task) -> None:
@@ -73,7 +73,8 @@ class Session:
         if not self._closing:
             self._loop.do(task)
 
-    def _check(self, key: str = "", payload: bytes = b"") -> None:
+    def check(self, key: str = "", payload: bytes = b"") -> None:
+        """Raise ZError after `close`, or if something is too long."""
         if self._closing:
             raise ZError("the session is closed")
         if len(payload) > LARGEST or (key and len(key.encode()) > LONGEST_KEY):
@@ -91,7 +92,7 @@ class Session:
 
     def declare_publisher(self, key: str, *, congestion_control: str, keeps: int = 0, **_: object) -> Publisher:
         """Return a publisher that keeps its last `keeps` messages."""
-        self._check(key)
+        self.check(key)
         publisher = Publisher(self, key, congestion_control == CongestionControl.BLOCK, keeps)
         if keeps:
             self._loop.do(partial(self._own.add_keeper, publisher))
@@ -99,7 +100,7 @@ class Session:
 
     def declare(self, kind: Kind, key: str, handler: Callback | None = None, wants: int = 0) -> Announced:
         """Announce something to the others."""
-        self._check(key)
+        self.check(key)
         own = Announced(kind, next(self._numbers), key, wants, handler, self._on_undeclare)
         self._loop.do(partial(self._announce, own))
         return own
@@ -128,7 +129,7 @@ class Session:
 
     def publish(self, publisher: Publisher, payload: bytes, attachment: bytes) -> None:
         """Send a message; if the publisher keeps messages, by the session's thread, which also sends what was kept."""
-        self._check(payload=payload)
+        self.check(payload=payload)
         patiently = publisher.patient and not self._loop.is_current
         listeners = self._others.to(Kind.SUBSCRIBER, publisher.key)
         if publisher.kept is not None:
@@ -164,7 +165,7 @@ class Session:
         **_: object,
     ) -> None:
         """Ask everybody who answers for a key."""
-        self._check(key, payload)
+        self.check(key, payload)
         those = self._others.to_all(Kind.QUERYABLE, key)
         asked = Asked(handler, set(those), self._on_answered, cancellation_token)
         self._asked[asked.number] = asked
@@ -215,5 +216,5 @@ class Session:
             asked.miss(connection)
 
     def tokens(self) -> list[str]:
-        """Return the tokens of the others; by the session's thread."""
+        """Return the tokens of the others."""
         return self._others.tokens()
