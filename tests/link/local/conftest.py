@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import pytest
 from tests.link.local.sessions import Sessions
 
 
-@pytest.fixture(params=["unix", "tcp"])
+@pytest.fixture(params=["tcp"] if sys.platform == "win32" else ["unix", "tcp"])
 def sessions(request: pytest.FixtureRequest, short_folder: Path) -> Iterator[Sessions]:
     made = Sessions(short_folder / "0", tcp=request.param == "tcp")
     yield made

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ KEY = "0/chatter/std_msgs::msg::dds_::String_/RIHS01_0"
 class Sessions:
     """Each has a session id of its own: 'a', 'b', …."""
 
-    def __init__(self, folder: Path, *, tcp: bool = False) -> None:
+    def __init__(self, folder: Path, *, tcp: bool = sys.platform == "win32") -> None:
         folder.mkdir(mode=0o700, exist_ok=True)
         self.place = MeetingPlace(folder, tcp)
         self.made: list[Session] = []

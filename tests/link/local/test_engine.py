@@ -73,12 +73,9 @@ def test_the_two_engines_meet_in_folders_of_their_own(monkeypatch: pytest.Monkey
         place = meeting_place(7)
         places[value] = (str(place.folder.relative_to(short_folder)).replace("\\", "/"), place.tcp)
         assert place.folder.stat().st_mode & 0o077 == 0 or sys.platform == "win32"
-    assert places == {
-        "on": ("7", False),
-        "tcp": ("7", True),
-        "local": ("local/7", False),
-        "local-tcp": ("local/7", True),
-    }
+    always = sys.platform == "win32"
+    assert places["on"] == ("7", always) and places["tcp"] == ("7", True)
+    assert places["local"] == ("local/7", always) and places["local-tcp"] == ("local/7", True)
 
 
 def parse_desktop(language: str, *words: str) -> None:
