@@ -168,7 +168,6 @@ def test_a_package_that_is_missing_or_too_old_is_a_problem(monkeypatch: pytest.M
     wrong = [
         trials.Requirement("numpy", ">=1.26", "1.0", False),
         trials.Requirement("xacro", ">=2.1", None, False),
-        trials.Requirement("eclipse-zenoh", ">=1.10", None, False),
         trials.Requirement("aiohttp", ">=3.10", None, False, "serve"),
     ]
     monkeypatch.setattr(trials, "requirements", lambda: wrong)
