@@ -2,8 +2,8 @@
 
 A tiny shell waits at the end of a pipe that only we hold open. It receives every process group that starts and ends; when the
 pipe closes, our process is gone, and it ends the remaining groups. (PR_SET_PDEATHSIG exists only on Linux, watches threads
-instead of processes, and reaches the child but not its group.) On Linux, processes that have left their group (`setsid`, a
-daemon) are found by a mark in their environment.
+instead of processes, and reaches the child but not its group.) Processes that have left their group (`setsid`, a daemon) are
+found by a mark in their environment, as far as the system shows it (`day6_core/system/processes.py`).
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+
+from day6_core.system.processes import marked, shell_marked
 
 MARK = "DAY6_JOB"
 """The variable that marks a process as ours: `<our session>.<number of the program>.`"""
@@ -22,9 +23,8 @@ _SESSION = secrets.token_hex(8)
 
 _SCRIPT = """
 trap '' INT HUP TERM
-mark=$1
-left() { grep -ls "$mark" /proc/[0-9]*/environ 2>/dev/null; }
-end_left() { for file in $(left); do pid=${file#/proc/}; kill -s "$1" "${pid%/environ}" 2>/dev/null; done; }
+read -r mark && [ -n "$mark" ] || exit 0  # not a word of the command line: `marked` may look at those, too
+end_left() { for pid in $(marked); do kill -s "$1" "$pid" 2>/dev/null; done; }
 targets=" "
 while read -r change target; do
   case $change in
@@ -32,7 +32,7 @@ while read -r change target; do
     -) case $targets in *" $target "*) targets="${targets%% $target *} ${targets#* $target }" ;; esac ;;
   esac
 done
-[ "$targets" = " " ] && [ -z "$(left)" ] && exit 0
+[ "$targets" = " " ] && [ -z "$(marked)" ] && exit 0
 for target in $targets; do kill -s TERM -- "$target" 2>/dev/null; kill -s CONT -- "$target" 2>/dev/null; done
 end_left TERM
 sleep 1
@@ -57,29 +57,14 @@ def new_mark() -> str:
 
 
 def end_marked(mark: str) -> None:
-    """Kill the processes a program left running outside its group (Linux only)."""
+    """Kill the processes a program left running outside its group."""
     if sys.platform == "win32":
         return
-    for pid in _marked(mark):
+    for pid in marked(f"{MARK}={mark}"):
         try:
             os.kill(pid, signal.SIGKILL)
         except (ProcessLookupError, PermissionError):
             continue
-
-
-def _marked(mark: str) -> Iterator[int]:
-    if sys.platform != "linux":
-        return
-    wanted = f"{MARK}={mark}".encode()
-    for name in os.listdir("/proc"):
-        if name.isdigit():
-            try:
-                with open(f"/proc/{name}/environ", "rb") as file:
-                    variables = file.read()
-            except OSError:
-                continue  # another user's, or gone
-            if wanted in variables.split(b"\0"):
-                yield int(name)
 
 
 def guard(group: int) -> None:
@@ -116,13 +101,14 @@ def _start() -> None:
     if _guardian is None or _guardian.poll() is not None:
         env = {name: value for name, value in os.environ.items() if name != MARK}
         _guardian = subprocess.Popen(
-            ["/bin/sh", "-c", _SCRIPT, "day6-guardian", f"{MARK}={_SESSION}"],
+            ["/bin/sh", "-c", shell_marked() + _SCRIPT, "day6-guardian"],
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
             start_new_session=True,
             env=env,
         )
+        _send(f"{MARK}={_SESSION}\n")
 
 
 def _remove(target: int) -> None:

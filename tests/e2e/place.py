@@ -23,6 +23,9 @@ _SCRIPT = shutil.which("day6-tui", path=os.path.dirname(sys.executable))
 DAY6 = [_SCRIPT] if _SCRIPT else [sys.executable, "-m", "day6_tui.main"]
 
 
+PLANTED = "import sys\nfrom day6_tui.main import main\nsys.argv[1:] = {words!r}\n{plant}\nsys.exit(main())\n"
+
+
 class Place:
     """Where one user works: `work` is the current folder, `home` the simulated one."""
 
@@ -72,21 +75,28 @@ class Place:
 
     # -- with a screen -------------------------------------------------------------------------------------------------
 
-    def terminal(self, *words: str, columns: int = 80, rows: int = 24, **env: str | None) -> Terminal:
-        """`day6-tui WORDS…` in a real terminal; skips the test where there are none."""
+    def terminal(self, *words: str, columns: int = 80, rows: int = 24, plant: str = "", **env: str | None) -> Terminal:
+        """`day6-tui WORDS…` in a real terminal, after lines of Python that `plant` something; skips where there are none."""
         if os.name != "posix":
             pytest.skip("this system has no pseudo-terminals to try the screen in")
         from tests.e2e.terminal import Terminal
 
-        return Terminal([*DAY6, *words], columns, rows, cwd=self.work, env=self.environment(**env))
+        command = [sys.executable, "-c", PLANTED.format(words=words, plant=plant)] if plant else [*DAY6, *words]
+        return Terminal(command, columns, rows, cwd=self.work, env=self.environment(**env))
 
     def desktop(
-        self, *options: str, columns: int = 80, rows: int = 24, lang: str = "en", **env: str | None
+        self,
+        *options: str,
+        columns: int = 80,
+        rows: int = 24,
+        lang: str = "en",
+        plant: str = "",
+        **env: str | None,
     ) -> Terminal:
         """The desktop in a real terminal."""
         language = ["--lang", lang] if lang else []
         home = [] if "--home" in options else ["--home", str(self.home)]
-        return self.terminal(*home, *language, *options, columns=columns, rows=rows, **env)
+        return self.terminal(*home, *language, *options, columns=columns, rows=rows, plant=plant, **env)
 
     # -- what is there -------------------------------------------------------------------------------------------------
 

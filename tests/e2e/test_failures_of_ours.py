@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from typing import TYPE_CHECKING
 
 import pytest
@@ -15,8 +14,6 @@ if TYPE_CHECKING:
     from tests.e2e.terminal import Terminal
 
 pytestmark = [pytest.mark.person, pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")]
-
-START = "import sys\nfrom day6_tui.main import main\nsys.argv[1:] = {words!r}\n{plant}\nsys.exit(main())\n"
 
 BREAK = """
 def breaks(*arguments, **named):
@@ -50,11 +47,7 @@ TerminalDriver._read = _read
 
 def desktop(place: Place, plant: str, scene: str | None = "empty") -> Terminal:
     """The desktop with a mistake planted in it."""
-    from tests.e2e.terminal import Terminal
-
-    words = ["--home", str(place.home), "--lang", "en", *(("--scene", scene) if scene else ())]
-    code = START.format(words=words, plant=plant)
-    return Terminal([sys.executable, "-c", code], 80, 24, cwd=place.work, env=place.environment())
+    return place.desktop(*(("--scene", scene) if scene else ()), plant=plant)
 
 
 def given_back(desk: Terminal) -> None:

@@ -86,6 +86,9 @@ if __name__ == '__main__':
     time.sleep(1000)
 """
 
+WITHOUT_PROC = "from day6_core.system import processes\nprocesses.PROC = '/nothing/here'"
+"""Planted into a desktop, which then looks for processes as it has to on macOS."""
+
 RUNAWAYS = {
     "loop.py": "while True: pass\n",
     "shout.py": "while True: print('again and again')\n",
@@ -143,9 +146,10 @@ def test_a_password_is_not_shown(place: Place) -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
-def test_neither_children_nor_grandchildren_outlive_a_desktop_that_was_killed(place: Place) -> None:
+@pytest.mark.parametrize("plant", ["", WITHOUT_PROC], ids=["proc", "ps"])
+def test_neither_children_nor_grandchildren_outlive_a_desktop_that_was_killed(place: Place, plant: str) -> None:
     place.home_file("family.py", FAMILY)
-    with desk(place) as screen:
+    with desk(place, plant=plant) as screen:
         screen.line("python3 family.py")
         screen.wait_lines("the family is there")
         until(lambda: sum("sleep(1000)" in line for line in place.processes().values()) == 3)

@@ -189,7 +189,7 @@ def test_who_wants_a_core_and_gets_none_is_late(monkeypatch: pytest.MonkeyPatch)
     worked = {7: iter([(True, 0.0), (True, 0.15), (True, 0.16), (False, 0.16)]), 8: iter([(False, 0.0)] * 4)}
     reaped = iter([(0, 0), (0, 0), (0, 0), (0, 0), (5, 0)])
     monkeypatch.setattr(shield, "_worked", lambda pid: next(worked[pid]))
-    monkeypatch.setattr(shield, "_memory", lambda _: 0)
+    monkeypatch.setattr(shield, "own_memory", lambda _: 0)
     monkeypatch.setattr(shield.os, "waitpid", lambda *_: next(reaped))
     monkeypatch.setattr(shield.time, "monotonic", lambda: wall)
     monkeypatch.setattr(shield.time, "sleep", sleep)

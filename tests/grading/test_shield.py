@@ -194,7 +194,7 @@ def test_a_program_that_could_not_run_in_time_is_not_played_and_never_wrong(tmp_
             for number, times in ((signal.SIGSTOP, 30), (signal.SIGCONT, 1)):
                 for _ in range(times):  # those that began meanwhile, too
                     wardens = [warden.pid for warden in list(grader._wardens)]
-                    for pid in [each for warden in wardens for each in (warden, *shield.descendants(warden))]:
+                    for pid in [each for warden in wardens for each in (warden, *shield.followers(warden))]:
                         with contextlib.suppress(ProcessLookupError, PermissionError):
                             os.kill(pid, number)
                     done.wait(0.05)

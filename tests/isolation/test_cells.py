@@ -10,7 +10,7 @@ import pytest
 if sys.platform != "linux":
     pytest.skip("pupils are kept apart on Linux only", allow_module_level=True)
 
-from day6_core.isolation import attacks, groups, modes
+from day6_core.isolation import attacks, modes
 from tests.isolation.school import LIMITS, asked
 
 APART = ("users", "bubblewrap")
@@ -104,17 +104,3 @@ def test_a_pupils_own_node_and_ros2_meet_in_the_cell(mode: str) -> None:
 @pytest.mark.parametrize("mode", APART)
 def test_odd_names_of_pupils_are_only_names(mode: str) -> None:
     assert deed(mode, "names") == [True] * 4
-
-
-def test_control_groups_are_found_in_both_versions() -> None:
-    mounts = (
-        "cgroup2 /sys/fs/cgroup cgroup2 rw,nsdelegate 0 0\n"
-        "cgroup /old/cpu,cpuacct cgroup rw,cpu,cpuacct 0 0\ncgroup /old/pids cgroup rw,pids 0 0\n"
-    )
-    memberships = "5:pids:/a\n3:cpu,cpuacct:/\n0::/system.slice/day6.service\n"
-    found = groups.trees(mounts, memberships)
-    assert [(str(tree.own), tree.is_v2, sorted(tree.controllers)) for tree in found] == [
-        ("/sys/fs/cgroup/system.slice/day6.service", True, []),
-        ("/old/cpu,cpuacct", False, ["cpu"]),
-        ("/old/pids/a", False, ["pids"]),
-    ]

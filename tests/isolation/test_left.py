@@ -9,6 +9,7 @@ import threading
 import pytest
 
 from day6_core.isolation import left
+from day6_core.system.processes import processes
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
@@ -27,7 +28,7 @@ def test_a_process_that_is_ending_is_waited_for(monkeypatch: pytest.MonkeyPatch,
                 timer.start()
 
         gone = left._end(lambda: recognized.pop() if recognized else [], strike)
-        living = [each.pid for each in left.processes() if each.pid == process.pid and not each.is_dead]
+        living = [each.pid for each in processes() if each.pid == process.pid and not each.is_dead]
         process.kill()
     assert gone is ends
     assert (living == []) is ends

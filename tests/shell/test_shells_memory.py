@@ -247,7 +247,7 @@ def test_a_file_runs_by_its_first_line(machine: Any, first: str, line: str, stat
 )  # fmt: skip
 def test_the_memory_of_a_process(monkeypatch: pytest.MonkeyPatch, wish: str, machine_has: int, limit: int) -> None:
     monkeypatch.setenv(memory.VARIABLE, wish)
-    monkeypatch.setattr(memory, "machine_memory", lambda: machine_has)
+    monkeypatch.setattr(memory, "total_memory", lambda: machine_has)
     assert memory.memory_limit() == limit
 
 

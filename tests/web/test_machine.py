@@ -10,69 +10,17 @@ from typing import Any
 
 import pytest
 
-from day6_core.isolation import left, machine
-from day6_core.isolation.groups import Tree
-from day6_core.isolation.left import ProcessEntry
-from day6_core.isolation.machine import Memory, Taken
+from day6_core.isolation import machine
+from day6_core.isolation.machine import Taken
+from day6_core.system import memory as system_memory
+from day6_core.system.memory import Memory
 from day6_tui.web import class_machine, room
 from tests.web.in_process import InProcess, deed_of, place, teaching  # noqa: F401
 from tests.web.serving import Browser
 from tests.web.test_class_tools import ask, class_of
 
 MB, GB = 1 << 20, 1 << 30
-MEMINFO = "MemTotal:  8000000 kB\nMemFree: 1 kB\nMemAvailable:  6000000 kB\n"
 SMALL, BIG = Memory(2 * GB, 1500 * MB), Memory(64 * GB, 60 * GB)
-
-
-def group(folder: Path, **files: str) -> Path:
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, text in files.items():
-        (folder / name.replace("__", ".")).write_text(text)
-    return folder
-
-
-@pytest.mark.parametrize(
-    ("is_v2", "files", "expected"),
-    [
-        (True, {"memory__max": "max", "memory__current": "5"}, (8000000 << 10, 6000000 << 10)),
-        (True, {"memory__max": str(GB), "memory__current": str(700 * MB)}, (GB, 324 * MB)),
-        (
-            True,
-            {"memory__max": str(GB), "memory__current": str(700 * MB), "memory__stat": f"inactive_file {300 * MB}\n"},
-            (GB, 624 * MB),
-        ),
-        (True, {"memory__max": str(GB), "memory__current": str(2 * GB)}, (GB, 0)),
-        (False, {"memory__limit_in_bytes": str(GB), "memory__usage_in_bytes": str(GB // 2)}, (GB, GB // 2)),
-        (
-            False,
-            {"memory__limit_in_bytes": str((1 << 63) - 4096), "memory__usage_in_bytes": "1"},
-            (8000000 << 10, 6000000 << 10),
-        ),
-    ],
-)
-def test_a_limit_of_any_group_above_counts(
-    tmp_path: Path, is_v2: bool, files: dict[str, str], expected: tuple[int, int]
-) -> None:
-    above = group(tmp_path / "above", **files)
-    tree = Tree(group(above / "server"), is_v2, frozenset({"memory"}))
-    assert machine.memory([tree], MEMINFO) == expected
-    assert machine.memory([], "nonsense") is None
-
-
-@pytest.mark.parametrize(
-    ("is_v2", "files", "most"),
-    [
-        (True, {"cpu__max": "50000 100000\n"}, 0.5),
-        (True, {"cpu__max": "max 100000\n"}, None),
-        (False, {"cpu__cfs_quota_us": "25000", "cpu__cfs_period_us": "100000"}, 0.25),
-        (False, {"cpu__cfs_quota_us": "-1", "cpu__cfs_period_us": "100000"}, None),
-    ],
-)
-def test_cores_that_a_group_may_not_fill_do_not_count(
-    tmp_path: Path, is_v2: bool, files: dict[str, str], most: float | None
-) -> None:
-    tree = Tree(group(tmp_path, **files), is_v2, frozenset({"cpu"}))
-    assert machine.cores([tree]) == (machine.cores([]) if most is None else most)
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="this system does not tell what processes take")
@@ -87,12 +35,6 @@ def test_the_share_of_a_core_counts_new_processes_and_none_that_only_has_the_num
     now = Taken(0, {(7, 100): 6.0, (9, 250): 0.5, (8, 300): 0.25})
     assert machine.share(before, now, 2.0) == (1.0 + 0.5 + 0.25) / 2
     assert machine.share(before, Taken(0, {}), 2.0) == 0.0
-
-
-def test_a_family_is_all_that_is_below_once_without_the_dead() -> None:
-    table = [ProcessEntry(*each) for each in ((2, 1, False), (3, 2, True), (4, 3, False), (5, 4, False), (6, 1, False))]
-    assert sorted(left.family(table, [2, 4])) == [4, 5]
-    assert left.family(table, [6]) == []
 
 
 # -- room --------------------------------------------------------------------------------------------------------------
@@ -145,8 +87,8 @@ def test_a_machine_that_is_too_small_is_told_before_the_lesson_and_on_the_page_a
     more: dict[str, Any],
     told: tuple[str, int, int] | None,
 ) -> None:
-    monkeypatch.setattr(machine, "memory", lambda: memory)
-    monkeypatch.setattr(machine, "cores", lambda: 4.0)
+    monkeypatch.setattr(system_memory, "available", lambda: memory)
+    monkeypatch.setattr(system_memory, "cores", lambda: 4.0)
 
     async def deed(made: InProcess, door: Browser) -> None:
         found = [
@@ -175,7 +117,7 @@ def test_a_machine_that_is_too_small_is_told_before_the_lesson_and_on_the_page_a
 def test_what_becomes_short_is_told_with_who_takes_it_also_to_a_page_that_does_not_ask(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(machine, "memory", lambda: Memory(4 * GB, 200 * MB))
+    monkeypatch.setattr(system_memory, "available", lambda: Memory(4 * GB, 200 * MB))
     monkeypatch.setattr(shutil, "disk_usage", lambda folder: SimpleNamespace(free=300 * MB))
     sizes = {"anna": 5 * MB, "李雷": 90 * MB}
     for name in sizes:
@@ -197,7 +139,7 @@ def test_where_the_system_tells_nothing_no_figure_is_shown(tmp_path: Path, monke
     def cannot(self: object, cells: object) -> None:
         raise OSError(38, "Function not implemented")
 
-    monkeypatch.setattr(machine, "memory", lambda: None)
+    monkeypatch.setattr(system_memory, "available", lambda: None)
     monkeypatch.setattr("day6_core.isolation.same_user.Nothing.processes_of", cannot)
 
     async def deed(made: InProcess, door: Browser) -> None:

@@ -12,10 +12,10 @@ import os
 import signal
 import sys
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
 from day6_core.isolation.cell import Limits
+from day6_core.system.control_groups import Tree, memory_used, read
 
 PARENT = "day6-cells"
 _LEAF = "day6-server"
@@ -23,44 +23,9 @@ _V1 = ("memory", "pids", "cpu")
 _SECONDS = 5.0
 
 
-@dataclass(frozen=True)
-class Tree:
-    """The server's own group in one mounted hierarchy, and the controllers that limit something in it."""
-
-    own: Path
-    is_v2: bool
-    controllers: frozenset[str]
-    """Empty for a hierarchy that only groups processes; in version 2 that still ends them all at once."""
-
-    def group(self, name: str) -> Path:
-        """Return the folder of a cell's group."""
-        return self.own / PARENT / name
-
-
-def trees(mounts: str | None = None, memberships: str | None = None) -> list[Tree]:
-    """Find the hierarchies this process is in; the arguments stand for /proc/self/mounts and /proc/self/cgroup."""
-    if mounts is None or memberships is None:
-        try:
-            mounts = Path("/proc/self/mounts").read_text(encoding="utf-8", errors="replace")
-            memberships = Path("/proc/self/cgroup").read_text(encoding="utf-8", errors="replace")
-        except OSError:
-            return []
-    places = {}
-    for line in memberships.splitlines():
-        number, names, path = line.split(":", 2)
-        places["" if number == "0" else names] = path.lstrip("/")
-    found = []
-    for line in mounts.splitlines():
-        _, place, kind, options, *_ = line.split(" ")
-        if kind == "cgroup2" and "" in places:
-            own = Path(place, places[""])
-            found.append(Tree(own, True, frozenset(read(own / "cgroup.controllers").split()) & {*_V1}))
-        elif kind == "cgroup":
-            for names, path in places.items():
-                here = frozenset(names.split(",")) & {*_V1}
-                if here and here <= set(options.split(",")):
-                    found.append(Tree(Path(place, path), False, here))
-    return found
+def group_of(tree: Tree, name: str) -> Path:
+    """Return the folder of a cell's group."""
+    return tree.own / PARENT / name
 
 
 def usable(found: list[Tree]) -> list[Tree]:
@@ -74,14 +39,14 @@ def usable(found: list[Tree]) -> list[Tree]:
             continue
         finally:
             with contextlib.suppress(OSError):
-                tree.group(probe).rmdir()
+                group_of(tree, probe).rmdir()
         good.append(tree)
     return good
 
 
 def make(tree: Tree, name: str, limits: Limits) -> Path:
     """Make the group of a cell and set its limits; return its file `cgroup.procs`. Raises OSError."""
-    group = tree.group(name)
+    group = group_of(tree, name)
     group.parent.mkdir(exist_ok=True)
     if tree.is_v2:
         _delegate(tree)
@@ -138,24 +103,15 @@ def _delegate(tree: Tree) -> None:
 
 def members(tree: Tree, name: str) -> list[int]:
     """Return the processes of a cell's group."""
-    return [int(word) for word in read(tree.group(name) / "cgroup.procs").split()]
+    return [int(word) for word in read(group_of(tree, name) / "cgroup.procs").split()]
 
 
-def memory_used(found: list[Tree], name: str) -> int | None:
+def memory_of(found: list[Tree], name: str) -> int | None:
     """Return the bytes a cell's group takes (without files that are only cached), None where nobody counts."""
     for tree in found:
         if "memory" in tree.controllers:
-            group = tree.group(name)
-            total = read(group / ("memory.current" if tree.is_v2 else "memory.usage_in_bytes")).strip()
-            return max(0, int(total) - idle_files(group, is_v2=tree.is_v2)) if total.isdigit() else None
+            return memory_used(group_of(tree, name), is_v2=tree.is_v2)
     return None
-
-
-def idle_files(group: Path, *, is_v2: bool) -> int:
-    """Return the bytes of a group that hold files which are only cached."""
-    unused = "inactive_file" if is_v2 else "total_inactive_file"
-    lines = (line.split() for line in read(group / "memory.stat").splitlines())
-    return sum(int(value) for key, value in lines if key == unused)
 
 
 def end(found: list[Tree], name: str) -> bool:
@@ -166,22 +122,14 @@ def end(found: list[Tree], name: str) -> bool:
     while True:
         for tree in found:
             with contextlib.suppress(OSError):  # before Linux 5.14, or version 1
-                (tree.group(name) / "cgroup.kill").write_text("1", encoding="ascii")
+                (group_of(tree, name) / "cgroup.kill").write_text("1", encoding="ascii")
             for pid in members(tree, name):
                 with contextlib.suppress(ProcessLookupError):
                     os.kill(pid, signal.SIGKILL)
             with contextlib.suppress(OSError):  # somebody is still in it
-                tree.group(name).rmdir()
-        if not any(tree.group(name).exists() for tree in found):
+                group_of(tree, name).rmdir()
+        if not any(group_of(tree, name).exists() for tree in found):
             return True
         if time.monotonic() >= until:
             return False
         time.sleep(0.01)
-
-
-def read(file: Path) -> str:
-    """Return what such a file says, "" if there is none."""
-    try:
-        return file.read_text(encoding="ascii", errors="replace")
-    except OSError:
-        return ""

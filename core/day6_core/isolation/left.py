@@ -9,50 +9,13 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Collection, Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Collection
+
+from day6_core.system.processes import descendants, processes
 
 END_SECONDS = 5.0
 """How long ending may take: a process in an uninterruptible wait cannot be ended by anybody."""
 _PAUSE = 0.01
-
-
-class ProcessEntry(NamedTuple):
-    """A line of the process table."""
-
-    pid: int
-    parent: int
-    is_dead: bool
-    """It has ended, and its parent has not asked."""
-
-
-def processes() -> Iterator[ProcessEntry]:
-    """Yield the processes that /proc shows."""
-    for name in os.listdir("/proc"):
-        if name.isdigit():
-            with contextlib.suppress(OSError, ValueError), open(f"/proc/{name}/stat", "rb") as file:
-                state, parent = file.read().rpartition(b")")[2].split()[:2]  # the name before it may hold anything
-                yield ProcessEntry(int(name), int(parent), state in (b"Z", b"X"))
-
-
-def descendants(*roots: int) -> list[int]:
-    """Return the living processes below some others, each once; a root only if it is below another."""
-    return family(list(processes()), roots)
-
-
-def family(table: Collection[ProcessEntry], roots: Collection[int]) -> list[int]:
-    """Return what `descendants` returns, from a table that was read before."""
-    children: dict[int, list[int]] = {}
-    for each in table:
-        children.setdefault(each.parent, []).append(each.pid)
-    found: dict[int, None] = {}
-    waiting = list(roots)
-    while waiting:
-        below = [pid for pid in children.get(waiting.pop(), []) if pid not in found]
-        found |= dict.fromkeys(below)
-        waiting += below
-    dead = {each.pid for each in table if each.is_dead}
-    return [pid for pid in found if pid not in dead]
 
 
 def of_users(uids: Collection[int]) -> dict[int, list[int]]:

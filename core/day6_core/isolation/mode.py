@@ -10,9 +10,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from day6_core.isolation import enter, groups, left, machine
+from day6_core.isolation import enter, groups, left
 from day6_core.isolation.cell import Cell, Used
-from day6_core.isolation.groups import Tree
+from day6_core.system.control_groups import Tree
+from day6_core.system.processes import family, own_memory, processes
 
 MOST_FILES = 200_000
 """Files that are looked at when the space of a home is summed up; with more, the sum is too small."""
@@ -101,14 +102,14 @@ class Mode(ABC):
     def processes_of(self, cells: Sequence[Cell]) -> list[list[int]]:
         """Return the ids of the processes of each of these cells, found in one look at all."""
         holders = left.all_marked([cell.mark for cell in cells])
-        table = list(left.processes())
-        return [sorted({*holders[cell.mark], *left.family(table, holders[cell.mark])}) for cell in cells]
+        table = processes()
+        return [sorted({*holders[cell.mark], *family(table, holders[cell.mark])}) for cell in cells]
 
     def used(self, cell: Cell) -> Used:
         """Measure what the cell takes. It walks the home folder: not for an event loop's thread."""
         pids = self.processes(cell)
-        memory = groups.memory_used(self.trees, key(cell))
-        return Used(sum(map(machine.own_memory, pids)) if memory is None else memory, len(pids), self.disk_used(cell))
+        memory = groups.memory_of(self.trees, key(cell))
+        return Used(own_memory(pids) if memory is None else memory, len(pids), self.disk_used(cell))
 
     def disk_used(self, cell: Cell) -> int:
         """Return the bytes in the cell's folders, by walking them; of `used` this costs least, as no process is looked for."""

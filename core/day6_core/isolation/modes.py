@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from day6_core.isolation.cell import IsolationError, Phrase
 from day6_core.isolation.mode import Mode
 from day6_core.reason import named_reason
+from day6_core.system.control_groups import trees
 
 NAMES = ("users", "bubblewrap", "landlock", "none")
 """Best first."""
@@ -44,7 +45,7 @@ def _try(name: str) -> ModeOffer:
     from day6_core.isolation import groups, trial
 
     try:
-        mode = trial.make(name, groups.usable(groups.trees()))
+        mode = trial.make(name, groups.usable(trees()))
         trial.run(mode)
     except IsolationError as error:
         return ModeOffer(name, None, error.words)

@@ -11,6 +11,8 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from day6_core.system.processes import stat_fields
+
 assert not TYPE_CHECKING or sys.platform == "linux"
 
 _BEGIN, _END = 48 - 3, 49 - 3
@@ -21,8 +23,7 @@ class ShownWords:
     """Where the words are. Make it in the parent: later the memory is found less easily."""
 
     def __init__(self) -> None:
-        with open("/proc/self/stat", "rb") as file:
-            fields = file.read().rpartition(b")")[2].split()
+        fields = stat_fields("self")
         self._begin, self._room = int(fields[_BEGIN]), int(fields[_END]) - int(fields[_BEGIN])
         self._used = self._room
 

@@ -10,11 +10,12 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_core.isolation import attacks, bubblewrap, landlock, left, users
+from day6_core.isolation import attacks, bubblewrap, landlock, users
 from day6_core.isolation.cell import Cell, IsolationError, Limits
-from day6_core.isolation.groups import Tree
 from day6_core.isolation.mode import Mode
 from day6_core.isolation.same_user import Landlock, Nothing
+from day6_core.system.control_groups import Tree
+from day6_core.system.processes import descendants
 
 assert not TYPE_CHECKING or sys.platform == "linux"
 
@@ -114,7 +115,7 @@ def program(words: list[str]) -> list[str]:
 
 def _standing(first: int) -> int:
     """Return the victim's number outside: the process furthest below the one we started."""
-    return [first, *left.descendants(first)][-1]
+    return [first, *descendants(first)][-1]
 
 
 def _failure(said: bytes) -> IsolationError:

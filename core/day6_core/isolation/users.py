@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 from day6_core.isolation import enter, groups, left
 from day6_core.isolation.cell import Cell, IsolationError
-from day6_core.isolation.groups import Tree
 from day6_core.isolation.mode import Mode, key
+from day6_core.system.control_groups import Tree
 from day6_core.whole_file import replace_file
 
 assert not TYPE_CHECKING or sys.platform == "linux"
@@ -91,7 +91,7 @@ class Users(Mode):
             folder=str(cell.home),
             environment=self.environment(cell),
             uid=cell.uid,
-            groups=[str(tree.group(key(cell)) / "cgroup.procs") for tree in self.trees],
+            groups=[str(groups.group_of(tree, key(cell)) / "cgroup.procs") for tree in self.trees],
             limits=self.rlimits(cell),
             scoped=True,
             descriptors=list(descriptors),

@@ -23,6 +23,7 @@ from types import FrameType
 from typing import Any
 
 from day6_core.inbox import Inbox
+from day6_core.system.processes import stat_fields
 
 VARIABLE = "DAY6_WATCH"
 EVERY = 0.1
@@ -154,8 +155,7 @@ def _waits_for_disk(thread: int) -> bool:
     """Whether a thread is in the state D, "disk sleep" (proc(5)); False where the system doesn't tell."""
     number = next((each.native_id for each in threading.enumerate() if each.ident == thread), None)
     try:
-        with open(f"/proc/self/task/{number}/stat", encoding="utf-8", errors="replace") as file:
-            return file.read().rpartition(")")[2].split()[0] == "D"
+        return stat_fields(f"self/task/{number}")[0] == b"D"
     except (OSError, IndexError):
         return False
 

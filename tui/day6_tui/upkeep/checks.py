@@ -27,6 +27,7 @@ from day6_core.reason import reason
 from day6_core.ros import distribution
 from day6_core.ros.environment import is_foreign_ros
 from day6_core.ros.executables import is_executable_of_ours
+from day6_core.system.memory import available, total_memory
 from day6_core.variables import VARIABLES, shown_value
 from day6_tui.appearance.glyphs import detect, speaks_utf8, terminal_environ
 from day6_tui.upkeep import trials
@@ -337,10 +338,10 @@ def limits() -> Iterator[Line]:
         values = {"soft": _number(soft), "hard": _number(hard)}
         few = soft != resource.RLIM_INFINITY and soft < FEW_FILES
         yield problem("limits.files.few", "limits.files.todo", **values) if few else ok("limits.files", **values)
-    total, free = trials.memory()
-    if total:
-        values = {"total": f"{total / 1e9:.1f} GB", "free": f"{free / 1e9:.1f} GB" if free else "?"}
-        little = 0 < free < LITTLE_MEMORY
+    if total := total_memory():
+        found = available()
+        values = {"total": f"{total / 1e9:.1f} GB", "free": f"{found.free / 1e9:.1f} GB" if found else "?"}
+        little = found is not None and found.free < LITTLE_MEMORY
         yield note("limits.memory.little", "limits.memory.todo", **values) if little else ok("limits.memory", **values)
     from day6_core.shell.process.memory import memory_limit
 

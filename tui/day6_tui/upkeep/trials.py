@@ -18,7 +18,6 @@ from typing import NamedTuple
 
 from day6_core.reason import reason
 from day6_core.ros.environment import program_environment
-from day6_core.shell.process.memory import machine_memory
 from day6_tui.upkeep.installation import NAME
 
 MODULES = (
@@ -208,16 +207,6 @@ class _Child:
         """Its last line."""
         self._output.seek(0)
         return _last_line(self._output.read().decode(errors="replace"))
-
-
-def memory() -> tuple[int, int]:
-    """Return the bytes of memory of this machine and those that are free; 0 where nobody knows."""
-    with contextlib.suppress(OSError, ValueError):
-        with open("/proc/meminfo", encoding="ascii") as file:
-            lines = dict(line.split(":", 1) for line in file)
-        total, free = (int(lines[name].split()[0]) * 1024 for name in ("MemTotal", "MemAvailable"))
-        return total, free
-    return machine_memory(), 0
 
 
 def _run(argv: list[str], environment: dict[str, str], seconds: float) -> subprocess.CompletedProcess[str]:

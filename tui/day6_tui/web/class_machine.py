@@ -19,8 +19,10 @@ from aiohttp import web
 from day6_core.classroom.homes import same_name
 from day6_core.isolation import machine
 from day6_core.isolation.cell import Cell
-from day6_core.isolation.machine import Memory, Taken
+from day6_core.isolation.machine import Taken
 from day6_core.isolation.mode import disk_of
+from day6_core.system import memory
+from day6_core.system.memory import Memory
 from day6_tui.locale import Texts
 from day6_tui.web import room
 from day6_tui.web.class_part import Answer, Hear
@@ -121,7 +123,7 @@ class ClassMachine:
     def _measured(self, cells: Mapping[str, Cell], names: Sequence[str]) -> Look:
         """In a thread; one at a time."""
         now, last = time.monotonic(), self._look
-        look = Look(machine.memory(), machine.cores(), shutil.disk_usage(self._sessions.folder).free)
+        look = Look(memory.available(), memory.cores(), shutil.disk_usage(self._sessions.folder).free)
         look.desktops, look.homes = last.desktops, last.homes
         is_all_wanted = self._is_wanted or _is_short(look)
         if is_all_wanted or now - self._all_at >= ALL_SECONDS:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from day6_core.isolation.cell import Phrase
-from day6_core.isolation.machine import Memory
+from day6_core.system.memory import Memory
 from day6_core.whole_file import write_private
 
 DESKTOP = 62 << 20

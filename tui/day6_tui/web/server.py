@@ -23,6 +23,7 @@ from day6_core.isolation.modes import ModeOffer
 from day6_core.link.addresses import own_address
 from day6_core.link.file_lock import FileLock
 from day6_core.reason import fault, reason
+from day6_core.system import memory
 from day6_tui.web import class_list, connections, room, starting
 from day6_tui.web.application import Application
 from day6_tui.web.entrance import Entrance
@@ -136,7 +137,7 @@ class Server:
             with contextlib.suppress(OSError):  # a system that does not tell
                 running = [machine.taken(pids).memory for pids in self._sessions.mode.processes_of(cells)]
         desktop = room.remembered(self._places.server)
-        found = room.room(machine.memory(), machine.cores(), running, desktop, settings.most)
+        found = room.room(memory.available(), memory.cores(), running, desktop, settings.most)
         if found.desktops < wanted:
             key = "serve.room.small" if listed else "serve.room.small.most"
             self._tell(key, room=found.desktops, wanted=wanted, why=found.why)

@@ -8,12 +8,12 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 
-from day6_core.isolation import machine
+from day6_core.system.memory import processors
 
 
 def at_once() -> int:
     """Return how many desktops start at the same time: one for each processor that this server may use."""
-    return machine.processors()
+    return processors()
 
 
 class StartQueue:

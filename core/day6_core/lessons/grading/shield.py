@@ -15,12 +15,13 @@ import signal
 import struct
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from enum import Enum
 from pathlib import Path
 
 from day6_core.guardian import MARK
 from day6_core.reason import named_reason
+from day6_core.system.processes import descendants, marked, own_memory, processes, stat_fields
 
 MOST_PROCESSES = 120
 MOST_MEMORY = 2 * 2**30
@@ -203,7 +204,7 @@ def watch(child: int, seconds: float, processes: Callable[[], list[int]], late: 
         pids = processes()
         if len(pids) > MOST_PROCESSES:
             return "processes"
-        if sum(map(_memory, pids)) > MOST_MEMORY:
+        if own_memory(pids) > MOST_MEMORY:
             return "memory"
         now = {pid: _worked(pid) for pid in pids}
         took, looked = time.monotonic() - looked, time.monotonic()
@@ -217,32 +218,13 @@ def watch(child: int, seconds: float, processes: Callable[[], list[int]], late: 
 
 def all_processes() -> list[int]:
     """The processes of this /proc, without this one."""
-    own = os.getpid()
-    return [int(name) for name in os.listdir("/proc") if name.isdigit() and int(name) != own]
+    return [each.pid for each in processes() if each.pid != os.getpid()]
 
 
-def descendants(root: int, mark: str = "") -> list[int]:
+def followers(root: int, mark: str = "") -> list[int]:
     """The processes below `root` and those whose environment bears the mark (their parent may have ended long ago)."""
-    parents: dict[int, int] = {}
-    found: set[int] = set()
-    if sys.platform == "linux":
-        for pid in all_processes():
-            with contextlib.suppress(OSError, ValueError, IndexError):
-                stat = Path(f"/proc/{pid}/stat").read_bytes()
-                parents[pid] = int(stat.rpartition(b")")[2].split()[1])
-    else:
-        parents = dict(_listed())
-    below = {root}
-    while grown := {pid for pid, parent in parents.items() if parent in below} - below:
-        below |= grown
-        found |= grown
-    if mark and sys.platform == "linux":
-        wanted = f"{MARK}_GRADE={mark}".encode()
-        for pid in parents.keys() - found - {root}:
-            with contextlib.suppress(OSError):
-                if wanted in Path(f"/proc/{pid}/environ").read_bytes().split(b"\0"):
-                    found.add(pid)
-    return sorted(found)
+    with_mark = marked(f"{MARK}_GRADE={mark}") if mark else []
+    return sorted({*descendants(root, dead=True), *with_mark} - {root, os.getpid()})
 
 
 def seconds_taken() -> float:
@@ -253,7 +235,7 @@ def seconds_taken() -> float:
 
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     mark = os.environ.get(f"{MARK}_GRADE", "")
-    pids = [] if sys.platform != "linux" else descendants(os.getpid(), mark) if mark else all_processes()
+    pids = [] if sys.platform != "linux" else followers(os.getpid(), mark) if mark else all_processes()
     return used.ru_utime + used.ru_stime + sum(_worked(pid)[1] for pid in pids)
 
 
@@ -262,21 +244,10 @@ def _worked(pid: int) -> tuple[bool, float]:
     if sys.platform != "linux":
         return False, 0.0
     try:
-        stat = Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()
+        stat = stat_fields(pid)
         return stat[0] == b"R", sum(map(int, stat[11:15])) / os.sysconf("SC_CLK_TCK")
     except (OSError, ValueError, IndexError):
         return False, 0.0
-
-
-def _listed() -> Iterator[tuple[int, int]]:
-    import subprocess
-
-    listed = subprocess.run(
-        ["ps", "-axo", "pid=,ppid="], stdout=subprocess.PIPE, encoding="ascii", errors="replace", check=False
-    ).stdout
-    for line in listed.splitlines():
-        pid, parent = line.split()
-        yield int(pid), int(parent)
 
 
 def end_all(root: int, mark: str) -> None:
@@ -285,25 +256,13 @@ def end_all(root: int, mark: str) -> None:
         raise NotImplementedError
     for number in (signal.SIGSTOP, signal.SIGKILL):
         for _ in range(50):
-            pids = descendants(root, mark)
+            pids = followers(root, mark)
             for pid in pids:
                 with contextlib.suppress(ProcessLookupError, PermissionError):
                     os.kill(pid, number)
             with contextlib.suppress(ChildProcessError):
                 while os.waitpid(-1, os.WNOHANG)[0]:
                     pass
-            after = descendants(root, mark)
+            after = followers(root, mark)
             if not after or (number == signal.SIGSTOP and after == pids):
                 break
-
-
-def _memory(pid: int) -> int:
-    """Bytes that a process has in memory for itself, 0 where that is unknown."""
-    if sys.platform != "linux":
-        return 0
-    try:
-        with open(f"/proc/{pid}/statm", encoding="ascii") as file:
-            _, resident, shared, *_ = file.read().split()
-    except (OSError, ValueError):
-        return 0
-    return (int(resident) - int(shared)) * os.sysconf("SC_PAGE_SIZE")

@@ -44,7 +44,7 @@ def main() -> int:
     shield.hide()
     shield.adopt_orphans()
     mark = secrets.token_hex(8)
-    told = _watched(job, work, mark, lambda: shield.descendants(os.getpid(), mark))
+    told = _watched(job, work, mark, lambda: shield.followers(os.getpid(), mark))
     shield.end_all(os.getpid(), mark)
     shutil.rmtree(work, ignore_errors=True)
     _say(**told, shield=shield.Shield.NONE.value)
