@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import shutil
 import signal
 import socket
 import sys
@@ -35,8 +37,18 @@ from tests.link.clock import Clock
 from tests.link.fake_engine import FakeSession, StillThread
 
 
+def listening(session: FakeSession, config: zenoh.Config) -> FakeSession:
+    """The session, with a file in the place of each of its sockets."""
+    for endpoint in json.loads(config.get_json("listen/endpoints") or "[]"):
+        if endpoint.startswith("unixsock-stream/"):
+            Path(endpoint.removeprefix("unixsock-stream/")).touch()
+    return session
+
+
 class FakeMeeting:
     """A meeting point that somebody else holds, until `held_here` is set."""
+
+    files = ()
 
     def __init__(self, place: MeetingPlace, domain_id: int) -> None:
         self.held_here = False
@@ -116,7 +128,7 @@ def make(short_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Make]:
 
     def opened(**arguments: Any) -> Opened:
         session = FakeSession("own")
-        monkeypatch.setattr(zenoh, "open", lambda config: session)
+        monkeypatch.setattr(zenoh, "open", lambda config: listening(session, config))
         link = Link(Graph(arguments.pop("domain_id", 0)), **arguments)
         links.append(link)
         link.open()
@@ -283,7 +295,7 @@ def test_the_thread_waits_as_long_as_nothing_can_have_changed(make: Make) -> Non
     it.take((True, "@day6/0/meeting/a"))
     assert it.link._patience() == 1.0
     it.meeting.held_here = True
-    assert it.link._patience() is None
+    assert it.link._patience() == 1.0, "somebody may clear the meeting place"
     it.link._remote._room = True
     it.link._remote._waiting["x"] = None
     assert it.link._patience() == 1.0
@@ -301,6 +313,34 @@ def test_the_thread_takes_all_there_is_and_looks_after_the_meeting_point(make: M
     assert it.meeting.tried == 2
     it.run(None)
     assert it.meeting.tried == 3
+
+
+def test_who_is_found_no_more_begins_anew_as_soon_as_there_is_a_place(
+    make: Make, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it = make()
+    node = it.graph.create_node("mine")
+    it.run((True, remote_node("abc", 1)))
+    meeting, place = it.meeting, it.link._place
+    assert place is not None
+
+    def refused(domain_id: int) -> MeetingPlace:
+        raise LinkError("nowhere")
+
+    shutil.rmtree(place.folder)
+    with monkeypatch.context() as without:
+        without.setattr(link_module, "meeting_place", refused)
+        it.run(None)
+    assert list(it.link.problems) == ["the link's thread: nowhere"]
+    assert len(it.graph.nodes) == 2 and it.link.connected, "those who have met stay together"
+    it.session.log.clear()
+    it.run(None)
+    assert place.own_socket(it.link.zid).exists() and it.meeting is not meeting and meeting.calls == ["close"]
+    assert it.graph.nodes == (node,) and it.graph.transport is it.link
+    assert it.session.log[0] == "close own" and any("mine" in line for line in it.session.log[1:])
+    it.session.log.clear()
+    it.run(None)
+    assert it.session.log == [], "once is enough"
 
 
 def test_what_fails_on_the_thread_is_told_and_the_next_is_taken(make: Make, monkeypatch: pytest.MonkeyPatch) -> None:

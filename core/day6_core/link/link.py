@@ -7,6 +7,7 @@ import time
 from collections import Counter, defaultdict, deque
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from pathlib import Path
 from queue import Empty
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -22,6 +23,7 @@ from day6_core.link.engine import chosen, engine_of, is_local, why_no_zenoh
 from day6_core.link.engine_thread import callback, inside_callback, open_session
 from day6_core.link.gateway import Gateway
 from day6_core.link.gid import gid_of
+from day6_core.link.kept_files import KeptFiles
 from day6_core.link.keys import (
     PRESENCE_PREFIX,
     all_presence_tokens,
@@ -103,6 +105,7 @@ class Link:
         self.refusals = Refusals()
         self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
         self._neighbourhood: Neighbourhood | None = None
+        self._kept = KeptFiles()
         self._last_retry = 0.0
         self._place: MeetingPlace | None = None
         self._meeting: MeetingPoint | None = None
@@ -131,28 +134,36 @@ class Link:
         Raises:
             LinkError: the other processes cannot be reached; the message gives the reason.
         """
-        engine = chosen()
-        self._place = place = meeting_place(self.graph.domain_id)
-        self._neighbourhood = Neighbourhood(place)
+        place = meeting_place(self.graph.domain_id)
         try:
-            remove_dead_sockets(place)
-            if is_local():
-                self._one_shot = False  # being a member costs nothing more than being a client
-                self._attach(engine.Session(engine.Config(place, self.zid)))
-            elif self._one_shot:
-                self._try_as_client()
-            else:
-                self._meeting = MeetingPoint(place, self.graph.domain_id)
-                self._meeting.try_to_hold()
-                self._attach(open_session(process_config(place, self.zid)))
+            self._meet(place)
         except LinkError:
             self.close()
             raise
-        except (engine.ZError, OSError) as error:
+        except (self._engine.ZError, OSError) as error:
             self.close()
             raise LinkError(f"{place.folder}: {reason(error)}") from error
         with unsignalled():
             self._thread.start()
+        self._open_gate(place, _GATE_PATIENCE)
+
+    def _meet(self, place: MeetingPlace) -> None:
+        """Join the others in a meeting place. Raises the engine's ZError, OSError."""
+        self._place, self._neighbourhood, self._kept = place, Neighbourhood(place), KeptFiles()
+        remove_dead_sockets(place)
+        if is_local():
+            self._one_shot = False  # being a member costs nothing more than being a client
+            engine = chosen()
+            self._attach_unless_closed(engine.Session(engine.Config(place, self.zid)))
+            return
+        if self._one_shot:
+            self._try_as_client()
+            return
+        self._meeting = MeetingPoint(place, self.graph.domain_id)
+        self._meeting.try_to_hold()
+        self._attach_unless_closed(open_session(process_config(place, self.zid)))
+
+    def _open_gate(self, place: MeetingPlace, patience: float) -> None:
         if (self._listen or self._connect) and not is_local():
             self._gate = Gateway(
                 place,
@@ -164,7 +175,7 @@ class Link:
                 self._is_neighbour,
                 self._part,
             )
-            self._gate.start(_GATE_PATIENCE)
+            self._gate.start(patience)
 
     def close(self, *, ending: bool = False) -> None:
         """Leave: undeclare everything, remove remote nodes from the graph. A second call does nothing.
@@ -181,10 +192,7 @@ class Link:
             self._thread.join(timeout=2.0)
         for listener in self._listeners:
             listener.close()
-        if self._remove_listener is not None:
-            self._remove_listener()
-            self.graph.transport = None
-            self.graph.identify = lambda _: self.graph.new_gid()
+        self._detach()
         if ending and self._meeting is not None:
             self._meeting.keep()
             self._meeting = None
@@ -255,7 +263,7 @@ class Link:
     def _send(self, send: Callable[..., None], *arguments: object) -> None:
         try:
             send(*arguments)
-        except self._engine.ZError as error:
+        except (self._engine.ZError, LinkError) as error:
             # A program goes on without its network, as in ROS.
             if not self._closed:
                 self._report("not sent", error)
@@ -316,10 +324,13 @@ class Link:
         except self._engine.ZError as error:
             self._report("no meeting point", error)
             return
+        self._attach_unless_closed(session)
+
+    def _attach_unless_closed(self, session: zenoh.Session) -> None:
         if self._closed:
             session.close()
-            return
-        self._attach(session)
+        else:
+            self._attach(session)
 
     @DEFERRED
     def _attach(self, session: zenoh.Session) -> None:
@@ -345,6 +356,14 @@ class Link:
             if self.graph.report_process is not None:
                 self._reports = offer(session, self.graph, self.zid, self._inbox.put)
             self._presence_token = session.liveliness().declare_token(presence_token(domain_id, "here", self.zid))
+
+    def _detach(self) -> None:
+        """Part the graph from the session, which is open still."""
+        if self._remove_listener is not None:
+            self._remove_listener()
+            self._remove_listener = None
+            self.graph.transport = None
+            self.graph.identify = lambda _: self.graph.new_gid()
 
     def _subscribe_tokens(self, session: zenoh.Session) -> None:
         """Subscribe to all announcements of others; they go to the inbox."""
@@ -465,13 +484,13 @@ class Link:
         if self._remote.has_room:
             return _RETRY_SECONDS
         if self._meeting is not None:
-            if self._meeting.held_here:
-                return None
-            return _CHECK_SECONDS if self._presence["meeting"] else _SEARCH_SECONDS
+            return _CHECK_SECONDS if self._meeting.held_here or self._presence["meeting"] else _SEARCH_SECONDS
         return _SEARCH_SECONDS if self._session is None else None
 
     def _maintain_connection(self) -> None:
         if self._meeting is not None:
+            if self._session is None or self._kept.are_gone(self._own_files(self._meeting)):
+                self._meet_again()
             self._meeting.try_to_hold()
         elif self._session is None:
             self._try_as_client()
@@ -479,6 +498,21 @@ class Link:
         if now - self._last_retry > _RETRY_SECONDS:
             self._last_retry = now
             self._remote.admit_waiting()
+
+    def _own_files(self, meeting: MeetingPoint) -> list[Path]:
+        assert self._place is not None
+        return [self._place.own_socket(self.zid), *(meeting.files if meeting.held_here else ())]
+
+    def _meet_again(self) -> None:
+        """Begin anew: with our files gone, nobody finds this process any more. Raises zenoh.ZError, OSError."""
+        place = meeting_place(self.graph.domain_id)  # while there is none, those who have met stay together
+        self._detach()
+        self._close_sessions()
+        with self._changed:
+            self._presence.clear()
+        self._remote.clear()
+        self._meet(place)
+        self._open_gate(place, 0.0)
 
     # -- the reports of other processes --------------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@ When the holder dies, the messages among the others continue, and one of them be
 from __future__ import annotations
 
 from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_core.link.config import meeting_config
@@ -35,6 +36,11 @@ class MeetingPoint:
     def held_here(self) -> bool:
         """Whether this process runs it."""
         return self._session is not None
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """What its holder has to have."""
+        return self._place.meeting_lock, *(() if self._place.tcp else (self._place.meeting_socket,))
 
     def try_to_hold(self) -> bool:
         """Become the holder if there is none; return whether this process is the holder.

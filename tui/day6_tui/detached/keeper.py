@@ -16,8 +16,10 @@ import struct
 import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from day6_core.link.kept_files import KeptFiles
 from day6_tui import turns
 from day6_tui.detached import meeting, wire
 from day6_tui.detached.wire import Connection
@@ -35,6 +37,9 @@ QUIET = 0.05
 
 LEAVE_SECONDS = 3.0
 """What the desktop gets for leaving one terminal before it is given another."""
+
+LOOK_SECONDS = 1.0
+"""Between two looks whether clients can still find us."""
 
 STUCK_SECONDS = 5.0
 """A client that takes nothing for so long is treated as if it had left, until it takes what waits: a closed laptop."""
@@ -69,7 +74,9 @@ class Keeper:
         self, held: meeting.Held, first: Connection, home: str, folder: str, words: list[str], become: Become
     ) -> None:
         self._held = held
-        self._path: str = held.listener.getsockname()
+        self._kept = KeptFiles()
+        self._looked_at = 0.0
+        """When it was looked whether we can be found."""
         self._home, self._folder, self._words = home, folder, words
         self._become = become
         self._arrived = [first]
@@ -123,7 +130,7 @@ class Keeper:
             status = self._ended() if self._pid else None
         self._drain()
         with contextlib.suppress(OSError):  # the folder is not ours where a server started us: it removes the socket
-            meeting.remove(self._path)
+            meeting.remove(str(self._held.files[0]))
         self._held.close()  # before anybody is told: the next desktop may start at once
         for line in [self._client, self._next and self._next[0], *self._observers]:
             if line is not None:
@@ -185,17 +192,22 @@ class Keeper:
         client = self._client
         return client is None or self._is_stuck or self._leave_by is not None or client.unsent < UNSENT
 
-    def _patience(self) -> float | None:
+    def _patience(self) -> float:
         """Seconds until something has to be done without being asked."""
-        deadlines = [until for _, until in self._parting]
+        deadlines = [self._looked_at + LOOK_SECONDS, *(until for _, until in self._parting)]
         if self._leave_by is not None:
             deadlines.append(self._leave_by)
         if self._client is not None and self._client.unsent and not self._is_stuck:
             deadlines.append(self._took_at + STUCK_SECONDS)
-        return max(0.0, min(deadlines) - time.monotonic()) if deadlines else None
+        return max(0.0, min(deadlines) - time.monotonic())
 
     def _look_at_clock(self) -> None:
         now = time.monotonic()
+        if now >= self._looked_at + LOOK_SECONDS:
+            self._looked_at = now
+            if self._held.lock < 0 or self._kept.are_gone(self._held.files):
+                self._held, self._kept = meeting.hold_again(self._held, Path(self._home)), KeptFiles()
+                self._held.listener.setblocking(False)
         if self._leave_by is not None and now >= self._leave_by:
             self._overdue += 1
             self._left()

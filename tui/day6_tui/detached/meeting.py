@@ -34,12 +34,20 @@ class Held(NamedTuple):
     """What the keeper needs: the descriptor of the lock, and the socket that clients connect to."""
 
     lock: int
+    """-1 if it could not be had again, see `hold_again`."""
     listener: socket.socket
 
     def close(self) -> None:
         """Let others hold it, unless another process has inherited it."""
         self.listener.close()
-        os.close(self.lock)
+        if self.lock >= 0:
+            os.close(self.lock)
+
+    @property
+    def files(self) -> tuple[Path, Path]:
+        """The socket and its lock."""
+        path = Path(self.listener.getsockname())
+        return path, path.with_name(f"{path.name}.lock")
 
 
 def _name(home: Path) -> str:
@@ -83,6 +91,19 @@ def hold(home: Path, folder: Path | None = None) -> Held:
         held.close()
         raise
     return held
+
+
+def hold_again(held: Held, home: Path) -> Held:
+    """Hold anew what others can't find any more, in the same folder if it can be had; as far as that is possible now."""
+    folder = held.files[0].parent
+    if held.lock >= 0:
+        os.close(held.lock)  # it would be in our own way
+    try:
+        again = hold(home, folder if folder in base_folders() or folder.is_dir() else None)
+    except OSError:
+        return held._replace(lock=-1)
+    held.listener.close()
+    return again
 
 
 def remove(path: str) -> None:

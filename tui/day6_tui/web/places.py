@@ -12,6 +12,7 @@ from day6_core.classroom.homes import ASSIGNMENTS, BEFORE, HOMES, SERVER, folder
 from day6_core.isolation.cell import Cell, Limits
 from day6_core.isolation.mode import Mode
 from day6_core.isolation.modes import NAMES
+from day6_core.link.kept_files import mark_as_used
 from day6_core.link.paths import base_folders
 from day6_core.places import default_home
 from day6_core.whole_file import write_private
@@ -88,6 +89,13 @@ class Places:
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if sys.platform != "win32":
                 folder.chmod(0o700)
+
+    def mark_as_used(self) -> None:
+        """Keep the folders of sockets from cleaners: a pupil's program may not touch all of them, and the lock is ours."""
+        mark_as_used(self._run.parent)
+        for folder, _, names in os.walk(self._run):
+            for name in (".", *names):
+                mark_as_used(Path(folder, name))
 
     def own_cell(self, mode: Mode, limits: Limits, home: Path | None) -> Cell:
         """The cell of a user who is alone: the user's own runtime folder, so that all of the user's programs share a graph."""

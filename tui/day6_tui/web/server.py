@@ -22,6 +22,7 @@ from day6_core.isolation.cell import Cell, IsolationError, Phrase
 from day6_core.isolation.modes import ModeOffer
 from day6_core.link.addresses import own_address
 from day6_core.link.file_lock import FileLock
+from day6_core.link.kept_files import USED_SECONDS
 from day6_core.reason import fault, reason
 from day6_core.system import memory
 from day6_tui.web import class_list, connections, room, starting
@@ -115,6 +116,7 @@ class Server:
         await self._runner.setup()
         await connections.Site(self._runner, listener, ssl_context=secure).start()
         Lookout(self._sessions, self._tell).watch()
+        self._sessions.background.repeat("serve.failed.look", USED_SECONDS, self._keep_places)
         self._tell("serve.apart", what=what)
         cells = [each.cell for each in self._sessions.running.values()]
         await asyncio.to_thread(self._tell_room, len(names), cells)
@@ -125,6 +127,9 @@ class Server:
         if teacher is not None:
             self._tell("serve.teacher", link=teacher)
         self._tell("serve.at", address=base)
+
+    async def _keep_places(self) -> None:
+        await asyncio.to_thread(self._places.mark_as_used)
 
     def _tell_room(self, listed: int, cells: Sequence[Cell]) -> None:
         """Say that this machine is too small for the list or, without one, for all that may come."""

@@ -1,0 +1,47 @@
+"""The files by which others find this process. Cleaners take what nobody has used for days, and somebody may take all of them.
+
+macOS removes files from /tmp after 3 days (/usr/libexec/tmp_cleaner: locks, not sockets), systemd-tmpfiles both after 10; at the
+last log-out XDG_RUNTIME_DIR goes as a whole, and asks to be used every 6 hours (XDG Base Directory Specification).
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from pathlib import Path
+
+USED_SECONDS = 3600.0
+"""Between two times at which they are marked as used."""
+
+
+class KeptFiles:
+    """Notices when some of these files are gone or others have their names, and keeps them in use."""
+
+    def __init__(self) -> None:
+        self._known: dict[Path, tuple[int, int]] = {}
+        self._used_at = 0.0
+
+    def are_gone(self, paths: Iterable[Path]) -> bool:
+        """Return whether one of these files isn't there, or not the one that an earlier look found."""
+        now = time.time()  # also goes on while the machine sleeps
+        is_time = not 0 <= now - self._used_at < USED_SECONDS
+        for path in paths:
+            try:
+                status = os.lstat(path)
+            except OSError:
+                return True
+            if self._known.setdefault(path, (status.st_dev, status.st_ino)) != (status.st_dev, status.st_ino):
+                return True
+            if is_time:
+                for used in (path, path.with_name(f"{path.name}.lock"), path.parent, path.parent.parent):
+                    mark_as_used(used)
+        self._used_at = now if is_time else self._used_at
+        return False
+
+
+def mark_as_used(path: Path) -> None:
+    """Let a file or folder look as if somebody had used it now; nothing happens if it isn't there, or not ours."""
+    with suppress(OSError, NotImplementedError):
+        os.utime(path, follow_symlinks=os.utime not in os.supports_follow_symlinks)
