@@ -371,7 +371,10 @@ VARIABLES = (
     Variable(
         "TERM_PROGRAM",
         "terminal",
-        ("Names the terminal; iTerm2 is recognised by it.", "终端程序的名字，用来识别 iTerm2。"),
+        (
+            "Names the terminal; iTerm2 is recognised by it, and where Option isn't Alt, so that no key with Alt is named.",
+            "终端程序的名字，用来识别 iTerm2，以及 Option 不能当 Alt 用的终端：那里的提示不会写带 Alt 的键。",
+        ),
         NONE,
     ),
     Variable(

@@ -15,6 +15,7 @@ from day6_core.lessons.scene import scenes
 from day6_core.lessons.scene_player import ScenePlayer
 from day6_tui.features.lessons import KEPT_SECONDS
 from day6_tui.options import Options
+from day6_tui.overlays.manual import Manual
 from tests.support.waiting import Deadline
 from tests.tui.fakes import FakeSimulation, turtle
 from tests.tui.screens import opened, screen_lines, screen_text, step
@@ -528,6 +529,30 @@ async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) 
             key = screen_text(app).split("click or ")[1].split()[0]
             await pilot.press({"F3": "f3", "Shift+F3": "shift+f3", "Alt+2": "alt+2"}[key])
             assert app.desktop.focused_pane is teleop
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("program", ["Apple_Terminal", "iTerm.app", "xterm"])
+async def test_where_option_types_signs_no_hint_names_a_key_with_alt(desk, lang: str, program: str) -> None:
+    environ = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "TERM_PROGRAM": program}
+    async with opened(desk, 120, 200, lang=lang, scene="empty", environ=environ) as (app, pilot):
+        await pilot.press("f2", "f2", "f2")
+        shown = []
+        for key in ("f7", "escape", "f4", "escape", "f1"):
+            await pilot.press(key)
+            await step(app, pilot)
+            shown.append(screen_text(app))
+        manual = app.desktop.overlay
+        assert isinstance(manual, Manual)
+        shown += [f"{key} {what}" for key, what in manual._everywhere]
+        keys = {app.switching.key_to(pane) for pane in app.terminals.panes}
+        names = [name for name in ("Alt+\\", "Alt+-", "Alt+1", "Alt+←") if name in "\n".join(shown)]
+        if program == "xterm":
+            assert names == ["Alt+\\", "Alt+-", "Alt+1", "Alt+←"] and "Alt+2" in keys
+            assert "Option" not in "\n".join(shown)
+        else:
+            assert names == [] and keys <= {"F3", "Shift+F3", "F4"}, keys
+            assert "Option" in "\n".join(shown)
 
 
 async def test_keys_that_come_all_at_once_go_where_they_are_meant(desk) -> None:

@@ -40,7 +40,7 @@ from day6_core.shell.process.heap import keep_heap_small
 from day6_tui import actions
 from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.colours import colours
-from day6_tui.appearance.glyphs import GLYPH_SETS, choose, detect, speaks_utf8, terminal_environ
+from day6_tui.appearance.glyphs import GLYPH_SETS, choose, detect, sends_alt, speaks_utf8, terminal_environ
 from day6_tui.appearance.look import Look
 from day6_tui.appearance.themes import NAMES
 from day6_tui.bars.bars import Bar
@@ -135,6 +135,7 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None, settin
         Texts(language, plain=not glyphs.unicode),
         letters=letters,
         chinese=chinese,
+        alt=sends_alt(environ),
         remark="glyphs.no_chinese" if language != wanted else "",
     )
     look.reduced_motion = options.reduced_motion

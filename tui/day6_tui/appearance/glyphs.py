@@ -115,6 +115,12 @@ def speaks_utf8(environ: Mapping[str, str], platform: str = sys.platform) -> boo
     return platform == "darwin"
 
 
+def sends_alt(environ: Mapping[str, str], platform: str = sys.platform) -> bool:
+    """Whether Alt with a key arrives. These terminals of macOS type signs by Option until somebody changes their settings."""
+    program = environ.get("TERM_PROGRAM", "")
+    return program not in ("Apple_Terminal", "iTerm.app") and not (program == "vscode" and platform == "darwin")
+
+
 def detect(environ: Mapping[str, str] | None = None, platform: str = sys.platform) -> str:
     """The name of the glyph set for this terminal, judged by its environment."""
     environ = terminal_environ() if environ is None else environ

@@ -27,6 +27,8 @@ class Look:
     """Whether the terminal takes letters that are not ASCII: then the set 'ascii' is one of drawings only."""
     chinese: bool = True
     """Whether the terminal is thought to have Chinese characters, so that this language is offered."""
+    alt: bool = True
+    """Whether the terminal sends Alt with a key, so that hints may name such keys."""
     remark: str = ""
     """The text that says why the language isn't the one that was asked for; '' if it is."""
     reduced_motion: bool = False
@@ -38,6 +40,10 @@ class Look:
     """What every line has to go through for this terminal, after the characters: fewer colours."""
     pictures: Pictures | None = None
     """What writes pictures of real pixels, where the application has a terminal."""
+
+    def hint(self, key: str) -> str:
+        """Return how a key is named in hints; '' if this terminal doesn't send it."""
+        return key if self.alt or "Alt+" not in key else ""
 
     @property
     def pixels(self) -> Pictures | None:

@@ -46,16 +46,15 @@ class Guidance(Feature):
             self._desktop.open_overlay(Manual(self._look, pane, self._keys_everywhere()))
 
     def _keys_everywhere(self) -> list[tuple[str, str]]:
-        texts = self._look.texts
+        texts, hint = self._look.texts, self._look.hint
         found = [
             (action.label, texts("list.head", name=texts(f"action.{action.id}")) + texts(f"help.action.{action.id}"))
             for action in ACTIONS
             if action.label and action.id not in self._registry.hidden
         ]
-        return [
-            *found,
-            *((key, what) for key, _, what in (line.partition("\t") for line in texts("help.panes").split("\n"))),
-        ]
+        lines = [texts("help.panes"), *(() if self._look.alt else (texts("help.option"),))]
+        found += [(key, what) for key, _, what in (line.partition("\t") for line in "\n".join(lines).split("\n"))]
+        return [(key, what) for key, what in found if hint(key)]
 
     def open_palette(self) -> None:
         """Offer every action of the desktop, searchable by its name in either language, and every program."""
@@ -68,7 +67,9 @@ class Guidance(Feature):
                 key = f"action.{action.id}"
                 names = [word for language in LANGUAGES for word in _names(catalogue(language), action.id)]
                 choose = self._registry[action.id]
-                entries.append(MenuEntry(texts(key), action.label, choose, also=names, words=texts("help." + key)))
+                entries.append(
+                    MenuEntry(texts(key), self._look.hint(action.label), choose, also=names, words=texts("help." + key))
+                )
         entries += [
             MenuEntry(name, texts("menu.program"), partial(self._terminals.run, command))
             for name, command in programs()

@@ -63,7 +63,7 @@ class Switching(Feature):
         keys = {1: actions.BY_ID["next"].label, -1: actions.BY_ID["previous"].label}
         found = next((key for step, key in keys.items() if self._stop(step) is pane), "")
         if not found and 1 <= pane.slot <= 9:
-            found = f"Alt+{pane.slot}"
+            found = self._look.hint(f"Alt+{pane.slot}")
         return found or actions.BY_ID["windows"].label
 
     def go_to(self, number: int) -> None:

@@ -101,6 +101,7 @@ class Adaptation:
         wanted = known if known in _SHOWN_BY[kind] else _SHOWN_BY[kind][0]
         look.glyphs = GLYPH_SETS[CANVASES[0] if wanted == PIXELS else wanted]
         look.texts.plain = not look.glyphs.unicode
+        look.alt = glyphs.sends_alt(environ)
         look.letters, look.chinese = glyphs.speaks_utf8(environ), GLYPH_SETS[kind].chinese
         if (language if look.chinese else "en") != look.texts.language:
             look.texts.switch()

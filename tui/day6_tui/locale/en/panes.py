@@ -5,6 +5,10 @@ TEXTS = {
         "Alt+←↑↓→\tthe pane on that side\nAlt+1 … 9\tthe pane with that number\nShift+Alt+←\tand ↑ ↓ →: move the "
         "border\nMouse\tdrag borders and titles; double-click a title to enlarge"
     ),
+    "help.option": (
+        "Option\tAlt on other keyboards: goes to panes and splits them as soon as the terminal sends it (Terminal: Settings, "
+        "Profiles, Keyboard, Use Option as Meta key). F4 and F7 do the same"
+    ),
     "drop.told": "{name}: drop it {where}",
     "drop.left": "to the left of {name}",
     "drop.right": "to the right of {name}",

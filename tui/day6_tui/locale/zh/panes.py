@@ -3,6 +3,10 @@
 TEXTS = {
     "help.panes": "Alt+←↑↓→\t到那一边的窗格\nAlt+1 … 9\t到这个编号的窗格\nShift+Alt+←\t以及 ↑ ↓ →：移动边界\n"
     "鼠标\t拖边界改大小，拖标题挪窗格，双击标题放大",
+    "help.option": (
+        "Option\t就是别的键盘上的 Alt：去别的窗格、拆分窗格，但要先让终端把它发出来（“终端”：设置、描述文件、键盘、"
+        "将 Option 键用作 Meta 键）。F4 和 F7 也做得到"
+    ),
     "drop.told": "{name}：松开鼠标，放到{where}",
     "drop.left": "{name} 的左边",
     "drop.right": "{name} 的右边",
