@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from day6_core.language import LANGUAGES
+from day6_core.system.memory import Memory
 from day6_tui.locale import Texts, catalogue
 from day6_tui.upkeep import checks, doctor, trials
 from day6_tui.upkeep.line import LEVELS, Line, note, ok, problem
@@ -244,6 +245,35 @@ def test_a_process_on_this_domain_and_one_on_another_are_seen(monkeypatch: pytes
 def test_few_open_files_are_a_problem(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("resource.getrlimit", lambda which: (64, 4096))
     assert next(iter(checks.limits())) == problem("limits.files.few", "limits.files.todo", soft="64", hard="4096")
+
+
+@pytest.mark.parametrize(
+    ("wish", "held", "expected"),
+    [
+        ("500", True, ok("limits.program", most="0.5 GB")),
+        ("500", False, ok("limits.program.watched", most="0.5 GB")),
+        ("0", True, ok("limits.program.none")),
+        ("0", False, ok("limits.program.none")),
+    ],
+)
+def test_it_is_told_who_limits_the_memory_of_programs(
+    monkeypatch: pytest.MonkeyPatch, wish: str, held: bool, expected: Line
+) -> None:
+    monkeypatch.setenv("DAY6_MEMORY_LIMIT", wish)
+    monkeypatch.setattr("day6_core.shell.process.memory.is_held_by_system", lambda: held)
+    assert list(checks.limits())[-1] == expected
+
+
+def test_memory_is_told_as_far_as_the_system_tells_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    for total, found, kind, free in (
+        (8 * 10**9, None, "limits.memory", "?"),
+        (8 * 10**9, Memory(8 * 10**9, 4 * 10**9), "limits.memory", "4.0 GB"),
+        (8 * 10**9, Memory(8 * 10**9, 10**8), "limits.memory.little", "0.1 GB"),
+    ):
+        monkeypatch.setattr(checks, "total_memory", lambda total=total: total)
+        monkeypatch.setattr(checks, "available", lambda found=found: found)
+        (line,) = (each for each in checks.limits() if each.key.startswith("limits.memory"))
+        assert (line.key, line.values["free"]) == (kind, free)
 
 
 @pytest.mark.process

@@ -182,6 +182,31 @@ def test_three_runaways_leave_the_keyboard_to_others(place: Place) -> None:
         screen.wait_lines("quiet")
 
 
+WITHOUT_LIMITS = "from day6_core.shell.process import memory, memory_watch, prepared\n" + "".join(
+    f"{module}.is_held_by_system = lambda: False\n" for module in ("memory", "memory_watch", "prepared")
+)
+"""Planted into a desktop, which then has to look after the memory of programs as on macOS."""
+
+
+@pytest.mark.parametrize(
+    ("lang", "plant", "hint"),
+    [("en", WITHOUT_LIMITS, ""), ("zh", f"{WITHOUT_LIMITS}{WITHOUT_PROC}", "一下子要得太多了")],
+    ids=["proc", "ps"],
+)
+def test_where_the_system_does_not_limit_memory_the_desktop_does(
+    place: Place, lang: str, plant: str, hint: str
+) -> None:
+    eat = "import time\nkept = bytearray(b'x') * 300_000_000\nprint('eaten', flush=True)\ntime.sleep(1000)\n"
+    place.home_file("eat.py", eat)
+    call = "subprocess.call([sys.executable, 'eat.py'])"
+    place.home_file("parent.py", f"import subprocess, sys\nprint('child', {call})\n")
+    with desk(place, lang=lang, plant=plant, DAY6_MEMORY_LIMIT="200") as screen:
+        screen.line("python3 eat.py")
+        screen.wait("MemoryError: python3 was ended: process", "had more than 210 MB", hint, "Killed")
+        screen.line("clear; python3 parent.py")
+        screen.wait("MemoryError: python3 was ended: process", "child -9")
+
+
 def workspace(place: Place, how: str) -> str:
     """A package `pkg` with the executable `spins`, as colcon installs one; returns its AMENT_PREFIX_PATH."""
     prefix = place.work / "install" / "pkg"

@@ -343,10 +343,11 @@ def limits() -> Iterator[Line]:
         values = {"total": f"{total / 1e9:.1f} GB", "free": f"{found.free / 1e9:.1f} GB" if found else "?"}
         little = found is not None and found.free < LITTLE_MEMORY
         yield note("limits.memory.little", "limits.memory.todo", **values) if little else ok("limits.memory", **values)
-    from day6_core.shell.process.memory import memory_limit
+    from day6_core.shell.process.memory import is_held_by_system, memory_limit
 
     most = memory_limit()
-    yield ok("limits.program", most=f"{most / 1e9:.1f} GB") if most else ok("limits.program.none")
+    key = "limits.program" if is_held_by_system() else "limits.program.watched"
+    yield ok(key, most=f"{most / 1e9:.1f} GB") if most else ok("limits.program.none")
 
 
 def _number(limit: int) -> str:

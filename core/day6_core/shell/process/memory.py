@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 from day6_core.system.memory import total_memory
 
@@ -11,6 +12,11 @@ VARIABLE = "DAY6_MEMORY_LIMIT"
 SHARE = 0.6
 """The share of the machine's memory, unless VARIABLE sets a limit."""
 LEAST = 1024 * 2**20
+
+
+def is_held_by_system() -> bool:
+    """Whether the system holds a process to a limit of its data (RLIMIT_DATA); else `memory_watch` looks after it."""
+    return sys.platform == "linux"
 
 
 def memory_limit() -> int:

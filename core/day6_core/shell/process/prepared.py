@@ -11,7 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from day6_core.shell.process.launch_process import lower_limit
-from day6_core.shell.process.memory import memory_limit
+from day6_core.shell.process.memory import is_held_by_system, memory_limit
 
 NICE = 10
 _LAUNCHER = Path(__file__).with_name("launch_process.py")
@@ -33,12 +33,13 @@ def prepared(argv: Sequence[str], name: str = "", tty: int | None = None) -> Seq
     if sys.platform == "win32":
         return argv
     path, *arguments = argv
+    memory = memory_limit() if is_held_by_system() else 0
     if (nice := _nice()) and (_is_python(path) or path.startswith(_OF_THE_SYSTEM)):
         own = os.devnull if tty is None else os.ttyname(tty)
-        limit = str(lower_limit(memory_limit()) // 1024)
+        limit = str(lower_limit(memory) // 1024)
         return ["/bin/sh", "-c", _SCRIPT, own, limit, nice, "-n", str(NICE), name or path, *arguments]
     mode = "no-tty" if tty is None else "tty"
-    launcher = [sys.executable, "-I", "-S", str(_LAUNCHER), mode, str(NICE), str(memory_limit())]
+    launcher = [sys.executable, "-I", "-S", str(_LAUNCHER), mode, str(NICE), str(memory)]
     return [*launcher, path, name or path, *arguments]
 
 

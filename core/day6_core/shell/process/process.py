@@ -7,6 +7,7 @@ output it simply inherits that. It leads a session of its own, runs at nice +10,
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import shlex
@@ -31,6 +32,7 @@ from day6_core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_core.session.task import Signal, TaskCancelled, wait_for
 from day6_core.session.threads import in_thread
 from day6_core.shell.process.feeder import Feeder
+from day6_core.shell.process.memory_watch import MemoryWatch
 from day6_core.shell.process.output_copy import READ_SIZE, OutputCopy, read_at_once, read_waiting
 from day6_core.shell.process.prepared import prepared
 from day6_core.shell.process.pty_keys import PtyKeys
@@ -46,10 +48,17 @@ _running: set[Process] = set()
 _running_lock = threading.Lock()
 
 
+def _all_running() -> list[Process]:
+    with _running_lock:
+        return list(_running)
+
+
+_memory = MemoryWatch(_all_running)
+
+
 def running_processes(scheduler: Scheduler) -> list[Process]:
     """The students' processes that are running or being started in the world of this scheduler."""
-    with _running_lock:
-        return [process for process in _running if process.session.scheduler is scheduler]
+    return [process for process in _all_running() if process.session.scheduler is scheduler]
 
 
 async def run_python(session: Session, args: list[str]) -> int:
@@ -203,6 +212,16 @@ class Process:
         else:
             popen.kill()
 
+    def end_for_memory(self, pid: int, limit: int) -> None:
+        """Kill one of its processes, which has more memory than it may, and say so where that is seen."""
+        said = f"MemoryError: {self.session.name} was ended: process {pid} had more than {limit / 1e6:.0f} MB"
+        hint = _hint(said, self.session, launch=False) if self.session.stderr.isatty() else ""
+        for line in filter(None, (said, hint)):
+            self.session.scheduler.call_soon_threadsafe(partial(self.session.print_error, line))
+        if sys.platform != "win32":
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.kill(pid, signal.SIGKILL)
+
     # -- the terminal's side -------------------------------------------------------------------------------------------
 
     def keys(self, text: str) -> None:
@@ -251,6 +270,7 @@ class Process:
         assert popen is not None
         try:
             guard(popen.pid)
+            _memory.begin()
             self._deliver_early_signals()
             self.returncode = self._wait(popen)
             self._clear_up(popen.pid)

@@ -120,6 +120,9 @@ TEXTS = {
     "doctor.limits.memory.little": "memory: {total}, only {free} available",
     "doctor.limits.memory.todo": "close other programs",
     "doctor.limits.program": "memory of each program: at most {most}",
+    "doctor.limits.program.watched": (
+        "memory of each program: ended above {most} (looked at every second, as this system doesn't limit it)"
+    ),
     "doctor.limits.program.none": "memory of each program: not limited",
     "doctor.isolation.separates": "serve --isolation {name}: keeps pupils apart",
     "doctor.isolation.no": "serve --isolation {name}: {reason}",

@@ -120,6 +120,7 @@ TEXTS = {
     "doctor.limits.memory.little": "内存：{total}，可用的只有 {free}",
     "doctor.limits.memory.todo": "关掉其他程序",
     "doctor.limits.program": "每个程序的内存：最多 {most}",
+    "doctor.limits.program.watched": "每个程序的内存：超过 {most} 就结束它（本系统不限制内存，所以每秒检查一次）",
     "doctor.limits.program.none": "每个程序的内存：不限制",
     "doctor.isolation.separates": "serve --isolation {name}：能把学生隔开",
     "doctor.isolation.no": "serve --isolation {name}：{reason}",
