@@ -28,6 +28,7 @@ from hypothesis import HealthCheck, settings
 from tests.support import (
     choosing,
     one_process,
+    short_sockets,
     skips,
     waiting,  # noqa: F401 - before sleeping is watched
 )
@@ -154,6 +155,7 @@ activate()
 
 platform.processor()  # asks another program, once in a process: a test that comes first must not have to
 one_process.install()
+short_sockets.install()
 
 _MONOTONIC = time.monotonic
 

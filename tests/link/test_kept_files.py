@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from day6_core.link import kept_files
-from day6_core.link.kept_files import KeptFiles
+from day6_core.link.kept_files import KeptFiles, identity, spared
 
 
 @pytest.fixture
@@ -49,3 +49,14 @@ def test_files_folders_and_the_locks_beside_them_are_marked_as_used_every_hour(
         assert not kept.are_gone(files)
         assert {path.stat().st_atime > 0 and path.stat().st_mtime > 0 for path in used} == {expected}, later
         assert stranger.stat().st_mtime == 0
+
+
+def test_files_that_are_spared_have_their_names_again(files: list[Path]) -> None:
+    missing = files[0].with_name("missing")
+    known = [identity(path) for path in files]
+    with spared([*files, missing]):
+        files[0].unlink()
+        files[1].unlink()
+        files[1].touch()
+    assert [identity(path) for path in files] == known and identity(missing) is None
+    assert sorted(os.listdir(files[0].parent)) == ["meet", "p-1-2"]

@@ -333,14 +333,39 @@ def test_who_is_found_no_more_begins_anew_as_soon_as_there_is_a_place(
         it.run(None)
     assert list(it.link.problems) == ["the link's thread: nowhere"]
     assert len(it.graph.nodes) == 2 and it.link.connected, "those who have met stay together"
+    publisher = node.create_publisher("t", "std_msgs/msg/String", "", QoS(), lambda message: message)
+    zid, gid = it.link.zid, publisher.gid
     it.session.log.clear()
     it.run(None)
+    assert it.link.zid != zid and not place.own_socket(zid).exists()
+    assert publisher.gid == gid_of(endpoint_token(publisher, it.link.zid)) != gid
     assert place.own_socket(it.link.zid).exists() and it.meeting is not meeting and meeting.calls == ["close"]
     assert it.graph.nodes == (node,) and it.graph.transport is it.link
     assert it.session.log[0] == "close own" and any("mine" in line for line in it.session.log[1:])
     it.session.log.clear()
     it.run(None)
     assert it.session.log == [], "once is enough"
+
+
+def test_who_finds_nobody_though_somebody_runs_the_meeting_point_begins_anew(make: Make) -> None:
+    it = make()
+    for present, kind in ((True, "meeting"), (False, "meeting"), (True, "here"), (False, "here")):
+        it.clock.now += 4.0
+        it.run((present, f"@day6/0/{kind}/abc"), (True, here(it.link.zid)[1]))
+        assert "close own" not in it.session.log
+    it.clock.now += 0.9
+    it.run(None)
+    assert "close own" not in it.session.log, "somebody was there 4.9 s ago"
+    it.clock.now += 0.2
+    it.run(None)
+    assert it.session.log.count("close own") == 1
+    it.clock.now += 4.0
+    it.run(None)
+    assert it.session.log.count("close own") == 1, "it waits as long as before"
+    it.meeting.held_here = True
+    it.clock.now += 100.0
+    it.run(None)
+    assert it.session.log.count("close own") == 1, "it is the one that others look for"
 
 
 def test_what_fails_on_the_thread_is_told_and_the_next_is_taken(make: Make, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -112,6 +112,13 @@ def test_a_folder_too_long_for_sockets_gives_way_to_a_short_one(
     folder = meeting_place(0).folder
     assert folder == Path(f"/tmp/day6-{os.getuid()}/{crc32(os.fsencode(f'{fits}y')):08x}/0")
     assert stat.S_IMODE(folder.parent.parent.stat().st_mode) == 0o700
+    link = short_folder / "link"
+    link.symlink_to(fits.with_name(f"{fits.name}y"))
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(link))
+    behind = meeting_place(0).folder
+    assert behind.parent.parent == folder.parent.parent, "some use the true name, which is longer"
+    shutil.rmtree(behind.parent)
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", f"{fits}y")
     monkeypatch.setenv("DAY6_LINK", "tcp")
     assert meeting_place(0).folder == Path(f"{fits}y/0")
     for made in (folder.parent, folder.parent.with_name(f"{crc32(os.fsencode(fits)):08x}")):

@@ -102,6 +102,13 @@ class Graph:
                 endpoint._gid = self.identify(endpoint)
             return endpoint._gid
 
+    def renew_gids(self) -> None:
+        """Let this process's endpoints get other GIDs, on the next access."""
+        with self._lock:
+            for node in (*self.nodes, *self.observers):
+                for endpoint in node.endpoints if node.origin is None else ():
+                    endpoint._gid = None
+
     def renew_lock(self) -> None:
         """In a forked child: create a lock that no thread of the parent holds."""
         self._lock = threading.RLock()

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterable
-from contextlib import suppress
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 USED_SECONDS = 3600.0
@@ -28,17 +28,37 @@ class KeptFiles:
         now = time.time()  # also goes on while the machine sleeps
         is_time = not 0 <= now - self._used_at < USED_SECONDS
         for path in paths:
-            try:
-                status = os.lstat(path)
-            except OSError:
-                return True
-            if self._known.setdefault(path, (status.st_dev, status.st_ino)) != (status.st_dev, status.st_ino):
+            if (found := identity(path)) is None or self._known.setdefault(path, found) != found:
                 return True
             if is_time:
                 for used in (path, path.with_name(f"{path.name}.lock"), path.parent, path.parent.parent):
                     mark_as_used(used)
         self._used_at = now if is_time else self._used_at
         return False
+
+
+def identity(path: Path) -> tuple[int, int] | None:
+    """Return what tells a file from another of its name; None if there is none."""
+    try:
+        status = os.lstat(path)
+    except OSError:
+        return None
+    return status.st_dev, status.st_ino
+
+
+@contextmanager
+def spared(paths: Iterable[Path]) -> Iterator[None]:
+    """Let these files have their names again afterwards, whoever has removed them meanwhile."""
+    aside = {path: path.with_name(f"{path.name}.{os.getpid()}") for path in paths}
+    for path, other in aside.items():
+        with suppress(OSError):
+            os.link(path, other)
+    try:
+        yield
+    finally:
+        for path, other in aside.items():
+            with suppress(OSError):
+                os.replace(other, path)
 
 
 def mark_as_used(path: Path) -> None:

@@ -47,6 +47,7 @@ from day6_core.link.paths import (
     neighbours,
     remove_dead_sockets,
     remove_if_deaf,
+    remove_socket,
 )
 from day6_core.link.process_reports import Question, answer, offer
 from day6_core.link.remote import RemoteGraph
@@ -62,6 +63,10 @@ _CHECK_SECONDS = 1.0
 """Seconds between attempts to become the meeting point's holder; the end of its token triggers one at once."""
 _SEARCH_SECONDS = 0.05
 """Seconds between them while no meeting point is known: a killed holder's token may end before its lock does."""
+_ALONE_SECONDS = 5.0
+"""After so long without anybody, a session is opened anew: Zenoh loses sight of a meeting point that changes hands just when it
+connects (once in about a hundred times when a cleaner had taken the files of all).
+"""
 _MOST_PROBLEMS = 50
 _LONGEST_PROBLEM = 500
 _PRESENCE_PARTS = 4
@@ -106,6 +111,8 @@ class Link:
         self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
         self._neighbourhood: Neighbourhood | None = None
         self._kept = KeptFiles()
+        self._met_at = 0.0
+        """When somebody was there last."""
         self._last_retry = 0.0
         self._place: MeetingPlace | None = None
         self._meeting: MeetingPoint | None = None
@@ -150,6 +157,7 @@ class Link:
     def _meet(self, place: MeetingPlace) -> None:
         """Join the others in a meeting place. Raises the engine's ZError, OSError."""
         self._place, self._neighbourhood, self._kept = place, Neighbourhood(place), KeptFiles()
+        self._met_at = time.monotonic()
         remove_dead_sockets(place)
         if is_local():
             self._one_shot = False  # being a member costs nothing more than being a client
@@ -489,7 +497,8 @@ class Link:
 
     def _maintain_connection(self) -> None:
         if self._meeting is not None:
-            if self._session is None or self._kept.are_gone(self._own_files(self._meeting)):
+            gone = self._session is None or self._kept.are_gone(self._own_files(self._meeting))
+            if gone or self._is_left_alone(self._meeting):
                 self._meet_again()
             self._meeting.try_to_hold()
         elif self._session is None:
@@ -498,6 +507,13 @@ class Link:
         if now - self._last_retry > _RETRY_SECONDS:
             self._last_retry = now
             self._remote.admit_waiting()
+
+    def _is_left_alone(self, meeting: MeetingPoint) -> bool:
+        """Whether nobody has been found for long, although another process runs the meeting point."""
+        others = self._presence["here"] - {self.zid}
+        if meeting.held_here or self._presence["meeting"] or others:
+            self._met_at = time.monotonic()
+        return time.monotonic() - self._met_at > _ALONE_SECONDS
 
     def _own_files(self, meeting: MeetingPoint) -> list[Path]:
         assert self._place is not None
@@ -508,9 +524,15 @@ class Link:
         place = meeting_place(self.graph.domain_id)  # while there is none, those who have met stay together
         self._detach()
         self._close_sessions()
+        if self._place is not None:
+            with suppress(OSError):
+                remove_socket(self._place.own_socket(self.zid))
         with self._changed:
             self._presence.clear()
         self._remote.clear()
+        # Who hasn't noticed the end of the former session would refuse another one of its name.
+        self.zid = self._remote.own_zid = new_zid()
+        self.graph.renew_gids()
         self._meet(place)
         self._open_gate(place, 0.0)
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from day6_core.link.config import meeting_config
 from day6_core.link.engine_thread import open_session
 from day6_core.link.file_lock import FileLock
+from day6_core.link.kept_files import identity, spared
 from day6_core.link.keys import presence_token
 from day6_core.link.paths import MeetingPlace, remove_socket
 
@@ -30,6 +31,8 @@ class MeetingPoint:
         self._domain_id = domain_id
         self._lock = FileLock(place.meeting_lock)
         self._session: zenoh.Session | None = None
+        self._socket: tuple[int, int] | None = None
+        """The identity of its file."""
         self._token: zenoh.LivelinessToken | None = None
 
     @property
@@ -60,7 +63,7 @@ class MeetingPoint:
             self._lock.release()
             raise
         self._token = session.liveliness().declare_token(presence_token(self._domain_id, "meeting", str(session.zid())))
-        self._session = session
+        self._session, self._socket = session, identity(self._place.meeting_socket)
         return True
 
     def _open(self) -> zenoh.Session:
@@ -90,10 +93,13 @@ class MeetingPoint:
         _kept.append(self)
 
     def close(self) -> None:
-        """Stop running it; another process takes over."""
+        """Stop running it; another process takes over, or has done so: Zenoh removes whatever has its socket's name."""
         session, self._session = self._session, None
         if session is not None:
-            session.close()
+            path = self._place.meeting_socket
+            others = identity(path) not in (None, self._socket)
+            with spared((path, path.with_name(f"{path.name}.lock")) if others else ()):
+                session.close()
         self._lock.release()
 
     def remove_socket(self) -> None:

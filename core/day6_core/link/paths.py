@@ -136,7 +136,8 @@ def _domain_folder(base: Path, domain_id: int, tcp: bool) -> Path:
 def _with_room(base: Path, length: int) -> Path:
     """Return `base`, or a shorter folder in its place if a socket's path with `length` more bytes would be too long."""
     shorter = shorter_runtime_folder(base)
-    if shorter is None or len(os.fsencode(base)) + length <= LONGEST_SOCKET_PATH:
+    names = base, os.path.realpath(base)  # macOS's /tmp is /private/tmp
+    if shorter is None or max(len(os.fsencode(name)) for name in names) + length <= LONGEST_SOCKET_PATH:
         return base
     _private_folder(shorter.parent)
     return shorter

@@ -58,7 +58,7 @@ class RemoteGraph:
 
     def __init__(self, graph: Graph, own_zid: str, refusals: Refusals, is_neighbour: Callable[[str], bool]) -> None:
         self._graph = graph
-        self._own_zid = own_zid
+        self.own_zid = own_zid
         self._refusals = refusals
         self._is_neighbour = is_neighbour
         self._nodes_of: Counter[str] = Counter()
@@ -78,7 +78,7 @@ class RemoteGraph:
         if announcement is None:
             self._refusals.add("names")
             return
-        if announcement.zid == self._own_zid:
+        if announcement.zid == self.own_zid:
             return
         known = self._nodes.get(announcement.node_key)
         is_node = announcement.kind is None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import os
 import select
 import signal
@@ -75,8 +76,8 @@ class Keeper:
     ) -> None:
         self._held = held
         self._kept = KeptFiles()
-        self._looked_at = 0.0
-        """When it was looked whether we can be found."""
+        self._looked_at = math.inf
+        """When it was looked whether we can be found; never where we can't see it, as in the cells of a server."""
         self._home, self._folder, self._words = home, folder, words
         self._become = become
         self._arrived = [first]
@@ -124,6 +125,8 @@ class Keeper:
         signal.signal(signal.SIGTERM, self._hand_on)
         for ignored in (signal.SIGINT, signal.SIGHUP, signal.SIGPIPE):
             signal.signal(ignored, signal.SIG_IGN)
+        if all(map(os.path.lexists, self._held.files)):
+            self._looked_at = 0.0
         status: int | None = None
         while status is None and (self._pid or self._arrived):  # who starts us may be gone before it has said a word
             self._serve()
@@ -192,14 +195,16 @@ class Keeper:
         client = self._client
         return client is None or self._is_stuck or self._leave_by is not None or client.unsent < UNSENT
 
-    def _patience(self) -> float:
+    def _patience(self) -> float | None:
         """Seconds until something has to be done without being asked."""
-        deadlines = [self._looked_at + LOOK_SECONDS, *(until for _, until in self._parting)]
+        deadlines = [until for _, until in self._parting]
+        if self._looked_at < math.inf:
+            deadlines.append(self._looked_at + LOOK_SECONDS)
         if self._leave_by is not None:
             deadlines.append(self._leave_by)
         if self._client is not None and self._client.unsent and not self._is_stuck:
             deadlines.append(self._took_at + STUCK_SECONDS)
-        return max(0.0, min(deadlines) - time.monotonic())
+        return max(0.0, min(deadlines) - time.monotonic()) if deadlines else None
 
     def _look_at_clock(self) -> None:
         now = time.monotonic()
