@@ -34,10 +34,12 @@ class Place:
         self.home = work / "home"
         self.work.mkdir()
         self.runtime = make_short_folder("d6e2e-")
+        self.link: str | None = None
+        """DAY6_LINK."""
 
     def environment(self, **more: str | None) -> dict[str, str | None]:
         """What differs from this process's variables; None stands for "not set"."""
-        return {"DAY6_LINK": None, "DAY6_RUNTIME_DIR": str(self.runtime), **more}
+        return {"DAY6_LINK": self.link, "DAY6_RUNTIME_DIR": str(self.runtime), **more}
 
     def _variables(self, **more: str | None) -> dict[str, str]:
         merged = {**os.environ, **self.environment(**more)}

@@ -47,8 +47,12 @@ def sockets_only(folder: Path) -> None:
             path.unlink()
 
 
+@pytest.mark.parametrize("link", [None, "local"])
 @pytest.mark.parametrize("clear", [everything, files_only, sockets_only])
-def test_desktop_programs_and_commands_meet_again(place: Place, clear: Callable[[Path], None]) -> None:
+def test_desktop_programs_and_commands_meet_again(
+    place: Place, clear: Callable[[Path], None], link: str | None
+) -> None:
+    place.link = link
     talker = place.file("talker.py", TALKER)
     with place.desktop("--scene", "empty") as screen:
         screen.wait("student@day6:~$")

@@ -141,6 +141,7 @@ class Link:
         Raises:
             LinkError: the other processes cannot be reached; the message gives the reason.
         """
+        chosen()  # first: only who has tried to import Zenoh knows whether it can be had, and so where to meet
         place = meeting_place(self.graph.domain_id)
         try:
             self._meet(place)
@@ -491,16 +492,17 @@ class Link:
     def _patience(self) -> float | None:
         if self._remote.has_room:
             return _RETRY_SECONDS
-        if self._meeting is not None:
-            return _CHECK_SECONDS if self._meeting.held_here or self._presence["meeting"] else _SEARCH_SECONDS
-        return _SEARCH_SECONDS if self._session is None else None
+        if self._one_shot:
+            return _SEARCH_SECONDS if self._session is None else None
+        has_met = self._meeting is None or self._meeting.held_here or self._presence["meeting"]
+        return _CHECK_SECONDS if has_met else _SEARCH_SECONDS
 
     def _maintain_connection(self) -> None:
-        if self._meeting is not None:
-            gone = self._session is None or self._kept.are_gone(self._own_files(self._meeting))
-            if gone or self._is_left_alone(self._meeting):
+        if not self._one_shot:
+            if self._session is None or self._kept.are_gone(self._own_files()) or self._is_left_alone():
                 self._meet_again()
-            self._meeting.try_to_hold()
+            if self._meeting is not None:
+                self._meeting.try_to_hold()
         elif self._session is None:
             self._try_as_client()
         now = time.monotonic()
@@ -508,19 +510,22 @@ class Link:
             self._last_retry = now
             self._remote.admit_waiting()
 
-    def _is_left_alone(self, meeting: MeetingPoint) -> bool:
+    def _is_left_alone(self) -> bool:
         """Whether nobody has been found for long, although another process runs the meeting point."""
         others = self._presence["here"] - {self.zid}
-        if meeting.held_here or self._presence["meeting"] or others:
+        if self._meeting is None or self._meeting.held_here or self._presence["meeting"] or others:
             self._met_at = time.monotonic()
         return time.monotonic() - self._met_at > _ALONE_SECONDS
 
-    def _own_files(self, meeting: MeetingPoint) -> list[Path]:
+    def _own_files(self) -> list[Path]:
         assert self._place is not None
-        return [self._place.own_socket(self.zid), *(meeting.files if meeting.held_here else ())]
+        files = [self._place.own_socket(self.zid)]
+        if self._meeting is not None and self._meeting.held_here:
+            files += self._meeting.files
+        return files
 
     def _meet_again(self) -> None:
-        """Begin anew: with our files gone, nobody finds this process any more. Raises zenoh.ZError, OSError."""
+        """Begin anew: with our files gone, nobody finds this process any more. Raises the engine's ZError, OSError."""
         place = meeting_place(self.graph.domain_id)  # while there is none, those who have met stay together
         self._detach()
         self._close_sessions()
