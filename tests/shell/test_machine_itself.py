@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import ntpath
 import os
 import subprocess
 import sys
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 import pytest
@@ -15,6 +16,7 @@ from day6_core.link import engine
 from day6_core.session.clock import WorldClock
 from day6_core.session.streams import Captured, InputStream
 from day6_core.shell import desk as desk_module
+from day6_core.shell import login_variables
 from day6_core.shell.desk import Desk, domain_of
 from day6_core.shell.language.redirection import Streams
 
@@ -57,6 +59,23 @@ def test_programs_of_a_desktop_without_zenoh_do_without_it_too(machine: Any, mon
     assert machine.desk.environment()["DAY6_LINK"] == "local"
     monkeypatch.setenv("DAY6_LINK", "off")
     assert machine.desk.environment()["DAY6_LINK"] == "off"
+
+
+def test_on_windows_every_name_of_the_home_is_the_simulated_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    home = PureWindowsPath(r"C:\Users\anna\AppData\Local\day6-tui\home")
+    for name in ("APPDATA", "LOCALAPPDATA", "USERPROFILE", "HOMEDRIVE", "HOMEPATH"):
+        monkeypatch.setenv(name, r"C:\Users\anna")
+    variables = login_variables.passed_on(os.environ) | login_variables.of_user("student", home, "nt")
+    assert [name for name, value in variables.items() if value == r"C:\Users\anna"] == []
+    for name in list(os.environ):
+        monkeypatch.delenv(name)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    assert ntpath.expanduser("~") == ntpath.expanduser("~student") == str(home)
+    monkeypatch.delenv("USERPROFILE")
+    assert ntpath.expanduser("~") == str(home)
+    assert variables["APPDATA"] == str(home / "AppData" / "Roaming")
+    assert variables["LOCALAPPDATA"] == str(home / "AppData" / "Local")
 
 
 def test_a_shell_begins_at_home_or_where_it_is_told(machine: Any, tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ from day6_core.session.program import Program
 from day6_core.session.scheduler import Scheduler
 from day6_core.session.session import Main, Session
 from day6_core.session.streams import InputStream, OutputStream
+from day6_core.shell import login_variables
 from day6_core.shell.language.interpreter import Shell
 from day6_core.shell.language.redirection import Streams
 from day6_core.shell.overview import DeskOverview
@@ -55,32 +56,6 @@ MOST_PROGRAMS = 1000
 HOST = "day6"
 GRACE = 2.0
 """Seconds that a program has to end after Ctrl-C, and then SIGTERM, together; then comes SIGKILL."""
-
-_PASSED_ON = (
-    "LANG",
-    "LANGUAGE",
-    "LC_ALL",
-    "LC_CTYPE",
-    "LC_MESSAGES",
-    "TZ",
-    "TMPDIR",
-    "TEMP",
-    "TMP",
-    "PATH",
-    "PYTHONPATH",
-    # The link's folder is derived from these: a student's process must find the same one as we do.
-    "XDG_RUNTIME_DIR",
-    "LOCALAPPDATA",
-    "USERPROFILE",
-    # Without these, Windows starts programs badly or not at all.
-    "APPDATA",
-    "COMSPEC",
-    "PATHEXT",
-    "SYSTEMDRIVE",
-    "SYSTEMROOT",
-    "WINDIR",
-)
-"""Variables of the real environment that the simulated machine keeps, with everything that begins with ROS_, RCUTILS_, DAY6_."""
 
 
 class Desk:
@@ -175,10 +150,7 @@ class Desk:
 
     def environment(self) -> dict[str, str]:
         """The variables of a fresh login."""
-        real = os.environ
-        kept = {name: real[name] for name in _PASSED_ON if name in real}
-        kept.update({name: value for name, value in real.items() if name.startswith(("ROS_", "RCUTILS_", "DAY6_"))})
-        kept.setdefault("LANG", "C.UTF-8")
+        kept = {"LANG": "C.UTF-8", **login_variables.passed_on(os.environ)}
         if is_local():  # also if a user installs Zenoh for his programs: they are to see this desktop
             kept.setdefault("DAY6_LINK", LOCAL)
         env = program_environment(kept)
@@ -186,9 +158,7 @@ class Desk:
         scripts = scripts_of(self.login_home / BELOW_HOME)
         env["PATH"] = os.pathsep.join(dict.fromkeys([ours, str(scripts), *others]))
         env.update(
-            HOME=str(self.login_home),
-            USER=self.user,
-            LOGNAME=self.user,
+            login_variables.of_user(self.user, self.login_home),
             SHELL="/bin/bash",
             TERM="xterm-256color",
             ROS_DOMAIN_ID=self._domain_text,
