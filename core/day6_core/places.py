@@ -40,6 +40,12 @@ def default_home() -> Path:
     return data_folder() / "home"
 
 
+def meant_in(home: Path | str, name: str) -> Path:
+    """Return the path that a name means to somebody whose `~` is this folder."""
+    path = Path(name)
+    return Path(home, *path.parts[1:]) if path.parts[:1] == ("~",) else path
+
+
 def runtime_folders() -> list[Path]:
     """Return the folders in which the processes of this user may meet, the preferred one first. They may not exist."""
     named = os.environ.get("DAY6_RUNTIME_DIR")

@@ -128,6 +128,12 @@ def test_text_is_read_and_written_as_utf8_everywhere() -> None:
     assert offenders == []
 
 
+def test_programs_of_the_simulated_machine_never_take_the_real_home_for_theirs() -> None:
+    """`Session.path` knows the home of a program's user; what asks this process finds the one of whoever runs day6-tui."""
+    for path, text in sources("day6_core/ros/programs", "day6_core/ros/ros2"):
+        assert "expanduser" not in text or path.name == "lone_daemon.py", path
+
+
 def test_nobody_waits_for_some_time_at_a_queue_that_may_forget_to_end_it() -> None:
     """`SimpleQueue.get(timeout=…)` of Python 3.10 to 3.12: see day6_core/inbox.py."""
     for path, text in sources():

@@ -390,7 +390,7 @@ def test_a_time_range_begins_at_the_chosen_message_and_takes_times_of_day(consol
 
 
 def test_what_is_shown_is_saved_and_comes_back(console, tmp_path):
-    console._folder = tmp_path
+    console._path_of = tmp_path.joinpath
     assert "saved:" in look(console, ["W", "w", "enter"], width=120)
     lines = (tmp_path / "rqt_console.csv").read_text(encoding="utf-8").splitlines()
     assert lines[0] == "message;severity;node;stamp;location" and len(lines) == 3

@@ -59,7 +59,7 @@ def use(
     facts: GraphContent, act: Callable[[_Window], Awaitable[None]], size: tuple[int, int] = (80, 24), **options: Any
 ) -> None:
     """Open the graph and do something with it."""
-    model = RqtGraph(None, Graph(0), Path("/nowhere"))  # type: ignore[arg-type]
+    model = RqtGraph(None, Graph(0), Path("/nowhere").joinpath)  # type: ignore[arg-type]
     model._show(facts, GraphOptions())
     use_window(("rqt_graph", "rqt_graph", model), act, size, _Window, **options)
 

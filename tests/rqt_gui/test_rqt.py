@@ -172,6 +172,13 @@ def test_a_perspective_named_on_the_command_line_stays_in_its_folder(room: Room)
     assert written == {"rqt_gui"}
 
 
+def test_a_tilde_in_a_files_name_is_the_home_of_the_simulated_machine(room: Room) -> None:
+    room.rqt()
+    room.ask(lambda: room.model.export("~/mine.perspective"))
+    assert room.model.trouble == "" and (room.home / "mine.perspective").is_file()
+    assert not Path("~/mine.perspective").expanduser().exists()
+
+
 def test_a_file_of_the_real_rqt_opens_what_there_is_and_the_rest_stays_in_it(room: Room) -> None:
     """In the shape of qt_gui's perspective_manager.py, with what Qt keeps of its windows."""
     keys = {"topics": {"type": "repr", "repr": "['/turtle1/pose/theta']"}}

@@ -15,7 +15,7 @@ from tests.tui.screens import ToolWindow, step, use_window
 
 def play(*keys: str, click: str = "", size: tuple[int, int] = (80, 24), **options: Any) -> tuple[list[Any], str]:
     """What is asked for after these keys, or after a click on a text, and the last screen. Plot is open."""
-    model = Rqt(plugins(), Path("/nowhere"), lambda: None)
+    model = Rqt(plugins(), Path("/nowhere").joinpath, lambda: None)
     model.open = (Open(plot(), 1),)
     model.perspective, model.perspectives = "Default", ("Default", "talk")
     model.trouble = options.pop("trouble", "")
@@ -86,7 +86,7 @@ def test_what_a_plugin_is_for_is_told_in_full(lang: str, size: tuple[int, int]) 
 
 
 def test_the_list_of_perspectives_begins_at_the_present_one() -> None:
-    model = Rqt(plugins(), Path("/nowhere"), lambda: None)
+    model = Rqt(plugins(), Path("/nowhere").joinpath, lambda: None)
     model.perspective, model.perspectives = "talk", ("Default", "talk", "zoo")
 
     async def act(window: ToolWindow) -> None:

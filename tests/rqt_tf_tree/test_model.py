@@ -72,7 +72,7 @@ def test_a_frame_is_old_when_it_was_due_long_ago(newest: float, rate: float, age
 
 @pytest.fixture
 def tree(tmp_path: Path) -> TfTree:
-    model = TfTree(tmp_path)
+    model = TfTree(tmp_path.joinpath)
     model.show(snapshot([frame("轮子", "car"), frame("car", "world")], 12.5))
     return model
 

@@ -25,7 +25,7 @@ def static(name: str, parent: str) -> Frame:
 
 
 def tree(*frames: Frame, folder: Path = Path("/nowhere")) -> TfTree:
-    model = TfTree(folder)
+    model = TfTree(folder.joinpath)
     model.show(snapshot(frames, NOW))
     return model
 

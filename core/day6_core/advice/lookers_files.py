@@ -33,6 +33,7 @@ from day6_core.facts.workspaces import (
 )
 from day6_core.interfaces import registry
 from day6_core.language import language_of
+from day6_core.places import meant_in
 from day6_core.ros.differences import has_interface, has_package
 from day6_core.ros.distribution import setup_script
 
@@ -219,7 +220,7 @@ def path(scene: Situation) -> Found | None:
         right = f"~{rest}"
         again = _again(scene, name, right) if (scene.home / rest.lstrip("/")).exists() else ""
         return found("home", again, wrong=name.removesuffix(rest) or name, right=right, rest=rest)
-    whole = Path(os.path.normpath(scene.cwd / os.path.expanduser(name).replace("~", str(scene.home), 1)))
+    whole = Path(os.path.normpath(scene.cwd / meant_in(scene.home, name)))
     if not name or whole.exists():
         return None
     parent = whole.parent

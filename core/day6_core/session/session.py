@@ -12,6 +12,7 @@ from collections.abc import Awaitable, Callable, Coroutine
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from day6_core.places import meant_in
 from day6_core.session.clock import WorldClock, nanoseconds
 from day6_core.session.display import Display, ProgramDisplay
 from day6_core.session.folder import working_folder
@@ -303,6 +304,10 @@ class Session:
     def name(self) -> str:
         """The program's name for its own messages: the last part of argv[0]."""
         return self.argv[0].rpartition("/")[2] if self.argv else "program"
+
+    def path(self, name: str) -> Path:
+        """The file that a user of the program means who writes this name: `~` is the home of the program's user."""
+        return self.cwd / meant_in(self.env.get("HOME", "~"), name)
 
     def print(self, *values: object, sep: str = " ", end: str = "\n", flush: bool = False) -> None:
         """`print` to this program's standard output."""

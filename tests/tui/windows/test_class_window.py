@@ -590,7 +590,7 @@ async def test_the_report_and_the_log_are_written_and_nothing_is_overwritten(cla
         window.link.home = tmp_path
         await window.come("anna")
         await window.press("e")
-        await window.press(*["backspace"] * 30, *"lesson.csv", "enter")
+        await window.press(*["backspace"] * 30, *"~/lesson.csv", "enter")
         assert "written: lesson.csv, lesson-log.csv" in window.text
         assert sorted(path.name for path in tmp_path.iterdir()) == ["lesson-log.csv", "lesson.csv"]
         assert "anna,came" in (tmp_path / "lesson-log.csv").read_text(encoding="utf-8-sig")

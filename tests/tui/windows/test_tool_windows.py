@@ -39,7 +39,7 @@ def _place(app: Any, text: str) -> tuple[int, int]:
 @pytest.mark.parametrize("lang", ["en", "zh"])
 async def test_every_check_box_of_rqt_graph_can_be_read(desk: FakeDesk, tmp_path: Path, size: Any, lang: str) -> None:
     async with opened(desk, *size, lang=lang, scene="empty") as (app, pilot):
-        desk.display.open("rqt_graph", "rqt_graph", RqtGraph(None, Graph(0), tmp_path))  # type: ignore[arg-type]
+        desk.display.open("rqt_graph", "rqt_graph", RqtGraph(None, Graph(0), tmp_path.joinpath))  # type: ignore[arg-type]
         await step(app, pilot)
         await step(app, pilot)
         pane = next(iter(app.desktop.panes.values()))
@@ -64,7 +64,7 @@ async def test_every_check_box_of_rqt_graph_can_be_read(desk: FakeDesk, tmp_path
 
 
 async def test_a_click_on_a_check_box_of_rqt_graph_is_its_key(desk: FakeDesk, tmp_path: Path) -> None:
-    model = RqtGraph(None, Graph(0), tmp_path)  # type: ignore[arg-type]
+    model = RqtGraph(None, Graph(0), tmp_path.joinpath)  # type: ignore[arg-type]
     desk.display.open("rqt_graph", "rqt_graph", model)
     async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
         for expected in (False, True):
@@ -97,7 +97,7 @@ async def test_in_a_low_window_the_cars_picture_comes_before_what_is_only_worth_
 
 
 async def test_a_click_on_the_type_in_the_title_of_rqt_graph_changes_it_by_one(desk: FakeDesk, tmp_path: Path) -> None:
-    model = RqtGraph(None, Graph(0), tmp_path)  # type: ignore[arg-type]
+    model = RqtGraph(None, Graph(0), tmp_path.joinpath)  # type: ignore[arg-type]
     desk.display.open("rqt_graph", "rqt_graph", model)
     async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
         seen = []

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from day6_core.classroom.handed import LARGEST
 from day6_core.classroom.order import LONGEST_LINK, LONGEST_SAYING, Order, is_link
+from day6_core.places import meant_in
 from day6_core.reason import reason
 from day6_core.whole_file import open_at_once
 from day6_tui.classes.handing import Handing
@@ -124,7 +125,8 @@ class Orders:
         self._window.ask(title, "", partial(self._hand_file, name), note=texts("teacher.file.note", most=LARGEST_WORDS))
 
     def _hand_file(self, name: str, text: str) -> str | None:
-        path = self._window.model.home / text.strip().removeprefix("~/")
+        home = self._window.model.home
+        path = home / meant_in(home, text.strip())
         try:
             with open(path, "rb", opener=open_at_once) as file:
                 data = file.read(LARGEST + 1)
@@ -200,7 +202,7 @@ class Orders:
 
         texts, home = self._look.texts, self._window.model.home
         try:
-            names = write_report(home / Path(text.strip()).expanduser(), self._roster, texts)
+            names = write_report(home / meant_in(home, text.strip()), self._roster, texts)
         except Exists as error:
             return texts("teacher.csv.exists", file=Path(str(error)).name)
         except OSError as error:

@@ -11,7 +11,7 @@ from day6_core.reason import reason
 from day6_core.ros.programs._without_screen import stays
 from day6_core.ros.programs.rqt_bag.model.bags import Bags
 from day6_core.ros.programs.rqt_bag.model.keeping import read_kept
-from day6_core.ros.programs.rqt_bag.model.loading import is_bag, path_of
+from day6_core.ros.programs.rqt_bag.model.loading import is_bag
 from day6_core.ros.programs.rqt_gui.plugin import Plugin, PluginPlace, Settings, run_alone
 from day6_core.session.argument_parser import SessionParser
 from day6_core.session.session import Session
@@ -36,7 +36,7 @@ class BagPlugin(Plugin[Bags]):
     @staticmethod
     def add_arguments(parser: SessionParser) -> None:
         def bag(name: str) -> str:
-            if not is_bag(path_of(parser.session.cwd, name)):
+            if not is_bag(parser.session.path(name)):
                 parser.error(f"'{name}' is not a valid rosbag")
             return name
 
@@ -68,7 +68,7 @@ async def _print(session: Session, names: list[str]) -> int:
 
     status, info = 0, Info(quiet)
     for name in names:
-        path = str(path_of(session.cwd, name))
+        path = str(session.path(name))
         try:
             session.print(await in_thread(partial(lambda path: info.text(info.read_metadata(path)), path)))
         except (RuntimeError, OSError) as error:

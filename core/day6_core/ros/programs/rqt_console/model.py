@@ -45,9 +45,9 @@ class Record:
 class Console(Requests):
     """The model. The window reads `shown()` and calls the methods of its side; the program calls `receive`."""
 
-    def __init__(self, folder: Path = Path()) -> None:
+    def __init__(self, path_of: Callable[[str], Path] = Path) -> None:
         super().__init__()
-        self._folder = folder
+        self._path_of = path_of
         self._records: list[Record] = []
         self._count = 0
         self.paused = False
@@ -164,7 +164,7 @@ class Console(Requests):
 
     def path(self, name: str) -> Path:
         """The file that a user of this program means; without an ending it gets that of such files."""
-        path = self._folder / Path(name.strip()).expanduser()
+        path = self._path_of(name.strip())
         return path if path.suffix else path.with_name(f"{path.name}.csv")
 
     def save(self, name: str, records: Iterable[Record]) -> Path:

@@ -27,7 +27,7 @@ class ConsolePlugin(Plugin[Console]):
     kind, title = "rqt_console", "Console"
 
     def __init__(self, place: PluginPlace) -> None:
-        super().__init__(place, Console(place.session.cwd))
+        super().__init__(place, Console(place.session.path))
         self.model.on_load = lambda path: place.spawn(self._load(path))
         take_settings(self.model, place.settings)
         self._subscription = place.node.create_subscription(Log, "/rosout", self.model.receive, EAR)

@@ -29,7 +29,7 @@ class RosGraphPlugin(Plugin[RqtGraph]):
     def __init__(self, place: PluginPlace) -> None:
         session = place.session
         assert session.graph is not None
-        super().__init__(place, RqtGraph(place.node, session.graph, session.cwd))
+        super().__init__(place, RqtGraph(place.node, session.graph, session.path))
         self.model.on_request = self._asked
         self._wanted = True
 

@@ -30,7 +30,7 @@ class Request(NamedTuple):
 class Rqt:
     """The model. The window reads its attributes and calls its methods, on any thread."""
 
-    def __init__(self, plugins: tuple[PluginEntry, ...], folder: Path, wake: Callable[[], None]) -> None:
+    def __init__(self, plugins: tuple[PluginEntry, ...], path: Callable[[str], Path], wake: Callable[[], None]) -> None:
         self.plugins = plugins
         self.open: tuple[Open, ...] = ()
         """In the order in which they were opened."""
@@ -41,7 +41,8 @@ class Rqt:
         self.version = 0
         self.requests: list[Request] = []
         """What is to be done and what is being done, the oldest first."""
-        self._folder = folder
+        self.path = path
+        """The file that a user of this program means."""
         self._wake = wake
 
     def start(self, entry: PluginEntry) -> None:
@@ -71,10 +72,6 @@ class Rqt:
     def export(self, name: str) -> None:
         """Write the perspective to a file."""
         self._ask("export", self.path(name))
-
-    def path(self, name: str) -> Path:
-        """The file that a user of this program means."""
-        return self._folder / Path(name).expanduser()
 
     def _ask(self, deed: str, subject: object) -> None:
         self.requests.append(Request(deed, subject))

@@ -51,7 +51,7 @@ async def main(session: Session) -> int | None:
         session.print("Only one --perspective-* option can be used at a time")
         return 1
     file = options.perspective_file
-    if file is not None and not await in_thread(Path(session.cwd, Path(file).expanduser()).is_file):
+    if file is not None and not await in_thread(session.path(file).is_file):
         session.print("Option --perspective-file must reference existing file")
         return 1
     if options.list_perspectives:
@@ -108,7 +108,7 @@ class Container:
         """What the perspective's file has."""
         self._newest = Newest()
         """What writes it: Ctrl-C leaves that behind, and what is newer must not be lost to it."""
-        self.model = Rqt(plugins(), session.cwd, self._woken.set)
+        self.model = Rqt(plugins(), session.path, self._woken.set)
 
     async def run(self, options: argparse.Namespace) -> int:
         """Open the window and work off its requests until the program is ended, as by closing it."""

@@ -32,9 +32,11 @@ MOST_BYTES = 200_000_000
 class ImageView(Requests):
     """The model of one plugin. The window may read its attributes, call `picture`, `save`, and the requests."""
 
-    def __init__(self, node: Node, folder: Path) -> None:
+    def __init__(self, node: Node, path: Callable[[str], Path]) -> None:
         super().__init__()
-        self._node, self._folder = node, folder
+        self._node = node
+        self.path = path
+        """The file that a user of this program means."""
         self._subscription: Subscription[Any] | None = None
         self._mouse: Publisher[Point] | None = None
         self._newest: Any = None
@@ -94,10 +96,6 @@ class ImageView(Requests):
         with replacing(path) as file:
             images.fromarray(pixels).save(file, images.registered_extensions()[path.suffix.lower()])
         return path
-
-    def path(self, name: str) -> Path:
-        """The file that a user of this program means."""
-        return self._folder / Path(name).expanduser()
 
     def _message(self) -> Any:
         """The newest message, decoded from its bytes once. Raises Undecodable."""

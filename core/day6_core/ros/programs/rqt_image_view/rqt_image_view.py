@@ -26,7 +26,7 @@ class ImageViewPlugin(Plugin[ImageView]):
     kind, title, in_cpp = "rqt_image_view", "Image View", True
 
     def __init__(self, place: PluginPlace) -> None:
-        super().__init__(place, ImageView(place.node, place.session.cwd))
+        super().__init__(place, ImageView(place.node, place.session.path))
         kept = place.settings.get("topic")
         topic: str = place.option("topic", None) or (kept if isinstance(kept, str) else "")
         topic = topic if not topic or topic.startswith("/") else f"/{topic}"

@@ -26,9 +26,11 @@ LARGEST_FILE = 100_000
 class Reconfigure(Requests):
     """The model of one plugin. The window may read `nodes`, `opened`, `filter`, `message`, `version`, and request."""
 
-    def __init__(self, node: Node, now: Callable[[], int], folder: Path) -> None:
+    def __init__(self, node: Node, now: Callable[[], int], path: Callable[[str], Path]) -> None:
         super().__init__()
-        self._node, self._now, self._folder = node, now, folder
+        self._node, self._now = node, now
+        self.path = path
+        """The file that a user of this program means."""
         self._opened: dict[str, OpenedNode] = {}
         self.nodes: tuple[str, ...] = ()
         """The full names of the nodes that have parameters, sorted."""
@@ -77,10 +79,6 @@ class Reconfigure(Requests):
         path = self.path(name)
         replace_file(path, yaml.safe_dump(values, allow_unicode=True).encode("utf-8"))
         return path
-
-    def path(self, name: str) -> Path:
-        """The file that a user of this program means."""
-        return self._folder / Path(name).expanduser()
 
     def _of(self, node: str, work: Callable[[], object]) -> None:
         """Post what is wanted of a node, unless it is closed by then."""

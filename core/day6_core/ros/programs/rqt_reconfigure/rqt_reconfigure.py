@@ -28,7 +28,7 @@ class ReconfigurePlugin(Plugin[Reconfigure]):
     kind, title = "rqt_reconfigure", "Parameter Reconfigure"
 
     def __init__(self, place: PluginPlace) -> None:
-        super().__init__(place, Reconfigure(place.node, place.session.clock.steady_ns, place.session.cwd))
+        super().__init__(place, Reconfigure(place.node, place.session.clock.steady_ns, place.session.path))
         self.model.on_load = lambda node, path: place.spawn(self._load(node, path))
         self._named: list[str] = place.option("node_name", [])
         kept = place.settings.get("selected_nodes")

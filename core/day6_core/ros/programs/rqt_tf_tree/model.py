@@ -89,8 +89,9 @@ class TfTree:
     window wants it sets here and calls `on_request`.
     """
 
-    def __init__(self, folder: Path, *, auto_refresh: bool = True) -> None:
-        self._folder = folder
+    def __init__(self, path: Callable[[str], Path], *, auto_refresh: bool = True) -> None:
+        self.path = path
+        """The file that a user of this program means."""
         self.auto_refresh = auto_refresh
         self.version = 0
         self.snapshot = snapshot((), 0.0)
@@ -124,10 +125,6 @@ class TfTree:
         check_suffix(self.path(name))
         self.save_wanted = name
         self._request()
-
-    def path(self, name: str) -> Path:
-        """The file that a user of this program means."""
-        return self._folder / Path(name).expanduser()
 
     def _request(self) -> None:
         if self.on_request is not None:

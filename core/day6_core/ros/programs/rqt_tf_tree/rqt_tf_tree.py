@@ -39,7 +39,7 @@ class TfTreePlugin(Plugin[TfTree]):
 
     def __init__(self, place: PluginPlace) -> None:
         super().__init__(
-            place, TfTree(place.session.cwd, auto_refresh=place.settings.get("auto_refresh", True) is not False)
+            place, TfTree(place.session.path, auto_refresh=place.settings.get("auto_refresh", True) is not False)
         )
         self._wanted = Signal()
         self.model.on_request = self._wanted.set

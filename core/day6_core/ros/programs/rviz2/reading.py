@@ -78,7 +78,7 @@ class Reader:
 
     def file(self, name: str, done: Callable[[str], None]) -> None:
         """Read a text file; one that cannot be read is empty, as for RViz."""
-        path = self._session.cwd / Path(name).expanduser()
+        path = self._session.path(name)
 
         def work() -> str:
             try:
@@ -96,7 +96,7 @@ class Reader:
 
     def path(self, name: str) -> Path:
         """The file that a user of this program means."""
-        return self._session.cwd / Path(name).expanduser()
+        return self._session.path(name)
 
     def write(self, path: Path, text: str) -> None:
         """Write a small text file, without waiting for the disk: this is the scheduler's thread. Raises OSError."""

@@ -169,7 +169,7 @@ def _configure(session: Session, rviz: RViz, options: argparse.Namespace) -> Non
     own = Path(home) / ".rviz2" / "default.rviz" if home else None
     rviz.default_file = own
     name = options.display_config
-    path = session.cwd / Path(name).expanduser() if name else own
+    path = session.path(name) if name else own
     text = default_config()
     if path is not None and path.is_file():
         try:

@@ -191,7 +191,7 @@ def packages_and_files(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a package, or the path of a launch file."""
     folder = os.path.dirname(context.prefix)
     begun = folder.rstrip("/") + "/" if folder else ""
-    where = _path(context, begun)
+    where = context.session.path(begun)
     try:
         entries = sorted(where.iterdir())
     except OSError:
@@ -227,13 +227,7 @@ def launch_arguments(context: CompletionContext) -> Iterable[str]:
 
 def _named_file(context: CompletionContext) -> Path:
     """Return the first word as a path."""
-    return _path(context, context.values.get("package_name", ""))
-
-
-def _path(context: CompletionContext, text: str) -> Path:
-    """Return the path that a text names; `~` is the session's home."""
-    home = context.session.env.get("HOME", "")
-    return context.session.cwd / (home + text[1:] if text.startswith("~/") else text)
+    return context.session.path(context.values.get("package_name", ""))
 
 
 def _named_share(context: CompletionContext) -> str:

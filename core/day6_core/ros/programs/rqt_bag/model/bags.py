@@ -10,7 +10,7 @@ from day6_core.interfaces import DeserializationError, UnknownInterfaceError, de
 from day6_core.reason import reason
 from day6_core.ros.programs.rqt_bag.model.exporting import ExportError, export
 from day6_core.ros.programs.rqt_bag.model.keeping import Kept
-from day6_core.ros.programs.rqt_bag.model.loading import OpenBag, index_bag, is_bag, open_bag, path_of
+from day6_core.ros.programs.rqt_bag.model.loading import OpenBag, index_bag, is_bag, open_bag
 from day6_core.ros.programs.rqt_bag.model.pictures import IMAGE, NoPicture, Picture, picture
 from day6_core.ros.programs.rqt_bag.model.player import Player
 from day6_core.ros.programs.rqt_bag.model.recorder import POLL_SECONDS, Recorder
@@ -288,7 +288,7 @@ class Bags:
             self.tell("")
 
     async def _load(self, name: str, problem: str) -> None:
-        path = path_of(self._session.cwd, name)
+        path = self._session.path(name)
         blocks = self.timeline.blocks
         self.tell(f"Loading '{name}' ...")
         self.loading, self._cancelled = True, False
@@ -369,7 +369,7 @@ class Bags:
             return
         self._start_anew()
         self._resumed = Kept()
-        path = path_of(self._session.cwd, name)
+        path = self._session.path(name)
         self._node.get_logger().get_child("rqt_bag.BagWidget").info(f"Recording to {name}.")
         try:
             self.recorder = Recorder(self._node, path, topics, self.timeline)
@@ -424,7 +424,7 @@ class Bags:
                 self.exporting, self.exporting_to = None, ""
 
     async def _copy(self, name: str, topics: Sequence[str], region: tuple[int, int]) -> None:
-        path = path_of(self._session.cwd, name)
+        path = self._session.path(name)
         timeline, bags = self.timeline, self.bags
 
         def cancelled() -> bool:

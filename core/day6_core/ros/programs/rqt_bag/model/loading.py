@@ -51,11 +51,6 @@ class OpenBag:
             source.close()
 
 
-def path_of(folder: Path, name: str) -> Path:
-    """The path that a user means who is in a folder."""
-    return folder / Path(name).expanduser()
-
-
 def is_bag(path: Path) -> bool:
     """Whether rqt_bag takes this path for a bag: a folder with a metadata.yaml, that file, or a file of either storage.
 

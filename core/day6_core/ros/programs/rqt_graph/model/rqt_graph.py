@@ -26,10 +26,11 @@ class RqtGraph:
     threads read both. `options` and `auto_refresh` are set by the window through `change_options`.
     """
 
-    def __init__(self, node: Node, graph: Graph, folder: Path) -> None:
+    def __init__(self, node: Node, graph: Graph, path: Callable[[str], Path]) -> None:
         self._node = node
         self._graph = graph
-        self._folder = folder
+        self.path = path
+        """The file that a user of this program means."""
         self._facts = GraphContent({}, {})
         self.loaded = ""
         """Name of the DOT file that is shown instead of the live graph, '' normally."""
@@ -92,10 +93,6 @@ class RqtGraph:
         self.loaded = path.name
         self.content = Content(tuple(boxes), tuple(edges), (), {})
         self.version += 1
-
-    def path(self, name: str) -> Path:
-        """The file that a user of this program means."""
-        return self._folder / Path(name).expanduser()
 
     def _show(self, facts: GraphContent, options: GraphOptions) -> None:
         content = select(facts, options)
