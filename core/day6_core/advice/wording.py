@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 from collections.abc import Mapping
@@ -17,13 +18,19 @@ def filled_in(text: str, values: Mapping[str, str], fault: Fault | None = None) 
     return _fill(text, {name: one_line(value) for name, value in values.items()}, fault)
 
 
-def at_home(text: str, home: str) -> str:
+def at_home(text: str, home: str, separator: str = os.sep) -> str:
     """Return a text with ~ for the home folder, as the prompt shows it: the folder of a desktop may have a long path.
 
-    Within quotation marks it stays: there neither Python nor a shell knows what ~ is.
+    Within quotation marks it stays: there neither Python nor a shell knows what ~ is. Only on Windows, where the backslashes
+    alone made `shlex.quote` set them, it doesn't; the path then goes on with what a shell takes for no such thing.
     """
-    home = home.rstrip("/")
-    return re.sub(rf"(?<![\w./'\"-]){re.escape(home)}(?![\w.-])", "~", text) if home else text
+    home = home.rstrip(separator)
+    if not home:
+        return text
+    if separator == "/":
+        return re.sub(rf"(?<![\w./'\"-]){re.escape(home)}(?![\w.-])", "~", text)
+    below = rf"(?<![\w./\"-])(?P<quote>'?){re.escape(home)}(?P<path>(?:\\[\w.+-]+)*)(?P=quote)(?![\w.-])"
+    return re.sub(below, lambda found: "~" + found["path"].replace("\\", "/"), text)
 
 
 def command_of(text: str, values: Mapping[str, str]) -> str:

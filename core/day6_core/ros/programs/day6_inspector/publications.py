@@ -76,7 +76,8 @@ class Publications:
                 self._began[subject] = at
                 self._since.pop(said, None)
             elif change is Change.ENDPOINT_REMOVED:
-                lived = at - self._began.pop(subject, float("-inf"))
+                # Never 0.0, which is said of those that live; the clock of Windows has coarse steps.
+                lived = max(at - self._began.pop(subject, float("-inf")), 0.001)
                 volatile = subject.qos.durability != Durability.TRANSIENT_LOCAL
                 own = subject.topic in ("/rosout", "/parameter_events")
                 once = self._since.get(said, (0, 0.0))[0] <= FEW
