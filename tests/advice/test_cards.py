@@ -324,7 +324,7 @@ def test_ten_times_as_long_a_word_takes_ten_times_as_long() -> None:
             times.append(time.thread_time() - start)
         return min(times)
 
-    assert time_of(20_000) < 40 * time_of(2_000)
+    assert time_of(20_000) < max(40 * time_of(2_000), 0.02)  # the tick of this clock on Windows
 
 
 def test_a_finding_has_one_sentence_and_is_seen_anywhere_in_a_line(tmp_path: Path) -> None:

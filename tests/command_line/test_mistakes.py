@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -138,17 +139,20 @@ WRONG = [
     ("folder", "nothing", "'nothing' isn't a folder", "“nothing”不是文件夹"),
     ("home", "a file", "'a file' isn't a folder, and can't become one", "“a file”不是文件夹，也没法建成文件夹"),
     ("home", "a file/x/y", "'a file/x/y' isn't a folder, and can't", "“a file/x/y”不是文件夹，也没法"),
-    ("home", "dangling", "'dangling' isn't a folder", "“dangling”不是文件夹"),
     ("file", "nothing", "there is no file 'nothing'", "没有文件“nothing”"),
     ("file", "a folder", "'a folder' is a folder; a file is needed", "“a folder”是文件夹；这里要写一个文件"),
-    ("file", "a file/x", "'a file/x': Not a directory", "“a file/x”打不开：Not a directory"),
-    ("file", "a\0b", "embedded null byte", "embedded null byte"),
+    ("file", "a\0b", "embedded null", "embedded null"),
     ("seconds", "soon", "'soon' isn't a number of seconds", "“soon”不是秒数"),
     ("seconds", "nan", "'nan' isn't a number of seconds", "“nan”不是秒数"),
     ("minutes", "-1", "'-1' isn't a number of minutes", "“-1”不是分钟数"),
     ("address", "host", "'host' isn't an address", "“host”不是地址"),
     ("secret", "short", "the secret has 5 characters", "口令：只有 5 个字符，至少要 8 个"),
 ]
+if sys.platform != "win32":  # where links need a right, and below a file there is nothing
+    WRONG += [
+        ("home", "dangling", "'dangling' isn't a folder", "“dangling”不是文件夹"),
+        ("file", "a file/x", "'a file/x': Not a directory", "“a file/x”打不开：Not a directory"),
+    ]
 
 
 @pytest.mark.parametrize(("kind", "text", "english", "chinese"), WRONG)
@@ -158,7 +162,8 @@ def test_a_wrong_value_is_refused_in_the_language(
     monkeypatch.chdir(tmp_path)
     Path("a file").touch()
     Path("a folder").mkdir()
-    Path("dangling").symlink_to("nowhere")
+    if text == "dangling":
+        Path(text).symlink_to("nowhere")
     for language, said in (("en", english), ("zh", chinese)):
         with pytest.raises(argparse.ArgumentTypeError) as error:
             getattr(Values(CommandTexts(language)), kind)(text)

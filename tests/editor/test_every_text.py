@@ -102,6 +102,7 @@ def test_a_save_writes_the_bytes_that_were_read_and_the_edit(whole: str, data: s
         mark, newline = editor.file.form
         before = len(mark) + len(editor.saved[:at].replace("\n", newline))
         assert path.read_bytes() == (whole[:before] + "#" + whole[before:]).encode()
+        editor.close()
 
 
 @pytest.mark.long

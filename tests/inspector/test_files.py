@@ -8,6 +8,7 @@ import pytest
 
 from day6_core.facts.setup_file import read_setup
 from day6_core.facts.workspaces import Unknown, names_file, why_unknown
+from day6_core.reason import reason
 from day6_core.ros.programs.day6_inspector.facts import Facts
 from day6_core.ros.programs.day6_inspector.file_rules import _fits
 from day6_core.ros.programs.day6_inspector.files import Files, ParameterFile, Typed, Where, look
@@ -91,13 +92,15 @@ def test_keys_of_parameter_files_mean_nodes_as_in_rcl(key: str, node: str, fits:
 def test_a_parameter_file_is_read_from_the_running_line(tmp_path: Path) -> None:
     (tmp_path / "p.yaml").write_text("team:\n  talker:\n    ros__parameters: {a: 1}\n", encoding="utf-8")
     (tmp_path / "bad.yaml").write_text("a: [", encoding="utf-8")
+    with pytest.raises(FileNotFoundError) as error:
+        (tmp_path / "no").open()
     names = ("p.yaml", "bad.yaml", "no")
     lines = tuple(Typed(f"ros2 run a b --ros-args --params-file {name}", (tmp_path,), tmp_path) for name in names)
     found = look(Where(tmp_path, lines=lines)).parameters
     assert [(each.keys, each.problem) for each in found] == [
         (("/team/talker",), ""),
         ((), "no YAML"),
-        ((), "No such file or directory"),
+        ((), reason(error.value)),
     ]
 
 

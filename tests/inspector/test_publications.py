@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
+
 import pytest
 
 from day6_core.graph import Graph
@@ -15,8 +18,12 @@ def talker_that_said(count: int) -> ReportedProcess:
     return ReportedProcess("1", 1, ("talker.py",), (inside,))
 
 
+@pytest.mark.parametrize("clock", [time.monotonic, lambda: 7.0], ids=["fine", "coarse"])
 @pytest.mark.parametrize(("said", "alarms"), [(1, ["/chatter"]), (2, ["/chatter"]), (3, [])])
-def test_who_published_again_and_again_was_not_gone_too_soon(said: int, alarms: list[str]) -> None:
+def test_who_published_again_and_again_was_not_gone_too_soon(
+    said: int, alarms: list[str], clock: Callable[[], float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(time, "monotonic", clock)
     graph = Graph()
     publications = Publications(graph)
     talker = graph.create_node("talker", origin=object())

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
 import pytest
 
 from day6_core.advice.card_files import all_cards, names_of
+from day6_core.advice.wording import at_home
 from day6_core.facts.graph import NodeAndType
 from day6_core.interfaces import checks
 from day6_core.ros.programs.day6_inspector import output_rules
@@ -294,7 +296,8 @@ AssertionError: The 'x' field must be of type 'float'
 """
     terminal = TerminalView(1, Path("/"), {}, [Ran(said, 1, "python3 program.py")], [], 1)
     (found,) = findings(Facts(terminals=(terminal,), now_ns=NOW))
-    assert found.next == "nano +7 /home/a/program.py" and dict(found.parameters)["where"] == "program.py:7"
+    assert found.next == f"nano +7 {shlex.quote(str(Path('/home/a/program.py')))}"
+    assert dict(found.parameters)["where"] == "program.py:7"
 
 
 @pytest.mark.parametrize(("reported", "count"), [("Thread-1 (work)", 1), ("Thread-7 (other)", 2)])
@@ -338,9 +341,22 @@ def test_what_a_finding_names_is_found_by_every_pattern_of_its_card_unless_a_jud
 
 
 def test_paths_are_told_as_they_are_typed() -> None:
-    folder = Path("/tmp/x/home/ros2_ws/src/car")
+    folder = PurePosixPath("/tmp/x/home/ros2_ws/src/car")
     said = {"line": "ros2 run car go", "package": "car", "folder": folder}
     found = finding("error", "not_built", **said, then="cd /tmp/x/home/ros2_ws && colcon build").at_home("/tmp/x/home")
     assert found.next == "cd ~/ros2_ws && colcon build" and "~/ros2_ws/src/car" in found.text
     assert "/tmp" not in found.text and dict(found.parameters).keys() == said.keys()
     assert found.at_home("") == found
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        (r"car is in C:\a b\home\ros2_ws\src\car, not built", "car is in ~/ros2_ws/src/car, not built"),
+        (r"cd 'C:\a b\home\ros2_ws' && colcon build", "cd ~/ros2_ws && colcon build"),
+        (r"nano +3 'C:\a b\home'", "nano +3 ~"),
+        (r"in C:\a b\homes\x", r"in C:\a b\homes\x"),
+    ],
+)
+def test_paths_of_windows_are_told_as_a_shell_takes_them(said: str, told: str) -> None:
+    assert at_home(said, "C:\\a b\\home", "\\") == told

@@ -6,9 +6,12 @@ import gzip
 import importlib.util
 import json
 import warnings
+from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+
+import pytest
 
 from day6_core.interfaces import deserialize, get_interface, registry, serialize, type_hash, type_name
 from tests.support.folded import folded
@@ -25,6 +28,9 @@ def _load(name: str) -> ModuleType:
 real = _load("record_real")
 DATA: dict[str, Any] = json.loads(gzip.decompress(real.DATA.read_bytes()))
 CLASSES: dict[str, Any] = DATA["classes"]
+of_numpy_2 = pytest.mark.skipif(
+    version("numpy").startswith("1."), reason="recorded with NumPy 2: 1 has other names and defaults"
+)
 
 
 def test_the_recording_covers_every_package_with_a_wheel() -> None:
@@ -37,6 +43,7 @@ def test_we_have_no_interface_in_these_packages_that_real_ros_has_not() -> None:
     assert ours == {registry.base_name(name) for name in CLASSES}
 
 
+@of_numpy_2
 @folded("name", CLASSES)
 def test_a_class_looks_like_the_real_one(name: str) -> None:
     recorded = CLASSES[name]
@@ -44,6 +51,7 @@ def test_a_class_looks_like_the_real_one(name: str) -> None:
     assert described == {key: recorded[key] for key in described}
 
 
+@of_numpy_2
 @folded("name", CLASSES)
 def test_fields_accept_and_refuse_what_the_real_ones_do(name: str) -> None:
     cls = real.find_class(name)

@@ -17,6 +17,7 @@ from typing import Any
 from unittest.mock import patch
 
 import textual._time
+import textual.timer
 
 from day6_tui.screen import key_order
 
@@ -73,6 +74,9 @@ def stepped_time() -> Iterator[SteppedTime]:
             patch.object(time, "thread_time", lambda: 0.0),
             patch.object(key_order, "idle_seconds", clock),
             patch.object(textual._time, "get_time", clock),
+            patch.object(
+                textual.timer, "sleep", asyncio.sleep
+            ),  # Windows' own waits for a timer of the system, in a thread
             patch.object(selector, "select", select_or_move_on),
             patch.object(loop, "run_in_executor", run_at_once),
         ):
