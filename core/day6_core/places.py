@@ -11,7 +11,7 @@ import stat
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import NamedTuple
 from zlib import crc32
 
@@ -38,6 +38,11 @@ def data_folder() -> Path:
 def default_home() -> Path:
     """Return the folder that is `~` on the simulated machine without `--home`."""
     return data_folder() / "home"
+
+
+def as_on_linux(path: PurePath) -> str:
+    """Return a path as scripts and lessons write it: with slashes, and without a drive."""
+    return path.as_posix()[len(path.drive) :]
 
 
 def meant_in(home: Path | str, name: str) -> Path:

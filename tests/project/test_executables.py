@@ -97,7 +97,7 @@ def test_what_is_not_ours_in_such_a_folder_stays(data: Path, tmp_path: Path, mon
 def test_only_our_own_files_count_as_ours(tmp_path: Path) -> None:
     written = {f"{system}-{name}": text for system in ("posix", "nt") for name, text in texts(system).items()}
     for name, text in written.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
+        (tmp_path / name).write_text(text, encoding="utf-8", newline="")
         assert is_executable_of_ours(tmp_path / name), name
     for number, text in enumerate(
         ("", "#!/bin/sh\n", "#!/bin/sh\nexec ls\n", "#!/bin/sh\nexec '", "\0", "exec a b $@")

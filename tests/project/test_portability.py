@@ -12,16 +12,19 @@ import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
+from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import Any
 
 import pytest
 
+from day6_core.places import as_on_linux
 from day6_core.ros import executables
 from day6_core.ros.environment import program_environment
 from day6_core.session import signals
 from day6_core.session.clock import WorldClock
 from day6_core.session.scheduler import Scheduler
 from day6_core.shell.desk import Desk
+from day6_core.workspace.sourcing import source_setup
 from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, SHARE, nodes, sources, trees
 
 OF_JAZZY = OF_DISTRIBUTIONS / "jazzy"
@@ -189,7 +192,7 @@ def test_the_main_thread_never_waits_so_long_that_windows_would_miss_ctrl_c(monk
 def test_signals_have_linuxs_numbers_in_the_terminal_and_the_systems_below(monkeypatch: pytest.MonkeyPatch) -> None:
     here = [number for name, number in signals.NUMBERS.items() if hasattr(signals.signal, f"SIG{name}")]
     assert [signals.from_system(signals.to_system(number)) for number in here] == here
-    monkeypatch.setattr(signals.signal, "SIGUSR1", 30)  # macOS
+    monkeypatch.setattr(signals.signal, "SIGUSR1", 30, raising=False)  # macOS
     assert signals.to_system(10) == 30
     assert signals.to_system(64) == 64
     assert signals.from_system(200) == 200
@@ -200,6 +203,14 @@ def test_the_commands_on_a_windows_path_hold_no_path_of_this_machine() -> None:
     texts = executables.texts("nt")
     assert texts["ros2.bat"] == '@"%DAY6_PYTHON%" -m day6_tui.main ros2 %*\r\n'
     assert not any(os.path.dirname(sys.executable) in text for text in texts.values())
+
+
+def test_scripts_of_a_linux_machine_are_known_below_a_drive_of_windows() -> None:
+    """`source /opt/ros/jazzy/setup.bash` is what everything begins with."""
+    path = PureWindowsPath(r"C:\opt\ros\jazzy\setup.bash")
+    assert as_on_linux(path) == as_on_linux(PurePosixPath("/opt/ros/jazzy/setup.bash")) == "/opt/ros/jazzy/setup.bash"
+    sourced: Any = source_setup
+    assert sourced(path, {})["ROS_DISTRO"] == "jazzy"
 
 
 def test_socket_paths_are_measured_in_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -115,7 +115,7 @@ def test_a_full_disk_leaves_the_old_file_and_nothing_else(
     assert (tmp_path / "file").read_bytes() == b"old"
 
 
-@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="/dev/full is Linux's")
+@pytest.mark.skipif(os.name != "posix" or not os.path.exists("/dev/full"), reason="/dev/full is Linux's")
 def test_a_device_is_written_to_and_stays_one(tmp_path: Path) -> None:
     (tmp_path / "link").symlink_to("/dev/full")
     with pytest.raises(OSError, match="No space left"):

@@ -24,7 +24,7 @@ YES = ("y", "yes", "是")
 def is_outside(path: Path, home: Path) -> bool:
     """Whether `path` (absolute; links are followed) is neither in `home` nor in a scratch folder."""
     real = path.resolve()
-    inside = (home.resolve(), _scratch().resolve(), Path("/dev"))
+    inside = (home.resolve(), _scratch().resolve(), Path(real.anchor, "dev"))  # of each drive of Windows
     return not any(real == folder or folder in real.parents for folder in inside)
 
 

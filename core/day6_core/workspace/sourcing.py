@@ -10,12 +10,13 @@ import sys
 from collections.abc import Mapping, Sequence
 from importlib.abc import Loader
 from importlib.machinery import ModuleSpec
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from types import ModuleType
 
 from day6_core.interfaces import add_prefixes
 from day6_core.interfaces.package import package_files
 from day6_core.interfaces.registry import KINDS, package_folder
+from day6_core.places import as_on_linux
 from day6_core.ros.distribution import current
 from day6_core.ros.environment import program_environment, python_folders
 from day6_core.ros.executables import are_on, with_executables
@@ -34,7 +35,7 @@ def source_setup(path: Path, environment: Mapping[str, str]) -> dict[str, str] |
         FileNotFoundError: the script is that of a ROS distribution this machine does not have.
         ValueError: a .dsv file is malformed.
     """
-    ros = distribution_of(PurePosixPath(path.as_posix()).as_posix())
+    ros = distribution_of(as_on_linux(path))
     if ros is not None:
         return _source_ros(path, ros, environment)
     stem, _, shell = path.name.rpartition(".")

@@ -7,11 +7,13 @@ import re
 from collections.abc import Iterable, Sequence
 from fnmatch import fnmatchcase
 from itertools import groupby
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from day6_core.lessons.checks import Verdict, check
 from day6_core.lessons.checks.patterns import readable
 from day6_core.lessons.texts import Say
+from day6_core.places import as_on_linux
 from day6_core.session.plain import plain
 
 if TYPE_CHECKING:
@@ -106,7 +108,7 @@ def is_meant(words: str, ran: Ran, home: Path) -> bool:
 def _is_same(wanted: str, given: str, ran: Ran, home: Path) -> bool:
     if wanted.startswith("~"):
         return os.path.realpath(ran.cwd / given) == os.path.realpath(f"{home}{wanted[1:]}")
-    if wanted.startswith("/") and os.path.normpath(ran.cwd / given) == wanted:
+    if wanted.startswith("/") and as_on_linux(Path(os.path.normpath(ran.cwd / given))) == wanted:
         return True
     if wanted.startswith("/") and not given.startswith("/"):
         given = f"/{given}"  # a name of the graph, relative to the namespace /
@@ -150,21 +152,26 @@ def is_shown(pattern: str, ran: Ran, commands: Iterable[Ran], *, part: bool = Fa
 
     `part`: only by way of one that showed fewer lines.
     """
-    found = re.search(pattern, plain(ran.screen))
+    found = re.search(pattern, _read(ran.screen))
     if found is not None and not part and not _says_its_words(ran, found[0]):
         return True
-    elsewhere = plain(ran.elsewhere)
+    elsewhere = _read(ran.elsewhere)
     found = re.search(pattern, elsewhere)
     if found is None or _says_its_words(ran, found[0]):
         return False
     text, lines = found[0].strip(), elsewhere.count("\n")
     return any(
-        text in (screen := plain(each.screen))
+        text in (screen := _read(each.screen))
         and not _says_its_words(each, text)
         and (not part or screen.count("\n") < lines)
         for each in commands
         if each.began_ns >= ran.began_ns and each is not ran
     )
+
+
+def _read(text: str) -> str:
+    """What stood there, with the slashes that patterns have in paths."""
+    return plain(text).replace(os.sep, "/")
 
 
 def _says_its_words(ran: Ran, text: str) -> bool:

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.places import as_on_linux
 from day6_core.session.session import Session
 from day6_core.shell.builtins.options import complain_as_shell, reason
 from day6_core.shell.builtins.text import script_named
@@ -173,7 +174,9 @@ async def source(session: Session) -> int:
         return 1
     path = _found(shell, name)
     try:
-        text = TEXTS[path.as_posix()] if path.as_posix() in TEXTS else await script_named(session, str(path))
+        text = TEXTS.get(as_on_linux(path))
+        if text is None:
+            text = await script_named(session, str(path))
     except OSError as error:
         if isinstance(error, IsADirectoryError):
             complain_as_shell(session, f"{name}: is a directory")
@@ -230,7 +233,7 @@ def _wanted_distribution(session: Session, name: str) -> bool:
     from day6_core.ros.setup_lines import distribution_of
 
     shell = shell_of(session)
-    wanted = distribution_of(os.path.normpath(shell.cwd / name))
+    wanted = distribution_of(as_on_linux(Path(os.path.normpath(shell.cwd / name))))
     if wanted not in distribution.NAMES or shell.wanted_distribution is None:
         return False
     shell.wanted_distribution = wanted

@@ -91,7 +91,7 @@ class ShellState:
         home = self.variables.get("HOME", "")
         cwd = str(self.cwd)
         if home and (cwd == home or cwd.startswith(home + os.sep)):
-            return "~" + cwd[len(home) :]
+            return "~" + cwd[len(home) :].replace(os.sep, "/")
         return cwd
 
     def parameter(self, name: str) -> str | None:
