@@ -79,7 +79,7 @@ def test_a_file_appears_with_its_first_line_and_another_one_after_it_was_closed(
         file.write(line)
     (name,) = logs(file.folder)
     assert re.fullmatch(r"mine_7_\d{13}\.log", name)
-    assert (file.folder / name).read_bytes() == "one\nzwei \u00fc\nbad \\udcff\n".encode()
+    assert (file.folder / name).read_text(encoding="utf-8") == "one\nzwei \u00fc\nbad \\udcff\n"
     file.open()
     assert logs(file.folder) == [name]
     file.close()

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import json
+import os
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -157,12 +158,14 @@ def told(case: str, world: Any) -> list[str]:
     try:
         CASES[case](world)
     except Exception as error:
-        return [type(error).__name__, str(error).replace(str(world.folder), "FOLDER")]
+        return [type(error).__name__, str(error).replace(f"{world.folder}{os.sep}", "FOLDER/")]
     return []
 
 
 @pytest.mark.parametrize("case", list(RECORDED))
 def test_what_goes_wrong_is_told_as_by_real_rclpy(world: Any, tmp_path: Path, case: str) -> None:
+    if os.name == "nt" and case == "arguments --params-file|/":
+        pytest.skip("a folder cannot be opened there")
     world.folder = tmp_path
     assert told(case, world) == RECORDED[case]
 
