@@ -172,6 +172,7 @@ def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
     leave(graph)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a right there")
 def test_a_symbolic_link_in_place_of_the_folder_is_refused(
     world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
