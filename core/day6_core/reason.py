@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+import os
+
 LONGEST_NAME = 255
 """Characters of a path that are shown in an error; one that is itself too long fills the screen."""
 
 
+_AS_ELSEWHERE = (2, 3, 5, 80, 112, 145, 183, 267)
+"""Errors of Windows for which C has words: something is missing, refused, there already, not empty, no folder; a full disk."""
+
+
 def reason(error: BaseException) -> str:
-    """Return the system's words for an error of the system, else what the error says."""
+    """Return the system's words for an error of the system, else what the error says.
+
+    Windows' own depend on its language, and neither cards nor courses know them; where it can, this returns C's.
+    """
+    if isinstance(error, OSError) and error.errno and getattr(error, "winerror", None) in _AS_ELSEWHERE:
+        return os.strerror(error.errno)
     return (isinstance(error, OSError) and error.strerror) or str(error) or type(error).__name__
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -153,7 +154,8 @@ def without_comments(text: str) -> str:
 def with_prefix(text: str, prefixes: list[str]) -> str:
     """Put the recording's placeholder for the prefixes of this machine."""
     for prefix in sorted(prefixes, key=len, reverse=True):
-        text = text.replace(prefix, "<PREFIX>")
+        text = re.sub(re.escape(prefix) + r"[^\s'\"]*", lambda found: found[0].replace(os.sep, "/"), text)
+        text = text.replace(prefix.replace(os.sep, "/"), "<PREFIX>")
     return text
 
 

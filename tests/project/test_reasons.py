@@ -9,6 +9,7 @@ import os
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -42,6 +43,15 @@ OF_PARSERS = {
     "day6_tui/upkeep/trials.py",
 }
 """Modules that tell the kind of what a parser or an import says: none of them touches a file there."""
+
+
+def test_a_missing_file_is_told_on_windows_as_everywhere() -> None:
+    error: Any = FileNotFoundError(errno.ENOENT, "Das System kann die angegebene Datei nicht finden", "f")
+    error.winerror = 2
+    assert reason(error) == "No such file or directory"
+    error = PermissionError(errno.EACCES, "used by another process", "f")
+    error.winerror = 32
+    assert reason(error) == "used by another process"
 
 
 def told(path: Path, tree: ast.Module) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 import threading
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -58,11 +59,11 @@ class Command:
 
     @property
     def stdout(self) -> str:
-        return self.session.stdout.text
+        return self.session.stdout.text.replace(os.sep, "/")  # as it was recorded
 
     @property
     def stderr(self) -> str:
-        return self.session.stderr.text
+        return self.session.stderr.text.replace(os.sep, "/")
 
     @property
     def status(self) -> int | None:

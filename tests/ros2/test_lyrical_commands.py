@@ -93,7 +93,7 @@ def test_what_echo_prints_can_be_published_again(machine, in_distribution):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--yaml-file", "missing.yaml"), "FileNotFoundError: [Errno 2] No such file or directory: 'missing.yaml'\n"),
+        (("--yaml-file", "missing.yaml"), ": 'missing.yaml'\n"),
         (("--yaml-file", "x", "--stdin"), "not allowed with argument"),
     ],
 )

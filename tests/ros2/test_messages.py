@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import sys
+from importlib.metadata import version
 from types import ModuleType
 
 import pytest
@@ -241,6 +242,7 @@ _SERVICE_FIXTURES = {
 """The beginning of the SHA-1 of what real Kilted's fixtures look like as text."""
 
 
+@pytest.mark.skipif(version("numpy").startswith("1."), reason="recorded with NumPy 2: 1 has other names and defaults")
 def test_the_fixtures_of_test_msgs_are_the_real_ones():
     def begin(value: object) -> str:
         return hashlib.sha1(repr(value).encode()).hexdigest()[:12]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
@@ -133,6 +134,7 @@ def test_wrong_parameter_files(machine, node, text, error):
     assert result.stderr.endswith(error)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="the words of the system for its errors")
 def test_a_missing_parameter_file_is_named(machine, node):
     result = machine.ros2("param", "load", "/robot", "nope.yaml")
     assert result.status == 1

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from day6_core.reason import reason
 from day6_core.ros.programs.rqt_console import files, kept, model
 from day6_core.ros.programs.rqt_console.filters import Filter, FilterChoice
 from day6_core.ros.programs.rqt_console.model import Console, Record
@@ -127,7 +128,9 @@ def test_saving_and_loading(tmp_path: Path) -> None:
         assert [(each.text, each.severity) for each in console.shown()] == [("one", "Warn"), ("two", "Warn")]
         assert console.paused
         console.load("nowhere")
-        machine.until(lambda: "No such file" in console.message)
+        with pytest.raises(FileNotFoundError) as error:
+            Path("nowhere").read_bytes()
+        machine.until(lambda: reason(error.value) in console.message)
     finally:
         machine.end()
 

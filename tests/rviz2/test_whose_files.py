@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -50,12 +51,15 @@ def test_nothing_leads_out_of_a_package(share: Path, tmp_path: Path, uri: str) -
         (share / "away").symlink_to(tmp_path, target_is_directory=True)
     except OSError:
         pytest.skip("this system makes no links")
+    if not (share / "away").is_symlink():
+        pytest.skip("this system hides its links")
     store = MeshStore(lambda package: str(share))
     assert isinstance(store.read("package://car/meshes/in.stl"), MeshData)
     with pytest.raises(MeshError, match="leads out of its package"):
         store.read(uri)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a right there")
 def test_links_of_a_build_with_symlink_install_are_followed_into_the_sources(share: Path, tmp_path: Path) -> None:
     source = tmp_path / "src" / "car"
     (source / "meshes").mkdir(parents=True)

@@ -42,7 +42,7 @@ def time_of(count: int) -> float:
 
 
 def test_ten_times_as_many_lines_in_a_pipe_take_ten_times_as_long() -> None:
-    assert time_of(200_000) < 40 * time_of(20_000)
+    assert time_of(200_000) < max(40 * time_of(20_000), 0.2)  # the clock of Windows goes in steps
 
 
 def test_one_write_of_many_megabytes_goes_through_a_pipe_whole() -> None:

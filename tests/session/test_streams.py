@@ -174,7 +174,7 @@ def test_what_a_process_has_not_read_comes_next_also_before_the_rest_of_a_line()
 
 def test_a_process_goes_on_reading_a_file_where_reading_stopped(tmp_path: Path) -> None:
     path = tmp_path / "f"
-    path.write_text("é1\nzwei\ndrei\n", encoding="utf-8")
+    path.write_text("é1\nzwei\ndrei\n", encoding="utf-8", newline="")
     file = FileInput(path)
     (line,) = run(file.read_line())
     number = file.fileno()

@@ -186,7 +186,8 @@ def nanoseconds_of(text: str, near_ns: int) -> int | None:
     try:
         if year is None:
             year, month, day = time.localtime(near_ns // 1_000_000_000)[:3]
-        whole = datetime(int(year), int(month), int(day), int(hour), int(minute), int(second or 0)).timestamp()
+        moment = datetime(int(year), int(month), int(day), int(hour), int(minute), int(second or 0))
+        whole = time.mktime(moment.timetuple())  # `timestamp` looks a day back, which Windows refuses in 1970
     except (OSError, OverflowError, ValueError):
         return None
     return int(whole) * 1_000_000_000 + int((fraction or "0").ljust(9, "0"))
