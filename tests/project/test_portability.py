@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import ast
 import json
+import ntpath
 import os
+import posixpath
 import shutil
 import subprocess
 import sys
@@ -23,6 +25,7 @@ from day6_core.ros.environment import program_environment
 from day6_core.session import signals
 from day6_core.session.clock import WorldClock
 from day6_core.session.scheduler import Scheduler
+from day6_core.shell.builtins.files import folders_of
 from day6_core.shell.desk import Desk
 from day6_core.workspace.sourcing import source_setup
 from tests.support.source_files import OF_DISTRIBUTIONS, ON_THE_PATH, PACKAGES, SHARE, nodes, sources, trees
@@ -211,6 +214,20 @@ def test_scripts_of_a_linux_machine_are_known_below_a_drive_of_windows() -> None
     assert as_on_linux(path) == as_on_linux(PurePosixPath("/opt/ros/jazzy/setup.bash")) == "/opt/ros/jazzy/setup.bash"
     sourced: Any = source_setup
     assert sourced(path, {})["ROS_DISTRO"] == "jazzy"
+
+
+@pytest.mark.parametrize(
+    ("name", "path", "folders"),
+    [
+        ("C:\\a b\\ws/src/", ntpath, ["C:\\a b", "C:\\a b\\ws", "C:\\a b\\ws/src/"]),
+        ("ws/src", ntpath, ["ws", "ws/src"]),
+        ("/a/b", posixpath, ["/a", "/a/b"]),
+        ("./a", posixpath, ["./a"]),
+    ],
+)
+def test_the_folders_above_one_end_at_the_root(name: str, path: Any, folders: list[str]) -> None:
+    """`mkdir -p` of a path with a drive went up for ever."""
+    assert folders_of(name, path) == folders
 
 
 def test_socket_paths_are_measured_in_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

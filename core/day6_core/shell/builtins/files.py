@@ -9,6 +9,7 @@ import time
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from day6_core import deep
 from day6_core.session.session import Session
@@ -116,12 +117,18 @@ async def mkdir(session: Session) -> int:
     return status
 
 
+def folders_of(name: str, path: Any = os.path) -> list[str]:
+    """Return the folders of which a path consists, from above, without the root (of a drive); `path` is the system's module."""
+    parts = [name]
+    while (above := path.dirname(parts[0].rstrip("/"))) not in ("", ".") and path.dirname(above) != above:
+        parts.insert(0, above)
+    return parts
+
+
 def _make_folder(cwd: Path, name: str, *, parents: bool) -> list[str]:
     """Make a folder and return what was made for it. Raises OSError, which names the part of `name` that could not be made."""
-    parts, made = [name], list[str]()
-    while parents and os.path.dirname(parts[-1].rstrip("/")) not in ("", "/", "."):
-        parts.append(os.path.dirname(parts[-1].rstrip("/")))
-    for part in reversed(parts):
+    made: list[str] = []
+    for part in folders_of(name) if parents else [name]:
         try:
             os.mkdir(os.path.join(cwd, part) if part else "")
             made.append(part)
