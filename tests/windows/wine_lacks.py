@@ -1,8 +1,10 @@
-"""Loaded at the start of every Python under Wine (`run`): other ways to what ends the process there."""
+"""Loaded at the start of every Python under Wine (`run`): other ways to what ends the process or has no end there."""
 
 from __future__ import annotations
 
 import os
+
+import _ssl
 
 
 def _getppid() -> int:
@@ -15,3 +17,4 @@ def _getppid() -> int:
 
 
 os.getppid = _getppid
+_ssl.enum_certificates = lambda store: []  # type: ignore[attr-defined]  # reading them fails a thousand times
