@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import os
-
 import _ssl
+import os
 
 
 def _getppid() -> int:
