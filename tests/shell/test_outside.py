@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -34,7 +35,8 @@ def test_a_file_outside_is_changed_only_after_a_yes(seat: Any, theirs: Path, com
     assert without_blanks(question) in without_blanks(seat.line(command.format(f"'{theirs}'")))
     screen = seat.type("\r")
     assert screen.endswith(PROMPT)
-    assert theirs.read_text(encoding="utf-8") == "mine\n" and theirs.stat().st_mode & 0o777 == 0o644
+    assert theirs.read_text(encoding="utf-8") == "mine\n"
+    assert sys.platform == "win32" or theirs.stat().st_mode & 0o777 == 0o644
     assert seat.line("echo status $?").splitlines()[-2] == "status 1"
 
 
@@ -61,6 +63,7 @@ def test_the_home_folder_and_scratch_folders_are_not_asked_about(seat: Any, thei
     assert (tmp_path / "scratch" / "f").read_text(encoding="utf-8") == "y\n"
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a right there")
 def test_a_link_that_leads_outside_is_outside(seat: Any, theirs: Path) -> None:
     (seat.desk.home / "way").symlink_to(theirs.parent)
     assert without_blanks("is outside your home folder") in without_blanks(seat.line("rm way/homework"))

@@ -40,7 +40,7 @@ def test_a_line_can_be_edited_before_enter(seat: Any, keys: str, shown: list[str
     seat.line("cat > f")
     assert seat.type(keys).splitlines()[1 : 1 + len(shown)] == shown
     seat.type("\x04")
-    assert (seat.desk.home / "f").read_text() == read
+    assert (seat.desk.home / "f").read_text(encoding="utf-8") == read
 
 
 def test_ctrl_d_behind_text_hands_it_over_and_ctrl_d_alone_ends_the_input(seat: Any) -> None:

@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path
 
+from day6_core.reason import reason
 from day6_core.ros.differences import value
 from day6_core.workspace import templates
 from day6_core.workspace.templates import PackagePlan
@@ -121,7 +122,7 @@ def _write(draft: _Draft, destination: Path, name: str) -> None:
         folder = target.parent / f".day6-new-{secrets.token_hex(6)}"
         folder.mkdir()
     except OSError as error:
-        raise OSError(error.errno, error.strerror, draft.shown) from error
+        raise OSError(error.errno, reason(error), draft.shown) from error
     try:
         for inner in draft.folders:
             (folder / inner).mkdir(parents=True, exist_ok=True)
@@ -131,4 +132,4 @@ def _write(draft: _Draft, destination: Path, name: str) -> None:
         folder.rename(target)
     except OSError as error:
         shutil.rmtree(folder, ignore_errors=True)
-        raise OSError(error.errno, error.strerror, draft.shown) from error
+        raise OSError(error.errno, reason(error), draft.shown) from error

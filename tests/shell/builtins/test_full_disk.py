@@ -14,7 +14,7 @@ import pytest
 FULL = "/dev/full"
 NO_SPACE = "No space left on device"
 
-pytestmark = pytest.mark.skipif(not os.path.exists(FULL), reason="/dev/full is Linux's")
+pytestmark = pytest.mark.skipif(os.name != "posix" or not os.path.exists(FULL), reason="/dev/full is Linux's")
 
 MAIN = [sys.executable, "-m", "day6_tui.main"]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -236,6 +237,8 @@ def test_a_line_means_what_it_means_in_bash(machine: Any, line: str, tmp_path: P
     ],
 )
 def test_wrong_input_is_answered_in_bashs_words(machine: Any, line: str, message: str, status: int) -> None:
+    if os.name == "nt" and line.endswith("./x.py"):
+        pytest.skip("files have no mode there that forbids to run them")
     result = machine.run(line)
     assert result.err.strip() == message
     assert result.status == status

@@ -63,7 +63,7 @@ def completed(machine: Any, line: str) -> tuple[list[str], int]:
         ("./onl", ["./only.py"], 0),
         ("~/onl", ["~/only.py"], 0),
         ("echo $ROS_DI", ["$ROS_DISTRO"], 5),
-        ("echo $HOM", ["$HOME"], 5),
+        ("echo $LOGN", ["$LOGNAME"], 5),
         ("echo $NOPE", [], 5),
     ],
 )

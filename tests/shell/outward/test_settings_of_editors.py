@@ -107,6 +107,7 @@ def test_vs_code_gets_a_whole_set_of_files_where_there_is_none(project: Path) ->
 
 
 @pytest.mark.parametrize(("system", "name"), [("win32", "windows"), ("darwin", "osx"), ("linux", "linux")])
+@pytest.mark.skipif(os.name != "posix", reason="plays the other systems on one with modes")
 def test_the_terminal_of_vs_code_keeps_its_own_variables(
     project: Path, monkeypatch: pytest.MonkeyPatch, system: str, name: str
 ) -> None:

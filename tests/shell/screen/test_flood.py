@@ -252,7 +252,7 @@ def test_colours_in_groups_are_what_the_older_way_says() -> None:
 
 def test_a_command_substitution_keeps_all_of_ten_megabytes(machine: Any) -> None:
     text = "x" * 999 + "\n"
-    (machine.desk.home / "big.txt").write_text(text * 10_000, encoding="utf-8")
+    (machine.desk.home / "big.txt").write_text(text * 10_000, encoding="utf-8", newline="")
     assert machine.run("x=$(cat big.txt); echo ${#x}").out == "9999999\n"
 
 

@@ -134,11 +134,11 @@ def _make_folder(cwd: Path, name: str, *, parents: bool) -> list[str]:
             made.append(part)
         except FileExistsError as error:
             if not parents or (part == name and not (cwd / part).is_dir()):
-                raise OSError(error.errno, error.strerror, part) from None
+                raise OSError(error.errno, reason(error), part) from None
             if not (cwd / part).is_dir():
                 raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), part) from None
         except OSError as error:
-            raise OSError(error.errno, error.strerror, part) from None
+            raise OSError(error.errno, reason(error), part) from None
     return made
 
 

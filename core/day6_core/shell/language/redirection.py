@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.reason import reason
 from day6_core.session.streams import FileInput, FileOutput, InputStream, OutputStream, TextInput
 from day6_core.shell.language import syntax
 from day6_core.shell.language.expansion import expand, expand_text
@@ -238,7 +239,7 @@ def _open_input(path: Path, name: str) -> InputStream:
     try:
         return FileInput(path)
     except OSError as error:
-        raise OSError(error.errno, error.strerror, name) from None
+        raise OSError(error.errno, reason(error), name) from None
 
 
 def _open_output(path: Path, name: str, *, append: bool) -> OutputStream:
@@ -251,7 +252,9 @@ def _open_output(path: Path, name: str, *, append: bool) -> OutputStream:
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         return FileOutput(path, append=append)
     except OSError as error:
-        raise OSError(error.errno, error.strerror, name) from None
+        if path.is_dir():  # which Windows refuses to whoever opens it
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name) from None
+        raise OSError(error.errno, reason(error), name) from None
 
 
 def forked(streams: Streams) -> Streams:

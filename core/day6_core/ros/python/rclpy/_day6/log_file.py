@@ -44,7 +44,9 @@ class LogFile:
             folder = self.folder
             folder.mkdir(parents=True, exist_ok=True)
             name = f"{self.program}_{self._pid}_{time.time_ns() // 1_000_000}.log"
-            self._descriptor = os.open(folder / name, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+            self._descriptor = os.open(
+                folder / name, os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_BINARY", 0), 0o666
+            )
 
     @property
     def folder(self) -> Path:
