@@ -34,7 +34,7 @@ def test_what_jupyter_starts_is_a_command_line_of_ours() -> None:
     command = [word.format(unix_socket="/run/s", base_url="/user/anna/day6/", port=0) for word in server()["command"]]
     settings = parse(command[command.index("serve") + 1 :], "en")
     assert settings.home == Path.home() / "day6"  # which the file browser shows
-    assert settings.proxied and str(settings.unix) == "/run/s" and settings.base_url == "/user/anna/day6/"
+    assert settings.proxied and settings.unix == Path("/run/s") and settings.base_url == "/user/anna/day6/"
 
 
 def test_the_entry_point_is_declared() -> None:
