@@ -8,12 +8,13 @@ import os
 import select
 import threading
 import time
-import tty
 
 import pytest
 from textual.drivers._writer_thread import MAX_QUEUED_WRITES, WriterThread
 
 from day6_tui.textual_private import output
+
+tty = pytest.importorskip("tty", reason="needs Unix's terminals")
 
 
 class _HungUp(io.StringIO):
