@@ -38,10 +38,11 @@ _TEXT = re.compile(
 )
 _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 _OF_THE_DESKTOP = re.compile(
-    r"(?:\r\n)?\x1b\[(?:[0-9]+;[0-9]+H"  # a place, in whole pictures at the beginning of a line
+    r"\x1b\[(?:[0-9]+;[0-9]+H|[0-9]+G"  # a place
     r"|\?(?:25|1000|1003|1004|1006|1015|1049|2004|2026|2048|7)[hl]"  # modes: cursor, mouse, focus, screen, paste, at once
     r"|\?(?:2026|2048)\$p|>[0-9]+u|<u|\?u"  # what Textual asks a terminal at its start, and its keys
     r"|>0q|16t|14t|c"  # whether it shows pictures
+    r"|5n"  # how far it has read
     r"|[HJ]|2J|0?K)"
     r"|\x1b]22;[a-z-]*\x07"  # the shape of the mouse's pointer
     r"|\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\"  # whether it shows pictures of kitty

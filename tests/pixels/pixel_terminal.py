@@ -120,6 +120,8 @@ class PixelTerminal:
         if text.endswith("H"):
             row, _, column = text[:-1].partition(";")
             self._at = int(column or 1) - 1, int(row or 1) - 1
+        elif text.endswith("G"):
+            self._at = int(text[:-1] or 1) - 1, self._at[1]
         elif text == "5n":
             return "\x1b[0n"
         return ANSWERS[self.kind].get(text, "")

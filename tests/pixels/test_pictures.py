@@ -16,7 +16,6 @@ from textual.widgets._toast import Toast
 from day6_tui.app import Day6App
 from day6_tui.classes.modals import Frozen
 from day6_tui.panes.canvas import square
-from day6_tui.pixels.app import leave_pictures
 from day6_tui.pixels.ask import IS_READY, ITERM, KITTY, SIXEL, Ability, Answered
 from day6_tui.pixels.pictures import LOST_SECONDS, SLOW_SECONDS, Pictures
 from day6_tui.textual_private.keyboard import KeyboardParser
@@ -438,7 +437,7 @@ def test_letters_that_change_twice_before_the_terminal_answers_are_measured_as_t
 def test_leaving_removes_every_image(monkeypatch: pytest.MonkeyPatch) -> None:
     async def scenes(stage: Stage) -> None:
         assert stage.terminal.images
-        stage.terminal.feed(leave_pictures(stage.pictures))
+        stage.terminal.feed(stage.pictures.farewell())
         assert not stage.terminal.images and not stage.terminal.placements
 
     play(KITTY, monkeypatch, scenes)
@@ -453,7 +452,7 @@ def test_a_pane_that_goes_while_the_desktop_leaves_takes_no_image_out_of_the_far
         stage.pictures._write = lambda text: None  # as the application does from then on
         stage.pictures.drop(pane)
         stage.pictures.send()
-        stage.terminal.feed(leave_pictures(stage.pictures))
+        stage.terminal.feed(stage.pictures.farewell())
         assert not stage.terminal.images and not stage.terminal.placements
 
     play(KITTY, monkeypatch, scenes)

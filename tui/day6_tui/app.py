@@ -186,6 +186,7 @@ class Day6App(TerminalApp):
             work=self.read_flood,
             echo=self.draw_echo,
             congested=self.is_congested,
+            blocked=self.is_blocked,
             failed=self.frame_failed,
         )
         look.wake, look.wake_after = self.frames.wake, self.frames.wake_after

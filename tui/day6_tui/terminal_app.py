@@ -16,7 +16,8 @@ from day6_tui.pixels.app import PictureApp
 from day6_tui.screen.frames import Frames
 from day6_tui.screen.key_order import KeyOrder
 from day6_tui.screen.poor_terminals import filters_for
-from day6_tui.textual_private.access import is_leaving, waiting_writes
+from day6_tui.textual_private.access import ask_terminal, draw_rest, is_leaving, waiting_writes
+from day6_tui.textual_private.drawing import FOR_KEYS
 from day6_tui.textual_private.frame_screen import DeskScreen, FrameScreen
 from day6_tui.textual_private.keyboard import sturdy
 from day6_tui.textual_private.survival import Surviving
@@ -25,6 +26,8 @@ textual_private.install()
 
 WAITING_OUTPUT = 3
 """Number of writes still waiting for the terminal at which the next frame is postponed."""
+LEAST_ROOM = 0.5
+"""What is under way to a slow terminal when the next frame comes, as a share of what may be."""
 
 
 class TerminalApp(Surviving, PictureApp):
@@ -68,7 +71,9 @@ class TerminalApp(Surviving, PictureApp):
         """Let panes pull what is new and draw it at once; returns what `pull` does."""
         screen = self.screen
         if not isinstance(screen, FrameScreen):
-            return pull()
+            again = pull()
+            draw_rest(screen)
+            return again
         screen.begin_frame()
         try:
             return pull()
@@ -92,4 +97,23 @@ class TerminalApp(Surviving, PictureApp):
 
     def is_congested(self) -> bool:
         """Whether the terminal takes less than it is sent."""
-        return waiting_writes(self) > WAITING_OUTPUT
+        lacks = self._lacks(LEAST_ROOM)
+        if lacks and self.line.may_ask and not self.line.waits:
+            ask_terminal(self)  # its answer lets the next frame come
+        return lacks
+
+    def is_blocked(self) -> bool:
+        """Whether not even the echo of a key could be sent."""
+        return self._lacks(FOR_KEYS)
+
+    def _lacks(self, share: float) -> bool:
+        room = self.line.room(share)
+        return (room is not None and room <= 0) or waiting_writes(self) > WAITING_OUTPUT
+
+    def left_over(self) -> None:
+        self.frames.hold()
+        self.frames.wake()
+
+    def heard(self) -> None:
+        if not self.is_congested():
+            self.frames.relieve()

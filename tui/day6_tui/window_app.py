@@ -251,6 +251,11 @@ class WindowApp(TerminalApp):
         if display.version != self._version:
             self._version = display.version
             self.stage.show_windows(display.windows)
+        again = self.draw_in_frame(lambda: self._pull_all(now))
+        self.send_pictures()
+        return again
+
+    def _pull_all(self, now: float) -> bool:
         again = False
         pane = self.stage.shown
         if pane is not None:
@@ -260,7 +265,6 @@ class WindowApp(TerminalApp):
             except Exception as error:
                 self.window_failed(pane, error)
         self.bottom.pull(now)
-        self.send_pictures()
         return again
 
     def frame_failed(self, error: Exception) -> None:

@@ -14,7 +14,7 @@ from textual.geometry import Region
 from textual.screen import Screen
 from textual.widgets import Static
 
-from day6_tui.textual_private.dirty_spans import render_segments
+from day6_tui.textual_private.dirty_spans import pieces_of_chops
 from day6_tui.textual_private.frame_screen import FrameScreen, SpansCompositor
 from tests.tui.settled import install
 
@@ -77,7 +77,8 @@ def test_what_is_drawn_is_what_textual_draws() -> None:
                 if theirs is None or not theirs.spans:
                     continue
                 assert ours is not None
-                expected = _shown(render_segments(theirs, console))
+                pieces = pieces_of_chops(theirs)
+                expected = _shown("".join(f"\x1b[{y + 1};{x + 1}H{strip.render(console)}" for x, y, strip in pieces))
                 assert _shown(ours.render_segments(console)) == expected
 
     asyncio.run(compare())

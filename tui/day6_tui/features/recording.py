@@ -107,7 +107,7 @@ class Recording(Feature):
         self._recorder = driver.recorder = recorder
         self._seconds = app.set_interval(SECONDS, self._look.wake)
         self._looks.redraw()
-        app.screen.refresh(layout=True)
+        app.draw_anew()
         return None
 
     def advance(self) -> bool:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 import sys
-import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
@@ -25,8 +24,6 @@ if TYPE_CHECKING:
 
 _log = logging.getLogger(__name__)
 
-ANSWER_SECONDS = 0.4
-"""How long the end waits for an answer that is under way: it would be typed into the shell."""
 WINDOWS_CHUNK = 8192
 """The console of Windows loses parts of longer writes (textual/app.py has the same)."""
 
@@ -66,7 +63,8 @@ class PictureApp(HookedApp):
             self.look.pictures.ask((self.size.width, self.size.height), _pixels_of_screen())
 
     def on_resize(self, event: events.Resize) -> None:
-        """Letters may have another size now."""
+        """The terminal may show anything now, and its letters may have another size."""
+        self.drawing.shown.forget()
         pictures = self.look.pictures
         if pictures is not None and pictures.ability is not None and sys.platform != "win32":
             self.call_after_refresh(self._ask)
@@ -102,6 +100,8 @@ class PictureApp(HookedApp):
         driver = driver_of(self)
         if driver is None or is_leaving(self):
             return
+        if self.look.pictures is not None and self.look.pictures.ability is not None:
+            self.drawing.shown.forget()  # cells below a picture are not what was written there
         size = WINDOWS_CHUNK if sys.platform == "win32" else len(text)
         for start in range(0, len(text), size):
             driver.write(text[start : start + size])
@@ -114,16 +114,6 @@ class PictureApp(HookedApp):
         from day6_tui.appearance.changing import redraw
 
         redraw(self, self.look)
-
-
-def leave_pictures(pictures: Pictures | None) -> str:
-    """What removes all pictures. Waits a moment for an answer that is under way."""
-    if pictures is None:
-        return ""
-    end = time.monotonic() + ANSWER_SECONDS
-    while pictures.waiting and time.monotonic() < end:
-        time.sleep(0.01)
-    return pictures.farewell()
 
 
 def _pixels_of_screen() -> tuple[int, int]:

@@ -46,6 +46,7 @@ class Frames:
         work: Callable[[], float | None] | None = None,
         echo: Callable[[], bool] = lambda: False,
         congested: Callable[[], bool] | None = None,
+        blocked: Callable[[], bool] | None = None,
         failed: Callable[[Exception], None] | None = None,
     ) -> None:
         self._draw = draw
@@ -53,6 +54,8 @@ class Frames:
         self._echo = echo
         self._failed = failed
         self._congested = congested if congested is not None else lambda: False
+        self._blocked = blocked if blocked is not None else self._congested
+        """Whether not even an echo can be sent."""
         self._shortest = self._usual = 1.0 / fps if fps > 0 else 0.0
         self._period = self._shortest
         self._woken = False
@@ -69,6 +72,8 @@ class Frames:
         """Whether a key's echo has not been drawn, and whether the loop is about to look for it."""
         self._has_waited = False
         """Whether the next frame has given way to a key."""
+        self._held_period: float | None = None
+        """The period when the terminal last took no more, None while it does."""
         self._loop: asyncio.AbstractEventLoop | None = None
         self._handle: asyncio.TimerHandle | None = None
         self._slice: asyncio.TimerHandle | None = None
@@ -123,6 +128,24 @@ class Frames:
             with contextlib.suppress(RuntimeError):
                 loop.call_soon_threadsafe(self._glance, context=self._context)
 
+    def hold(self) -> None:
+        """The terminal takes no more for now: the next frame comes when it does. In the event loop."""
+        if self._held_period is None:
+            self._held_period = self._period
+
+    def relieve(self) -> None:
+        """The terminal takes more again: a frame that waits for that comes at once. Any thread."""
+        loop = self._loop
+        if self._held_period is not None and loop is not None:
+            with contextlib.suppress(RuntimeError):
+                loop.call_soon_threadsafe(self._go_on, context=self._context)
+
+    def _go_on(self) -> None:
+        if self._held_period is not None and self._handle is not None:
+            self._period, self._held_period = self._held_period, None
+            self._handle.cancel()
+            self._plan(time.monotonic())
+
     def typed(self) -> None:
         """A key was read. Any thread."""
         self._typed_at = time.monotonic()
@@ -149,7 +172,7 @@ class Frames:
     def _glance(self) -> None:
         """Draw the echo of a key if it has come."""
         self._glances = False
-        if self._loop is None or not self._running or self._congested():
+        if self._loop is None or not self._running or self._blocked():
             return
         try:
             drawn = self._echo()
@@ -212,12 +235,13 @@ class Frames:
             self._due = self._later or self._due
         now = time.monotonic()
         if self._congested():
+            self.hold()
             self._adapt(self._period, SLOWEST)
             self._plan(now + self._period)
             return
         if self._woken and self._gives_way(now):
             return
-        self._has_waited = False
+        self._has_waited, self._held_period = False, None
         self._adapt(now - self._due, BUSIEST)
         if self._woken:
             try:

@@ -27,7 +27,6 @@ def supported() -> bool:
 
 def install() -> None:
     """Put in place what replaces methods of Textual."""
-    from day6_tui.textual_private import dirty_spans, output
+    from day6_tui.textual_private import output
 
-    dirty_spans.install()
     output.install()

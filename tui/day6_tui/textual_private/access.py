@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from textual.app import App
     from textual.driver import Driver
     from textual.notifications import Notification
+    from textual.screen import Screen
     from textual.strip import Strip
 
 _log = logging.getLogger(__name__)
@@ -38,11 +39,23 @@ def waiting_writes(app: App[Any]) -> int:
     return writer._queue.qsize() if writer is not None else 0
 
 
+def ask_terminal(app: App[Any]) -> None:
+    """Ask how far the terminal has read, where the driver can."""
+    if (ask := getattr(app._driver, "ask", None)) is not None:
+        ask()
+
+
 def lines_of(app: App[Any]) -> list[Strip]:
     """Return the lines of the screen, with what is seen behind an overlay."""
     # Textual's box over the desktop asks here for what is behind it. Without an answer it would remember that nothing is.
     visible_screen_stack.set(app._background_screens)
     return app.screen._compositor.render_strips()
+
+
+def draw_rest(screen: Screen[Any]) -> None:
+    """Draw what has changed or was left over, now."""
+    if screen._compositor._dirty_regions:
+        screen._compositor_refresh()
 
 
 def within(app: App[Any]) -> AbstractContextManager[None]:

@@ -1,12 +1,13 @@
-"""Makes Textual send only the dirty part of a line.
+"""The dirty part of a line, and no more.
 
-`ChopsUpdate.render_segments` of Textual 8.2 sends a line from the left edge of its widget to the right end of the dirty
-span, which is about six times the bytes for everything that moves. The corrected method crops both ends;
-`tests/tui/textual_private/test_dirty_spans.py` compares it cell by cell with the original.
+Textual 8.2 sends a line from the left edge of its widget to the right end of the dirty span, which is about six times the
+bytes for everything that moves. Here both ends are cropped; `tests/tui/textual_private/test_dirty_spans.py` compares that cell
+by cell.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.panes.cells import cell_len
@@ -15,23 +16,17 @@ if TYPE_CHECKING:
     from textual.strip import Strip
 
 
-def render_segments(self: Any, console: Any) -> str:
-    """As `ChopsUpdate.render_segments`, for the dirty spans alone."""
-    sequences: list[str] = []
-    append = sequences.append
-    chops = self.chops
-    chop_ends = self.chop_ends
-    for y, x1, x2 in self.spans:
-        for end, (x, strip) in zip(chop_ends[y], chops[y].items(), strict=True):
+def pieces_of_chops(update: Any) -> Iterator[tuple[int, int, Strip]]:
+    """The dirty spans alone of a `ChopsUpdate`: column and line of each strip."""
+    for y, x1, x2 in update.spans:
+        for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=True):
             if strip is None or x >= x2 or end <= x1:
                 continue
             left, right = max(x, x1), min(end, x2)
             if left != x or right != end:
                 first, last = whole_characters(strip, left - x, right - x)
                 left, strip = x + first, strip.crop(first, last)
-            append(f"\x1b[{y + 1};{left + 1}H")
-            append(strip.render(console))
-    return "".join(sequences)
+            yield left, y, strip
 
 
 def whole_characters(strip: Strip, first: int, last: int) -> tuple[int, int]:
@@ -52,10 +47,3 @@ def whole_characters(strip: Strip, first: int, last: int) -> tuple[int, int]:
                 last = after
             column = after
     return first, last
-
-
-def install() -> None:
-    """Replace the method."""
-    from textual._compositor import ChopsUpdate
-
-    ChopsUpdate.render_segments = render_segments  # type: ignore[method-assign]

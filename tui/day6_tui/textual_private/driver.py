@@ -10,6 +10,7 @@ import contextlib
 import logging
 import os
 import select
+import time
 from typing import TYPE_CHECKING
 
 from textual import events
@@ -21,8 +22,9 @@ try:
 except ImportError:  # Windows: Textual has another driver there, and this one is not used
     from textual.driver import Driver as LinuxDriver  # type: ignore[assignment]
 
-from day6_tui.pixels.app import PictureApp, leave_pictures
-from day6_tui.pixels.ask import Answered
+from day6_tui.pixels.app import PictureApp
+from day6_tui.pixels.ask import IS_READY, READY, Answered
+from day6_tui.screen.line import may_ask
 from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.textual_private.hooks import HookedApp
 from day6_tui.textual_private.keyboard import InputDecoder, KeyboardParser, is_possible
@@ -38,6 +40,9 @@ HUNG_UP = 129
 
 MOST_FAILURES = 100
 """Consecutive reads that may fail."""
+
+ANSWER_SECONDS = 0.4
+"""How long the end waits for an answer that is under way."""
 
 _log = logging.getLogger(__name__)
 
@@ -57,6 +62,33 @@ class TerminalDriver(LinuxDriver):
             if self.recorder is not None:
                 self.recorder.write(data)
             super().write(data)
+            self._count(data)
+
+    def _count(self, data: str) -> None:
+        """Tell the line what was written, and ask the terminal when it is time."""
+        if (app := self._hooked) is not None:
+            count = len(data) if data.isascii() else len(data.encode(errors="replace"))
+            if app.line.wrote(count, asks=data.endswith(READY)):
+                self.ask()
+
+    def ask(self) -> None:
+        """Ask the terminal how far it has read."""
+        if (app := self._hooked) is not None and not self._away:
+            super().write(READY)
+            app.line.asked()
+
+    @property
+    def _hooked(self) -> HookedApp | None:
+        return self._app if isinstance(self._app, HookedApp) else None
+
+    def start_application_mode(self) -> None:
+        """Take the terminal; nothing is known of what it shows, and of the way to it."""
+        if (app := self._hooked) is not None:
+            app.line.begin(may_ask=may_ask(os.environ))
+            app.drawing.shown.forget()
+        super().start_application_mode()  # type: ignore[no-untyped-call,unused-ignore]
+        if app is not None and app.line.may_ask:
+            self.ask()
 
     def suspend_application_mode(self) -> None:
         if not self._away:
@@ -137,13 +169,24 @@ class TerminalDriver(LinuxDriver):
                 parser.mouse_pixels = False
                 parser.terminal_size = None
                 continue
+            if isinstance(message, Answered) and self._is_for_line(message.text):
+                continue
             if isinstance(message, Answered) and (pictures := self._pictures) is not None:
                 pictures.hear(message.text)
-            if isinstance(message, (events.Key, events.Paste)) and isinstance(self._app, HookedApp):
-                self._app.key_read()
+            if isinstance(message, (events.Key, events.Paste)) and self._hooked is not None:
+                self._hooked.key_read()
             self.process_message(message)
         for message in parser.tick():
             self.process_message(message)
+
+    def _is_for_line(self, answer: str) -> bool:
+        """Whether it was the line that asked."""
+        app = self._hooked
+        if app is None or answer != IS_READY:
+            return False
+        is_ours = app.line.answered()
+        app.heard()
+        return is_ours
 
     @property
     def _pictures(self) -> Pictures | None:
@@ -151,12 +194,22 @@ class TerminalDriver(LinuxDriver):
 
     def stop_application_mode(self) -> None:
         """Leave the terminal as it was, without our pictures."""
-        if text := leave_pictures(self._pictures):
+        self._wait_for_answers()
+        if (pictures := self._pictures) is not None and (text := pictures.farewell()):
             self.write(text)
         if self._mouse_pixels:  # Textual leaves it on
             self.write("\x1b[?1016l")
             self._mouse_pixels = False
         super().stop_application_mode()
+
+    def _wait_for_answers(self) -> None:
+        """Wait a moment for answers that are under way: they would be typed into the shell."""
+        end = time.monotonic() + ANSWER_SECONDS
+        app, pictures = self._hooked, self._pictures
+        while (app is not None and app.line.waits) or (pictures is not None and pictures.waiting):
+            if time.monotonic() > end:
+                return
+            time.sleep(0.01)
 
     def _report(self, fault: str) -> None:
         if fault not in self._reported:

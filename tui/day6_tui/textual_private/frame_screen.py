@@ -36,14 +36,14 @@ class SpansUpdate(CompositorUpdate):
 
     def __init__(self, spans: Sequence[Span], strips: Sequence[tuple[int, int, Strip]]) -> None:
         self.spans = spans
-        self._strips = strips
+        self.strips = strips
 
     def render_segments(self, console: Console) -> str:
         """The sequences for a terminal."""
-        return "".join(f"\x1b[{y + 1};{x + 1}H{strip.render(console)}" for x, y, strip in self._strips)
+        return "".join(f"\x1b[{y + 1};{x + 1}H{strip.render(console)}" for x, y, strip in self.strips)
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        for _, _, strip in self._strips:
+        for _, _, strip in self.strips:
             yield from strip
 
 
@@ -158,7 +158,7 @@ class FrameScreen(Screen[Any]):
         if not self._in_frame:
             return False
         self._in_frame = False
-        if not self._dirty_widgets:
+        if not self._dirty_widgets and not self._compositor._dirty_regions:
             return False
         if self._layout_required or self._scroll_required or self._repaint_required or self.app._batch_count:
             self.check_idle()

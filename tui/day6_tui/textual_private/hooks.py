@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rich.console import COLOR_SYSTEMS
 from textual import events
+from textual._compositor import CompositorUpdate
 from textual.app import App
+from textual.geometry import Region
 from textual.screen import ModalScreen
 
+from day6_tui.screen.line import Line
 from day6_tui.textual_private.access import take_down
+from day6_tui.textual_private.drawing import Drawing
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -19,8 +24,24 @@ if TYPE_CHECKING:
 class HookedApp(App[None]):
     """An application that is told of what it reads and displays, and of what fails in it."""
 
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self.line = Line()
+        self.drawing = Drawing(self.line)
+
     def key_read(self) -> None:
         """Called when a key has been read and is about to be posted, in the thread that reads the terminal."""
+
+    def heard(self) -> None:
+        """Called when the terminal has told how far it has read, in the thread that reads it."""
+
+    def left_over(self) -> None:
+        """Called when something of an update is not sent yet: it has to be drawn again."""
+
+    def draw_anew(self) -> None:
+        """Draw everything: something else has written to the terminal."""
+        self.drawing.shown.forget()
+        self.screen.refresh(layout=True)
 
     def displays(self) -> bool:
         """Whether anything is written to the terminal now."""
@@ -44,9 +65,36 @@ class HookedApp(App[None]):
         self.failed(error)
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
-        if self.displays():
-            super()._display(screen, renderable)
-            self.displayed(renderable)
+        if not self.displays():
+            return
+        if (
+            isinstance(renderable, CompositorUpdate)
+            and self._running
+            and not self._batch_count
+            and not self.is_headless
+        ):
+            renderable = self._prepared(screen, renderable)
+        super()._display(screen, renderable)
+        self.displayed(renderable)
+
+    def _prepared(self, screen: Screen[Any], update: CompositorUpdate) -> CompositorUpdate | None:
+        """What is sent of an update now; what is not stays to be drawn."""
+        focused, size = screen.focused, screen.outer_size
+        update, left = self.drawing.prepare(
+            update,
+            size,
+            COLOR_SYSTEMS[self.console.color_system or "truecolor"],
+            Region() if focused is None else focused.region,
+            self.cursor_position,
+        )
+        if left:
+            screen._compositor._dirty_regions.update(left)
+            self.left_over()
+        return (
+            update
+            if update.spans or size.clamp_offset(self.cursor_position) != self._previous_cursor_position
+            else None
+        )
 
 
 class TypedAheadScreen(ModalScreen[None]):

@@ -1,0 +1,180 @@
+"""Measures the desktop at the end of a slow line: how long a person waits for keys, the first prompt and Ctrl-C.
+
+    python -m tests.perf.slow_line [--rates 4000 50000] [--size 80x24] [--lang en]
+
+The line takes so many bytes a second and hides a queue of 16 kB (`tests/support/slow_line.py`). Also measured: what the start of
+each scene writes, over a line that hides nothing. Linux and macOS.
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from tests.support.slow_line import SlowLine
+
+DAY6 = [sys.executable, "-m", "day6_tui.main"]
+PROMPT = "student@day6:~$"
+FAST = 50e6
+LETTERS = "abcdefgh"
+TWIST = '"{linear: {x: 1.0}, angular: {z: 0.7}}"'
+TURTLE = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\r"
+CAR = f"ros2 topic pub -r 10 /cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\r"
+SCENES = ("empty", "turtle", "car", "world")
+SCENE_BYTES = 25_000
+START_SECONDS = 4.0
+"""A scene that moves by itself has started after so long."""
+
+Row = tuple[str, str, str]
+
+
+@contextmanager
+def desktop(
+    rate: float, columns: int = 80, rows: int = 24, *options: str, lang: str = "en", answers: bool = True
+) -> Iterator[SlowLine]:
+    """A desktop over such a line."""
+    with tempfile.TemporaryDirectory(prefix="day6-slow-", ignore_cleanup_errors=True) as folder:
+        command = [*DAY6, "--home", f"{folder}/home", "--lang", lang, *options]
+        env: dict[str, str | None] = {"DAY6_LINK": "off", "DAY6_RUNTIME_DIR": folder}
+        with SlowLine(command, columns, rows, cwd=Path(folder), env=env, rate=rate, answers=answers) as line:
+            yield line
+
+
+class Measured:
+    """One rate, its budgets in seconds."""
+
+    def __init__(self, rate: float, columns: int, rows: int, lang: str) -> None:
+        self.rate, self.size, self.lang = rate, (columns, rows), lang
+        self.key = 1.0 if rate < 10_000 else 0.15
+
+    def desktop(self, *options: str):  # type: ignore[no-untyped-def]  # what contextmanager makes
+        return desktop(self.rate, *self.size, *options, lang=self.lang)
+
+    def rows(self) -> Iterator[Row]:
+        """All that is measured."""
+        for part in (self.prompt_and_terminal, self.flood, self.turtle, self.world):
+            try:
+                yield from part()
+            except AssertionError as error:
+                yield part.__name__, f"not seen: {str(error).splitlines()[0]}", "-"
+
+    def prompt_and_terminal(self) -> Iterator[Row]:
+        """The first prompt, then F2 and a key."""
+        with self.desktop("--scene", "empty") as line:
+            yield "first prompt", f"{line.seconds_until(lambda: line.find(PROMPT)):.2f} s", "<= 5 s"
+            line.settle(0.5)
+            line.press("F2")
+            line.look(0.2)
+            line.press("x")
+            began = line.written
+            took = line.seconds_until(lambda: line.find(f"{PROMPT} x", "2 ~"))
+            yield "F2, then a key: its echo", f"{took:.2f} s", f"<= {self.key} s"
+            line.settle(0.5)
+            yield "  bytes until all is drawn", f"{line.written - began}", "-"
+            yield "keys at rest", self.echoes(line, 4), f"<= {self.key} s"
+
+    def flood(self) -> Iterator[Row]:
+        """Ctrl-C while `yes` prints."""
+        with self.desktop("--scene", "empty") as line:
+            line.seconds_until(lambda: line.find(PROMPT))
+            line.line("yes")
+            line.look(4)
+            times = []
+            for _ in range(3):
+                line.press("Ctrl-C")
+                times.append(line.seconds_until(lambda: line.find("^C") and line.find(PROMPT)))
+                line.settle(0.5)
+                line.line("clear")
+                line.settle(0.5)
+                line.line("yes")
+                line.look(3)
+            yield "Ctrl-C in a flood, to the prompt", self.told(times), "<= 0.5 s"
+
+    def turtle(self) -> Iterator[Row]:
+        """An arrow in teleop; then keys at a prompt while the turtle moves."""
+        with self.desktop("--scene", "turtle") as line:
+            line.seconds_until(lambda: line.find("'q' to quit"))
+            line.settle(1.5)
+            times = []
+            for key in ("Up", "Left", "Up"):
+                seen = line.cells("TurtleSim")
+                line.press(key)
+                times.append(line.seconds_until(lambda seen=seen: line.cells("TurtleSim") != seen))  # type: ignore[misc]
+                line.settle(1.5)
+            yield "an arrow in teleop, to the turtle's first step", self.told(times), f"<= {self.key} s"
+            line.press("F2")
+            line.seconds_until(lambda: line.find(PROMPT, "5 ~"))
+            line.send(TURTLE)
+            line.look(3)
+            yield "keys while the turtle moves", self.echoes(line), f"<= {self.key} s"
+
+    def world(self) -> Iterator[Row]:
+        """Keys at a prompt while the car drives."""
+        with self.desktop("--scene", "world") as line:
+            line.look(12)
+            line.press("F2")
+            line.look(3)
+            line.send(CAR)
+            line.look(4)
+            yield "keys while the car drives", self.echoes(line), f"<= {self.key} s"
+
+    def echoes(self, line: SlowLine, count: int = len(LETTERS)) -> str:
+        """Type letters at the prompt, one after the other."""
+        times, typed = [], ""
+        for letter in LETTERS[:count]:
+            typed += letter
+            line.send(letter)
+            times.append(line.seconds_until(lambda typed=typed: line.find(typed)))  # type: ignore[misc]
+            line.look(0.3)
+        line.press("Ctrl-U")
+        return self.told(times)
+
+    @staticmethod
+    def told(times: list[float]) -> str:
+        """Median and worst."""
+        return f"{statistics.median(times):.2f} s, worst {max(times):.2f} s"
+
+
+def scenes(columns: int, rows: int, lang: str) -> Iterator[Row]:
+    """What the start of each scene writes."""
+    for scene in SCENES:
+        with desktop(FAST, columns, rows, "--scene", scene, lang=lang) as line:
+            written, began = 0, time.monotonic()
+            while time.monotonic() - began < START_SECONDS:
+                line.look(0.05)
+                written = line.written
+            yield f"scene {scene}, {columns}x{rows}: written in {START_SECONDS:.0f} s", str(written), "<= 25 kB"
+
+
+def show(row: Row) -> None:
+    """Print a row of the table."""
+    print(f"| {' | '.join(row)} |", flush=True)
+
+
+def main() -> int:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--rates", type=float, nargs="*", default=[4_000, 50_000], metavar="BYTES")
+    parser.add_argument("--size", default="80x24")
+    parser.add_argument("--lang", default="en")
+    parser.add_argument("--scenes", action="store_true", help="only what scenes write, at 80x24 and 120x40")
+    options = parser.parse_args()
+    columns, rows = map(int, options.size.split("x"))
+    print("| | measured | budget |\n| --- | --- | --- |")
+    for rate in [] if options.scenes else options.rates:
+        for name, measured, budget in Measured(rate, columns, rows, options.lang).rows():
+            show((f"{rate / 1000:.0f} kB/s: {name}", measured, budget))
+    for size in ((80, 24), (120, 40)):
+        for row in scenes(*size, options.lang):
+            show(row)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
