@@ -1,9 +1,9 @@
 """The way to the terminal: how much of what was written is still under way, and how much more may follow.
 
-Over ssh, what a program writes waits in buffers that say nothing of it: a key's echo would come after all that was written before
-it. So the terminal is asked now and then whether it is ready, which every terminal answers once it has read everything before the
-question. Where answers take longer than the quickest one, something waits, and less is sent ahead. A terminal that answers nothing
-is written to as if it were fast.
+Over ssh, what a program writes waits in buffers that say nothing of it: a key's echo would come after all that was written
+before it. So the terminal is asked now and then whether it is ready, which every terminal answers once it has read everything
+before the question. Where answers take longer than the quickest one, something waits, and less is sent ahead. A terminal that
+answers nothing is written to as if it were fast.
 """
 
 from __future__ import annotations
