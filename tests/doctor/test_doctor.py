@@ -122,6 +122,7 @@ def test_variables_are_listed_secrets_hidden_and_slips_named(monkeypatch: pytest
         ({"LANG": "C.UTF-8", "TERM": "linux"}, "glyphs.simple"),
         ({"LANG": "C.UTF-8", "TERM": "xterm-256color"}, "glyphs.half"),
         ({"LANG": "C.UTF-8", "TERM": "xterm", "NO_COLOR": "1"}, "terminal.no_colour"),
+        ({"LANG": "C.UTF-8", "TERM": "dumb"}, "terminal.no_colour.dumb"),
         ({"LANG": "C.UTF-8", "TERM": "xterm", "TMUX": "x"}, "glyphs.pixels.never"),
         ({"LANG": "C.UTF-8", "TERM": "xterm"}, "glyphs.pixels.asked"),
     ],

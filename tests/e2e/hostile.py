@@ -38,7 +38,7 @@ _TEXT = re.compile(
 )
 _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 _OF_THE_DESKTOP = re.compile(
-    r"\x1b\[(?:[0-9]+;[0-9]+H|[0-9]+G"  # a place
+    r"\x1b\[(?:[0-9]+;[0-9]+H|[0-9]+G|[0-9]+X"  # a place, and blanks
     r"|\?(?:25|1000|1003|1004|1006|1015|1049|2004|2026|2048|7)[hl]"  # modes: cursor, mouse, focus, screen, paste, at once
     r"|\?(?:2026|2048)\$p|>[0-9]+u|<u|\?u"  # what Textual asks a terminal at its start, and its keys
     r"|>0q|16t|14t|c"  # whether it shows pictures

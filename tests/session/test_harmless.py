@@ -95,3 +95,19 @@ def test_a_file_in_a_poor_encoding_gets_question_marks_and_no_error(tmp_path: Pa
     with (tmp_path / "out").open("w", encoding="ascii") as file:
         RealOutput(file).write("小\udcff")
     assert (tmp_path / "out").read_bytes() == b"?\xff"
+
+
+@pytest.mark.parametrize(
+    ("term", "written"), [("dumb", "red ^[c plain\n"), ("xterm", "\x1b[01;31mred\x1b[0m ^[c plain\n")]
+)
+def test_a_terminal_without_colours_gets_none(monkeypatch: pytest.MonkeyPatch, term: str, written: str) -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setenv("TERM", term)
+    file = Terminal()
+    output = RealOutput(file)
+    output.write("\x1b[01;31mred\x1b[0m \x1bc plain\n")
+    output.control("\x1b[7m\x1b[H")
+    assert file.getvalue() == written + ("\x1b[H" if term == "dumb" else "\x1b[7m\x1b[H")

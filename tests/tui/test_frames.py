@@ -311,3 +311,57 @@ async def test_what_is_typed_beside_a_driving_turtle_is_seen_before_the_next_fra
             assert app.frames.drawn == drawn and "x 7.00" not in screen_text(app)
         await step(app, pilot)
         assert "x 7.00" in screen_text(app)
+
+
+def test_a_frame_that_waits_for_the_terminal_comes_as_soon_as_it_takes_more(monkeypatch) -> None:
+    stuck = True
+    frames, loop = _frames(monkeypatch, lambda: False, congested=lambda: stuck)
+    frames.wake()
+    loop.run(2.0)
+    assert frames.drawn == 0
+    stuck = False
+    frames.relieve()
+    loop.run(0.001)
+    assert frames.drawn == 1 and frames.rate == 30, "the terminal was slow, not the machine"
+    frames.relieve()
+    loop.run(1.0)
+    assert frames.drawn == 1
+
+
+def test_what_is_left_of_a_frame_comes_as_soon_as_the_terminal_takes_it(monkeypatch) -> None:
+    left = [3]
+
+    def draw() -> bool:
+        if left[0]:
+            left[0] -= 1
+            frames.hold()
+            frames.wake()
+        return False
+
+    frames, loop = _frames(monkeypatch, draw)
+    frames.wake()
+    loop.run(0.0)
+    for drawn in (1, 2, 3, 4):
+        assert frames.drawn == drawn
+        frames.relieve()
+        loop.run(0.0)
+    assert frames.drawn == 4
+
+
+def test_an_echo_is_drawn_while_frames_wait_but_not_where_nothing_could_be_sent(monkeypatch) -> None:
+    echoes: list[float] = []
+    blocked = True
+
+    def echo() -> bool:
+        echoes.append(loop.now)
+        return True
+
+    frames, loop = _frames(monkeypatch, lambda: False, congested=lambda: True, blocked=lambda: blocked, echo=echo)
+    frames.wake()
+    loop.run(0.1)
+    for expected in (0, 1):
+        frames.hurry()
+        frames.wake()
+        loop.run(0.01)
+        assert len(echoes) == expected and frames.drawn == 0
+        blocked = False

@@ -12,7 +12,10 @@ from pathlib import Path
 
 import pytest
 from rich.cells import cell_len
+from rich.segment import Segment
 from rich.style import Style
+from textual.color import Color
+from textual.strip import Strip
 
 from day6_core.language import LANGUAGES, language_of
 from day6_tui import actions, locale
@@ -22,6 +25,7 @@ from day6_tui.appearance.colours import colours
 from day6_tui.appearance.themes import NAMES, make_theme, palette
 from day6_tui.options import Options
 from day6_tui.panes.cells import clip, fit, wrap
+from day6_tui.screen.poor_terminals import filters_for
 from tests.support.window_kinds import window_kinds
 from tests.tui.screens import is_drawn_in_ascii, opened, screen_lines, screen_text, step
 
@@ -39,6 +43,7 @@ EN, ZH = locale.catalogue("en"), locale.catalogue("zh")
         ({"LANG": "C", "TERM": "xterm"}, "ascii"),
         ({"LANG": "en_US.UTF-8", "LC_ALL": "POSIX", "TERM": "xterm"}, "ascii"),
         ({"LANG": "C.UTF-8", "TERM": "vt100"}, "ascii"),
+        ({"LANG": "C.UTF-8", "TERM": "dumb"}, "ascii"),
     ],
 )
 def test_glyphs_follow_the_terminal(environ, name) -> None:
@@ -313,3 +318,13 @@ def _contrast(style) -> float:
 
     light, dark = sorted((luminance(style.color), luminance(style.bgcolor)), reverse=True)
     return (light + 0.05) / (dark + 0.05)
+
+
+@pytest.mark.parametrize("environ", [{"TERM": "dumb"}, {"TERM": "dumb", "COLORTERM": "truecolor"}])
+def test_a_terminal_that_knows_nothing_gets_no_colours(environ: dict[str, str]) -> None:
+    look = make_look(Options(), {"LANG": "C.UTF-8", **environ})
+    assert look.colours.colourless and not look.has_shades
+    line = Strip([Segment("text", Style(color="red", bgcolor="blue", bold=True))])
+    for each in filters_for(look):
+        line = line.apply_filter(each, Color(0, 0, 0))
+    assert {(segment.style.color.name, segment.style.bgcolor.name) for segment in line} == {("default", "default")}

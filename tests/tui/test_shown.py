@@ -23,7 +23,7 @@ LOOKS = [
     "1;3;97;104",
     "39;49",
 ]
-TEXTS = ["a", " ", "海", "龟", "é", "─", "x y", "    ", "🐢"]
+TEXTS = ["a", " ", "海", "龟", "é", "─", "x y", "    ", " " * 20, "🐢"]
 
 
 def segments(picker: random.Random, width: int) -> list[tuple[str, str]]:
@@ -66,11 +66,11 @@ def written(pieces: list[tuple[int, int, list[tuple[str, str]]]]) -> str:
 @folded("seed", range(40))
 def test_the_terminal_shows_what_it_would_if_everything_had_been_written(seed: int) -> None:
     picker = random.Random(seed)
-    shown, ours, theirs, lines = Shown(), Seen(), Seen(), []
+    shown, ours, theirs = Shown(), Seen(), Seen()
+    shown.begin(erases=bool(seed % 2))
     for _ in range(12):
         y, cut = picker.randrange(HEIGHT), picker.randint(1, WIDTH - 1)
         pieces = [(0, y, segments(picker, cut)), (cut, y, segments(picker, WIDTH - cut))]
-        lines.append(pieces)
         theirs.stream.feed(written(pieces))
         picker.shuffle(pieces)
         brush = shown.brush(WIDTH, HEIGHT)
@@ -86,7 +86,7 @@ def test_nothing_is_written_twice() -> None:
     for text in ("A day with 海龟 in the sun", "A day with 海龟 in the sea"):
         brush = shown.brush(WIDTH, HEIGHT)
         brush.draw(0, 0, [(text, "31")])
-    assert brush.text() == "\x1b[1;25H\x1b[31mea\x1b[m" and brush.drawn == [(0, 24, 26)]
+    assert brush.text() == "\x1b[1;25Hea" and brush.drawn == [(0, 24, 26)]
     brush = shown.brush(WIDTH, HEIGHT)
     brush.draw(0, 0, [("A day with ", "31"), ("海龟 in the sea", "31")])
     assert brush.text() == "" and brush.size == 0 and brush.drawn == []
@@ -107,6 +107,18 @@ def test_what_was_forgotten_is_written_again() -> None:
         assert "abc" in brush.text()
 
 
+def test_colours_last_from_one_update_to_the_next_until_nothing_is_known() -> None:
+    shown = Shown()
+    texts = []
+    for column, look in ((0, "31"), (1, "31"), (2, "32"), (3, "")):
+        if column == 2:
+            shown.forget()
+        brush = shown.brush(WIDTH, HEIGHT)
+        brush.draw(column, 0, [("x", look)])
+        texts.append(brush.text().partition("H")[2])
+    assert texts == ["\x1b[31mx", "x", "\x1b[0;32mx", "\x1b[mx"]
+
+
 def test_half_of_a_wide_character_is_written_again_with_its_neighbour() -> None:
     shown = Shown()
     brush = shown.brush(WIDTH, HEIGHT)
@@ -122,7 +134,7 @@ def test_blanks_take_whatever_colour_is_at_hand() -> None:
     brush = Shown().brush(WIDTH, HEIGHT)
     ground = "48;2;9;9;9"
     brush.draw(0, 0, [("a", f"31;{ground}"), ("    ", f"1;32;{ground}"), ("b", f"31;{ground}")])
-    assert brush.text() == f"\x1b[1;1H\x1b[31;{ground}ma    b\x1b[m"
+    assert brush.text() == f"\x1b[1;1H\x1b[31;{ground}ma    b"
 
 
 @pytest.mark.parametrize("old", LOOKS)

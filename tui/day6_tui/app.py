@@ -40,7 +40,15 @@ from day6_core.shell.process.heap import keep_heap_small
 from day6_tui import actions
 from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.colours import colours
-from day6_tui.appearance.glyphs import GLYPH_SETS, choose, detect, sends_alt, speaks_utf8, terminal_environ
+from day6_tui.appearance.glyphs import (
+    GLYPH_SETS,
+    choose,
+    detect,
+    is_colourless,
+    sends_alt,
+    speaks_utf8,
+    terminal_environ,
+)
 from day6_tui.appearance.look import Look
 from day6_tui.appearance.themes import NAMES
 from day6_tui.bars.bars import Bar
@@ -131,7 +139,7 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None, settin
     theme = options.theme or (remembered if remembered in NAMES else NAMES[0])
     look = Look(
         glyphs,
-        colours(theme, sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))),
+        colours(theme, sixteen=sixteen, colourless=is_colourless(environ)),
         Texts(language, plain=not glyphs.unicode),
         letters=letters,
         chinese=chinese,

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import codecs
 import contextlib
+import os
 import re
 import sys
+from collections.abc import Mapping
 from typing import Any, Protocol, TextIO
 from unicodedata import category
 
@@ -33,6 +35,9 @@ _IN_A_STREAM = re.compile(
     r"\x1b\[[0-9;:]{0,64}m|\r\n|[\n\t]|" + f"([{_CONTROLS}{_UNSEEN}{_NO_CHARACTERS}{_LAST_PLANE}])",
 )
 """Colours, newlines and tabs pass; the group matches everything that does not."""
+
+
+_COLOUR = re.compile(r"\x1b\[[0-9;:]{0,64}m")
 
 
 class Output(Protocol):
@@ -118,20 +123,32 @@ def _encode_badly(error: UnicodeError) -> tuple[bytes, int]:
 codecs.register_error(KEEP_BYTES, _encode_badly)
 
 
-class TerminalText:
-    """A text file that is a terminal: `write` makes its text harmless, `control` is for our own escape sequences."""
+def has_colours(environ: Mapping[str, str]) -> bool:
+    """Whether the terminal of these variables understands colours at all."""
+    return environ.get("TERM") != "dumb"
 
-    def __init__(self, file: TextIO) -> None:
+
+class TerminalText:
+    """A text file that is a terminal: `write` makes its text harmless, `control` is for our own escape sequences.
+
+    Without `colours`, those of both are left out.
+    """
+
+    def __init__(self, file: TextIO, *, colours: bool = True) -> None:
         self._file = file
+        self._colours = colours
 
     def write(self, text: str) -> int:
         """Write text from any source; returns its length."""
-        self._file.write(lines(text))
+        self._file.write(lines(self._shown(text)))
         return len(text)
 
     def control(self, sequence: str) -> None:
         """Write an escape sequence unchanged; never pass text from outside."""
-        self._file.write(sequence)
+        self._file.write(self._shown(sequence))
+
+    def _shown(self, text: str) -> str:
+        return text if self._colours else _COLOUR.sub("", text)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._file, name)
@@ -144,7 +161,7 @@ def guarded(file: TextIO) -> TextIO:
     terminal = file.isatty()
     with contextlib.suppress(AttributeError, ValueError):  # a test's capture
         file.reconfigure(errors="replace" if terminal else KEEP_BYTES, line_buffering=True)  # type: ignore[attr-defined]
-    return TerminalText(file) if terminal else file  # type: ignore[return-value]
+    return TerminalText(file, colours=has_colours(os.environ)) if terminal else file  # type: ignore[return-value]
 
 
 def guard_standard_streams() -> None:

@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from day6_core.session.harmless import has_colours
+
 CANVASES = ("half", "braille", "cell", "ascii")
 PIXELS = "pixels"
 """The set for terminals that show real pixels, once they have said so (day6_tui/pixels); what is not drawn so has half blocks."""
@@ -103,6 +105,11 @@ def terminal_environ() -> Mapping[str, str]:
         return os.environ
     pairs = (entry.partition(b"=") for entry in raw.split(b"\0") if b"=" in entry)
     return {os.fsdecode(name): os.fsdecode(value) for name, _, value in pairs}
+
+
+def is_colourless(environ: Mapping[str, str]) -> bool:
+    """Whether no colours are wanted, or the terminal has none."""
+    return bool(environ.get("NO_COLOR")) or not has_colours(environ)
 
 
 def speaks_utf8(environ: Mapping[str, str], platform: str = sys.platform) -> bool:

@@ -18,6 +18,7 @@ from day6_core.session.harmless import one_line
 from day6_core.shell.screen.rows import Run, Style
 from day6_core.speeds import changed, in_words
 from day6_core.width import char_width
+from day6_tui.appearance.glyphs import is_colourless
 from day6_tui.cast.film import Film
 from day6_tui.locale import Texts
 from day6_tui.panes.cells import clip, fit
@@ -81,7 +82,7 @@ class Painter:
     """Draws rows on a terminal of a size, as texts that a terminal understands."""
 
     def __init__(self, environ: Mapping[str, str]) -> None:
-        self._colours = "" if environ.get("NO_COLOR") else environ.get("COLORTERM", "") or "256"
+        self._colours = "" if is_colourless(environ) else environ.get("COLORTERM", "") or "256"
         self._shown: dict[int, tuple[Run, ...]] = {}
         self._size = (0, 0)
 

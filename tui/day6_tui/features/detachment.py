@@ -77,7 +77,7 @@ class Detachment:
             self._adaptation.fit(environ)
         except Exception as error:
             app.frame_failed(error)  # a desktop that looks wrong is better than none
-        driver.take_terminal()
+        driver.take_terminal(environ)
         app.screen.refresh(layout=True)
         app.frames.rest(False)
 

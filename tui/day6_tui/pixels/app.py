@@ -101,7 +101,7 @@ class PictureApp(HookedApp):
         if driver is None or is_leaving(self):
             return
         if self.look.pictures is not None and self.look.pictures.ability is not None:
-            self.drawing.shown.forget()  # cells below a picture are not what was written there
+            self.drawing.shown.begin(erases=False)  # cells below a picture are not what was written there
         size = WINDOWS_CHUNK if sys.platform == "win32" else len(text)
         for start in range(0, len(text), size):
             driver.write(text[start : start + size])

@@ -119,7 +119,7 @@ class Adaptation:
         if look.colours.name in NAMES:
             self._theme = look.colours.name
         sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")
-        colourless = bool(environ.get("NO_COLOR"))
+        colourless = glyphs.is_colourless(environ)
         look.colours = colours(self._theme, sixteen=sixteen, colourless=colourless)
         app._filters = [each for each in app._filters if not isinstance(each, (NoColor, Monochrome))]
         if colourless:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rich.segment import Segment, Segments
 from rich.style import Style
 from textual.color import Color
-from textual.filter import LineFilter
+from textual.filter import LineFilter, NoColor
 from textual.scrollbar import ScrollBarRender
 
 from day6_tui.appearance.characters import in_ascii
@@ -53,8 +53,10 @@ class AsciiOnly(LineFilter):
 
 _ASCII_ONLY = {letters: AsciiOnly(letters=letters) for letters in (False, True)}
 """One of each: Textual remembers lines by their filters."""
+_NO_COLOUR = NoColor()
 
 
 def filters_for(look: Look) -> list[LineFilter]:
     """What the lines of Textual's widgets have to go through."""
-    return [*([] if look.glyphs.unicode else [_ASCII_ONLY[look.letters]]), *look.filters]
+    plain = [] if look.glyphs.unicode else [_ASCII_ONLY[look.letters]]
+    return [*plain, *look.filters, *([_NO_COLOUR] if look.colours.colourless else [])]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
 from rich.cells import cell_len
@@ -12,11 +12,34 @@ Span = tuple[int, int, int]
 
 NEAR = 6
 """Cells that are written again rather than skipped: moving the cursor takes about as much."""
+ERASED = 14
+"""Blanks that are erased rather than written: erasing them and moving on takes less."""
 
 SEEN_ON_BLANKS = frozenset({"a4", "a7", "a9", "a21", "a51", "a52", "a53"})
 """Attributes that are seen where nothing is written: underlined, reversed, struck out, framed."""
 
+_OFF = {
+    "3": "39",
+    "4": "49",
+    "a1": "22",
+    "a2": "22",
+    "a3": "23",
+    "a4": "24",
+    "a5": "25",
+    "a7": "27",
+    "a8": "28",
+    "a9": "29",
+    "a53": "55",
+}
+"""What ends a colour or an attribute."""
+
 _HEADS = {"38": "3", "48": "4"}
+
+
+def may_erase(environ: Mapping[str, str]) -> bool:
+    """Whether a terminal is known to erase cells in the colour it would write them in, as xterm and its relatives do."""
+    term = environ.get("TERM", "")
+    return term.startswith(("xterm", "rxvt", "alacritty", "foot", "linux")) and "kitty" not in term
 
 
 class Shown:
@@ -25,10 +48,22 @@ class Shown:
     def __init__(self) -> None:
         self._rows: dict[int, tuple[list[str | None], list[str | None]]] = {}
         self._size = 0, 0
+        self.erases = False
+        """Whether the terminal erases cells in the colour it would write them in."""
+        self.cursor = -1, -1
+        """Column and line of the cursor, -1 where it is not known."""
+        self.look: str | None = ""
+        """How the terminal shows what is written next; None where that is not known."""
+
+    def begin(self, *, erases: bool) -> None:
+        """Another terminal."""
+        self.forget()
+        self.erases = erases
 
     def forget(self) -> None:
         """Nothing is known of the terminal any more."""
         self._rows.clear()
+        self.cursor, self.look = (-1, -1), None
 
     def brush(self, width: int, height: int) -> Brush:
         """Return what writes one update of a screen of this size."""
@@ -52,8 +87,7 @@ class Brush:
         self._shown = shown
         self._width = width
         self._parts: list[str] = []
-        self._look = ""
-        self._y = self._x = -1
+        self._x, self._y = shown.cursor
         """Where the cursor is; -1 where that is not certain."""
         self._hurt: list[Span] = []
         self.size = 0
@@ -64,8 +98,6 @@ class Brush:
     def draw(self, x: int, y: int, segments: Iterable[tuple[str, str]]) -> None:
         """Write what differs of a piece of a line: texts and how they look, as the parameters of SGR."""
         chars, looks = self._shown.row(y)
-        if self._y != y or not 0 <= x == self._x:
-            self._x = -1
         for text, look in segments:
             if text.isspace():
                 look = _ground(look)
@@ -81,6 +113,9 @@ class Brush:
             self._x = -1  # terminals differ in how wide they take some characters
 
     def _write(self, x: int, y: int, cells: list[str], look: str) -> None:
+        if self._shown.erases and (blank := _blanks_at_end(cells)) >= ERASED and blank < len(cells):
+            self._write(x, y, cells[:-blank], look)
+            x, cells = x + len(cells) - blank, cells[-blank:]
         chars, looks = self._shown.row(y)
         end = x + len(cells)
         # Of a character that is half overwritten, nothing is left.
@@ -97,13 +132,19 @@ class Brush:
             self._add(f"\x1b[{y + 1};{x + 1}H")
         elif self._x != x:
             self._add(f"\x1b[{x + 1}G")
-        if cells[0] == " " and set(cells) == {" "}:
-            look = _for_blanks(self._look, look)
-        if self._look != look:
-            self._add(change(self._look, look))
-        self._add("".join(cells))
-        self._look, self._y, self._x = look, y, end if end < self._width else -1
-        self.drawn.append((y, x, end))
+        present = self._shown.look
+        is_blank = _blanks_at_end(cells) == len(cells)
+        if is_blank and present is not None:
+            look = _for_blanks(present, look)
+        if present != look:
+            self._add(change(present, look))
+        if is_blank and len(cells) >= ERASED and self._shown.erases and not SEEN_ON_BLANKS & _parts(look).keys():
+            self._add(f"\x1b[{len(cells)}X")
+            end = x  # which does not move the cursor
+        else:
+            self._add("".join(cells))
+        self._shown.look, self._y, self._x = look, y, end if end < self._width else -1
+        self.drawn.append((y, x, x + len(cells)))
 
     def _add(self, text: str) -> None:
         self._parts.append(text)
@@ -114,8 +155,15 @@ class Brush:
         return [span for span in self._hurt if self._shown.row(span[0])[0][span[1]] is None]
 
     def text(self) -> str:
-        """All of it; the colours are then as at first."""
-        return "".join(self._parts) + change(self._look, "")
+        """All of it. The colours stay as they are: what is written next most often has them, too."""
+        return "".join(self._parts)
+
+
+def _blanks_at_end(cells: Sequence[str]) -> int:
+    count = len(cells)
+    while count and cells[count - 1] == " ":
+        count -= 1
+    return len(cells) - count
 
 
 def _differences(
@@ -169,21 +217,27 @@ def _ground(look: str) -> str:
 @lru_cache(maxsize=4096)
 def _for_blanks(present: str, look: str) -> str:
     """A look with which blanks are as with `look`, and which is near the present one."""
-    before, after = _parts(present), _parts(_ground(look))
-    if SEEN_ON_BLANKS & (before.keys() | after.keys()) or ("4" in before and "4" not in after):
+    ground = _parts(_ground(look))
+    if SEEN_ON_BLANKS & ground.keys():
         return look
-    return ";".join({**before, **after}.values())
+    kept = {part: value for part, value in _parts(present).items() if part != "4" and part not in SEEN_ON_BLANKS}
+    return ";".join({**kept, **ground}.values())
 
 
 @lru_cache(maxsize=4096)
-def change(old: str, new: str) -> str:
-    """The shortest sequence from one look to another; looks are parameters of SGR, '' the terminal's own."""
+def change(old: str | None, new: str) -> str:
+    """The shortest sequence from one look to another; looks are parameters of SGR, '' the terminal's own, None any."""
     if old == new:
         return ""
-    before, after = _parts(old), _parts(new)
-    if not set(before) <= set(after):
+    if old is None:
         return f"\x1b[0;{new}m" if new else "\x1b[m"
-    return f"\x1b[{';'.join(value for part, value in after.items() if before.get(part) != value)}m"
+    before, after = _parts(old), _parts(new)
+    ended = [_OFF.get(part, "") for part in before if part not in after]
+    if {"a1", "a2"} & after.keys() and "22" in ended:
+        ended = [""]  # which would end both bold and dim
+    begun = [value for part, value in after.items() if before.get(part) != value]
+    whole = f"\x1b[0;{new}m" if new else "\x1b[m"
+    return whole if "" in ended else min(f"\x1b[{';'.join([*ended, *begun])}m", whole, key=len)
 
 
 def _parts(look: str) -> dict[str, str]:

@@ -11,6 +11,7 @@ import logging
 import os
 import select
 import time
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from textual import events
@@ -22,9 +23,11 @@ try:
 except ImportError:  # Windows: Textual has another driver there, and this one is not used
     from textual.driver import Driver as LinuxDriver  # type: ignore[assignment]
 
+from day6_tui.appearance.glyphs import terminal_environ
 from day6_tui.pixels.app import PictureApp
 from day6_tui.pixels.ask import IS_READY, READY, Answered
 from day6_tui.screen.line import may_ask
+from day6_tui.screen.shown import may_erase
 from day6_tui.screen.trouble import TerminalTrouble
 from day6_tui.textual_private.hooks import HookedApp
 from day6_tui.textual_private.keyboard import InputDecoder, KeyboardParser, is_possible
@@ -53,6 +56,8 @@ class TerminalDriver(LinuxDriver):
     recorder: Recorder | None = None
     """Is given everything that is written, while the screen is recorded."""
     _reported: frozenset[str] = frozenset()
+    _environ: Mapping[str, str] | None = None
+    """The variables of the terminal where they are not those of this process."""
     _away = False
     """Whether the terminal was left for another one."""
 
@@ -84,8 +89,9 @@ class TerminalDriver(LinuxDriver):
     def start_application_mode(self) -> None:
         """Take the terminal; nothing is known of what it shows, and of the way to it."""
         if (app := self._hooked) is not None:
-            app.line.begin(may_ask=may_ask(os.environ))
-            app.drawing.shown.forget()
+            environ = terminal_environ() if self._environ is None else self._environ
+            app.line.begin(may_ask=may_ask(environ))
+            app.drawing.shown.begin(erases=may_erase(environ))
         super().start_application_mode()  # type: ignore[no-untyped-call,unused-ignore]
         if app is not None and app.line.may_ask:
             self.ask()
@@ -104,9 +110,9 @@ class TerminalDriver(LinuxDriver):
         self._away = True
         self._in_band_window_resize = False
 
-    def take_terminal(self) -> None:
-        """Take the terminal, which may be another one now."""
-        self._away = False
+    def take_terminal(self, environ: Mapping[str, str]) -> None:
+        """Take the terminal, which may be another one now: that of these variables."""
+        self._away, self._environ = False, environ
         self.resume_application_mode()
 
     def suspend_job(self) -> None:
@@ -197,6 +203,7 @@ class TerminalDriver(LinuxDriver):
         self._wait_for_answers()
         if (pictures := self._pictures) is not None and (text := pictures.farewell()):
             self.write(text)
+        self.write("\x1b[m")
         if self._mouse_pixels:  # Textual leaves it on
             self.write("\x1b[?1016l")
             self._mouse_pixels = False

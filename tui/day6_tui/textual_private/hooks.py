@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from textual.notifications import Notification
     from textual.screen import Screen
 
+SMALL = 200
+"""Characters that a terminal reads at once, most often: they are not framed by sequences that cost as much as they."""
+
 
 class HookedApp(App[None]):
     """An application that is told of what it reads and displays, and of what fails in it."""
@@ -28,6 +31,8 @@ class HookedApp(App[None]):
         super().__init__(*arguments, **options)
         self.line = Line()
         self.drawing = Drawing(self.line)
+        self._is_small = False
+        """Whether what is being displayed needs no asking that it be shown at once."""
 
     def key_read(self) -> None:
         """Called when a key has been read and is about to be posted, in the thread that reads the terminal."""
@@ -75,7 +80,18 @@ class HookedApp(App[None]):
         ):
             renderable = self._prepared(screen, renderable)
         super()._display(screen, renderable)
+        if renderable is not None:
+            self.drawing.shown.cursor = self._previous_cursor_position
         self.displayed(renderable)
+
+    def _begin_update(self) -> None:
+        if not self._is_small:
+            super()._begin_update()
+
+    def _end_update(self) -> None:
+        if not self._is_small:
+            super()._end_update()
+        self._is_small = False
 
     def _prepared(self, screen: Screen[Any], update: CompositorUpdate) -> CompositorUpdate | None:
         """What is sent of an update now; what is not stays to be drawn."""
@@ -87,6 +103,7 @@ class HookedApp(App[None]):
             Region() if focused is None else focused.region,
             self.cursor_position,
         )
+        self._is_small = len(update.render_segments(self.console)) < SMALL
         if left:
             screen._compositor._dirty_regions.update(left)
             self.left_over()

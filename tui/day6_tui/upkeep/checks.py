@@ -29,7 +29,7 @@ from day6_core.ros.environment import is_foreign_ros
 from day6_core.ros.executables import is_executable_of_ours
 from day6_core.system.memory import available, total_memory
 from day6_core.variables import VARIABLES, shown_value
-from day6_tui.appearance.glyphs import detect, speaks_utf8, terminal_environ
+from day6_tui.appearance.glyphs import detect, is_colourless, speaks_utf8, terminal_environ
 from day6_tui.upkeep import trials
 from day6_tui.upkeep.installation import installation
 from day6_tui.upkeep.line import Line, note, ok, problem
@@ -127,6 +127,8 @@ def _colours(environ: Mapping[str, str]) -> Line:
 
     if environ.get("NO_COLOR"):
         return note("terminal.no_colour")
+    if is_colourless(environ):
+        return note("terminal.no_colour.dumb", term=environ.get("TERM", ""))
     return ok("terminal.colours", kind=colour_system(environ).name.lower().replace("_", " "))
 
 

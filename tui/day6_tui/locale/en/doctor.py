@@ -35,6 +35,7 @@ TEXTS = {
     "doctor.terminal.dumb.todo": "set TERM to what your terminal is, e.g. export TERM=xterm-256color",
     "doctor.terminal.colours": "colours: {kind}",
     "doctor.terminal.no_colour": "colours: none, because NO_COLOR is set",
+    "doctor.terminal.no_colour.dumb": "colours: none, because TERM={term}",
     "doctor.glyphs.half": "pictures in half blocks and braille: the locale is UTF-8 (output: {encoding})",
     "doctor.glyphs.simple": "pictures in '{name}': TERM={term} has few characters",
     "doctor.glyphs.no_utf8": "pictures in ASCII: the locale isn't UTF-8 (output: {encoding})",

@@ -35,6 +35,7 @@ TEXTS = {
     "doctor.terminal.dumb.todo": "把 TERM 设成你的终端类型，例如 export TERM=xterm-256color",
     "doctor.terminal.colours": "颜色：{kind}",
     "doctor.terminal.no_colour": "颜色：没有，因为设置了 NO_COLOR",
+    "doctor.terminal.no_colour.dumb": "颜色：没有，因为 TERM={term}",
     "doctor.glyphs.half": "图画用半块字符和盲文点：区域设置是 UTF-8（输出：{encoding}）",
     "doctor.glyphs.simple": "图画用 '{name}'：TERM={term} 的字符很少",
     "doctor.glyphs.no_utf8": "图画用 ASCII：区域设置不是 UTF-8（输出：{encoding}）",

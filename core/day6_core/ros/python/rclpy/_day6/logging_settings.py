@@ -125,7 +125,7 @@ class LoggingSettings:
         if wish in ("0", "1"):
             return wish == "1"
         isatty = getattr(stream, "isatty", None)
-        return isatty is not None and isatty()
+        return isatty is not None and isatty() and self._env.get("TERM") != "dumb"
 
 
 def _write_or_not(write: Callable[[str], object], text: str) -> None:
