@@ -15,25 +15,14 @@ NEAR = 6
 ERASED = 14
 """Blanks that are erased rather than written: erasing them and moving on takes less."""
 
-SEEN_ON_BLANKS = frozenset({"a4", "a7", "a9", "a21", "a51", "a52", "a53"})
+SEEN_ON_BLANKS = frozenset({"4", "7", "9", "21", "51", "52", "53"})
 """Attributes that are seen where nothing is written: underlined, reversed, struck out, framed."""
 
-_OFF = {
-    "3": "39",
-    "4": "49",
-    "a1": "22",
-    "a2": "22",
-    "a3": "23",
-    "a4": "24",
-    "a5": "25",
-    "a7": "27",
-    "a8": "28",
-    "a9": "29",
-    "a53": "55",
-}
-"""What ends a colour or an attribute."""
+_OFF = {"1": "22", "2": "22", "3": "23", "4": "24", "5": "25", "7": "27", "8": "28", "9": "29", "53": "55"}
+"""What ends an attribute."""
 
-_HEADS = {"38": "3", "48": "4"}
+_COLOURS = {"3": "3", "9": "3", "4": "4", "10": "4"}
+"""Foreground or background, by the first digits."""
 
 
 def may_erase(environ: Mapping[str, str]) -> bool:
@@ -86,39 +75,61 @@ class Brush:
     def __init__(self, shown: Shown, width: int) -> None:
         self._shown = shown
         self._width = width
-        self._parts: list[str] = []
+        self._written: list[str] = []
+        self._counted = self._size = 0
         self._x, self._y = shown.cursor
         """Where the cursor is; -1 where that is not certain."""
         self._hurt: list[Span] = []
-        self.size = 0
-        """Bytes so far."""
         self.drawn: list[Span] = []
         """What was written."""
 
     def draw(self, x: int, y: int, segments: Iterable[tuple[str, str]]) -> None:
         """Write what differs of a piece of a line: texts and how they look, as the parameters of SGR."""
         chars, looks = self._shown.row(y)
+        is_ascii = True
         for text, look in segments:
+            if text.isascii():
+                cells = list(text)
+            else:
+                cells, is_ascii = list(_cells(text)), False
             if text.isspace():
                 look = _ground(look)
-            cells = list(text) if text.isascii() else _cells(text)
             end = x + len(cells)
             if end > self._width:
                 cells, end = cells[: self._width - x], self._width
-            if chars[x:end] != cells or looks[x:end] != [look] * len(cells):
-                for first, last in _differences(chars[x:end], looks[x:end], cells, look):
+            seen, worn = chars[x:end], looks[x:end]
+            if seen != cells or worn.count(look) != len(worn):
+                for first, last in _differences(seen, worn, cells, look):
                     self._write(x + first, y, cells[first:last], look)
             x = end
-        if not self._parts or not self._parts[-1].isascii():
+        if not is_ascii:
             self._x = -1  # terminals differ in how wide they take some characters
 
     def _write(self, x: int, y: int, cells: list[str], look: str) -> None:
-        if self._shown.erases and (blank := _blanks_at_end(cells)) >= ERASED and blank < len(cells):
-            self._write(x, y, cells[:-blank], look)
-            x, cells = x + len(cells) - blank, cells[-blank:]
-        chars, looks = self._shown.row(y)
-        end = x + len(cells)
-        # Of a character that is half overwritten, nothing is left.
+        shown, blank = self._shown, 0
+        if cells[-1] == " ":
+            blank = _blanks_at_end(cells)
+            if shown.erases and ERASED <= blank < len(cells):
+                self._write(x, y, cells[:-blank], look)
+                x, cells = x + len(cells) - blank, cells[-blank:]
+        chars, looks = shown.row(y)
+        count, end = len(cells), x + len(cells)
+        if chars[x] == "" or (end < self._width and chars[end] == ""):
+            self._spoil(chars, x, y, end)
+        chars[x:end], looks[x:end] = cells, [look] * count
+        place = "" if self._x == x and self._y == y else f"\x1b[{x + 1}G" if self._y == y else f"\x1b[{y + 1};{x + 1}H"
+        present, text = shown.look, "".join(cells)
+        if blank == count:
+            if present is not None:
+                look = _for_blanks(present, look)
+            if count >= ERASED and shown.erases and not look_on_blanks(look):
+                text, end = f"\x1b[{count}X", x  # which does not move the cursor
+        self._written.append(f"{place}{text}" if present == look else f"{place}{change(present, look)}{text}")
+        shown.look, self._y, self._x = look, y, end if end < self._width else -1
+        self.drawn.append((y, x, x + count))
+
+    def _spoil(self, chars: list[str | None], x: int, y: int, end: int) -> None:
+        """Of a character that is half overwritten, nothing is left."""
         before, after = x, end
         while before and chars[before] == "":
             before -= 1
@@ -127,36 +138,22 @@ class Brush:
         for spoilt in (*range(before, x), *range(end, after)):
             chars[spoilt] = None
             self._hurt.append((y, spoilt, spoilt + 1))
-        chars[x:end], looks[x:end] = cells, [look] * len(cells)
-        if self._y != y:
-            self._add(f"\x1b[{y + 1};{x + 1}H")
-        elif self._x != x:
-            self._add(f"\x1b[{x + 1}G")
-        present = self._shown.look
-        is_blank = _blanks_at_end(cells) == len(cells)
-        if is_blank and present is not None:
-            look = _for_blanks(present, look)
-        if present != look:
-            self._add(change(present, look))
-        if is_blank and len(cells) >= ERASED and self._shown.erases and not SEEN_ON_BLANKS & _parts(look).keys():
-            self._add(f"\x1b[{len(cells)}X")
-            end = x  # which does not move the cursor
-        else:
-            self._add("".join(cells))
-        self._shown.look, self._y, self._x = look, y, end if end < self._width else -1
-        self.drawn.append((y, x, x + len(cells)))
-
-    def _add(self, text: str) -> None:
-        self._parts.append(text)
-        self.size += len(text) if text.isascii() else len(text.encode())
 
     def hurt(self) -> list[Span]:
         """Cells that were spoilt by what was written beside them, and not written since."""
         return [span for span in self._hurt if self._shown.row(span[0])[0][span[1]] is None]
 
+    @property
+    def size(self) -> int:
+        """Bytes so far."""
+        for text in self._written[self._counted :]:
+            self._size += len(text) if text.isascii() else len(text.encode())
+        self._counted = len(self._written)
+        return self._size
+
     def text(self) -> str:
         """All of it. The colours stay as they are: what is written next most often has them, too."""
-        return "".join(self._parts)
+        return "".join(self._written)
 
 
 def _blanks_at_end(cells: Sequence[str]) -> int:
@@ -170,6 +167,13 @@ def _differences(
     chars: Sequence[str | None], looks: Sequence[str | None], cells: Sequence[str], look: str
 ) -> Iterable[tuple[int, int]]:
     """First and end of what differs, without cutting a character."""
+    if len(cells) < NEAR and "" not in cells:
+        first, last = 0, len(cells)
+        while chars[first] == cells[first] and looks[first] == look:
+            first += 1
+        while chars[last - 1] == cells[last - 1] and looks[last - 1] == look:
+            last -= 1
+        return ((first, last),)
     runs: list[list[int]] = []
     for at, cell in enumerate(cells):
         if chars[at] != cell or looks[at] != look:
@@ -186,7 +190,8 @@ def _differences(
 
 
 @lru_cache(maxsize=4096)
-def _widths(text: str) -> tuple[str, ...]:
+def _cells(text: str) -> tuple[str, ...]:
+    """What stands in each cell: a character, with its accents; '' in the second cell of a wide one."""
     cells: list[str] = []
     for char in text:
         width = cell_len(char)
@@ -202,26 +207,26 @@ def _widths(text: str) -> tuple[str, ...]:
     return tuple(cells)
 
 
-def _cells(text: str) -> list[str]:
-    """What stands in each cell: a character, with its accents; '' in the second cell of a wide one."""
-    return list(_widths(text))
-
-
 @lru_cache(maxsize=4096)
 def _ground(look: str) -> str:
     """What is seen of a look on blanks."""
-    parts = _parts(look)
-    return look if SEEN_ON_BLANKS & parts.keys() else parts.get("4", "")
+    return look if look_on_blanks(look) else _parts(look)[2]
+
+
+def look_on_blanks(look: str) -> bool:
+    """Whether more of a look is seen on blanks than the background."""
+    return not SEEN_ON_BLANKS.isdisjoint(_parts(look)[0])
 
 
 @lru_cache(maxsize=4096)
 def _for_blanks(present: str, look: str) -> str:
     """A look with which blanks are as with `look`, and which is near the present one."""
-    ground = _parts(_ground(look))
-    if SEEN_ON_BLANKS & ground.keys():
+    if look_on_blanks(look):
         return look
-    kept = {part: value for part, value in _parts(present).items() if part != "4" and part not in SEEN_ON_BLANKS}
-    return ";".join({**kept, **ground}.values())
+    attributes, front, _ = _parts(present)
+    return ";".join(
+        filter(None, (*(each for each in attributes if each not in SEEN_ON_BLANKS), front, _parts(look)[2]))
+    )
 
 
 @lru_cache(maxsize=4096)
@@ -229,30 +234,34 @@ def change(old: str | None, new: str) -> str:
     """The shortest sequence from one look to another; looks are parameters of SGR, '' the terminal's own, None any."""
     if old == new:
         return ""
-    if old is None:
-        return f"\x1b[0;{new}m" if new else "\x1b[m"
-    before, after = _parts(old), _parts(new)
-    ended = [_OFF.get(part, "") for part in before if part not in after]
-    if {"a1", "a2"} & after.keys() and "22" in ended:
-        ended = [""]  # which would end both bold and dim
-    begun = [value for part, value in after.items() if before.get(part) != value]
     whole = f"\x1b[0;{new}m" if new else "\x1b[m"
-    return whole if "" in ended else min(f"\x1b[{';'.join([*ended, *begun])}m", whole, key=len)
+    if old is None:
+        return whole
+    (before, front, ground), (after, new_front, new_ground) = _parts(old), _parts(new)
+    codes = []
+    if before != after:
+        ended = {_OFF.get(each, "") for each in before if each not in after}
+        if "" in ended or ("22" in ended and ("1" in after or "2" in after)):
+            return whole  # 22 ends both bold and dim
+        codes += [*ended, *(each for each in after if each not in before)]
+    if front != new_front:
+        codes.append(new_front or "39")
+    if ground != new_ground:
+        codes.append(new_ground or "49")
+    return min(f"\x1b[{';'.join(codes)}m", whole, key=len)
 
 
-def _parts(look: str) -> dict[str, str]:
-    """What a look consists of: foreground ('3'), background ('4') and each attribute."""
-    parts: dict[str, str] = {}
+@lru_cache(maxsize=4096)
+def _parts(look: str) -> tuple[tuple[str, ...], str, str]:
+    """What a look consists of: attributes, foreground and background, '' for the terminal's own."""
+    attributes, colours = [], {"3": "", "4": ""}
     codes = iter(look.split(";") if look else ())
     for code in codes:
-        if code in _HEADS:
+        if code in ("38", "48"):
             kind = next(codes, "")
-            rest = [next(codes, "") for _ in range(3 if kind == "2" else 1)]
-            parts[_HEADS[code]] = ";".join([code, kind, *rest])
-        elif len(code) > 1 and code[-1] in "01234567" and code[:-1] in ("3", "4", "9", "10"):
-            parts["3" if code[:-1] in ("3", "9") else "4"] = code
-        elif code in ("39", "49"):
-            parts[_HEADS.get(code[0] + "8", "")] = code
+            colours[code[0]] = ";".join([code, kind, *(next(codes, "") for _ in range(3 if kind == "2" else 1))])
+        elif len(code) > 1 and code[:-1] in _COLOURS:
+            colours[_COLOURS[code[:-1]]] = "" if code in ("39", "49") else code
         else:
-            parts[f"a{code}"] = code
-    return parts
+            attributes.append(code)
+    return tuple(attributes), colours["3"], colours["4"]

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from rich.color import ColorSystem
@@ -109,6 +108,8 @@ def _pieces_of(update: CompositorUpdate) -> Iterator[Piece]:
                 x += strip.cell_length
 
 
-@lru_cache(maxsize=16384)
 def _look(style: Style | None, system: ColorSystem) -> str:
-    return "" if style is None else Strip.render_ansi(style, system)
+    if style is None:
+        return ""
+    look = style._ansi  # where `Strip` keeps it
+    return Strip.render_ansi(style, system) if look is None else look
