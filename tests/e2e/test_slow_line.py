@@ -156,3 +156,13 @@ def test_a_terminal_that_answers_nothing_is_not_waited_for(tmp_path: Path) -> No
         assert line.output.count(b"\x1b[5n") < 40
         line.quit()
         assert line.wait_end() == 0
+
+
+def test_ctrl_l_draws_what_another_program_has_written_over(tmp_path: Path) -> None:
+    with desktop(tmp_path, FAST) as line:
+        line.wait(PROMPT, "F2 ")
+        line.settle()
+        before = _looks(line)
+        line._stream.feed(b"\x1b7\x1b[1;1H\x1b[2Jmessage from root\x1b8")
+        line.send("\x0c")
+        until(lambda: _looks(line) == before, every=0, meanwhile=lambda: line.look(0.02), told=line.look)

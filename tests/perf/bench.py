@@ -26,6 +26,7 @@ from day6_core.ros.environment import program_environment
 from day6_core.shell.screen.screen import Screen as Picture
 from day6_urdf.shipped import shipped_model
 from tests.perf.screen import Screen
+from tests.perf.slow_line import slow_lines
 
 HERE = Path(__file__).resolve().parent
 DAY6 = [sys.executable, "-m", "day6_tui.main"]
@@ -550,6 +551,7 @@ def main() -> int:
         bench.floods(),
         bench.reflow(),
         bench.keys(),
+        slow_lines(),
     ]
     screens.append(bench.paste())
     sections = [] if options.rclpy else screens

@@ -1,6 +1,6 @@
 """Measures the desktop at the end of a slow line: how long a person waits for keys, the first prompt and Ctrl-C.
 
-    python -m tests.perf.slow_line [--rates 4000 50000] [--size 80x24] [--lang en]
+    python -m tests.perf.slow_line [--rates 4000 50000] [--size 80x24] [--lang en] [--python PYTHON]
 
 The line takes so many bytes a second and hides a queue of 16 kB (`tests/support/slow_line.py`). Also measured: what the start of
 each scene writes, over a line that hides nothing. Linux and macOS.
@@ -12,7 +12,7 @@ import argparse
 import statistics
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -20,6 +20,7 @@ from tests.support.slow_line import SlowLine
 
 DAY6 = [sys.executable, "-m", "day6_tui.main"]
 PROMPT = "student@day6:~$"
+RATES = (4_000.0, 50_000.0)
 FAST = 50e6
 LETTERS = "abcdefgh"
 TWIST = '"{linear: {x: 1.0}, angular: {z: 0.7}}"'
@@ -87,10 +88,8 @@ class Measured:
                 line.press("Ctrl-C")
                 times.append(line.seconds_until(lambda: line.find("^C") and line.find(PROMPT)))
                 line.settle(0.5)
-                line.line("clear")
-                line.settle(0.5)
-                line.line("yes")
-                line.look(3)
+                line.line("clear; yes")
+                line.look(4)
             yield "Ctrl-C in a flood, to the prompt", self.told(times), "<= 0.5 s"
 
     def turtle(self) -> Iterator[Row]:
@@ -127,7 +126,7 @@ class Measured:
         for letter in LETTERS[:count]:
             typed += letter
             line.send(letter)
-            times.append(line.seconds_until(lambda typed=typed: line.find(typed)))  # type: ignore[misc]
+            times.append(line.seconds_until(lambda typed=typed: line.find(f"$ {typed}")))  # type: ignore[misc]
             line.look(0.3)
         line.press("Ctrl-U")
         return self.told(times)
@@ -146,27 +145,31 @@ def scenes(columns: int, rows: int, lang: str) -> Iterator[Row]:
             yield f"start of the scene {scene}, {columns}x{rows}", f"{line.written / 1000:.1f} kB", "<= 25 kB"
 
 
-def show(row: Row) -> None:
-    """Print a row of the table."""
-    print(f"| {' | '.join(row)} |", flush=True)
+def slow_lines(
+    rates: Sequence[float] = RATES, columns: int = 80, rows: int = 24, lang: str = "en", *, lines: bool = True
+) -> Iterator[Row]:
+    """All rows: at these rates and in this size, then what scenes write."""
+    for rate in rates if lines else ():
+        for name, measured, budget in Measured(rate, columns, rows, lang).rows():
+            yield f"{rate / 1000:.0f} kB/s: {name}", measured, budget
+    for size in ((80, 24), (120, 40)):
+        yield from scenes(*size, lang)
 
 
 def main() -> int:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rates", type=float, nargs="*", default=[4_000, 50_000], metavar="BYTES")
+    parser.add_argument("--rates", type=float, nargs="*", default=RATES, metavar="BYTES")
     parser.add_argument("--size", default="80x24")
     parser.add_argument("--lang", default="en")
     parser.add_argument("--scenes", action="store_true", help="only what scenes write, at 80x24 and 120x40")
+    parser.add_argument("--python", default=sys.executable, help="the interpreter of another installation")
     options = parser.parse_args()
+    DAY6[0] = options.python
     columns, rows = map(int, options.size.split("x"))
     print("| | measured | budget |\n| --- | --- | --- |")
-    for rate in [] if options.scenes else options.rates:
-        for name, measured, budget in Measured(rate, columns, rows, options.lang).rows():
-            show((f"{rate / 1000:.0f} kB/s: {name}", measured, budget))
-    for size in ((80, 24), (120, 40)):
-        for row in scenes(*size, options.lang):
-            show(row)
+    for row in slow_lines(options.rates, columns, rows, options.lang, lines=not options.scenes):
+        print(f"| {' | '.join(row)} |", flush=True)
     return 0
 
 

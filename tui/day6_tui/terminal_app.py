@@ -49,6 +49,8 @@ class TerminalApp(Surviving, PictureApp):
     async def on_event(self, event: events.Event) -> None:
         if isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded:
             self.frames.hurry(echoes=self.echoes_keys())
+            if isinstance(event, events.Key) and event.key == "ctrl+l":
+                self.draw_anew()  # besides what it does in a terminal: another program may have written to the screen
             await self._key_order.take(event)
         else:
             await super().on_event(event)

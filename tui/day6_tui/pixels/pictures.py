@@ -21,6 +21,7 @@ from textual.widget import Widget
 from day6_tui.appearance.glyphs import GLYPH_SETS, PIXELS
 from day6_tui.appearance.look import Look
 from day6_tui.pixels.ask import FIRST, IS_READY, ITERM, KITTY, READY, Ability, Inquiry, closes
+from day6_tui.screen.line import Line
 from day6_tui.textual_private.access import SYNC_END, SYNC_START
 from day6_tui.textual_private.frame_screen import covers_of
 
@@ -86,6 +87,7 @@ class Pictures:
         look: Look,
         environ: Mapping[str, str],
         write: Callable[[str], object],
+        line: Line | None = None,
         *,
         changed: Callable[[], object],
         given_up: Callable[[], object] = lambda: None,
@@ -94,6 +96,7 @@ class Pictures:
         self._look = look
         self._environ = environ
         self._write = write
+        self._line = Line() if line is None else line
         self._changed = changed
         """Called when pictures can be shown from now on, or no longer."""
         self._given_up = given_up
@@ -265,8 +268,12 @@ class Pictures:
         """Write what changed; while the terminal is busy with what was sent before, only pictures that text has hurt."""
         if not self._pictures or self.stopped:
             return
-        texts, is_busy = [], self.waiting
-        is_asked = not is_busy
+        if self._line.is_poor and self.on:
+            self._give_up()
+            return
+        room = self._line.room()
+        texts, is_busy = [], self.waiting or (room is not None and room <= 0)
+        is_asked = not self.waiting
         for pane, picture in list(self._pictures.items()):
             if not pane.is_attached:
                 self.drop(pane)

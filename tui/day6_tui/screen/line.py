@@ -26,6 +26,8 @@ FIRST_AHEAD = 8192
 """Bytes that may be under way as long as nothing is known."""
 FREE = 65_536
 """Where so many bytes may be under way, nothing is held back."""
+FOR_PICTURES = 2048
+"""Bytes that must be allowed to be under way where pictures of pixels, of a few thousand bytes each, shall not hold up keys."""
 LEAST_ASKED, MOST_ASKED = 256, 4096
 """Bytes between two questions."""
 BURST_SECONDS, BURST = 0.01, 1024
@@ -103,11 +105,11 @@ class Line:
     # -- reading -------------------------------------------------------------------------------------------------------
 
     def answered(self) -> bool:
-        """The terminal is ready: it has read everything up to the oldest question; returns whether that was ours."""
+        """The terminal has read everything up to the oldest question; returns whether nobody else waits for this answer."""
         with self._lock:
             self.answers = True
             if not self._questions:
-                return False  # it was given up
+                return True  # it was given up, by whoever asked
             question, now = self._questions.popleft(), self._clock()
             self._read, self._begun = question.end, now
             seconds = now - question.asked
@@ -131,6 +133,12 @@ class Line:
 
     def _as_slow(self, question: _Question, waited: float) -> float:
         return max(LEAST_AHEAD, min(self._ahead, question.unread) * WAIT_SECONDS / waited)
+
+    @property
+    def is_poor(self) -> bool:
+        """Whether the line is too slow for pictures of pixels."""
+        with self._lock:
+            return self.answers and self._ahead < FOR_PICTURES
 
     # -- how much may follow -------------------------------------------------------------------------------------------
 

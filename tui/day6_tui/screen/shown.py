@@ -81,27 +81,31 @@ class Brush:
         """Where the cursor is; -1 where that is not certain."""
         self._hurt: list[Span] = []
         self.drawn: list[Span] = []
-        """What was written."""
+        """The pieces of which anything was written."""
 
     def draw(self, x: int, y: int, segments: Iterable[tuple[str, str]]) -> None:
         """Write what differs of a piece of a line: texts and how they look, as the parameters of SGR."""
         chars, looks = self._shown.row(y)
-        is_ascii = True
+        is_ascii, start, before = True, x, len(self._written)
         for text, look in segments:
             if text.isascii():
                 cells = list(text)
+                if text.isspace():
+                    look = _ground(look)
             else:
                 cells, is_ascii = list(_cells(text)), False
-            if text.isspace():
-                look = _ground(look)
             end = x + len(cells)
             if end > self._width:
                 cells, end = cells[: self._width - x], self._width
-            seen, worn = chars[x:end], looks[x:end]
-            if seen != cells or worn.count(look) != len(worn):
-                for first, last in _differences(seen, worn, cells, look):
+            if end == x + 1:
+                if chars[x] != cells[0] or looks[x] != look:
+                    self._write(x, y, cells, look)
+            elif (seen := chars[x:end]) != cells or looks[x:end].count(look) != end - x:
+                for first, last in _differences(seen, looks[x:end], cells, look):
                     self._write(x + first, y, cells[first:last], look)
             x = end
+        if len(self._written) > before:
+            self.drawn.append((y, start, x))
         if not is_ascii:
             self._x = -1  # terminals differ in how wide they take some characters
 
@@ -126,7 +130,6 @@ class Brush:
                 text, end = f"\x1b[{count}X", x  # which does not move the cursor
         self._written.append(f"{place}{text}" if present == look else f"{place}{change(present, look)}{text}")
         shown.look, self._y, self._x = look, y, end if end < self._width else -1
-        self.drawn.append((y, x, x + count))
 
     def _spoil(self, chars: list[str | None], x: int, y: int, end: int) -> None:
         """Of a character that is half overwritten, nothing is left."""

@@ -69,7 +69,7 @@ class Drawing:
         try:
             for x, y, strip in pieces:
                 if room is None or brush.size < (more if urgent is not None and _has(x, y, strip, urgent) else room):
-                    brush.draw(x, y, ((text, _look(style, system)) for text, style, control in strip if not control))
+                    brush.draw(x, y, [(text, _look(style, system)) for text, style, control in strip if not control])
                 else:
                     left.append(Region(x, y, strip.cell_length, 1))
         except Exception:
