@@ -67,14 +67,16 @@ class Measured:
         with self.desktop("--scene", "empty") as line:
             yield "first prompt", f"{line.seconds_until(lambda: line.find(PROMPT)):.2f} s", "<= 5 s"
             line.settle(0.5)
+            began = line.written
             line.press("F2")
             line.look(0.2)
             line.press("x")
-            began = line.written
             took = line.seconds_until(lambda: line.find(f"{PROMPT} x", "2 ~"))
             yield "F2, then a key: its echo", f"{took:.2f} s", f"<= {self.key} s"
             line.settle(0.5)
             yield "  bytes until all is drawn", f"{line.written - began}", "-"
+            line.press("Ctrl-U")
+            line.settle(0.5)
             yield "keys at rest", self.echoes(line, 4), f"<= {self.key} s"
 
     def flood(self) -> Iterator[Row]:
