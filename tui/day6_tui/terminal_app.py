@@ -117,5 +117,4 @@ class TerminalApp(Surviving, PictureApp):
         self.frames.wake()
 
     def heard(self) -> None:
-        if not self.is_congested():
-            self.frames.relieve()
+        self.frames.relieve()

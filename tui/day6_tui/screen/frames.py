@@ -134,7 +134,7 @@ class Frames:
             self._held_period = self._period
 
     def relieve(self) -> None:
-        """The terminal takes more again: a frame that waits for that comes at once. Any thread."""
+        """The terminal may take more again: a frame that waits for that comes at once if it does. Any thread."""
         loop = self._loop
         if self._held_period is not None and loop is not None:
             with contextlib.suppress(RuntimeError):

@@ -72,12 +72,8 @@ class HookedApp(App[None]):
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         if not self.displays():
             return
-        if (
-            isinstance(renderable, CompositorUpdate)
-            and self._running
-            and not self._batch_count
-            and not self.is_headless
-        ):
+        is_written = self._driver is not None and self._running and not self._closed and not self._batch_count
+        if isinstance(renderable, CompositorUpdate) and is_written and not self.is_headless:
             renderable = self._prepared(screen, renderable)
         super()._display(screen, renderable)
         if renderable is not None:
