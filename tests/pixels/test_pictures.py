@@ -23,7 +23,6 @@ from day6_tui.windows.turtlesim.turtlesim import TurtleSimPane
 from tests.pixels.pixel_terminal import CELL, PixelTerminal
 from tests.tui.fakes import FakeDesk, FakeSimulation, turtle
 from tests.tui.screens import opened, screen_text, step
-from tests.tui.test_line import started
 
 pytestmark = pytest.mark.long
 
@@ -431,20 +430,6 @@ def test_letters_that_change_twice_before_the_terminal_answers_are_measured_as_t
             for answer in (f"\x1b[6;{height};{width}t", "\x1b[?62;4c"):
                 stage.pictures.take(answer)
         assert stage.pictures.ability == Ability(SIXEL, (11, 21))
-
-    play(SIXEL, monkeypatch, scenes)
-
-
-def test_on_a_line_where_keys_would_wait_for_pictures_there_are_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    async def scenes(stage: Stage) -> None:
-        line = started(4_000)
-        line.stream(4.0)
-        stage.pictures._line, before = line.line, stage.terminal.pictures
-        stage.model.show(turtle(x=2.0))
-        await stage.frame()
-        await stage.frame()
-        assert stage.terminal.pictures == before and stage.app.look.glyphs.name == "half"
-        assert not stage.pictures.on
 
     play(SIXEL, monkeypatch, scenes)
 

@@ -170,17 +170,6 @@ def test_answers_go_to_whoever_asked() -> None:
     assert terminal.ours == [False, True, False]
 
 
-def test_a_line_that_would_hold_up_keys_behind_a_picture_is_a_poor_one() -> None:
-    for rate, poor in ((4_000, True), (100_000, False), (20e6, False)):
-        terminal = started(rate)
-        assert not terminal.line.is_poor
-        terminal.stream(5.0, frame=6000)
-        assert terminal.line.is_poor == poor
-    mute = started(4_000, answers=False)
-    mute.stream(5.0)
-    assert not mute.line.is_poor
-
-
 def test_another_terminal_is_another_line() -> None:
     terminal = started(4_000)
     terminal.stream(2.0)

@@ -43,7 +43,7 @@ class PictureApp(HookedApp):
                 self.post_message(TerminalTrouble("pixels.missing"))
             return
         look.pictures = pictures = Pictures(
-            look, environ, self._write_picture, self.line, changed=self._pictures_changed, given_up=self._too_slow
+            look, environ, self._write_picture, changed=self._pictures_changed, given_up=self._too_slow
         )
         pictures.wanted = glyphs in (None, "", "auto", PIXELS)
         if sys.platform != "win32":

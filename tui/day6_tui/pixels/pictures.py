@@ -21,7 +21,6 @@ from textual.widget import Widget
 from day6_tui.appearance.glyphs import GLYPH_SETS, PIXELS
 from day6_tui.appearance.look import Look
 from day6_tui.pixels.ask import FIRST, IS_READY, ITERM, KITTY, READY, Ability, Inquiry, closes
-from day6_tui.screen.line import Line
 from day6_tui.textual_private.access import SYNC_END, SYNC_START
 from day6_tui.textual_private.frame_screen import covers_of
 
@@ -87,7 +86,6 @@ class Pictures:
         look: Look,
         environ: Mapping[str, str],
         write: Callable[[str], object],
-        line: Line | None = None,
         *,
         changed: Callable[[], object],
         given_up: Callable[[], object] = lambda: None,
@@ -96,7 +94,6 @@ class Pictures:
         self._look = look
         self._environ = environ
         self._write = write
-        self._line = Line() if line is None else line
         self._changed = changed
         """Called when pictures can be shown from now on, or no longer."""
         self._given_up = given_up
@@ -268,12 +265,8 @@ class Pictures:
         """Write what changed; while the terminal is busy with what was sent before, only pictures that text has hurt."""
         if not self._pictures or self.stopped:
             return
-        if self._line.is_poor and self.on:
-            self._give_up()
-            return
-        room = self._line.room()
-        texts, is_busy = [], self.waiting or (room is not None and room <= 0)
-        is_asked = not self.waiting
+        texts, is_busy = [], self.waiting
+        is_asked = not is_busy
         for pane, picture in list(self._pictures.items()):
             if not pane.is_attached:
                 self.drop(pane)

@@ -26,8 +26,6 @@ FIRST_AHEAD = 8192
 """Bytes that may be under way as long as nothing is known."""
 FREE = 65_536
 """Where so many bytes may be under way, nothing is held back."""
-FOR_PICTURES = 2048
-"""Bytes that must be allowed to be under way where pictures of pixels, of a few thousand bytes each, shall not hold up keys."""
 LEAST_ASKED, MOST_ASKED = 256, 4096
 """Bytes between two questions."""
 BURST_SECONDS, BURST = 0.01, 1024
@@ -133,12 +131,6 @@ class Line:
 
     def _as_slow(self, question: _Question, waited: float) -> float:
         return max(LEAST_AHEAD, min(self._ahead, question.unread) * WAIT_SECONDS / waited)
-
-    @property
-    def is_poor(self) -> bool:
-        """Whether the line is too slow for pictures of pixels."""
-        with self._lock:
-            return self.answers and self._ahead < FOR_PICTURES
 
     # -- how much may follow -------------------------------------------------------------------------------------------
 
