@@ -64,9 +64,8 @@ _CHECK_SECONDS = 1.0
 _SEARCH_SECONDS = 0.05
 """Seconds between them while no meeting point is known: a killed holder's token may end before its lock does."""
 _ALONE_SECONDS = 5.0
-"""After so long without anybody, a session is opened anew: Zenoh loses sight of a meeting point that changes hands just when it
-connects (once in about a hundred times when a cleaner had taken the files of all).
-"""
+"""After so long without anybody, a session is opened anew. Where a cleaner had taken the files of all and the meeting
+point went to another process, one in a hundred stayed alone; why, isn't known."""
 _MOST_PROBLEMS = 50
 _LONGEST_PROBLEM = 500
 _PRESENCE_PARTS = 4
@@ -535,7 +534,7 @@ class Link:
         with self._changed:
             self._presence.clear()
         self._remote.clear()
-        # Who hasn't noticed the end of the former session would refuse another one of its name.
+        # A new name: others may not have noticed yet that the former session has ended.
         self.zid = self._remote.own_zid = new_zid()
         self.graph.renew_gids()
         self._meet(place)
