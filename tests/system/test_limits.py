@@ -67,7 +67,7 @@ def test_cores_that_a_group_may_not_fill_do_not_count(
 def proc(folder: Path, mounts: str, memberships: str) -> Path:
     """A folder with what /proc/self says; {} in `mounts` is the folder."""
     folder.mkdir()
-    (folder / "mountinfo").write_text(mounts.replace("{}", str(folder.parent)))
+    (folder / "mountinfo").write_text(mounts.replace("{}", str(folder.parent).replace(" ", r"\040")))
     (folder / "cgroup").write_text(memberships)
     return folder
 
