@@ -86,9 +86,10 @@ class Camera(Terminal):
             self.send(_larger(answers))
 
     def frame(self, seconds: float = 0.0) -> Frame:
-        """The first whole picture from now on, or the last one if nothing more is written.
+        """The first whole picture from now on, or what is there once nothing more is written.
 
-        A program that was slow to hear that it may mark its pictures has perhaps drawn all of them without marks.
+        Small changes aren't marked, and a program that was slow to hear that it may mark its pictures has perhaps drawn all
+        of them without.
         """
         start = last = len(self.output)
         changed = time.monotonic()
@@ -98,7 +99,7 @@ class Camera(Terminal):
                 last, changed = len(self.output), time.monotonic()
             elif time.monotonic() > changed + (UNMARKED_CALM if marked < 0 else CALM):
                 break
-        end = last if marked < 0 else marked
+        end = marked if marked >= start else last
         fresh = bytes(self.output[self._developed : end]).decode("utf-8", "replace")
         self._developed = end
         self._cells.feed(picture_of(fresh))
