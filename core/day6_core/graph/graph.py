@@ -106,8 +106,9 @@ class Graph:
         """Let this process's endpoints get other GIDs, on the next access."""
         with self._lock:
             for node in (*self.nodes, *self.observers):
-                for endpoint in node.endpoints if node.origin is None else ():
-                    endpoint._gid = None
+                if node.origin is None:
+                    for endpoint in node.endpoints:
+                        endpoint._gid = None
 
     def renew_lock(self) -> None:
         """In a forked child: create a lock that no thread of the parent holds."""

@@ -60,7 +60,7 @@ class Bubblewrap(Mode):
         outside = enter.SandboxPlan(
             folder="/",
             environment={},
-            groups=[str(groups.group_of(tree, key(cell)) / "cgroup.procs") for tree in self.trees],
+            groups=self.group_files(cell),
             descriptors=list(descriptors),
         )
         return enter.command(cell, outside, words)

@@ -105,6 +105,10 @@ class Mode(ABC):
         table = processes()
         return [sorted({*holders[cell.mark], *family(table, holders[cell.mark])}) for cell in cells]
 
+    def group_files(self, cell: Cell) -> list[str]:
+        """Return the files into which the ids of the cell's processes are written, one in each hierarchy."""
+        return [str(groups.group_of(tree, key(cell)) / "cgroup.procs") for tree in self.trees]
+
     def used(self, cell: Cell) -> Used:
         """Measure what the cell takes. It walks the home folder: not for an event loop's thread."""
         pids = self.processes(cell)

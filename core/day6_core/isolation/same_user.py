@@ -29,7 +29,7 @@ class Nothing(Mode):
         return enter.SandboxPlan(
             folder=str(cell.home),
             environment=self.environment(cell),
-            groups=[str(groups.group_of(tree, key(cell)) / "cgroup.procs") for tree in self.trees],
+            groups=self.group_files(cell),
             limits=self.rlimits(cell),
             readable=list(readable),
             writable=list(writable),

@@ -91,7 +91,7 @@ class Users(Mode):
             folder=str(cell.home),
             environment=self.environment(cell),
             uid=cell.uid,
-            groups=[str(groups.group_of(tree, key(cell)) / "cgroup.procs") for tree in self.trees],
+            groups=self.group_files(cell),
             limits=self.rlimits(cell),
             scoped=True,
             descriptors=list(descriptors),
