@@ -66,21 +66,23 @@ class TerminalDriver(LinuxDriver):
         if not self._away:
             if self.recorder is not None:
                 self.recorder.write(data)
+            is_time = self._count(data)  # first: the answer to a question in it may come before `write` returns
             super().write(data)
-            self._count(data)
-
-    def _count(self, data: str) -> None:
-        """Tell the line what was written, and ask the terminal when it is time."""
-        if (app := self._hooked) is not None:
-            count = len(data) if data.isascii() else len(data.encode(errors="replace"))
-            if app.line.wrote(count, asks=data.endswith(READY)):
+            if is_time:
                 self.ask()
+
+    def _count(self, data: str) -> bool:
+        """Tell the line what is written; return whether it is time to ask the terminal."""
+        if (app := self._hooked) is None:
+            return False
+        count = len(data) if data.isascii() else len(data.encode(errors="replace"))
+        return app.line.wrote(count, asks=data.endswith(READY))
 
     def ask(self) -> None:
         """Ask the terminal how far it has read."""
         if (app := self._hooked) is not None and not self._away:
-            super().write(READY)
             app.line.asked()
+            super().write(READY)
 
     @property
     def _hooked(self) -> HookedApp | None:
