@@ -191,7 +191,8 @@ class Day6App(TerminalApp):
         self.frames = Frames(
             self.draw_frame,
             fps,
-            work=self.read_flood,
+            work=lambda: self.terminals.read_flood(),
+            has_work=lambda: self.terminals.in_flood,
             echo=self.draw_echo,
             congested=self.is_congested,
             blocked=self.is_blocked,
@@ -504,10 +505,6 @@ class Day6App(TerminalApp):
         super()._write_picture(text)
 
     # -- frames --------------------------------------------------------------------------------------------------------
-
-    def read_flood(self) -> float | None:
-        """Between frames: read what programs print without end."""
-        return self.terminals.read_flood() if self.machine.desk is not None else None
 
     def key_read(self) -> None:
         super().key_read()

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import groupby
+from operator import itemgetter
 
 from rich.segment import Segment
-from rich.style import Style
 
 from day6_tui.appearance.colours import Colours, contrasting, pixel_style
 
@@ -192,23 +193,10 @@ _CELLS = {
 
 def _runs(cells: Iterable[tuple[str, int, int]]) -> list[Segment]:
     """Join cells of equal colours into one segment with a shared style."""
-    segments: list[Segment] = []
-    text: list[str] = []
-    colours: tuple[int, int] | None = None
-    for char, foreground, background in cells:
-        if (foreground, background) != colours:
-            if text:
-                segments.append(Segment("".join(text), _style(colours)))
-                text = []
-            colours = (foreground, background)
-        text.append(char)
-    if text:
-        segments.append(Segment("".join(text), _style(colours)))
-    return segments
-
-
-def _style(colours: tuple[int, int] | None) -> Style:
-    return pixel_style(*colours) if colours is not None else Style.null()
+    return [
+        Segment("".join([char for char, _, _ in run]), pixel_style(*colours))
+        for colours, run in groupby(cells, itemgetter(1, 2))
+    ]
 
 
 def square(width: int, height: int) -> tuple[int, int]:

@@ -100,7 +100,7 @@ class Pane(Surviving, Widget, can_focus=True):
         self.look = look
         self._strips: dict[int, Strip] = {}
         self.extent = Size(0, 0)
-        """The size with the frame, as of the last `measure`: asking Textual costs ten times as much, many times a frame."""
+        """The size with the frame, as of the last `measure`."""
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
         self._shown_title: list[tuple[str, Style]] = []
 
@@ -198,7 +198,7 @@ class Pane(Surviving, Widget, can_focus=True):
 
     def measure(self) -> bool:
         """Read the current size; return True if it changed and everything has to be drawn again."""
-        size = self.size
+        size = self.outer_size
         if size == self.extent:
             return False
         self.extent = size

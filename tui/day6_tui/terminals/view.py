@@ -5,6 +5,7 @@ from __future__ import annotations
 import shlex
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
+from itertools import repeat
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from rich.cells import cell_len
@@ -305,7 +306,7 @@ class TerminalView:
         if y not in screen.buffer:  # asking would make the line
             return [screen.blank] * columns
         row = screen.buffer[y]
-        return [row[x] for x in range(columns)]
+        return list(map(row.get, range(columns), repeat(row.blank)))
 
     # -- scrolling -----------------------------------------------------------------------------------------------------
 
