@@ -361,9 +361,9 @@ def _blocks(stroke: Stroke, canvas: PixelCanvas) -> tuple[range, range]:
     margin = stroke.width * 0.75 + 1  # half the diagonal of the square at a line's end
 
     def span(a: float, b: float, size: int) -> range:
-        low, high = min(a, b) - margin, max(a, b) + margin
-        # One more on either side: blocks begin at whole pixels of the image.
-        return range(max(0, int(low * size / SIZE) - 1), min(size, int(high * size / SIZE) + 2))
+        first, last = max(0, math.floor(min(a, b) - margin)), min(SIZE - 1, math.ceil(max(a, b) + margin))
+        # Block n begins at pixel n * SIZE // size of the image.
+        return range(((first + 1) * size - 1) // SIZE, ((last + 1) * size - 1) // SIZE + 1)
 
     return span(stroke.x0, stroke.x1, canvas.width), span(stroke.y0, stroke.y1, canvas.height)
 
