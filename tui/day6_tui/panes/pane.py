@@ -1,8 +1,7 @@
 """A framed rectangle of the desktop that draws itself line by line.
 
 The pane draws its own frame, which carries the tabs and the title above and the status below. Lines are kept as strips
-until they are touched, and only the touched cells are refreshed: a frame in which nothing changed costs nothing, and a
-moving turtle costs its own cells.
+until they are touched: a frame in which nothing changed costs nothing, and a moving turtle costs its own lines.
 """
 
 from __future__ import annotations
@@ -220,7 +219,7 @@ class Pane(Surviving, Widget, can_focus=True):
         self.touch()
 
     def touch_lines(self, lines: Iterable[int]) -> None:
-        """Compare these inner lines with what is shown and refresh the cells that differ."""
+        """Compare these inner lines with what is shown and draw again those that differ."""
         offset, height = self.inner_offset, self.inner_height
         self._compare(line + offset for line in lines if 0 <= line < height)
 
@@ -246,14 +245,13 @@ class Pane(Surviving, Widget, can_focus=True):
             self._compare((self.extent.height - 1,))
 
     def _compare(self, rows: Iterable[int]) -> None:
-        """Draw rows of the pane anew and refresh what differs from the strips shown."""
-        width = self.extent.width
+        """Have the rows of the pane drawn that differ from the strips shown; `screen.shown` finds out which of their cells do."""
         regions = []
         for y in rows:
             old = self._strips.get(y)
             new = self._strips[y] = self._make_strip(y)
-            spans = [(0, width)] if old is None else differences(old, new)
-            regions += [Region(first, y, end - first, 1) for first, end in spans]
+            if new != old:
+                regions.append(Region(0, y, self.extent.width, 1))
         if regions:
             self._mark(regions)
 
@@ -389,38 +387,3 @@ class Pane(Surviving, Widget, can_focus=True):
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         self.touch()
-
-
-JOIN_GAP = 8
-"""Up to this many equal cells between two differences are sent as one span: moving the cursor and setting colours costs more."""
-
-
-def differences(old: Strip, new: Strip) -> list[tuple[int, int]]:
-    """The spans (first, end) of cells in which two strips differ."""
-    before, after = _cells(old), _cells(new)
-    if len(before) != len(after):
-        return [(0, len(after))]
-    spans: list[tuple[int, int]] = []
-    for x, (a, b) in enumerate(zip(before, after, strict=True)):
-        if a != b:
-            if spans and x - spans[-1][1] <= JOIN_GAP:
-                spans[-1] = (spans[-1][0], x + 1)
-            else:
-                spans.append((x, x + 1))
-    # Both halves of a wide character belong to a span.
-    wide = [(first - (after[first][0] == "" and first > 0), end) for first, end in spans]
-    return [(first, end + (end < len(after) and after[end][0] == "")) for first, end in wide]
-
-
-def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
-    """The cells of a strip; a wide character is followed by an empty one."""
-    cells: list[tuple[str, Style | None]] = []
-    for text, style, _ in strip:
-        if text.isascii() or cell_len(text) == len(text):
-            cells += [(char, style) for char in text]
-        else:
-            for char in text:
-                cells.append((char, style))
-                if cell_len(char) == 2:
-                    cells.append(("", style))
-    return cells
