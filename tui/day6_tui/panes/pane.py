@@ -223,16 +223,12 @@ class Pane(Surviving, Widget, can_focus=True):
         offset, height = self.inner_offset, self.inner_height
         self._compare(line + offset for line in lines if 0 <= line < height)
 
-    def touch_spans(self, spans: Iterable[tuple[int, int, int]]) -> None:
-        """These parts (line, first column, end column) of the inside have to be drawn again."""
-        offset, width, height = self.inner_offset, self.inner_width, self.inner_height
-        regions = []
-        for line, first, end in spans:
-            if 0 <= line < height and first < width and end > first:
-                self._strips.pop(line + offset, None)
-                regions.append(Region(first + offset, line + offset, min(end, width) - first, 1))
-        if regions:
-            self._mark(regions)
+    def redraw_lines(self, lines: Iterable[int]) -> None:
+        """Draw these inner lines again, which are known to differ from what is shown."""
+        rows = [line + self.inner_offset for line in lines if 0 <= line < self.inner_height]
+        for y in rows:
+            self._strips.pop(y, None)
+        self._mark(rows)
 
     def touch_frame(self) -> None:
         """Title and status may look different now."""
@@ -246,17 +242,19 @@ class Pane(Surviving, Widget, can_focus=True):
 
     def _compare(self, rows: Iterable[int]) -> None:
         """Have the rows of the pane drawn that differ from the strips shown; `screen.shown` finds out which of their cells do."""
-        regions = []
+        changed = []
         for y in rows:
             old = self._strips.get(y)
             new = self._strips[y] = self._make_strip(y)
             if new != old:
-                regions.append(Region(0, y, self.extent.width, 1))
-        if regions:
-            self._mark(regions)
+                changed.append(y)
+        self._mark(changed)
 
-    def _mark(self, regions: list[Region]) -> None:
-        """Have these parts drawn: at the end of the frame in which they changed, else when Textual comes to it."""
+    def _mark(self, rows: list[int]) -> None:
+        """Have these rows of the pane drawn: at the end of the frame in which they changed, else when Textual comes to it."""
+        if not rows:
+            return
+        regions = [Region(0, y, self.extent.width, 1) for y in rows]
         screen = self.screen if self.is_mounted else None
         if not (isinstance(screen, FrameScreen) and screen.mark(self, regions)):
             self.refresh(*regions)

@@ -187,9 +187,7 @@ class TerminalPane(Pane):
         more = True
         if now >= self._behind_until or now - self._drawn >= NEXT_PICTURE:
             self._drawn = now
-            spans = view.changes()
-            if spans:
-                self.touch_spans(spans)
+            self.redraw_lines(view.changes())
             if view.passed > 2 * view.lines:
                 self._behind_until = now + FLOOD_SECONDS
             more = view.has_more

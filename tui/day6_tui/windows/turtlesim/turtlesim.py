@@ -114,10 +114,9 @@ class TurtleSimPane(WindowPane["Simulation"]):
         if scene is self._scene and drawn and self.model.topics is self._topics and not self._side_late:
             return False
         canvas = self._take_over()
-        x, y, _, _ = self._world_place()
+        y = self._world_place()[1]
         compared = self._touch_texts(now)
-        spans = [(row + y, first + x, end + x) for row, first, end in canvas.take_changes()]
-        self.touch_spans(span for span in spans if span[0] not in compared)
+        self.redraw_lines({row + y for row in canvas.take_changes()} - compared)
         return self._side_late
 
     def _pull_picture(self, pictures: Pictures, now: float) -> bool:
@@ -143,8 +142,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
         names = picture.names(scene) if self._names or len(scene.turtles) > 1 else []
         self._topics = self.model.topics
         compared = self._touch_texts(now)
-        spans = [(row + y, first + x, end + x) for row, first, end in picture.sheet.put(names)]
-        self.touch_spans(span for span in spans if span[0] not in compared)
+        self.redraw_lines({row + y for row in picture.sheet.put(names)} - compared)
         place = Region(x + self.inner_offset, y + self.inner_offset, columns, rows)
         pictures.show(self, place, picture.cell, picture.pixels(scene, trail, self._coats), picture.sheet.holes)
         return self._side_late
