@@ -148,9 +148,8 @@ class Terminal:
         screen.dirty.clear()
         until = perf_counter() + SLICE
         while text := self._take():
-            read = screen.feed(text, until)
-            if read < len(text):
-                self._give_back(text[read:])
+            if rest := screen.feed(text, until):
+                self._give_back(rest)
             if perf_counter() > until:
                 break
         if self._size <= CROWDED and not self._room.is_set():
