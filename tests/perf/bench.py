@@ -1,6 +1,6 @@
 """Measures the budgets of day6-tui and prints one table.
 
-    python -m tests.perf.bench [--real PYTHON] [--real-ros2 COMMAND] [--rclpy] [--quick]
+    python -m tests.perf.bench [--real PYTHON] [--real-ros2 COMMAND] [--rclpy] [--only SECTION …] [--quick]
 
 `--real` is an interpreter with real rclpy, `--real-ros2` the real command with its daemon running: what can be measured on both
 is, in turns, and the ratio is printed. Everything is compared within one run, because machines differ. Linux only.
@@ -538,6 +538,9 @@ def main() -> int:
     parser.add_argument("--real", metavar="PYTHON", help="interpreter with real rclpy")
     parser.add_argument("--real-ros2", metavar="COMMAND", help="the real ros2, with its daemon running")
     parser.add_argument("--rclpy", action="store_true", help="only programs, not the desktop")
+    parser.add_argument(
+        "--only", metavar="SECTION", nargs="+", help="only these: floods, keys … (the names of the functions here)"
+    )
     parser.add_argument("--quick", action="store_true", help="shorter and fewer measurements")
     options = parser.parse_args()
     bench = Bench(options.quick)
@@ -559,6 +562,8 @@ def main() -> int:
     sections.append(side_by_side(options.real, 0.5 if options.quick else 2.0))
     sections.append(topic_list(options.real_ros2, bench.rounds))
     for section in sections:
+        if options.only and getattr(section, "__name__", "") not in options.only:
+            continue
         for what, measured, budget in section:
             print(f"| {what} | {measured} | {budget} |", flush=True)
     return 0
