@@ -198,7 +198,7 @@ class Day6App(TerminalApp):
             blocked=self.is_blocked,
             failed=self.frame_failed,
         )
-        look.wake, look.wake_after = self.frames.wake, self.frames.wake_after
+        look.wake, look.wake_after, look.work_soon = self.frames.wake, self.frames.wake_after, self.frames.work_soon
         self._turns = Turns()
         self._barred = 0.0
         """When the bars were looked at last."""

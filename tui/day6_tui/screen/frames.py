@@ -80,6 +80,8 @@ class Frames:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._handle: asyncio.TimerHandle | None = None
         self._slice: asyncio.TimerHandle | None = None
+        self._works_soon = False
+        """Whether the loop is about to call `work` because somebody waits for it."""
         self._context: contextvars.Context | None = None
         self.drawn = 0
         """Frames drawn so far."""
@@ -282,6 +284,20 @@ class Frames:
             return
         if delay is not None:
             self._plan_slice(delay)
+
+    def work_soon(self) -> None:
+        """Somebody waits for `work`: call it before anything else. Any thread."""
+        loop = self._loop
+        if loop is not None and self._shortest and not self._works_soon:
+            self._works_soon = True
+            with contextlib.suppress(RuntimeError):
+                loop.call_soon_threadsafe(self._work_now, context=self._context)
+
+    def _work_now(self) -> None:
+        self._works_soon = False
+        if self._slice is not None:
+            self._slice.cancel()
+        self._work_on()
 
     def _fail(self, error: Exception) -> None:
         """Tell of an error that is being handled; asyncio would print it over the screen."""

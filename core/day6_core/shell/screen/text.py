@@ -17,6 +17,7 @@ from day6_core.shell.screen.reflow import Marker
 from day6_core.shell.screen.rows import (
     PLAIN_STYLE,
     Folded,
+    FoldedText,
     Row,
     as_row,
     cell_texts,
@@ -192,10 +193,10 @@ class ScreenText(Vt):
         if not self.keeps_history:
             return
         self._scrolled += len(rows)
-        self._scrollback.extend(
-            "" if not row else row_of(row) if isinstance(row, dict) else without_end(row)
+        self._scrollback += [
+            row if type(row) is FoldedText else row_of(row) if isinstance(row, dict) else without_end(row or "")
             for row in rows[-(self._scrollback.maxlen or 0) :]
-        )
+        ]
 
     # -- cells ---------------------------------------------------------------------------------------------------------
 
