@@ -11,6 +11,7 @@ import pytest
 from day6_core.ros.programs.rviz2.model.scene import BOX, Lines, Points, Scene, Shape
 from day6_core.ros.programs.rviz2.model.views import Orbit, TopDownOrtho
 from day6_tui.panes.canvas import PIXELS_PER_CELL
+from day6_tui.render import lattice
 from day6_tui.render.cells import cells_of, pixel_aspect
 from day6_tui.render.painter import QUALITIES, paint
 from day6_tui.render.picture import EMPTY
@@ -103,6 +104,26 @@ def test_the_grid_hides_nothing_and_is_hidden(grid: Lines) -> None:
     assert pictured(grid, camera, 60, 30, "half", above).colour[29, 30, 2] < 0.05
     crossed = pictured(grid, camera, 60, 30, "half", below).colour[20:40, 20:40]
     assert ((crossed[..., 0] > 0.3) & (crossed[..., 2] > 0.1)).any()
+
+
+def test_a_grid_is_sampled_once_for_each_place_from_which_it_is_seen(
+    grid: Lines, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    box = [Shape(BOX, Transform((x, 0.0, 0.3)), (2.0, 2.0, 0.2), (1.0, 0.0, 0.0, 1.0)) for x in (0.0, 1.0)]
+    fresh = []
+    for shape in box:
+        lattice._samples.cache_clear()
+        fresh.append(pictured(grid, orbit(), 60, 30, "half", shape))
+    asked: list[int] = []
+    sampled = lattice.ends_of
+    monkeypatch.setattr(lattice, "ends_of", lambda lines: asked.append(1) or sampled(lines))
+    lattice._samples.cache_clear()
+    for shape, expected in zip(box, fresh, strict=True):
+        assert np.array_equal(pictured(grid, orbit(), 60, 30, "half", shape).colour, expected.colour)
+    assert len(asked) == 1
+    pictured(grid, orbit(yaw=0.8), 60, 30, "half")
+    pictured(grid, orbit(), 61, 30, "half")
+    assert len(asked) == 3
 
 
 def test_a_picture_has_few_colours(grid: Lines) -> None:

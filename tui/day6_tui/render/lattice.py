@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+from typing import Any, NamedTuple
+
 import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Lines
 from day6_tui.render.lines import BIAS, direction, ends_of, numbered, on_screen
-from day6_tui.render.picture import EMPTY, Array, RenderedPicture
+from day6_tui.render.picture import EMPTY, Array, Projection, RenderedPicture
 
 TOO_CLOSE, FAR_ENOUGH = 4.0, 8.0
 """Pixels between neighbours: at the first a line is gone, at the second it is there in full."""
@@ -18,12 +21,49 @@ SHADES = 4
 """Degrees in which a pixel may be covered: few, so that a picture has few colours."""
 
 
+class _Samples(NamedTuple):
+    """What a grid covers, pixel by pixel: samples of its lines, in the order of their pixels."""
+
+    pixels: Array
+    """The flat numbers of the pixels that have any."""
+    first: Array
+    """Where those of each pixel begin."""
+    which: Array
+    """For each sample, which of the pixels it is in."""
+    cover: Array
+    depth: Array
+    kind: Array
+    """EMPTY beside the line."""
+
+
 def paint_lattice(picture: RenderedPicture, lines: Lines) -> None:
     """Paint a grid; every line covers the two pixels beside it in shares, so that slanted lines are smooth."""
+    samples = _samples(lines, *picture.projection)
+    if samples is None:
+        return
+    pixels, first, which, cover, depth, kind = samples
+    seen = depth <= picture.depth.reshape(-1)[pixels][which]
+    shades = np.round(np.maximum.reduceat(np.where(seen, cover, 0.0), first) * SHADES) / SHADES
+    # The far end of what a pixel shows of a line: a point that lies in the plane of the grid, there, is not behind it.
+    farthest = np.maximum.reduceat(np.where(seen, depth, 0.0), first)
+    kinds = picture.kind.reshape(-1)[pixels]
+    on = seen & (kind != EMPTY)
+    kinds[which[on]] = kind[on]
+    shown = np.flatnonzero(shades)
+    red, green, blue, alpha = lines.colours[0]
+    alphas = (alpha * shades[shown]).astype(np.float32)
+    colour = np.broadcast_to(np.array([red, green, blue], np.float32), (len(shown), 3))
+    picture.put(pixels[shown], farthest[shown], colour, alphas, kinds[shown], max(red, green, blue))
+
+
+@lru_cache(maxsize=4)
+def _samples(lines: Lines, *projection: Any) -> _Samples | None:
+    """Sample a grid as it is seen from one place, from where it is painted again and again."""
+    picture = Projection(*projection)
     seen = picture.seen(ends_of(lines).reshape(-1, 3)).reshape(-1, 2, 3)
     found = on_screen(picture, seen) if np.isfinite(seen).all() else None
     if found is None or len(seen) < 4:
-        return
+        return None
     (x0, x1), (y0, y1) = found.x, found.y
     dx, dy = x1 - x0, y1 - y0
     flat = np.abs(dx) >= np.abs(dy)
@@ -50,11 +90,17 @@ def paint_lattice(picture: RenderedPicture, lines: Lines) -> None:
         covers.append(part * strength)
         # For characters without shades a pixel is on the line or not.
         on.append(np.where(nearer & (strength >= 0.5), kinds, EMPTY))
-    _put(picture, lines, np.concatenate(places), np.concatenate(covers), np.tile(z, 2), np.concatenate(on))
+    place, cover, depth, kind = np.concatenate(places), np.concatenate(covers), np.tile(z, 2), np.concatenate(on)
+    order = np.argsort(place, kind="stable")
+    order = order[(place >= 0)[order] & (cover > 0)[order] & (depth > picture.near)[order]]
+    if not len(order):
+        return None
+    pixels, begins, which = np.unique(place[order], return_index=True, return_inverse=True)
+    return _Samples(pixels, begins, which, cover[order], depth[order] * (1 - BIAS), kind[order])
 
 
 def _strength(
-    picture: RenderedPicture, seen: Array, number: Array, place: tuple[Array, Array, Array], way: tuple[Array, Array]
+    picture: Projection, seen: Array, number: Array, place: tuple[Array, Array, Array], way: tuple[Array, Array]
 ) -> Array:
     """How much of a line is left at its samples: by the distance to its neighbour there, in pixels."""
     x, y, z = place
@@ -72,23 +118,3 @@ def _strength(
     worth = np.where((rank == 0) | (rank == last), np.inf, worth)
     strength: Array = np.clip((np.maximum(apart, 1e-9) * worth - TOO_CLOSE) / (FAR_ENOUGH - TOO_CLOSE), 0.0, 1.0)
     return strength
-
-
-def _put(picture: RenderedPicture, lines: Lines, place: Array, cover: Array, z: Array, kinds: Array) -> None:
-    """Put samples that nothing hides into the picture; `place` is -1 for one outside, the kind EMPTY beside the line."""
-    buffer = picture.depth.reshape(-1)
-    kept = (place >= 0) & (cover > 0) & (z > picture.near)
-    kept &= z * (1 - BIAS) <= buffer[np.maximum(place, 0)]
-    place, cover, z, kinds = place[kept], cover[kept], z[kept], kinds[kept]
-    covered = np.zeros(len(buffer))
-    np.maximum.at(covered, place, cover)
-    shades = np.round(covered * SHADES) / SHADES
-    pixels = np.flatnonzero(shades)
-    # The far end of what a pixel shows of a line: a point that lies in the plane of the grid, there, is not behind it.
-    depth, kind = np.zeros(len(buffer)), picture.kind.reshape(-1).copy()
-    np.maximum.at(depth, place, z * (1 - BIAS))
-    kind[place[kinds != EMPTY]] = kinds[kinds != EMPTY]
-    red, green, blue, alpha = lines.colours[0]
-    alphas = (alpha * shades[pixels]).astype(np.float32)
-    colour = np.broadcast_to(np.array([red, green, blue], np.float32), (len(pixels), 3))
-    picture.put(pixels, depth[pixels], colour, alphas, kind[pixels], max(red, green, blue))

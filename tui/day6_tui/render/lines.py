@@ -10,7 +10,7 @@ import numpy as np
 
 from day6_core.ros.programs.rviz2.model.scene import Lines, Points
 from day6_core.ros.programs.rviz2.model.turning import matrix
-from day6_tui.render.picture import LINE, SURFACE, Array, RenderedPicture
+from day6_tui.render.picture import LINE, SURFACE, Array, Projection, RenderedPicture
 
 BIAS = 0.004
 """Lines on a surface are drawn over it: their depth counts as nearer by this fraction of itself."""
@@ -75,7 +75,7 @@ class OnScreen:
     number: Array
     """Which of the segments that were given these are."""
 
-    def depth(self, picture: RenderedPicture, which: Array, t: Array) -> Array:
+    def depth(self, picture: Projection, which: Array, t: Array) -> Array:
         """The depths of places `t` of the segments `which`."""
         z0, z1 = self.z[0][which], self.z[1][which]
         # Along a projected line 1/z is linear.
@@ -83,7 +83,7 @@ class OnScreen:
         return depth
 
 
-def on_screen(picture: RenderedPicture, seen: Array) -> OnScreen | None:
+def on_screen(picture: Projection, seen: Array) -> OnScreen | None:
     """Project segments (N x 2 x 3 in the camera's axes); None if nothing of them is in the picture."""
     near = picture.near
     depth = seen[..., 2]
@@ -139,7 +139,7 @@ def numbered(counts: Array) -> tuple[Array, Array]:
     return which, np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
-def _on_screen(picture: RenderedPicture, x0: Array, y0: Array, x1: Array, y1: Array) -> tuple[Array, Array]:
+def _on_screen(picture: Projection, x0: Array, y0: Array, x1: Array, y1: Array) -> tuple[Array, Array]:
     """The parts of segments inside the picture, as numbers from 0 to 1 (Liang and Barsky)."""
     low, high = np.zeros(len(x0)), np.ones(len(x0))
     for a, b, size in ((x0, x1, picture.width), (y0, y1, picture.height)):

@@ -6,7 +6,7 @@ Every solid is a unit shape in [-1, 1]³ under an affine map, so one set of form
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -38,7 +38,8 @@ def light_of(picture: RenderedPicture) -> Array:
 
 def paint_solids(picture: RenderedPicture, shapes: Sequence[Shape], levels: int, thin: Segments) -> None:
     """Paint opaque solids, then the transparent ones from far to near; thin ones are added to `thin`."""
-    solids = _measure(picture, shapes)
+    if not (solids := _measure(picture, shapes)):
+        return
     light = light_of(picture)
     opaque = [solid for solid in solids if solid.shape.colour[3] >= 0.997]
     faint = sorted((solid for solid in solids if solid.shape.colour[3] < 0.997), key=lambda solid: -solid.depth)
@@ -110,120 +111,114 @@ def _measure(picture: RenderedPicture, shapes: Sequence[Shape]) -> list[_Solid]:
 
 
 def _paint(picture: RenderedPicture, solid: _Solid, light: Array, levels: int) -> None:
-    shape, back = solid.shape, solid.back
-    left, top, right, bottom = solid.region
-    start, along = picture.rays(left, top, right, bottom)
-    start, along = (start - solid.centre) @ back.T, along @ back.T
+    shape, back, (left, top, right, bottom) = solid.shape, solid.back, solid.region
+    start, along = picture.rays_at(solid.region, solid.centre, back)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        depth, normal, where = _HITS.get(shape.kind, _hit_sphere)(start, along, picture.near)
-        region = np.s_[top:bottom, left:right]
-        hit = depth < picture.depth[region]
-        if not hit.any():
+        depth, normal_at = _HITS.get(shape.kind, _hit_sphere)(start, along, picture.near)
+        hit = np.flatnonzero(depth < picture.depth[top:bottom, left:right])
+        if not len(hit):
             return
-        depth, normal = depth[hit], normal[hit] @ back
-        shade = _shade(normal, light, levels) if shape.lit else np.ones(len(depth), np.float32)
-        colour = np.array(shape.colour[:3], np.float32)[None, :] * np.ones((len(depth), 1), np.float32)
-        if shape.marked:
-            colour, shade = _with_marks(colour, shade, where[hit])
-    rows, columns = np.nonzero(hit)
+        depth = depth.reshape(-1)[hit]
+        where = _of(start, hit) + _of(along, hit) * depth
+        shade = _shade(normal_at(hit, where), back, light, levels) if shape.lit else np.ones(len(hit), np.float32)
+    colour = np.array([shape.colour[:3]], np.float32)
+    if shape.marked:
+        colour, shade = _with_marks(colour, shade, where)
+    rows, columns = np.divmod(hit, right - left)
     flat = (rows + top) * picture.width + columns + left
     picture.put(flat, depth, colour * shade[:, None], shape.colour[3], SURFACE, shade)
     if shape.name:
         picture.robot.reshape(-1)[flat] = True
 
 
-def _shade(normal: Array, light: Array, levels: int) -> Array:
-    length = np.sqrt((normal * normal).sum(axis=1))
-    cosine = np.abs(normal @ light) / np.maximum(length, 1e-30)
-    shade = AMBIENT + DIFFUSE * np.nan_to_num(cosine)
+def _of(rays: Array, hit: Array) -> Array:
+    """What belongs to the pixels with these flat numbers, 3 x N, or 3 x 1 where it is the same of all."""
+    flat: Array = rays.reshape(3, -1)
+    return flat if flat.shape[1] == 1 else flat[:, hit]
+
+
+def _shade(normal: Array, back: Array, light: Array, levels: int) -> Array:
+    """The brightness of places with these normals (3 x N) of the unit shape, which `back` maps shapes to."""
+    length = np.sqrt((back * back).sum(axis=1) @ (normal * normal))  # the axes of a shape stay at right angles
+    cosine = np.abs((back @ light) @ normal) / np.maximum(length, 1e-30)
+    shade = AMBIENT + DIFFUSE * np.fmax(cosine, 0.0)
     result: Array = np.minimum(np.round(shade * levels) / levels, 1.0).astype(np.float32)
     return result
 
 
 def _with_marks(colour: Array, shade: Array, where: Array) -> tuple[Array, Array]:
-    angle = np.arctan2(where[:, 1], where[:, 0]) / (2 * np.pi) % 1.0
+    angle = np.arctan2(where[1], where[0]) / (2 * np.pi) % 1.0
     white = _MARKS[(angle * SECTORS).astype(int) % SECTORS]
     return colour + (0.85 - colour) * white[:, None], np.minimum(1.0, shade * (0.75 + 0.25 * white)).astype(np.float32)
 
 
-def _nearest(
-    candidates: list[tuple[Array, Array]], start: Array, along: Array, near: float
-) -> tuple[Array, Array, Array]:
-    """The first of several hits (parameter, normal), each of which is infinite where there is none."""
-    depth, normal = candidates[0]
-    depth = np.where(depth > near, depth, np.inf)
-    normal = np.broadcast_to(normal, start.shape)
-    for other, its_normal in candidates[1:]:
-        closer = (other < depth) & (other > near)
-        depth = np.where(closer, other, depth)
-        normal = np.where(closer[..., None], its_normal, normal)
-    finite = np.where(np.isfinite(depth), depth, 0.0)
-    return depth, normal, start + along * finite[..., None]
+_Normals = Callable[[Array, Array], Array]
+"""The normals (3 x N) of the unit shape at the pixels with these flat numbers, whose rays hit it in these points (3 x N)."""
 
 
-def _hit_box(start: Array, along: Array, near: float) -> tuple[Array, Array, Array]:
+def _nearest(enter: Array, leave: Array, near: float) -> Array:
+    """Where rays are first in a solid, or where they leave it if they begin in it; infinite where they miss it."""
+    depth = np.where(enter > near, enter, leave)
+    return np.where((enter <= leave) & (depth > near), depth, np.inf)
+
+
+def _hit_box(start: Array, along: Array, near: float) -> tuple[Array, _Normals]:
     one, two = (-1 - start) / along, (1 - start) / along
     enter, leave = np.fmin(one, two), np.fmax(one, two)
-    first, last = enter.max(axis=-1), leave.min(axis=-1)
-    inside = first <= near
-    depth = np.where(inside, last, first)
-    depth = np.where((last >= first) & (depth > near), depth, np.inf)
-    face = np.where(inside[..., None], leave <= last[..., None], enter >= first[..., None])
-    finite = np.where(np.isfinite(depth), depth, 0.0)
-    return depth, face.astype(np.float64), start + along * finite[..., None]
+    depth = _nearest(enter.max(axis=0), leave.min(axis=0), near)
+
+    def normals(hit: Array, where: Array) -> Array:
+        sides: Array = (enter == depth) | (leave == depth)
+        return sides.reshape(3, -1)[:, hit].astype(np.float64)
+
+    return depth, normals
 
 
-def _hit_sphere(start: Array, along: Array, near: float) -> tuple[Array, Array, Array]:
-    a = (along * along).sum(axis=-1)
-    b = (start * along).sum(axis=-1)
-    c = (start * start).sum(axis=-1) - 1
+def _hit_sphere(start: Array, along: Array, near: float) -> tuple[Array, _Normals]:
+    a, b, c = (along * along).sum(axis=0), (start * along).sum(axis=0), (start * start).sum(axis=0) - 1
     root = np.sqrt(b * b - a * c)
-    one, two = (-b - root) / a, (-b + root) / a
-    depth = np.where(one > near, one, two)
-    depth = np.where(np.isfinite(depth) & (depth > near), depth, np.inf)
-    where = start + along * np.where(np.isfinite(depth), depth, 0.0)[..., None]
-    return depth, where, where
+    depth = _nearest((-b - root) / a, (-b + root) / a, near)
+    return depth, lambda hit, where: where
 
 
-def _hit_cylinder(start: Array, along: Array, near: float) -> tuple[Array, Array, Array]:
-    a = (along[..., :2] ** 2).sum(axis=-1)
-    b = (start[..., :2] * along[..., :2]).sum(axis=-1)
-    c = (start[..., :2] ** 2).sum(axis=-1) - 1
+def _hit_cylinder(start: Array, along: Array, near: float) -> tuple[Array, _Normals]:
+    (x, y, z), (dx, dy, dz) = start, along
+    a, b, c = dx * dx + dy * dy, x * dx + y * dy, x * x + y * y - 1
     root = np.sqrt(b * b - a * c)
-    found: list[tuple[Array, Array]] = []
-    for t in ((-b - root) / a, (-b + root) / a):
-        point = start + along * t[..., None]
-        side = np.where(np.abs(point[..., 2]) <= 1, t, np.inf)
-        found.append((np.nan_to_num(side, nan=np.inf), point * (1.0, 1.0, 0.0)))
-    for end in (-1.0, 1.0):
-        found.append((_disc(start, along, end, 1.0), np.array([0.0, 0.0, end])))
-    return _nearest(found, start, along, near)
+    one, two = (-1 - z) / dz, (1 - z) / dz
+    above, below = np.fmin(one, two), np.fmax(one, two)
+    # A ray along the axis meets no side: it is inside all the way, or nowhere.
+    inside = (a == 0) & (c <= 0)
+    enter = np.maximum(np.where(inside, -np.inf, (-b - root) / a), above)
+    leave = np.minimum(np.where(inside, np.inf, (-b + root) / a), below)
+    depth = _nearest(enter, leave, near)
+
+    def normals(hit: Array, where: Array) -> Array:
+        on_end = ((above == depth) | (below == depth)).reshape(-1)[hit]
+        return np.where(on_end, _UPRIGHT, where * _LEVEL)
+
+    return depth, normals
 
 
-def _hit_cone(start: Array, along: Array, near: float) -> tuple[Array, Array, Array]:
+def _hit_cone(start: Array, along: Array, near: float) -> tuple[Array, _Normals]:
     # x² + y² = ((1 - z) / 2)²: the tip at z = 1, the base of radius 1 at z = -1.
-    k = (1 - start[..., 2]) / 2
-    m = -along[..., 2] / 2
-    a = (along[..., :2] ** 2).sum(axis=-1) - m * m
-    b = (start[..., :2] * along[..., :2]).sum(axis=-1) - k * m
-    c = (start[..., :2] ** 2).sum(axis=-1) - k * k
+    (x, y, z), (dx, dy, dz) = start, along
+    k, m = (1 - z) / 2, -dz / 2
+    a, b, c = dx * dx + dy * dy - m * m, x * dx + y * dy - k * m, x * x + y * y - k * k
     root = np.sqrt(b * b - a * c)
-    found: list[tuple[Array, Array]] = []
+    depth = base = (-1 - z) / dz
+    across, up = x + dx * base, y + dy * base
+    depth = np.where((across * across + up * up <= 1) & (base > near), base, np.inf)
     for t in ((-b - root) / a, (-b + root) / a):
-        point = start + along * t[..., None]
-        side = np.where(np.abs(point[..., 2]) <= 1, t, np.inf)
-        normal = point.copy()
-        normal[..., 2] = (1 - point[..., 2]) / 4
-        found.append((np.nan_to_num(side, nan=np.inf), normal))
-    found.append((_disc(start, along, -1.0, 1.0), np.array([0.0, 0.0, -1.0])))
-    return _nearest(found, start, along, near)
+        depth = np.where((np.abs(z + dz * t) <= 1) & (t > near) & (t < depth), t, depth)
+
+    def normals(hit: Array, where: Array) -> Array:
+        on_base = (base == depth).reshape(-1)[hit]
+        return np.where(on_base, _UPRIGHT, np.stack([where[0], where[1], (1 - where[2]) / 4]))
+
+    return depth, normals
 
 
-def _disc(start: Array, along: Array, height: float, radius: float) -> Array:
-    t = (height - start[..., 2]) / along[..., 2]
-    x, y = start[..., 0] + along[..., 0] * t, start[..., 1] + along[..., 1] * t
-    result: Array = np.nan_to_num(np.where(x * x + y * y <= radius * radius, t, np.inf), nan=np.inf)
-    return result
-
+_UPRIGHT, _LEVEL = np.array([[0.0], [0.0], [1.0]]), np.array([[1.0], [1.0], [0.0]])
 
 _HITS = {BOX: _hit_box, CYLINDER: _hit_cylinder, CONE: _hit_cone}
