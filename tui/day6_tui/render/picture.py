@@ -82,17 +82,16 @@ class Projection:
             return self.position + offsets, np.broadcast_to(self.axes[2], offsets.shape)
         return np.broadcast_to(self.position, offsets.shape), self.axes[2] + offsets
 
-    def rays_at(self, region: tuple[int, int, int, int], centre: Array, back: Array) -> tuple[Array, Array]:
-        """The rays of a rectangle, moved by `-centre` and then mapped by `back`: 3 x h x w, or 3 x 1 x 1 where all are alike.
+    def rays_at(self, region: tuple[int, int, int, int], start: Array, axes: Array) -> tuple[Array, Array]:
+        """The rays of a rectangle of a camera that is at `start` with these axes: 3 x h x w, or 3 x 1 x 1 where all are alike.
 
-        One plane for each axis: that takes half the time of three numbers for each pixel.
+        One plane for each coordinate: that takes half the time of three numbers for each pixel.
         """
         u, v = self._middles(*region)
-        right, up, forward = self.axes @ back.T
-        start = back @ (self.position - centre)
-        middle = start if self.parallel else forward
-        spread = (up[:, None] * v + middle[:, None])[:, :, None] + (right[:, None] * u)[:, None, :]
-        return (spread, forward[:, None, None]) if self.parallel else (start[:, None, None], spread)
+        right, up, forward = axes[:, :, None]
+        first = start[:, None]
+        spread = (up * v + (first if self.parallel else forward))[:, :, None] + (right * u)[:, None, :]
+        return (spread, forward[:, :, None]) if self.parallel else (first[:, :, None], spread)
 
 
 class RenderedPicture(Projection):

@@ -40,24 +40,30 @@ def paint_solids(picture: RenderedPicture, shapes: Sequence[Shape], levels: int,
     """Paint opaque solids, then the transparent ones from far to near; thin ones are added to `thin`."""
     if not (solids := _measure(picture, shapes)):
         return
-    light = light_of(picture)
     opaque = [solid for solid in solids if solid.shape.colour[3] >= 0.997]
     faint = sorted((solid for solid in solids if solid.shape.colour[3] < 0.997), key=lambda solid: -solid.depth)
-    for solid in (*opaque, *faint):
-        if solid.is_thin:
-            thin.add(solid.centre - solid.half, solid.centre + solid.half, solid.shape.colour)
-        else:
-            _paint(picture, solid, light, levels)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        for solid in (*opaque, *faint):
+            if solid.is_thin:
+                thin.add(solid.centre - solid.half, solid.centre + solid.half, solid.shape.colour)
+            else:
+                _paint(picture, solid, levels)
 
 
 class _Solid(NamedTuple):
-    """A possibly visible shape: its pose, the pixels it covers at most, the map back to the unit shape."""
+    """A possibly visible shape: where it is, and what of the camera is where for the unit shape."""
 
     shape: Shape
     centre: Array
     half: Array
     """Half of its longest extent, as a vector."""
-    back: Array
+    start: Array
+    axes: Array
+    """Where the camera is and how its axes lie (3 x 3) for the unit shape."""
+    light: Array
+    """Where the light comes from, for normals of the unit shape."""
+    stretch: Array
+    """The squares by which the shape's axes make such normals longer; they stay at right angles."""
     depth: float
     region: tuple[int, int, int, int]
     """Left, top, right and bottom."""
@@ -95,13 +101,19 @@ def _measure(picture: RenderedPicture, shapes: Sequence[Shape]) -> list[_Solid]:
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         # The inverse of a rotation after a scaling.
         backs = 2 / sizes[:, :, None] * turns.transpose(0, 2, 1)
+        starts = (backs @ (picture.position - centres)[:, :, None])[..., 0]
+        axes, lights = picture.axes @ backs.transpose(0, 2, 1), backs @ light_of(picture)
+        stretches = (backs * backs).sum(axis=2)
     flat = ~np.isfinite(backs).all(axis=(1, 2))
     return [
         _Solid(
             shapes[index],
             centres[index],
             maps[index, :, longest[index]],
-            backs[index],
+            starts[index],
+            axes[index],
+            lights[index],
+            stretches[index],
             float(depths[index]),
             (int(left[index]), int(top[index]), int(right[index]), int(bottom[index])),
             bool(thin[index]),
@@ -110,17 +122,16 @@ def _measure(picture: RenderedPicture, shapes: Sequence[Shape]) -> list[_Solid]:
     ]
 
 
-def _paint(picture: RenderedPicture, solid: _Solid, light: Array, levels: int) -> None:
-    shape, back, (left, top, right, bottom) = solid.shape, solid.back, solid.region
-    start, along = picture.rays_at(solid.region, solid.centre, back)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        depth, normal_at = _HITS.get(shape.kind, _hit_sphere)(start, along, picture.near)
-        hit = np.flatnonzero(depth < picture.depth[top:bottom, left:right])
-        if not len(hit):
-            return
-        depth = depth.reshape(-1)[hit]
-        where = _of(start, hit) + _of(along, hit) * depth
-        shade = _shade(normal_at(hit, where), back, light, levels) if shape.lit else np.ones(len(hit), np.float32)
+def _paint(picture: RenderedPicture, solid: _Solid, levels: int) -> None:
+    shape, (left, top, right, bottom) = solid.shape, solid.region
+    start, along = picture.rays_at(solid.region, solid.start, solid.axes)
+    depth, normal_at = _HITS.get(shape.kind, _hit_sphere)(start, along, picture.near)
+    (hit,) = (depth < picture.depth[top:bottom, left:right]).reshape(-1).nonzero()
+    if not len(hit):
+        return
+    depth = depth.reshape(-1)[hit]
+    where = _of(start, hit) + _of(along, hit) * depth
+    shade = _shade(normal_at(hit, where), solid, levels) if shape.lit else np.ones(len(hit), np.float32)
     colour = np.array([shape.colour[:3]], np.float32)
     if shape.marked:
         colour, shade = _with_marks(colour, shade, where)
@@ -137,10 +148,10 @@ def _of(rays: Array, hit: Array) -> Array:
     return flat if flat.shape[1] == 1 else flat[:, hit]
 
 
-def _shade(normal: Array, back: Array, light: Array, levels: int) -> Array:
-    """The brightness of places with these normals (3 x N) of the unit shape, which `back` maps shapes to."""
-    length = np.sqrt((back * back).sum(axis=1) @ (normal * normal))  # the axes of a shape stay at right angles
-    cosine = np.abs((back @ light) @ normal) / np.maximum(length, 1e-30)
+def _shade(normal: Array, solid: _Solid, levels: int) -> Array:
+    """The brightness of places with these normals (3 x N) of the unit shape."""
+    length = np.sqrt(solid.stretch @ (normal * normal))
+    cosine = np.abs(solid.light @ normal) / np.maximum(length, 1e-30)
     shade = AMBIENT + DIFFUSE * np.fmax(cosine, 0.0)
     result: Array = np.minimum(np.round(shade * levels) / levels, 1.0).astype(np.float32)
     return result
