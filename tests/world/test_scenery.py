@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import math
+import random
 from pathlib import Path
 
 import pytest
 
 from day6_core.ros.environment import SHARE_PATH
+from day6_core.ros.programs.day6_world._drive import find_drive
+from day6_core.ros.programs.day6_world._simulation import Simulation, collision_shapes
 from day6_core.ros.programs.day6_world.scenery import SceneryError, read_scenery, shipped_worlds
 from day6_core.ros.programs.day6_world.shapes import Outline, RayCaster, box, overlap
+from day6_urdf import parse_robot, shipped_model
+from day6_urdf.kinematics import link_transforms
 
 WORLDS = shipped_worlds(SHARE_PATH / "day6_world")
 
@@ -107,3 +112,23 @@ def test_rays_find_the_same_as_walking_along_them(seed: int) -> None:
         if math.isfinite(walked):
             # A corner that is only grazed may lie between two steps of the walk.
             assert length <= walked + 1e-6 and length > walked - 0.3
+
+
+@pytest.mark.parametrize("name", ["maze", "walls"])
+def test_what_the_car_hits_does_not_depend_on_where_it_was_before(name: str) -> None:
+    car, scenery, picker = parse_robot(shipped_model("day6_bot_gazebo")), read_scenery(WORLDS[name]), random.Random(2)
+    drive = find_drive(car)
+    assert drive is not None
+    simulation, shapes = Simulation(scenery), collision_shapes(car, link_transforms(car, {}))
+    simulation.enter(car, drive)
+    found = []
+    for number in range(1000):
+        if number % 50 == 0:
+            simulation.order_velocity(picker.uniform(-1, 1), picker.uniform(-2, 2))
+        simulation.step()
+        reach = 10 ** picker.uniform(-3, 0)
+        x, y, yaw = (part + picker.uniform(-reach, reach) for part in simulation.pose)
+        there = [shape.moved(x, y, math.cos(yaw), math.sin(yaw)) for shape in shapes]
+        found.append(any(overlap(shape, solid) for shape in there for solid in scenery.solids))
+        assert simulation._hits((x, y, yaw), shapes) is found[-1]
+    assert 50 < sum(found) < 950

@@ -12,7 +12,7 @@ from itertools import product
 
 from day6_core.ros.programs.day6_world._drive import Drive
 from day6_core.ros.programs.day6_world.scenery import Scenery
-from day6_core.ros.programs.day6_world.shapes import Outline, RayCaster, distance, overlap
+from day6_core.ros.programs.day6_world.shapes import Outline, RayCaster, clearance, distance, touch, within_reach
 from day6_urdf.kinematics import Transform, compose, link_transforms, rotate
 from day6_urdf.model import Box, Capsule, Collision, Cylinder, Pose, Robot, Sphere
 from day6_urdf.topview.plan import hull, overall_length
@@ -47,6 +47,8 @@ class Simulation:
         self.robot: Robot | None = None
         self.drive: Drive | None = None
         self._shapes: tuple[Outline, ...] = ()
+        self._free = (0.0, 0.0, 0.0)
+        """Where nothing was hit, and how far the robot may be from there, turned anyhow, until something can be."""
         self._rest: dict[str, Transform] = {}
         self.steps = 0
         self.pose: Place = scenery.start
@@ -71,6 +73,7 @@ class Simulation:
         place = self.scenery.start if start is None else start
         rest = link_transforms(robot, {})
         shapes = collision_shapes(robot, rest)
+        self._free = (0.0, 0.0, 0.0)
         if self._hits(place, shapes):
             raise LostGround
         self.robot, self.drive, self._rest, self._shapes = robot, drive, rest, shapes
@@ -168,9 +171,21 @@ class Simulation:
 
     def _hits(self, place: Place, shapes: tuple[Outline, ...]) -> bool:
         x, y, yaw = place
+        from_x, from_y, free = self._free
+        if math.hypot(x - from_x, y - from_y) < free:
+            return False
         cosine, sine = math.cos(yaw), math.sin(yaw)
-        solids = self.scenery.solids
-        return any(overlap(shape.moved(x, y, cosine, sine), solid) for shape in shapes for solid in solids)
+        for shape in shapes:
+            mx, my, reach = shape.reach
+            mx, my = x + mx * cosine - my * sine, y + mx * sine + my * cosine
+            near = [solid for solid in self.scenery.solids if within_reach(mx, my, reach, solid)]
+            if near:
+                moved = shape.moved(x, y, cosine, sine)
+                if any(touch(moved, solid) for solid in near):
+                    return True
+        around = max((math.hypot(mx, my) + reach for mx, my, reach in (shape.reach for shape in shapes)), default=0.0)
+        self._free = x, y, clearance(x, y, self.scenery.solids, around)
+        return False
 
     # -- sensors -------------------------------------------------------------------------------------------------------
 

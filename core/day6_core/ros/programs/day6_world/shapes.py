@@ -45,12 +45,19 @@ def box(x: float, y: float, length: float, width: float, yaw: float = 0.0) -> Ou
     return Outline(corners).moved(x, y, math.cos(yaw), math.sin(yaw))
 
 
+def within_reach(x: float, y: float, reach: float, other: Outline) -> bool:
+    """Whether a shape that a circle about (x, y) holds may share a point with another one."""
+    ox, oy, other_reach = other.reach
+    return math.hypot(ox - x, oy - y) <= reach + other_reach
+
+
 def overlap(one: Outline, other: Outline) -> bool:
     """Whether two shapes share any point."""
-    x, y, reach = one.reach
-    ox, oy, other_reach = other.reach
-    if math.hypot(ox - x, oy - y) > reach + other_reach:
-        return False
+    return within_reach(*one.reach, other) and touch(one, other)
+
+
+def touch(one: Outline, other: Outline) -> bool:
+    """Whether two shapes share any point that are `within_reach` of each other."""
     if len(one.points) == 1 and len(other.points) == 1:
         return True
     if len(one.points) == 1:
@@ -86,6 +93,18 @@ def distance(x: float, y: float, segment: Segment) -> float:
     return math.hypot(x - ax - share * dx, y - ay - share * dy)
 
 
+def clearance(x: float, y: float, shapes: Iterable[Outline], around: float) -> float:
+    """Return how far a circle of the radius `around` about a point that is in none of the shapes is from all of them, else 0."""
+    least = math.inf
+    for shape in shapes:
+        spots = shape.sides or [(*shape.points[0], *shape.points[0])]
+        for side in spots:
+            least = min(least, distance(x, y, side) - shape.radius - around)
+            if least <= 0:
+                return 0.0
+    return least
+
+
 class RayCaster:
     """Finds how far rays from a point reach. Each side looks only at the rays that can hit it, so walls cost little."""
 
@@ -97,27 +116,38 @@ class RayCaster:
     def cast(self, x: float, y: float, first: float, step: float, count: int, longest: float) -> list[float]:
         """Return the lengths of `count` rays from `first` (radians) on, `step` apart; inf for those that hit nothing."""
         ranges = [math.inf] * count
+        angles = [first + index * step for index in range(count)]
+        ways = list(zip(map(math.cos, angles), map(math.sin, angles), strict=True))
         for ax, ay, bx, by in self._sides:
-            self._cast_side(ax - x, ay - y, bx - x, by - y, first, step, ranges, longest)
+            _cast_side(ax - x, ay - y, bx - x, by - y, first, step, ways, ranges, longest)
         for cx, cy, radius in self._circles:
             _cast_circle(cx - x, cy - y, radius, first, step, ranges, longest)
         return ranges
 
-    def _cast_side(
-        self, ax: float, ay: float, bx: float, by: float, first: float, step: float, ranges: list[float], longest: float
-    ) -> None:
-        cross = ax * by - ay * bx
-        if abs(cross) < 1e-12:
-            return
-        start, end = (math.atan2(ay, ax), math.atan2(by, bx)) if cross > 0 else (math.atan2(by, bx), math.atan2(ay, ax))
-        nx, ny = by - ay, ax - bx
-        for index in _between(start, end, first, step, len(ranges)):
-            angle = first + index * step
-            along = nx * math.cos(angle) + ny * math.sin(angle)
-            if abs(along) > 1e-12:
-                length = cross / along
-                if 0 <= length <= longest and length < ranges[index]:
-                    ranges[index] = length
+
+def _cast_side(
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    first: float,
+    step: float,
+    ways: list[Point],
+    ranges: list[float],
+    longest: float,
+) -> None:
+    cross = ax * by - ay * bx
+    if abs(cross) < 1e-12:
+        return
+    start, end = (math.atan2(ay, ax), math.atan2(by, bx)) if cross > 0 else (math.atan2(by, bx), math.atan2(ay, ax))
+    nx, ny = by - ay, ax - bx
+    for index in _between(start, end, first, step, len(ranges)):
+        cosine, sine = ways[index]
+        along = nx * cosine + ny * sine
+        if abs(along) > 1e-12:
+            length = cross / along
+            if 0 <= length <= longest and length < ranges[index]:
+                ranges[index] = length
 
 
 def _between(start: float, end: float, first: float, step: float, count: int) -> Iterable[int]:
