@@ -40,8 +40,8 @@ def pane_of(model: WorldModel, width: int = 80, height: int = 30, **options: Any
     pane.extent = Size(width, height)
     pane.touch = lambda: None  # type: ignore[method-assign]
     pane.touched = []  # type: ignore[attr-defined]
-    pane.touch_lines = lambda lines: pane.touched.extend(lines)  # type: ignore[method-assign, attr-defined]
-    pane.touch_frame = lambda: None  # type: ignore[method-assign]
+    pane.redraw_lines = lambda lines: pane.touched.extend(lines)  # type: ignore[method-assign, attr-defined]
+    pane.touch_status = lambda: None  # type: ignore[method-assign]
     return pane
 
 
@@ -141,6 +141,23 @@ def test_rays_end_at_what_they_hit() -> None:
     assert len(kinds[picture.HIT]) == 3
 
 
+def test_a_new_scan_and_a_new_spot_of_the_trail_are_seen_under_a_car_that_stands() -> None:
+    model = model_of("empty", pose=(2.0, 0.0, 0.0), scan=Scan(-2.2, 0.0, 0.0, math.pi / 2, (1.0,)))
+    pane = pane_of(model, glyphs="half")
+    first = kinds_of(pane)
+    model.trail.add(-1.0, -1.0)
+    model.show(replace(model.snapshot(), version=2))
+    pane.pull(2e9)
+    second = kinds_of(pane)
+    assert picture.TRAIL not in first and len(second[picture.TRAIL]) == 1 and second[picture.HIT] == first[picture.HIT]
+    model.show(replace(model.snapshot(), version=3, scan=Scan(-2.2, 0.0, 0.0, math.pi / 2, (1.5,))))
+    pane.pull(3e9)
+    assert kinds_of(pane)[picture.HIT] != first[picture.HIT]
+    model.show(replace(model.snapshot(), version=4, scan=None))
+    pane.pull(4e9)
+    assert picture.HIT not in kinds_of(pane)
+
+
 def test_only_the_lines_of_the_car_are_drawn_again_when_it_moves() -> None:
     model = model_of("walls", pose=(-1.0, 0.0, 0.0))
     pane = pane_of(model, 120, 40, glyphs="half")
@@ -225,7 +242,7 @@ def test_the_frame_tells_the_world_s_seconds_and_how_fast_they_really_pass() -> 
     text_of(pane)
     assert [piece.text for piece in pane.status_right()] == [" 12.3 s  RTF 1.98 "]
     heads: list[None] = []
-    pane.touch_frame = lambda: heads.append(None)  # type: ignore[method-assign]
+    pane.touch_status = lambda: heads.append(None)  # type: ignore[method-assign]
     model.is_held = lambda: True
     pane.pull(2e9)
     assert heads, "a pause of the whole desktop brings no new snapshot, but the frame has to tell it"

@@ -106,6 +106,8 @@ class WorldPicture:
         self._base = self._paint_scenery(scenery)
         self._trail: Rows | None = None
         self._trail_key = (-1, 0)
+        self._scan: Rows | None = None
+        self._scan_key: tuple[object, ...] = ()
         self._plan: TopPlan | None = None
 
     # -- what stands still ---------------------------------------------------------------------------------------------
@@ -117,15 +119,14 @@ class WorldPicture:
         self._fill(rows, [(-x, -y), (x, -y), (x, y), (-x, y)], FLOOR)
         for mx in range(math.ceil(-x), math.floor(x) + 1):
             for my in range(math.ceil(-y), math.floor(y) + 1):
-                self._dot(rows, mx, my, GRID)
+                self._dots(rows, [(mx, my)], GRID)
         half = scenery.line_width / 2
         for ax, ay, bx, by in scenery.line:
             self._fill(rows, _bar((ax, ay), (bx, by), half), LINE)
             # A line thinner than a pixel must not have gaps where it passes between the middles of two.
             steps = max(1, math.ceil(math.hypot(bx - ax, by - ay) / view.scale * 2))
-            for step in range(steps + 1):
-                share = step / steps
-                self._dot(rows, ax + (bx - ax) * share, ay + (by - ay) * share, LINE)
+            shares = [step / steps for step in range(steps + 1)]
+            self._dots(rows, [(ax + (bx - ax) * share, ay + (by - ay) * share) for share in shares], LINE)
         for solid in scenery.solids:
             self._fill(rows, _corners(solid.points, solid.radius), WALL)
         return rows
@@ -136,33 +137,39 @@ class WorldPicture:
         generation, count = self._trail_key
         if self._trail is None or generation != trail.generation or len(points) < count:
             self._trail, count = [bytearray(row) for row in self._base], 0
-        for x, y in points[count:]:
-            self._dot(self._trail, x, y, TRAIL, over=(FLOOR, OUTSIDE, GRID))
+        self._dots(self._trail, points[count:], TRAIL, over=(FLOOR, OUTSIDE, GRID))
         self._trail_key = (trail.generation, len(points))
         return self._trail
+
+    def _with_scan(self, trail: Trail, scan: Scan | None) -> Rows:
+        """All that the robot stands on: there are more pictures than scans."""
+        rows = self._with_trail(trail)
+        if scan is None:
+            return rows
+        if self._scan is None or self._scan_key != (self._trail_key, scan):
+            self._scan, self._scan_key = [bytearray(row) for row in rows], (self._trail_key, scan)
+            self._draw_scan(self._scan, scan)
+        return self._scan
 
     # -- a moment ------------------------------------------------------------------------------------------------------
 
     def frame(self, snapshot: WorldSnapshot, trail: Trail) -> Rows:
         """The pixel rows of a moment."""
-        rows = [bytearray(row) for row in self._with_trail(trail)]
-        if snapshot.scan is not None:
-            self._draw_scan(rows, snapshot.scan)
+        rows = [bytearray(row) for row in self._with_scan(trail, snapshot.scan)]
         if snapshot.robot is not None:
             self._draw_robot(rows, snapshot, snapshot.robot)
         return rows
 
     def _draw_scan(self, rows: Rows, scan: Scan) -> None:
-        for number, length in enumerate(scan.ranges):
-            angle = scan.first + number * scan.step
-            cosine, sine = math.cos(angle), math.sin(angle)
-            if number % 6 == 0:
-                reach = min(length, 20.0)
-                for step in range(int(reach / self.view.scale_y)):
-                    along = step * self.view.scale_y
-                    self._dot(rows, scan.x + along * cosine, scan.y + along * sine, BEAM, over=(FLOOR, OUTSIDE, GRID))
-            if math.isfinite(length):
-                self._dot(rows, scan.x + length * cosine, scan.y + length * sine, HIT)
+        x, y, step = scan.x, scan.y, self.view.scale_y
+        angles = [scan.first + number * scan.step for number in range(len(scan.ranges))]
+        rays = [(length, math.cos(angle), math.sin(angle)) for length, angle in zip(scan.ranges, angles, strict=True)]
+        for length, cosine, sine in rays[::6]:
+            alongs = [each * step for each in range(int(min(length, 20.0) / step))]
+            beam = [(x + along * cosine, y + along * sine) for along in alongs]
+            self._dots(rows, beam, BEAM, over=(FLOOR, OUTSIDE, GRID))
+        ends = [(x + length * cosine, y + length * sine) for length, cosine, sine in rays if math.isfinite(length)]
+        self._dots(rows, ends, HIT)
 
     def _draw_robot(self, rows: Rows, snapshot: WorldSnapshot, robot: Robot) -> None:
         plan = self._plan
@@ -180,7 +187,7 @@ class WorldPicture:
             self._draw_wheel(rows, wheel, at, place)
         nose = place(nose_of(plan))
         self._fill(rows, nose, NOSE)
-        self._dot(rows, *nose[1], FIRM if snapshot.bumped else NOSE)
+        self._dots(rows, [nose[1]], FIRM if snapshot.bumped else NOSE)
 
     def _draw_wheel(self, rows: Rows, wheel: Wheel, at: Mapping[str, Transform], place: Placing) -> None:
         (cx, cy), (hx, hy) = stand(wheel, at)
@@ -200,13 +207,19 @@ class WorldPicture:
 
     # -- pixels --------------------------------------------------------------------------------------------------------
 
-    def _dot(self, rows: Rows, x: float, y: float, kind: int, over: tuple[int, ...] | None = None) -> None:
-        px, py = self.view.pixel(x, y)
-        column, row = int(px), int(py)
-        if 0 <= column < self.view.width and 0 <= row < self.view.height and px >= 0 and py >= 0:
-            line = rows[row]
-            if over is None or line[column] in over:
-                line[column] = kind
+    def _dots(
+        self, rows: Rows, points: Iterable[tuple[float, float]], kind: int, over: Iterable[int] = range(16)
+    ) -> None:
+        """Set the pixels in which points are, where one of the kinds `over` is."""
+        view, width, height = self.view, self.view.width, self.view.height
+        middle_x, middle_y, scale, scale_y = view.x, view.y, view.scale, view.scale_y
+        left, top, over = width / 2, height / 2, frozenset(over)
+        for x, y in points:
+            px, py = (x - middle_x) / scale + left, top - (y - middle_y) / scale_y
+            if 0 <= px < width and 0 <= py < height:
+                row, column = rows[int(py)], int(px)
+                if row[column] in over:
+                    row[column] = kind
 
     def _fill(self, rows: Rows, points: Points, kind: int) -> None:
         """Fill a convex polygon (metres): every pixel whose middle is in it, and where it is thin at least one."""

@@ -90,7 +90,7 @@ class WorldPane(WindowPane["WorldModel"]):
         changed = {y // per_line for y, (old, new) in enumerate(zip(before, self._rows, strict=True)) if old != new}
         if per_line == 1 and heading != self._heading:
             changed = set(range(len(self._rows)))
-        self.touch_lines(sorted(changed))
+        self.redraw_lines(changed)
         self._touch_head()
         return False
 
@@ -98,7 +98,7 @@ class WorldPane(WindowPane["WorldModel"]):
         head = tuple(piece.text for piece in (*self.status(), *self.status_right()))
         if head != self._head:
             self._head = head
-            self.touch_frame()
+            self.touch_status()
 
     def _mode(self) -> str:
         mode = self.look.glyphs.canvas
