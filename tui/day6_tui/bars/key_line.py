@@ -26,6 +26,9 @@ class KeyLine(Feature):
         self._actions = actions
         self._coming = coming
         """Whether the lessons were asked for and are not there yet."""
+        self._made_of: tuple[object, ...] = ()
+        self._made: list[Piece] = []
+        """The keys as they were shown last, and what of: they are asked for many times before another one works."""
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """From the left, as many as fit; nothing from the right."""
@@ -43,7 +46,9 @@ class KeyLine(Feature):
             name = "action.resume" if action.id == "pause" and self._machine.paused else f"action.{action.id}"
             weight = action.weight if hints else action.alone or action.weight
             keys.append(KeyHint(action.label, texts(name), self._actions[action.id], weight))
-        return key_pieces(look, keys, width), []
+        if (made_of := (keys, width, look.colours)) != self._made_of:
+            self._made_of, self._made = made_of, key_pieces(look, keys, width)
+        return self._made, []
 
     def _scene(self, width: int) -> list[Piece]:
         """What is typed and how to steer it: pause, step, the speed between its two buttons, stop."""

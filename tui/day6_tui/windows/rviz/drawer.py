@@ -28,6 +28,10 @@ class Division(NamedTuple):
     view: Region
 
 
+NOTHING = Division(Region(), Region(), Region())
+"""A window that has no room yet."""
+
+
 def divide(width: int, height: int, *, panel_open: bool) -> Division:
     """Divide `width` x `height` cells: beside each other, or one above the other, and never without a view."""
     width, height = max(0, width), max(0, height)

@@ -35,7 +35,7 @@ from day6_tui.windows import WindowPane
 from day6_tui.windows.rviz import dialogs
 from day6_tui.windows.rviz.buttons import PanelButton
 from day6_tui.windows.rviz.displays import DisplaysPanel
-from day6_tui.windows.rviz.drawer import NARROW, Division, Drawer, divide
+from day6_tui.windows.rviz.drawer import NARROW, NOTHING, Division, Drawer, divide
 from day6_tui.windows.rviz.extent import frame, outline
 from day6_tui.windows.rviz.framing import Framing
 from day6_tui.windows.rviz.hand import Hand
@@ -84,6 +84,8 @@ class RVizPane(WindowPane[RViz]):
         self._mouse = ViewMouse(self.rviz, self.view, self._hand, lambda: self.view_place)
         self._keys = WindowKeys(self, self._hand)
         self._painter = WindowPainter(self)
+        self._divided, self._picture = NOTHING, Region()
+        """How the window is divided, and where the view is inside the frame, as of when it was last laid out."""
         self._seen_tool: object = None
         self._panel_keys = True
         """Whether the keys go to the panel, if it is open; else to the view."""
@@ -157,7 +159,9 @@ class RVizPane(WindowPane[RViz]):
         super().restyle()
 
     def _lay_out(self) -> None:
-        self.view.resize(*self.division.view.size)
+        self._divided = self.division
+        self._picture = self._divided.view.translate((0, self.top))
+        self.view.resize(*self._picture.size)
 
     # -- the keyboard --------------------------------------------------------------------------------------------------
 
@@ -190,42 +194,38 @@ class RVizPane(WindowPane[RViz]):
             self.pass_keyboard()
         self._follow_scene()
         changed, due = self.view.pull(now)
-        view, top = self.division.view, self.top
-        self.view.show(self, self.view_place, covered=1 if self.framing.offered else 0)
+        at = self.inner_offset
+        self.view.show(self, self._picture.translate((at, at)), covered=1 if self.framing.offered else 0)
+        on_panel = self.on_panel and self.has_focus_within
         if self.panel_open and self.panel.properties.is_attached:
-            self.panel.pull(active=self._panel_active)
-        self.redraw_lines(row + top + view.y for row in changed)
+            self.panel.pull(active=on_panel)
+        self.redraw_lines(self._picture.y + row for row in changed)
         self._follow_tool()
         if (menu := self.rviz.menu) is not None:
             self.rviz.menu = None
             # An overlay cannot come while a frame is made.
             self.app.call_later(dialogs.show_menu, self, menu)
-        due = self._pull_words(now) or due
-        title = tuple(piece.text for piece in (*self.title(), *self.status(), *self.status_right()))
+        due = self._pull_words(now, on_panel=on_panel) or due
+        title = tuple(piece.text for piece in (*self._subject(), *self.status(), *self.status_right()))
         if title != self._shown_frame:
             self._shown_frame = title
             self.touch_frame()
         return due
 
-    @property
-    def _panel_active(self) -> bool:
-        """Whether the panel has the keyboard."""
-        return self.on_panel and self.has_focus_within
-
     def _follow_scene(self) -> None:
         """What there is to see, and what is wrong with it, divides the window."""
-        before = self.division
+        divides = self.drawer.empty
         if self.drawer.empty and self.panel.value_line is None and self.rviz.statuses.level < ERROR:
             self.drawer.empty = not outline(self.rviz.scene)
         if self.problems.pull(folded=not self.panel_open):
             self.touch_lines(range(self.top + self.body_height, self.inner_height))
-        if self.division != before:
+            divides = True
+        if divides and self.division != self._divided:
             self._rearranged()
         if self.framing.pull():
             self.touch_lines([self.top + self.division.view.bottom - 1])
 
-    def _pull_words(self, now: float) -> bool:
-        on_panel = self._panel_active
+    def _pull_words(self, now: float, *, on_panel: bool) -> bool:
         changed, due = self.status_bar.pull(now, self.inner_width - 2, self.word_lines, on_panel=on_panel)
         if changed:
             self.touch_lines(range(self.top + self.body_height, self.inner_height))
@@ -248,6 +248,10 @@ class RVizPane(WindowPane[RViz]):
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def title(self) -> list[Piece]:
+        return [*super().title(), *self._subject()]
+
+    def _subject(self) -> list[Piece]:
+        """What the upper edge says besides the tabs: those are looked after like every pane's."""
         colours = self.look.colours
         statuses = self.rviz.statuses
         style = colours.muted if statuses.level == OK else colours.warning
@@ -258,7 +262,7 @@ class RVizPane(WindowPane[RViz]):
                 Piece(" ", colours.muted),
             ]
         pieces.append(Piece(f"Fixed Frame {self.rviz.fixed_frame} ", style, self._to_fixed))
-        return [*super().title(), *pieces]
+        return pieces
 
     def close(self) -> None:
         """Close the window; RViz asks first whether to save what was changed."""

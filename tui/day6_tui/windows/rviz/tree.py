@@ -54,6 +54,8 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
         """How many more lines there may be."""
         self._node_by_property: dict[Property, TreeNode[panel.PropertyLine]] = {}
         """The nodes that are lines."""
+        self._followed: tuple[object, ...] = ()
+        """What they were looked at for; () if they have to be looked at again."""
         self._shown: list[tuple[object, ...]] = []
         """What the rows in sight look like."""
 
@@ -85,12 +87,16 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
 
     def follow(self, *, active: bool) -> None:
         """Show what the program changed, and draw only the lines that differ. `active`: the tree has the keyboard."""
+        rviz, first, height = self._rviz, int(self.scroll_offset.y), self.size.height
         self._active = active
-        if self._rviz.tree_version != self._seen:
-            self._seen = self._rviz.tree_version
+        if rviz.tree_version != self._seen:
+            self._seen = rviz.tree_version
             self.refill()
-        first = int(self.scroll_offset.y)
-        rows = [self._state(y) for y in range(first, first + self.size.height)]
+        depends = (rviz.version, rviz.view_version, active, self.cursor_node, first, height)
+        if depends == self._followed:
+            return
+        self._followed = depends
+        rows = [self._state(y) for y in range(first, first + height)]
         if (before := self._shown) != rows:
             self._shown = rows
             for y, (old, new) in enumerate(zip(before, rows, strict=False)):
@@ -119,6 +125,7 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
 
     def refill(self) -> None:
         """Walk the properties again; the chosen one stays chosen where it still is, else the line where it was."""
+        self._followed = ()
         line, before, in_sight = self.cursor_line, self.prop, self._is_in_sight(self.cursor_line)
         self._room = MOST_LINES
         self._node_by_property.clear()
