@@ -214,13 +214,13 @@ class RVizPane(WindowPane[RViz]):
 
     def _follow_scene(self) -> None:
         """What there is to see, and what is wrong with it, divides the window."""
-        divides = self.drawer.empty
+        before, divides = self._divided, self.drawer.empty
         if self.drawer.empty and self.panel.value_line is None and self.rviz.statuses.level < ERROR:
             self.drawer.empty = not outline(self.rviz.scene)
         if self.problems.pull(folded=not self.panel_open):
             self.touch_lines(range(self.top + self.body_height, self.inner_height))
             divides = True
-        if divides and self.division != self._divided:
+        if divides and self.division != before:
             self._rearranged()
         if self.framing.pull():
             self.touch_lines([self.top + self.division.view.bottom - 1])

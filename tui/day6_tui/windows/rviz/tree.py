@@ -54,8 +54,6 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
         """How many more lines there may be."""
         self._node_by_property: dict[Property, TreeNode[panel.PropertyLine]] = {}
         """The nodes that are lines."""
-        self._followed: tuple[object, ...] = ()
-        """What they were looked at for; () if they have to be looked at again."""
         self._shown: list[tuple[object, ...]] = []
         """What the rows in sight look like."""
 
@@ -87,16 +85,12 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
 
     def follow(self, *, active: bool) -> None:
         """Show what the program changed, and draw only the lines that differ. `active`: the tree has the keyboard."""
-        rviz, first, height = self._rviz, int(self.scroll_offset.y), self.size.height
         self._active = active
-        if rviz.tree_version != self._seen:
-            self._seen = rviz.tree_version
+        if self._rviz.tree_version != self._seen:
+            self._seen = self._rviz.tree_version
             self.refill()
-        depends = (rviz.version, rviz.view_version, active, self.cursor_node, first, height)
-        if depends == self._followed:
-            return
-        self._followed = depends
-        rows = [self._state(y) for y in range(first, first + height)]
+        first = int(self.scroll_offset.y)
+        rows = [self._state(y) for y in range(first, first + self.size.height)]
         if (before := self._shown) != rows:
             self._shown = rows
             for y, (old, new) in enumerate(zip(before, rows, strict=False)):
@@ -125,7 +119,6 @@ class PropertyTree(DesktopTree[panel.PropertyLine]):
 
     def refill(self) -> None:
         """Walk the properties again; the chosen one stays chosen where it still is, else the line where it was."""
-        self._followed = ()
         line, before, in_sight = self.cursor_line, self.prop, self._is_in_sight(self.cursor_line)
         self._room = MOST_LINES
         self._node_by_property.clear()
