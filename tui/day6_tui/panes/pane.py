@@ -223,12 +223,16 @@ class Pane(Surviving, Widget, can_focus=True):
         offset, height = self.inner_offset, self.inner_height
         self._compare(line + offset for line in lines if 0 <= line < height)
 
-    def redraw_lines(self, lines: Iterable[int]) -> None:
-        """Draw these inner lines again, which are known to differ from what is shown."""
-        rows = [line + self.inner_offset for line in lines if 0 <= line < self.inner_height]
+    def redraw_lines(self, lines: Iterable[int], *, across: range | None = None) -> None:
+        """Draw these inner lines again, which are known to differ from what is shown; with `across` in those columns only.
+
+        Other widgets in these lines are drawn, too: `across` leaves them alone.
+        """
+        at = self.inner_offset
+        rows = [line + at for line in lines if 0 <= line < self.inner_height]
         for y in rows:
             self._strips.pop(y, None)
-        self._mark(rows)
+        self._mark(rows, None if across is None else range(across.start + at, across.stop + at))
 
     def touch_frame(self) -> None:
         """Title and status may look different now."""
@@ -250,11 +254,12 @@ class Pane(Surviving, Widget, can_focus=True):
                 changed.append(y)
         self._mark(changed)
 
-    def _mark(self, rows: list[int]) -> None:
+    def _mark(self, rows: list[int], across: range | None = None) -> None:
         """Have these rows of the pane drawn: at the end of the frame in which they changed, else when Textual comes to it."""
         if not rows:
             return
-        regions = [Region(0, y, self.extent.width, 1) for y in rows]
+        across = across or range(self.extent.width)
+        regions = [Region(across.start, y, len(across), 1) for y in rows]
         screen = self.screen if self.is_mounted else None
         if not (isinstance(screen, FrameScreen) and screen.mark(self, regions)):
             self.refresh(*regions)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby
 
 import numpy as np
 from rich.cells import cell_len
@@ -59,13 +59,12 @@ class Cells:
 
     def line(self, row: int) -> list[Segment]:
         """One row as segments, equal neighbours joined."""
-        chars, front, back = self.chars[row], self.front[row], self.back[row]
-        change = np.flatnonzero((front[1:] != front[:-1]) | (back[1:] != back[:-1])) + 1
-        edges = [0, *change.tolist(), len(chars)]
-        codes = chars.tolist()
-        segments = [
-            Segment("".join(map(chr, codes[a:b])), _style(int(front[a]), int(back[a]))) for a, b in pairwise(edges)
-        ]
+        chars, fronts, backs = (each[row].tolist() for each in (self.chars, self.front, self.back))
+        text, segments, start = "".join(map(chr, chars)), [], 0
+        for colours, run in groupby(zip(fronts, backs, strict=True)):
+            end = start + len(list(run))
+            segments.append(Segment(text[start:end], _style(*colours)))
+            start = end
         return self._with_labels(row, segments) if row in self.labels else segments
 
     def _with_labels(self, row: int, segments: list[Segment]) -> list[Segment]:

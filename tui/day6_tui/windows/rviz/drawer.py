@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 from textual.geometry import Region
@@ -32,6 +33,7 @@ NOTHING = Division(Region(), Region(), Region())
 """A window that has no room yet."""
 
 
+@lru_cache(maxsize=16)
 def divide(width: int, height: int, *, panel_open: bool) -> Division:
     """Divide `width` x `height` cells: beside each other, or one above the other, and never without a view."""
     width, height = max(0, width), max(0, height)

@@ -30,9 +30,9 @@ class WindowPainter:
         if y < pane.top:
             return self._toolbar(y, width)
         row = y - pane.top
-        if row >= pane.body_height:
-            return self._words(row - pane.body_height, width)
-        panel, edge, view = pane.division
+        panel, edge, view = pane.divided
+        if row >= view.bottom:
+            return self._words(row - view.bottom, width)
         if panel and row < view.y:
             return self._edge_below(y, width) if row == edge.y else [Segment(" " * width, pane.background)]
         left = [Segment(" " * panel.width, pane.background), self._edge_beside(y, edge.x)] if edge.x < view.x else []

@@ -84,7 +84,7 @@ class RVizPane(WindowPane[RViz]):
         self._mouse = ViewMouse(self.rviz, self.view, self._hand, lambda: self.view_place)
         self._keys = WindowKeys(self, self._hand)
         self._painter = WindowPainter(self)
-        self._divided, self._picture = NOTHING, Region()
+        self.divided, self._picture = NOTHING, Region()
         """How the window is divided, and where the view is inside the frame, as of when it was last laid out."""
         self._seen_tool: object = None
         self._panel_keys = True
@@ -159,8 +159,8 @@ class RVizPane(WindowPane[RViz]):
         super().restyle()
 
     def _lay_out(self) -> None:
-        self._divided = self.division
-        self._picture = self._divided.view.translate((0, self.top))
+        self.divided = self.division
+        self._picture = self.divided.view.translate((0, self.top))
         self.view.resize(*self._picture.size)
 
     # -- the keyboard --------------------------------------------------------------------------------------------------
@@ -199,7 +199,8 @@ class RVizPane(WindowPane[RViz]):
         on_panel = self.on_panel and self.has_focus_within
         if self.panel_open and self.panel.properties.is_attached:
             self.panel.pull(active=on_panel)
-        self.redraw_lines(self._picture.y + row for row in changed)
+        picture = self._picture
+        self.redraw_lines((picture.y + row for row in changed), across=range(picture.x, picture.right))
         self._follow_tool()
         if (menu := self.rviz.menu) is not None:
             self.rviz.menu = None
@@ -214,7 +215,7 @@ class RVizPane(WindowPane[RViz]):
 
     def _follow_scene(self) -> None:
         """What there is to see, and what is wrong with it, divides the window."""
-        before, divides = self._divided, self.drawer.empty
+        before, divides = self.divided, self.drawer.empty
         if self.drawer.empty and self.panel.value_line is None and self.rviz.statuses.level < ERROR:
             self.drawer.empty = not outline(self.rviz.scene)
         if self.problems.pull(folded=not self.panel_open):
