@@ -48,7 +48,7 @@ FEATURES = (
 $ day6-tui ros2 topic pub /chatter std_msgs/msg/String "data: hello" &
 $ day6-tui ros2 topic echo --once /chatter std_msgs/msg/String
 data: hello
-$ day6-tui ros2 node list
+$ day6-tui ros2 node list --spin-time 5
 /turtlesim
 """,
     ),
