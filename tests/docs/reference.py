@@ -1,7 +1,7 @@
 """The pages of the documentation that are made from the program: `python -m tests.docs.reference` writes them.
 
 Command line from the parsers, keys from the table of actions and the manual, environment variables and places from their tables,
-how lessons are written from the text that `day6-tui lessons help` prints.
+how lessons are written from the text that `day6-tui lessons help` prints, what was run where from tests/platforms/runs.json.
 """
 
 from __future__ import annotations
@@ -25,10 +25,13 @@ from day6_tui.locale import Texts
 from day6_tui.overlays.manual import pages as manual_pages
 from tests.docs.pages import DOCS, LANGUAGES
 from tests.docs.writers import LATE, Late
+from tests.platforms.features import FEATURES, REASONS
+from tests.platforms.play import acts
+from tests.platforms.rows import UNTRIED, recorded
 from tests.support.source_files import ROOT
 
 END = "<!-- end of what is generated -->\n"
-"""Where a table of reference/files.md ends that is generated; the rest of this page is written by hand."""
+"""Where a table ends that is generated; the rest of its page is written by hand."""
 MADE = "<!-- Made by `python -m tests.docs.reference`; what it says is changed where it is declared. -->\n"
 
 # What stands on the pages besides the program's own texts.
@@ -76,6 +79,18 @@ WORDS = {
     "colcon.obeyed": ("The same as in colcon", "和 colcon 一样"),
     "removed": ("removed by `day6-tui uninstall`", "用 `day6-tui uninstall` 删除"),
     "whose.ours": ("`--data`", "`--data`"),
+    "run": ("run", "运行"),
+    "run.on": ("on", "系统"),
+    "run.python": ("Python", "Python"),
+    "run.lacks": ("without", "缺少"),
+    "run.date": ("date", "日期"),
+    "run.commit": ("commit", "提交"),
+    "feature": ("feature", "功能"),
+    "feature.key": ("name", "名称"),
+    "feature.typed": ("what is typed", "输入的命令"),
+    "cell.yes": ("yes", "可以"),
+    "cell.fails": ("fails", "失败"),
+    "cell.never": ("never run", "从未运行"),
     "late.what": ("what", "内容"),
     "late.longest": ("at the latest on the disk after", "最迟多久写到磁盘上"),
     "whose.user": ("`--files`: it is your work", "`--files`：这是你自己的文件"),
@@ -264,23 +279,59 @@ def late(language: str) -> str:
     return table(head, ((said(each.what, language), longest(each)) for each in LATE))
 
 
-def files(language: str) -> str:
-    """The page that is there, with its tables as they should be."""
-    text = (DOCS / language / "reference" / "files.md").read_text(encoding="utf-8")
-    for name, made in (("files", places), ("late", late)):
-        begin = f"<!-- generated: {name} -->\n"
-        before, found, rest = text.partition(begin)
-        _, end, after = rest.partition(END)
-        assert found and end, f"docs/{language}/reference/files.md lacks {begin.strip()} … {END.strip()}"
-        text = f"{before}{begin}\n{made(language)}\n{END}{after}"
-    return text
+def runs(language: str) -> str:
+    """The machines on which features were tried, each feature on each of them, and what is typed for it."""
+    rows = recorded()
+    head = (word(f"run{key}", language) for key in ("", ".on", ".python", ".lacks", ".date", ".commit"))
+    of_runs = ((r.name, r.release, r.python, code(r.lacks) if r.lacks else "", r.date, code(r.commit)) for r in rows)
+    never = [system for system in UNTRIED if not any(row.system.startswith(system) for row in rows)]
+    names = (word("feature", language), *(row.name for row in rows), *never)
+    cells = (
+        (
+            f"{said(feature.name, language)} ({code(feature.key)})",
+            *(_cell(row.cells.get(feature.key, "never"), language) for row in rows),
+            *(word("cell.never", language) for _ in never),
+        )
+        for feature in FEATURES
+    )
+    typed = (
+        (code(feature.key), "; ".join(code(act.typed) for act in acts(feature) if act.typed and act.where != "browser"))
+        for feature in FEATURES
+    )
+    third = (word("feature.key", language), word("feature.typed", language))
+    return "\n".join((table(head, of_runs), table(names, cells), table(third, typed)))
+
+
+def _cell(result: str, language: str) -> str:
+    """What came of a feature; of one that isn't there, why."""
+    for pattern, reason in REASONS if result.startswith("no: ") else ():
+        if found := re.search(pattern, result):
+            return prose(said(reason, language).format(*found.groups()))
+    return word(f"cell.{result.partition(':')[0]}", language)
+
+
+def with_tables(name: str, **tables: Callable[[str], str]) -> Callable[[str], str]:
+    """Return a page that is there, with its tables as they should be."""
+
+    def page(language: str) -> str:
+        text = (DOCS / language / name).read_text(encoding="utf-8")
+        for title, made in tables.items():
+            begin = f"<!-- generated: {title} -->\n"
+            before, found, rest = text.partition(begin)
+            _, end, after = rest.partition(END)
+            assert found and end, f"docs/{language}/{name} lacks {begin.strip()} … {END.strip()}"
+            text = f"{before}{begin}\n{made(language)}\n{END}{after}"
+        return text
+
+    return page
 
 
 PAGES: dict[str, Callable[[str], str]] = {
     "reference/command-line.md": lambda language: "\n".join(command_line(language)),
     "reference/keys.md": lambda language: "\n".join(keys(language)),
     "reference/environment.md": lambda language: "\n".join(environment(language)),
-    "reference/files.md": files,
+    "reference/files.md": with_tables("reference/files.md", files=places, late=late),
+    "trust/platforms.md": with_tables("trust/platforms.md", runs=runs),
     "reference/colcon.md": lambda language: "\n".join(colcon(language)),
     "teachers/writing-lessons.md": lambda language: (WRITING / f"{language}.md").read_text(encoding="utf-8"),
 }

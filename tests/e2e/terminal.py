@@ -15,41 +15,9 @@ from typing import Any
 
 import pyte
 
+from tests.e2e.keys import KEYS
 from tests.perf.screen import Screen, set_window_size
 from tests.support.waiting import PATIENCE, Deadline, until
-
-KEYS = {
-    "Enter": "\r",
-    "Tab": "\t",
-    "Esc": "\x1b",
-    "Up": "\x1b[A",
-    "Down": "\x1b[B",
-    "Right": "\x1b[C",
-    "Left": "\x1b[D",
-    "F1": "\x1bOP",
-    "F2": "\x1bOQ",
-    "F3": "\x1bOR",
-    "Shift-F3": "\x1b[1;2R",
-    "Shift-PageUp": "\x1b[5;2~",
-    "F4": "\x1bOS",
-    "F5": "\x1b[15~",
-    "F6": "\x1b[17~",
-    "F8": "\x1b[19~",
-    "F9": "\x1b[20~",
-    "Alt-1": "\x1b1",
-    "Alt-2": "\x1b2",
-    "Alt-3": "\x1b3",
-    "Alt-4": "\x1b4",
-    "Alt-5": "\x1b5",
-    "Alt-6": "\x1b6",
-    "Ctrl-C": "\x03",
-    "Ctrl-D": "\x04",
-    "Delete": "\x1b[3~",
-    "Ctrl-N": "\x0e",
-    "F7": "\x1b[18~",
-    "Ctrl-Q": "\x11",
-    "Ctrl-U": "\x15",
-}
 
 _FRAME = re.compile("[┃│╻║|#]")
 

@@ -13,10 +13,17 @@ from rosbag2_py._metadata import MetadataIo
 from sensor_msgs.msg import CompressedImage
 from std_msgs.msg import String
 
+from day6_core.graph import Graph
 from day6_core.parts import PROJECTS, MissingPart, has_part, part
+from day6_core.ros.programs import load
 from day6_core.ros.programs.rqt_graph.model.image import write_image
 from day6_core.ros.programs.rqt_graph.model.shapes import LaidOutGraph
 from day6_core.ros.programs.rqt_image_view.decoding import ImageRequest, Undecodable, picture_of
+from day6_core.session.clock import WorldClock
+from day6_core.session.program import Program
+from day6_core.session.scheduler import Scheduler
+from day6_core.session.session import Session
+from day6_core.session.streams import Captured
 from day6_tui.upkeep import checks, trials
 from rclpy.serialization import serialize_message
 
@@ -125,6 +132,26 @@ def test_a_drawing_that_cannot_be_made_leaves_no_file(
     elif suffix == ".svg":
         write_image(graph, target)
     assert target.exists() == (suffix == ".svg")
+
+
+def test_a_pdf_of_a_robot_says_what_it_needs(tmp_path: Path, without: Callable[[str], None]) -> None:
+    without("reportlab")
+    (tmp_path / "car.urdf").write_text('<robot name="car"><link name="base"/></robot>', encoding="utf-8")
+    scheduler, stderr = Scheduler(WorldClock()), Captured()
+    session = Session(
+        scheduler,
+        Graph(),
+        ["urdf_to_graphviz", "car.urdf"],
+        env={"PATH": ""},
+        cwd=tmp_path,
+        stdout=stderr,
+        stderr=stderr,
+    )
+    program = Program(session, load("urdfdom", "urdf_to_graphviz"))
+    assert scheduler.run(lambda: program.status is not None, timeout=10.0)
+    assert program.status and stderr.text.endswith(
+        "for writing : PDF files need reportlab, which isn't installed: pip install reportlab\n"
+    )
 
 
 def test_a_compressed_image_says_what_it_needs(without: Callable[[str], None]) -> None:

@@ -16,7 +16,6 @@ ALLOWED = {
     "the recorded texts are those of Python 3.11": _OTHER_PYTHON,
     "the guesses are those of Python 3.11": _OTHER_PYTHON,
     "recorded with Python 3.11 on Linux; its own messages, signals and exit codes are part of the recordings": _OTHER_PYTHON,
-    "has no such console": "that of Windows: tests/windows/run plays it under Wine",
 }
 """Reason -> why nothing is lost by it. Only what CI's own machine cannot run belongs here, not what other systems lack."""
 

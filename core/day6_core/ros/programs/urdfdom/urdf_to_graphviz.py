@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from day6_core.reason import reason
 from day6_core.ros.programs._drawn_pdf import write_pdf
 from day6_core.ros.programs.rqt_graph.model.shapes import Box, Edge
 from day6_core.ros.programs.urdfdom._input import FAILED, read_robot, take_hint_option
@@ -40,7 +41,7 @@ async def main(session: Session) -> int:
         try:
             await write_pdf(session, graph, graph_of(robot), session.print_error, _colours(robot))
         except OSError as error:
-            session.print_error(f'Error: Could not open "{name}.pdf" for writing : {error.strerror}')
+            session.print_error(f'Error: Could not open "{name}.pdf" for writing : {reason(error)}')
             return FAILED
     session.print(f"Created file {name}.pdf")
     return 0
