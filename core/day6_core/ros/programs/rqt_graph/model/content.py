@@ -263,7 +263,8 @@ class _Hidden:
         """Return the names for which `keep` holds and remember the others."""
         assert callable(keep)
         kept = [name for name in names if keep(name)]
-        gone = [name.strip() for name in names if name not in kept]
+        left = set(kept)
+        gone = [name.strip() for name in names if name not in left]
         if gone:
             self._names.setdefault(option, []).extend(gone)
         return kept
