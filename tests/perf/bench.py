@@ -27,9 +27,9 @@ from pathlib import Path
 from day6_core.ros.environment import program_environment
 from day6_core.shell.screen.screen import Screen as Picture
 from tests.perf import budgets
-from tests.perf.budgets import Row, figure, print_table
+from tests.perf.budgets import Budget, Row, figure, print_table
 from tests.perf.load import DENSE, PUBLISH, SCENES, TURTLE, measure
-from tests.perf.screen import Screen
+from tests.perf.screen import Screen, rss_mb
 from tests.perf.slow_line import slow_lines
 
 HERE = Path(__file__).resolve().parent
@@ -362,15 +362,31 @@ def _measure_side(python: str, env: dict[str, str], seconds: float) -> dict[str,
 
 
 TALKER = """
-import os, sys, time
+import sys, time
 import rclpy
 from std_msgs.msg import String
 rclpy.init()
 node = rclpy.create_node('bench_talker')
 publisher = node.create_publisher(String, 'chatter', 10)
-publisher.publish(String(data='first'))
-print(time.time(), next(int(line.split()[1]) for line in open('/proc/self/status') if line.startswith('VmRSS')), flush=True)
-rclpy.shutdown()
+while True:
+    publisher.publish(String(data=sys.argv[1]))
+    time.sleep(0.002)
+"""
+
+LISTENER = """
+import time
+import rclpy
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node('bench_listener')
+heard = set()
+def hear(message):
+    if message.data not in heard:
+        heard.add(message.data)
+        print(message.data, time.time(), flush=True)
+node.create_subscription(String, 'chatter', hear, 10)
+print('ready', flush=True)
+rclpy.spin(node)
 """
 
 
@@ -386,38 +402,81 @@ rclpy.shutdown()
 
 
 def processes(real: str | None, rounds: int) -> Iterator[Row]:
-    """A student's process: from its start to its first message out, joined to the link; from start to end, alone."""
+    """A student's process: from its start until another one hears it, joined to the link; from start to end, alone."""
     joined = program_environment({**os.environ, "DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-bench-")})
     alone = program_environment({**os.environ, "DAY6_LINK": "off"})
-    for measure_one, env, budget, most_memory in (
-        (_first_message, joined, budgets.FIRST_MESSAGE, budgets.JOINED_MEMORY),
-        (_whole_process, alone, budgets.ALONE, budgets.ALONE_MEMORY),
-    ):
-        ours, theirs = [], []
-        for _ in range(rounds):
-            ours.append(measure_one(sys.executable, env))
-            if real:
-                theirs.append(measure_one(real, dict(os.environ)))
-        seconds, memory = _medians(ours)
-        if theirs:
-            seconds_of_real, memory_of_real = _medians(theirs)
-            yield budget.row(
-                seconds / seconds_of_real, f"{seconds * 1e3:.0f} instead of {seconds_of_real * 1e3:.0f} ms"
-            )
-            yield most_memory.row(memory, f"real {memory_of_real:.1f} MB")
-        else:
-            yield Row(budget.what.partition(": ")[0], f"{seconds * 1e3:.0f} ms")
-            yield most_memory.row(memory)
+    with contextlib.ExitStack() as running:
+        ears = {
+            python: running.enter_context(_Listener(python, env))
+            for python, env in ((sys.executable, joined), (real, dict(os.environ)))
+            if python
+        }
+        yield from _compared(
+            lambda python: ears[python].hear(), real, rounds, budgets.FIRST_MESSAGE, budgets.JOINED_MEMORY
+        )
+    yield from _compared(
+        lambda python: _whole_process(python, alone if python == sys.executable else dict(os.environ)),
+        real,
+        rounds,
+        budgets.ALONE,
+        budgets.ALONE_MEMORY,
+    )
+
+
+def _compared(
+    measured: Callable[[str], tuple[float, float]], real: str | None, rounds: int, time: Budget, memory: Budget
+) -> Iterator[Row]:
+    """Seconds and MB of both sides, measured in turns."""
+    ours, theirs = [], []
+    for _ in range(rounds):
+        ours.append(measured(sys.executable))
+        if real:
+            theirs.append(measured(real))
+    seconds, size = _medians(ours)
+    if theirs:
+        seconds_of_real, size_of_real = _medians(theirs)
+        yield time.row(seconds / seconds_of_real, f"{seconds * 1e3:.0f} instead of {seconds_of_real * 1e3:.0f} ms")
+        yield memory.row(size, f"real {size_of_real:.1f} MB")
+    else:
+        yield Row(time.what.partition(": ")[0], f"{seconds * 1e3:.0f} ms")
+        yield memory.row(size)
+
+
+class _Listener:
+    """A program that hears each talker's first message."""
+
+    def __init__(self, python: str, env: dict[str, str]) -> None:
+        self._python, self._env, self._talkers = python, env, 0
+        self._process = subprocess.Popen([python, "-c", LISTENER], stdout=subprocess.PIPE, text=True, env=env)
+        self._line()
+
+    def __enter__(self) -> _Listener:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._process.kill()
+        self._process.wait()
+
+    def hear(self) -> tuple[float, float]:
+        """Start a talker; return the seconds until its first message is here, and its memory in MB."""
+        self._talkers += 1
+        began = time.time()
+        talker = subprocess.Popen([self._python, "-c", TALKER, str(self._talkers)], env=self._env)
+        try:
+            name, heard = self._line().split()
+            assert name == str(self._talkers)
+            return float(heard) - began, rss_mb(talker.pid)
+        finally:
+            talker.kill()
+            talker.wait()
+
+    def _line(self) -> str:
+        assert self._process.stdout is not None
+        return self._process.stdout.readline()
 
 
 def _medians(pairs: list[tuple[float, float]]) -> tuple[float, float]:
     return statistics.median(each[0] for each in pairs), statistics.median(each[1] for each in pairs)
-
-
-def _first_message(python: str, env: dict[str, str]) -> tuple[float, float]:
-    began = time.time()
-    at, rss = _words(python, TALKER, env)
-    return float(at) - began, int(rss) / 1024
 
 
 def _whole_process(python: str, env: dict[str, str]) -> tuple[float, float]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import os
 import threading
 import time
@@ -15,8 +14,6 @@ from typing import Any, NamedTuple, Protocol, TypeVar
 from day6_core.graph.endpoints import Client, Endpoint, EndpointKind, EventKind, Publisher, RequestId, Service
 from day6_core.graph.matching import MATCHES, RaisedEvents, connect, disconnect, without
 from day6_core.graph.node import Node
-
-_log = logging.getLogger(__name__)
 
 AnyEndpoint = TypeVar("AnyEndpoint", bound=Endpoint)
 
@@ -134,7 +131,9 @@ class Graph:
                 call()
             except Exception:
                 # The change has been made, and those after this one have to hear of it.
-                _log.exception("a listener of the graph failed")
+                import logging
+
+                logging.getLogger(__name__).exception("a listener of the graph failed")
 
     def _announce(self, change: Change, subject: Node | Endpoint) -> None:
         event = GraphEvent(change, subject)
