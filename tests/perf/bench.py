@@ -173,7 +173,7 @@ class Bench:
                 usage = screen.use(self.seconds)
                 pictures = screen.pictures - before
                 yield budgets.PIXELS.row(usage.cpu_percent, f"{kind}, {pictures / usage.seconds:.0f} fps")
-                yield budgets.PIXEL_FRAME.row(usage.bytes_written / max(1, pictures))
+                yield budgets.PIXEL_FRAME.row(usage.bytes_written / max(1, pictures) / 1e3)
 
     def floods(self) -> Iterator[Row]:
         """A program that prints a lot, from Enter to what follows it, beside a bare reader of the same program's pty.

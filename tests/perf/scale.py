@@ -35,12 +35,13 @@ TOO_LITTLE = 0.002
 """Seconds of CPU that say nothing."""
 
 TALKER = """
-import sys, time
+import sys
 import rclpy
 from std_msgs.msg import String
 rclpy.init()
-node = rclpy.create_node(f'scale_{sys.argv[1]}')
-publisher = node.create_publisher(String, f'scale_{sys.argv[1]}', 10)
+name, topics = sys.argv[1], int(sys.argv[2])
+node = rclpy.create_node(f'scale_{name}')
+publishers = [node.create_publisher(String, f'scale_{name}_{number}', 10) for number in range(topics)]
 print(flush=True)
 rclpy.spin(node)
 """
@@ -184,37 +185,68 @@ def fan_out(size: int, step: Steps) -> None:
             node.destroy_subscription(end)
 
 
-def processes(size: int, step: Steps) -> None:
+class Linked:
     """Programs on the link, in processes of their own."""
-    with tempfile.TemporaryDirectory(prefix="d6-") as folder:
-        env = program_environment({**os.environ, "DAY6_LINK": "on", "DAY6_RUNTIME_DIR": folder})
-        running = []
-        try:
-            with step("processes: started one after the other, until all spin"):
-                for number in range(size):
-                    running.append(
-                        subprocess.Popen([sys.executable, "-c", TALKER, str(number)], stdout=subprocess.PIPE, env=env)
-                    )
-                    assert running[-1].stdout is not None
-                    running[-1].stdout.readline()
-            for verb in ("node", "topic"):
-                with step(f"  ros2 {verb} list"):
-                    done = subprocess.run(
-                        [sys.executable, "-m", "day6_tui.main", "ros2", verb, "list"],
-                        capture_output=True, env=env, encoding="utf-8", check=True,
-                    )  # fmt: skip
-                seen = done.stdout.count("scale_")
-                assert seen == size, f"{seen} of {size} seen"
-            spent = sum(cpu(each.pid) for each in running)
-            # Each knows all others, so that what each costs is what grows with their number.
-            step.found["  CPU of each until here"] = spent / size, spent / size
-            time.sleep(5)
-            later = sum(cpu(each.pid) for each in running)
-            step.found["  CPU of all in 5 s in which nothing happens"] = later - spent, later - spent
-        finally:
-            for each in running:
-                each.kill()
-                each.wait()
+
+    def __init__(self) -> None:
+        self._folder = tempfile.TemporaryDirectory(prefix="d6-")
+        self.env = program_environment({**os.environ, "DAY6_LINK": "on", "DAY6_RUNTIME_DIR": self._folder.name})
+        self.running: list[subprocess.Popen[bytes]] = []
+
+    def __enter__(self) -> Linked:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for each in self.running:
+            each.kill()
+            each.wait()
+        self._folder.cleanup()
+
+    def start(self, name: str, topics: int = 1) -> None:
+        """Start one, and wait until it spins."""
+        command = [sys.executable, "-c", TALKER, name, str(topics)]
+        self.running.append(subprocess.Popen(command, stdout=subprocess.PIPE, env=self.env))
+        assert self.running[-1].stdout is not None
+        self.running[-1].stdout.readline()
+
+    def cpu(self) -> float:
+        """Seconds that all of them have used so far."""
+        return sum(cpu(each.pid) for each in self.running)
+
+    def ros2(self, *words: str) -> str:
+        """Run a command of `ros2`, which prints."""
+        command = [sys.executable, "-m", "day6_tui.main", "ros2", *words]
+        return subprocess.run(command, stdout=subprocess.PIPE, env=self.env, encoding="utf-8", check=True).stdout
+
+
+def processes(size: int, step: Steps) -> None:
+    """Programs on the link."""
+    with Linked() as linked:
+        with step("processes: started one after the other, until all spin"):
+            for number in range(size):
+                linked.start(str(number))
+        for verb in ("node", "topic"):
+            with step(f"  ros2 {verb} list"):
+                seen = linked.ros2(verb, "list").count("scale_")
+            assert seen == size, f"{seen} of {size} seen"
+        spent = linked.cpu()
+        # Each knows all others, so that what each costs is what grows with their number.
+        step.found["  CPU of each until here"] = spent / size, spent / size
+        time.sleep(5)
+        later = linked.cpu()
+        step.found["  CPU of all in 5 s in which nothing happens"] = later - spent, later - spent
+
+
+def linked_topics(size: int, step: Steps) -> None:
+    """Topics of a program on the link."""
+    with Linked() as linked:
+        linked.start("near", 1)
+        linked.start("far", size)
+        for words in (("topic", "list"), ("topic", "info", "-v", "/scale_far_0"), ("node", "info", "/scale_far")):
+            with step(f"topics on the link: ros2 {' '.join(words)}"):
+                printed = linked.ros2(*words)
+            assert "far" in printed
+        assert linked.ros2("topic", "list").count("scale_far") == size
 
 
 # -- windows -----------------------------------------------------------------------------------------------------------
@@ -427,52 +459,28 @@ def rviz_markers(size: int, step: Steps) -> None:
     """Markers in RViz."""
     from visualization_msgs.msg import Marker, MarkerArray
 
-    from tests.rviz2.rviz_machine import RVizMachine
-
-    machine = RVizMachine()
-    model = machine.open()
-    machine.fix("base")
-    machine.add("MarkerArray", "/markers")
     markers = []
     for n in range(size):
         marker = Marker(ns="scale", id=n, type=Marker.CUBE)
         marker.header.frame_id = "base"
-        marker.pose.position.x, marker.pose.position.y = float(n % 30) - 15, n / 30 - 15
+        marker.pose.position.x, marker.pose.position.y = n % 30 / 5 - 3.0, n / 150 - 3.0
         marker.pose.orientation.w = marker.color.a = marker.color.r = 1.0
-        marker.scale.x = marker.scale.y = marker.scale.z = 0.3
+        marker.scale.x = marker.scale.y = marker.scale.z = 0.1
         markers.append(marker)
-    machine.publish("/markers", MarkerArray(markers=markers[:1]))
-    with step("RViz: markers received"):
-        machine.publish("/markers", MarkerArray(markers=markers))
-        machine.settle()
-    with step("  sent again", 5):
-        for _ in range(5):
-            machine.publish("/markers", MarkerArray(markers=markers))
-            machine.settle()
-
-    async def act(tool: Any) -> None:
-        await tool.press("left")
-        with step("  drawn from five other sides"):
-            await tool.press(*["left"] * 5)
-
-    shown("rviz2", model, act)
-    machine.end()
+    in_rviz(
+        "markers",
+        step,
+        lambda machine: (machine.fix("base"), machine.add("MarkerArray", "/markers")),
+        lambda machine: machine.publish("/markers", MarkerArray(markers=markers)),
+    )
 
 
 def rviz_frames(size: int, step: Steps) -> None:
     """Frames in RViz."""
     from geometry_msgs.msg import TransformStamped
-    from tf2_ros import TransformBroadcaster
+    from tf2_msgs.msg import TFMessage
 
-    from tests.rviz2.rviz_machine import RVizMachine
-
-    machine = RVizMachine()
-    model = machine.open()
-    machine.fix("f0")
-    machine.add("TF")
-    broadcaster = TransformBroadcaster(machine.node)
-
-    def send() -> None:
+    def send(machine: Any) -> None:
         sent = []
         for n in range(1, size + 1):
             stamped = TransformStamped()
@@ -480,22 +488,37 @@ def rviz_frames(size: int, step: Steps) -> None:
             stamped.header.stamp = machine.stamp()
             stamped.transform.translation.x, stamped.transform.rotation.w = n % 7 - 3.0, 1.0
             sent.append(stamped)
-        broadcaster.sendTransform(sent)
-        machine.settle()
+        machine.publish("/tf", TFMessage(transforms=sent))
 
-    with step("RViz: TF frames received"):
-        send()
-    with step("  sent again", 5):
-        for _ in range(5):
-            send()
+    in_rviz("TF frames", step, lambda machine: (machine.fix("f0"), machine.add("TF")), send)
 
-    async def act(tool: Any) -> None:
-        await tool.press("left")
-        with step("  drawn from five other sides"):
-            await tool.press(*["left"] * 5)
 
-    shown("rviz2", model, act)
-    machine.end()
+def in_rviz(what: str, step: Steps, prepare: Callable[[Any], object], send: Callable[[Any], None]) -> None:
+    """Send something to RViz and turn the view of its window."""
+    from tests.rviz2.rviz_machine import RVizMachine
+    from tests.rviz2.rviz_walk import walking
+
+    async def act() -> None:
+        machine = RVizMachine()
+        async with walking(machine) as at:
+            prepare(machine)
+            await at.press("tab", "left")
+            with step(f"RViz: {what} received"):
+                send(machine)
+                machine.settle()
+            with step("  sent again", 5):
+                for _ in range(5):
+                    send(machine)
+                    machine.settle()
+            seen = {at.screen()}
+            with step("  drawn from other sides", 10):
+                for _ in range(10):
+                    await at.press("left")
+                    seen.add(at.screen())
+            assert len(seen) > 3, "the window shows the same all the time"
+        machine.end()
+
+    asyncio.run(act())
 
 
 CASES: dict[Callable[[int, Steps], None], tuple[int, ...]] = {
@@ -503,6 +526,7 @@ CASES: dict[Callable[[int, Steps], None], tuple[int, ...]] = {
     topics: SIZES,
     chain: SIZES,
     fan_out: SIZES,
+    linked_topics: SIZES,
     processes: (10, 30, 100),
     rqt_topic: SIZES,
     console: SIZES,
