@@ -151,7 +151,10 @@ class Bench:
             if name in ("turning", "lidar"):
                 yield Row("  memory", f"{ours.pss:.1f} MB (RSS {ours.rss:.1f} MB)")
             for other in before:
-                yield budgets.BESIDE.row(ours.cpu / other.cpu, f"{ours.cpu:.2f} % instead of {other.cpu:.2f} %")
+                yield budgets.BESIDE.row(
+                    ours.cpu / other.cpu,
+                    f"{name}: {ours.cpu:.2f} instead of {other.cpu:.2f} %, {ours.bytes:.0f} bytes a second of {other.bytes:.0f}",
+                )
         (car,) = measure(SCENES["car"], [sys.executable], self.seconds)
         yield budgets.ROBOT_MEMORY.row(car.pss, f"RSS {car.rss:.1f} MB")
         yield Row("CPU, car with turning wheels", f"{car.cpu:.1f} %")
