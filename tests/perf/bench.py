@@ -326,10 +326,6 @@ SIDE_BY_SIDE = {
     "action": ("action, goal to result", 1e6, "µs"),
     "hundred_nodes": ("100 nodes in one process", 1e3, "ms"),
     "hundred_nodes_memory": ("  their memory", 1 / 1024, "MB"),
-    "jitter": ("100 Hz timer misses its period by, median", 1e6, "µs"),
-    "jitter_99": ("  99th percentile", 1e6, "µs"),
-    "sleep": ("  a loop with `time.sleep` alone, median", 1e6, "µs"),
-    "sleep_99": ("  99th percentile", 1e6, "µs"),
 }
 
 
@@ -352,16 +348,42 @@ def side_by_side(real: str | None, seconds: float, rounds: int = 3) -> Iterator[
         yield Row(what, text)
     if theirs:
         yield budgets.ACTION.row(theirs["action"] / mine["action"])
-        yield budgets.TIMER.row(
-            mine["jitter_99"] / theirs["jitter_99"],
-            f"a bare time.sleep {figure(mine['sleep_99'] / theirs['jitter_99'])} ×",
-        )
 
 
 def _measure_side(python: str, env: dict[str, str], seconds: float) -> dict[str, float]:
     command = [python, str(HERE / "rclpy_side.py"), str(seconds)]
     done = subprocess.run(command, capture_output=True, text=True, env=env, check=True, encoding="utf-8")
     return json.loads(done.stdout)  # type: ignore[no-any-return]
+
+
+def timers(real: str | None, seconds: float, rounds: int = 5) -> Iterator[Row]:
+    """A timer of 100 Hz on both sides and a loop that only sleeps, at the same time: what the machine does meets all of them.
+
+    Nothing that waits can be more exact than the sleep.
+    """
+    ours_env = program_environment({**os.environ, "DAY6_LINK": "off"})
+    sides = {"day6-tui": (sys.executable, ours_env, "timer"), "time.sleep": (sys.executable, ours_env, "sleep")}
+    if real:
+        sides["real"] = (real, dict(os.environ), "timer")
+    found: dict[str, list[list[float]]] = {name: [] for name in sides}
+    for _ in range(rounds):
+        running = {
+            name: subprocess.Popen(
+                [python, str(HERE / "rclpy_side.py"), str(seconds), what], stdout=subprocess.PIPE, text=True, env=env
+            )
+            for name, (python, env, what) in sides.items()
+        }
+        for name, process in running.items():
+            found[name].append(json.loads(process.communicate()[0]))
+    middle, most = (
+        {name: statistics.median(each[at] for each in sets) for name, sets in found.items()} for at in (0, 1)
+    )
+    for what, figures in (("100 Hz timer misses its period by, median", middle), ("  99th percentile", most)):
+        yield Row(what, ", ".join(f"{name} {figure(missed * 1e6)} µs" for name, missed in figures.items()))
+    if real:
+        yield budgets.TIMER.row(
+            most["day6-tui"] / most["real"], f"a bare time.sleep {figure(most['time.sleep'] / most['real'])} ×"
+        )
 
 
 TALKER = """
@@ -524,6 +546,7 @@ SECTIONS: dict[str, Callable[[Bench, argparse.Namespace], Iterator[Row]]] = {
     "paste": lambda bench, _: bench.paste(),
     "processes": lambda bench, options: processes(options.real, bench.rounds),
     "rclpy": lambda bench, options: side_by_side(options.real, bench.seconds / 4),
+    "timers": lambda bench, options: timers(options.real, bench.seconds / 4),
     "ros2": lambda bench, options: topic_list(options.real_ros2, bench.rounds),
 }
 
