@@ -235,7 +235,8 @@ def measure(scene: Scene, pythons: list[str], seconds: float) -> list[Measured]:
     desktops: list[Measured] = []
     try:
         desktops += [Measured(python, scene) for python in pythons]
-        # All at once: what nobody reads takes a desktop for one on a slow line, to which it sends less, for some time.
+        # All at once, and read all the time: what is compared has run for the same time (a turtle that drives is slower to draw
+        # while its trail grows), and no desktop has taken its terminal for one on a slow line.
         with ThreadPoolExecutor(len(desktops)) as threads:
             list(threads.map(lambda desktop: (desktop.screen.first_frame(), scene.prepare(desktop.screen)), desktops))
         watch(desktops, 2.0, scene.held)

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from day6_core.session.task import let_others_run
+from day6_core.shell.terminal import CROWDED
 from tests.shell.conftest import show_all
 
 PROMPT = "student@day6:~$"
@@ -323,6 +324,24 @@ def test_a_flood_that_nobody_looks_at_stays_bounded_and_leaves_a_mark(machine: A
     first = ["".join(row[x].data for x in range(80)).rstrip() for row in rows[:]]
     assert len(rows) == 5000
     assert first[0].isdigit()
+
+
+def test_a_view_that_has_read_everything_is_called_when_programs_begin_to_pause(seat: Any) -> None:
+    terminal, called = seat.terminal, []
+    terminal.on_crowded = lambda: called.append(terminal._size)
+    line = "x" * 10_000
+    while not called:
+        assert terminal._size <= CROWDED
+        terminal.write(line)
+    assert called == [terminal._size] and terminal.is_crowded
+    terminal.write(line)
+    assert len(called) == 1
+    show_all(terminal)
+    terminal.write(line)
+    assert len(called) == 1  # it pauses for nobody
+    for _ in range(20):
+        terminal.write(line)
+    assert len(called) == 2
 
 
 def test_the_mark_says_how_many_lines_are_missing(machine: Any, seat: Any) -> None:

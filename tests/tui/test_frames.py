@@ -187,6 +187,25 @@ def test_work_goes_on_between_the_frames_until_it_is_done(monkeypatch) -> None:
     assert left == [] and frames.drawn == 1 and drawn_at == [21]
 
 
+def test_work_that_somebody_waits_for_is_done_at_once_and_once(monkeypatch) -> None:
+    done: list[float] = []
+    frames, loop = _frames(monkeypatch, lambda: False, work=lambda: done.append(loop.now) or 0.5)
+    for _ in range(3):
+        frames.work_soon()
+    loop.run(0.0)
+    assert done == [100.0] and not frames.drawn
+    loop.run(0.2)
+    frames.work_soon()
+    loop.run(0.4)
+    assert done == [100.0, 100.2]  # instead of the turn that was planned
+    loop.run(0.2)
+    assert done == [100.0, 100.2, 100.7]
+    frames.detach()
+    frames.work_soon()
+    loop.run(1.0)
+    assert len(done) == 3
+
+
 def test_work_that_fails_is_told_and_the_frames_go_on(monkeypatch) -> None:
     told: list[Exception] = []
 

@@ -86,7 +86,7 @@ def test_nothing_is_written_twice() -> None:
     for text in ("A day with 海龟 in the sun", "A day with 海龟 in the sea"):
         brush = shown.brush(WIDTH, HEIGHT)
         brush.draw(0, 0, [(text, "31")])
-    assert brush.text() == "\x1b[1;25Hea" and brush.drawn == [(0, 0, 26)]
+    assert brush.text() == "\x1b[1;25Hea" and brush.drawn == [(0, 24, 26)]
     brush = shown.brush(WIDTH, HEIGHT)
     brush.draw(0, 0, [("A day with ", "31"), ("海龟 in the sea", "31")])
     assert brush.text() == "" and brush.size == 0 and brush.drawn == []

@@ -191,13 +191,14 @@ class Day6App(TerminalApp):
         self.frames = Frames(
             self.draw_frame,
             fps,
-            work=self.read_flood,
+            work=lambda: self.terminals.read_flood(),
+            has_work=lambda: self.terminals.in_flood,
             echo=self.draw_echo,
             congested=self.is_congested,
             blocked=self.is_blocked,
             failed=self.frame_failed,
         )
-        look.wake, look.wake_after = self.frames.wake, self.frames.wake_after
+        look.wake, look.wake_after, look.work_soon = self.frames.wake, self.frames.wake_after, self.frames.work_soon
         self._turns = Turns()
         self._barred = 0.0
         """When the bars were looked at last."""
@@ -504,10 +505,6 @@ class Day6App(TerminalApp):
         super()._write_picture(text)
 
     # -- frames --------------------------------------------------------------------------------------------------------
-
-    def read_flood(self) -> float | None:
-        """Between frames: read what programs print without end."""
-        return self.terminals.read_flood() if self.machine.desk is not None else None
 
     def key_read(self) -> None:
         super().key_read()

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import threading
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -91,6 +91,10 @@ class Terminal:
         self._typed: deque[str] = deque()
         """The rest of a long text that is being typed, and what came after it."""
         self._screen: Screen | None = None
+        self.on_crowded: Callable[[], None] | None = None
+        """Called, on any thread, when programs begin to pause for a view that had read everything and waits itself."""
+        self._is_read = True
+        """Whether the view has read everything since the last such call."""
         self._ring: deque[str] = deque()
         self._size = 0
         self._dropped_lines = 0
@@ -148,9 +152,8 @@ class Terminal:
         screen.dirty.clear()
         until = perf_counter() + SLICE
         while text := self._take():
-            read = screen.feed(text, until)
-            if read < len(text):
-                self._give_back(text[read:])
+            if rest := screen.feed(text, until):
+                self._give_back(rest)
             if perf_counter() > until:
                 break
         if self._size <= CROWDED and not self._room.is_set():
@@ -161,6 +164,8 @@ class Terminal:
             self.send(answers)
         changed = set(screen.dirty)
         screen.dirty.update(before)
+        with self._lock:
+            self._is_read |= not self._ring
         if self._ring:
             self.desk.scheduler.announce_activity()
         return changed
@@ -335,7 +340,11 @@ class Terminal:
                 self._room.clear()
             self.at_line_start = _ends_line(text, self.at_line_start)
             self.version += 1
+            waits = self._is_read and self._size > CROWDED
+            self._is_read &= not waits
         self.desk.scheduler.announce_activity()
+        if waits and self.on_crowded is not None:
+            self.on_crowded()
 
     def wait_for_room(self) -> None:
         """Block a copying thread while the view is far behind, at most a moment: a hidden terminal must not stop its programs."""

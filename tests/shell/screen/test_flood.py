@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from random import Random
 from time import process_time
 from typing import Any
@@ -17,6 +18,7 @@ from day6_core.shell.screen import text as text_module
 from day6_core.shell.screen import whole_lines
 from day6_core.shell.screen.rows import Folded
 from day6_core.shell.screen.screen import Screen
+from day6_core.shell.screen.vt import LINE_DRAWING
 from day6_core.width import char_width
 
 WORDS = ["a", " ", "  ", "hello", "x" * 7, "word " * 5, "y" * 33, "z" * 130, "é", "\xa0", "\ufffd", "\u3000"]
@@ -81,16 +83,17 @@ sizes = st.tuples(st.integers(1, 12), st.sampled_from([1, 2, 3, 8, 10, 16, 17, 4
 class DrawnScreen(Screen):
     """A screen without fast ways: fed character by character, every one drawn by itself, every line scrolled when it is full."""
 
-    def feed(self, text: str, until: float = 0.0) -> int:
+    def feed(self, text: str, until: float = 0.0) -> str:
         for char in for_emulation(text):
             self._parser.feed(char)
-        return len(text)
+        return ""
 
     def rush(self, text: str, start: int) -> int:
         return start
 
     def draw(self, data: str) -> None:
-        self._draw_slowly(data)
+        self._last_drawn = data[-1:]
+        self._draw_slowly(data.translate(LINE_DRAWING) if self.line_drawing else data)
 
     def index(self) -> None:
         super().index()
@@ -148,6 +151,82 @@ def test_a_flood_leaves_the_same_picture_as_drawing_every_character(
             assert picture(fast) == picture(drawn)
 
 
+NOISE = [bytes([code]) for code in (*range(0x20), 0x20, 0x7F, *b"\x1b\x1b\x1b\b\t\r\r\n\n")]
+NOISE += [f"\x1b{final}".encode() for final in "0<=>ABDEFGHMNOZ\\acjl78~]P#%(é\x84"]
+NOISE += [
+    text.encode()
+    for text in ("text", "long " * 9, "é", "Ж" * 7, "你", "温度" * 6, "e\u0301", "\u0301", "🙂", "ก็", "\xa0")
+]
+NOISE += [
+    text.encode() for text in ("\x84", "\x85", "\x88", "\x8d", "\x9b3m", "\x1b[4h", "\x1b[4l", "\x1b[20h", "\x1b[20l")
+]
+NOISE += [
+    b"\r\n",
+    b"\xff",
+    b"\xe4\xbd",
+    b"\x80" * 9,
+    b"\x1b[m",
+    b"\x1b[31m",
+    b"line\r\n" * 4,
+    b"\x18",
+    b"\x07",
+]
+
+
+class LiteralScreen(DrawnScreen):
+    """A screen that also gets the control characters that mean nothing."""
+
+    def feed(self, text: str, until: float = 0.0) -> str:
+        for char in text:
+            self._parser.feed(char if char <= "\x7f" else for_emulation(char))
+        return ""
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_noise_leaves_the_same_picture_as_drawing_every_character(seed: int) -> None:
+    random = Random(seed)
+    size = random.choice([2, 3, 8, 17, 40]), random.choice([1, 2, 3, 7])
+    noise = random.randbytes(600) if seed % 3 == 0 else b"".join(random.choices(NOISE, k=200))
+    text = noise.decode("utf-8", "replace")
+    fast, drawn = Screen(*size), LiteralScreen(*size)
+    while text:
+        end = random.choice([1, 2, 3, 20, 100, 999])
+        fast.feed(text[:end])
+        if random.random() < 0.3:
+            drawn.feed(text[:end])
+            assert picture(fast) == picture(drawn)
+        else:
+            drawn.feed(text[:end])
+        text = text[end:]
+    assert picture(fast) == picture(drawn)
+    fast.resize(5, 13)
+    drawn.resize(5, 13)
+    assert picture(fast) == picture(drawn)
+
+
+@pytest.mark.parametrize("text", ["text", "\tx", "你", "a你\a", "e\u0301", "🙂", "\ra\b", "é\x1b>"])
+def test_the_last_of_running_text_can_be_repeated(text: str) -> None:
+    fast, drawn = Screen(9, 2), DrawnScreen(9, 2)
+    for screen in (fast, drawn):
+        screen.feed(f"\nold{text}\x1b[3b")
+    assert picture(fast) == picture(drawn)
+
+
+@pytest.mark.long
+@given(
+    st.lists(st.sampled_from(NOISE) | st.binary(max_size=20), max_size=120).map(b"".join), sizes, st.integers(1, 300)
+)
+@settings(max_examples=300, deadline=None)
+def test_any_noise_cut_anywhere_leaves_the_same_picture(noise: bytes, size: Any, cut: int) -> None:
+    text = noise.decode("utf-8", "replace")
+    lines, columns = size
+    fast, drawn = Screen(columns, lines), LiteralScreen(columns, lines)
+    for at in range(0, len(text), cut):
+        fast.feed(text[at : at + cut])
+    drawn.feed(text)
+    assert picture(fast) == picture(drawn)
+
+
 def test_a_row_keeps_the_blanks_before_a_wide_character_that_did_not_fit() -> None:
     for written in ("a\t你", "a\x1b[8G你", "\r\nb\x1b[Ha\t你"):
         screen = Screen(8, 3)
@@ -196,6 +275,7 @@ def shown(*parts: str) -> str:
     ("written", "seen"),
     [
         ("a\x7fb\x00c\x01d", "abcd"),  # DEL and the controls that mean nothing
+        ("a\x1b\x00[3\x011\x7fmb", "ab"),  # inside a sequence, too
         ("a\x9b31mb", "ab"),  # C1: CSI
         ("a\x9d0;title\x9cb", "ab"),  # C1: OSC … ST
         ("a\x1bPq#0;2;0;0;0\x1b\\b", "ab"),  # DCS (a sixel picture)
@@ -312,6 +392,8 @@ def test_characters_taken_for_one_cell_or_for_no_mark_are_that() -> None:
     common = [char for char in every if not whole_lines.NOT_COMMON.search(char)]
     assert len(narrow) > 1000 and {char_width(char) for char in narrow} == {1}
     assert len(common) > 30_000 and {char_width(char) for char in common} == {1, 2}
+    wide = [char for char in every if re.match(f"[{whole_lines.WIDE}]", char)]
+    assert len(wide) > 30_000 and {char_width(char) for char in wide} == {2}
 
 
 def test_a_single_line_of_a_megabyte_scrolls_by_like_lines_do() -> None:
@@ -322,10 +404,10 @@ def test_a_single_line_of_a_megabyte_scrolls_by_like_lines_do() -> None:
 def test_looking_at_a_part_of_a_flood_stops_when_the_time_is_over() -> None:
     screen = Screen(80, 24)
     text = "\x1b[2J\x1b[Hframe" * 1000
-    read = screen.feed(text, until=0.0)
-    assert 0 < read < 100
-    while read < len(text):
-        read += screen.feed(text[read:], until=0.0)
+    rest = screen.feed(text, until=0.0)
+    assert 0 < len(text) - len(rest) < 100
+    while rest:
+        rest = screen.feed(rest, until=0.0)
     assert screen.text == "frame"
 
 

@@ -60,29 +60,29 @@ def _pane(simulation: FakeSimulation, width: int, height: int, **options: object
     return pane
 
 
-def _touched(pane: TurtleSimPane) -> list[tuple[int, int, int]]:
-    spans: list[tuple[int, int, int]] = []
-    pane.touch_spans = lambda new: spans.extend(new)  # type: ignore[method-assign, assignment]
+def _touched(pane: TurtleSimPane) -> set[int]:
+    """The lines that are drawn again."""
+    lines: set[int] = set()
+    pane.redraw_lines = lines.update  # type: ignore[method-assign, assignment]
     pane.touch_frame = lambda: None  # type: ignore[method-assign]
     pane.touch = lambda: None  # type: ignore[method-assign]
     pane.pull(next(SECONDS))
-    return spans
+    return lines
 
 
 def test_a_turtle_that_stands_still_is_not_drawn_again() -> None:
     pane = _pane(FakeSimulation(), 60, 38)
     _touched(pane)
-    assert _touched(pane) == []
+    assert _touched(pane) == set()
 
 
-def test_a_step_of_the_turtle_touches_only_the_cells_around_it() -> None:
+def test_a_step_of_the_turtle_touches_only_the_lines_around_it() -> None:
     simulation = FakeSimulation(turtle(x=5.5))
     pane = _pane(simulation, 60, 31)
     _touched(pane)
     simulation.show(turtle(x=5.8))
-    spans = _touched(pane)
-    assert spans and sum(end - first for _, first, end in spans) < 60
-    assert all(10 < line < 20 for line, _, _ in spans)
+    lines = _touched(pane)
+    assert lines and all(10 < line < 20 for line in lines)
 
 
 def test_less_than_a_pixel_and_less_than_a_direction_touches_nothing() -> None:
@@ -90,7 +90,7 @@ def test_less_than_a_pixel_and_less_than_a_direction_touches_nothing() -> None:
     pane = _pane(simulation, 60, 31)
     _touched(pane)
     simulation.show(turtle(x=5.501, theta=0.001))
-    assert _touched(pane) == []
+    assert _touched(pane) == set()
 
 
 @pytest.mark.parametrize("mode", ["half", "braille", "cell", "ascii"])

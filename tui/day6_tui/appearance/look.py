@@ -36,6 +36,8 @@ class Look:
     """Requests a frame: for panes whose size or state the user changed."""
     wake_after: Callable[[float], None] = field(default=lambda seconds: None)
     """Requests one in so many seconds even if nothing changes until then; every `pull` has to ask anew."""
+    work_soon: Callable[[], None] = field(default=lambda: None)
+    """Asks that output which programs wait with is read before the next frame. Any thread."""
     filters: Sequence[LineFilter] = ()
     """What every line has to go through for this terminal, after the characters: fewer colours."""
     pictures: Pictures | None = None

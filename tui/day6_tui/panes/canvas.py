@@ -1,7 +1,7 @@
 """A picture made of pixels, drawn with whatever characters the terminal has.
 
 A canvas has two layers, `base` (colours 0xRRGGBB that stay) and `sprites` (what moves over it), and characters over cells.
-It knows which cells differ from what was shown last, so that a window refreshes only those. Plain lists on purpose:
+It knows which rows of them differ from what was shown last, so that a window draws only those again. Plain lists on purpose:
 a frame changes a handful of pixels, and numpy would cost the first frame 120 ms and 12 MB.
 """
 
@@ -9,22 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import groupby
+from operator import itemgetter
 
 from rich.segment import Segment
-from rich.style import Style
 
 from day6_tui.appearance.colours import Colours, contrasting, pixel_style
 
 PIXELS_PER_CELL = {"half": (1, 2), "braille": (2, 4), "cell": (1, 1), "ascii": (1, 1)}
 """Pixels across and down in one cell."""
 
-JOIN_GAP = 3
-"""Changed cells of a line that are no further apart than this are sent as one span: moving the cursor costs as much."""
-
 _BRAILLE_BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
-
-Span = tuple[int, int, int]
-"""Line, first column, end column."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +43,8 @@ class PixelCanvas:
         self.base = [background] * (self.width * self.height)
         self.sprites: dict[int, int] = {}
         self.marks: dict[tuple[int, int], Mark] = {}
-        self._dirty: set[int] = set(range(columns * rows))
+        self._dirty: set[int] = set(range(rows))
+        """Rows of cells that changed."""
 
     # -- changing ------------------------------------------------------------------------------------------------------
 
@@ -57,7 +53,7 @@ class PixelCanvas:
         index = y * self.width + x
         if self.base[index] != rgb:
             self.base[index] = rgb
-            self._dirty.add(self._cell(index))
+            self._dirty.add(self._row(index))
 
     def set_sprites(self, sprites: dict[int, int]) -> None:
         """Replace the upper layer: colours by pixel index (y * width + x)."""
@@ -66,7 +62,7 @@ class PixelCanvas:
             return
         for index in old.keys() | sprites.keys():
             if old.get(index) != sprites.get(index):
-                self._dirty.add(self._cell(index))
+                self._dirty.add(self._row(index))
         self.sprites = sprites
 
     def set_marks(self, marks: dict[tuple[int, int], Mark]) -> None:
@@ -74,37 +70,27 @@ class PixelCanvas:
         old = self.marks
         for place in old.keys() | marks.keys():
             if old.get(place) != marks.get(place):
-                column, row = place
-                if 0 <= column < self.columns and 0 <= row < self.rows:
-                    self._dirty.add(row * self.columns + column)
+                self._dirty.add(place[1])
         self.marks = marks
 
     def fill(self, background: int) -> None:
         """Wipe the lower layer."""
         self.background = background
         self.base = [background] * (self.width * self.height)
-        self._dirty = set(range(self.columns * self.rows))
+        self._dirty = set(range(self.rows))
 
-    def _cell(self, index: int) -> int:
-        y, x = divmod(index, self.width)
-        return y // self.down * self.columns + x // self.across
+    def _row(self, index: int) -> int:
+        return index // self.width // self.down
 
     def index(self, x: int, y: int) -> int | None:
         """The index of a pixel, None outside."""
         return y * self.width + x if 0 <= x < self.width and 0 <= y < self.height else None
 
-    def take_changes(self) -> list[Span]:
-        """The spans of cells that changed since the last call."""
-        spans: list[Span] = []
-        columns = self.columns
-        for cell in sorted(self._dirty):
-            row, column = divmod(cell, columns)
-            if spans and spans[-1][0] == row and column - spans[-1][2] <= JOIN_GAP:
-                spans[-1] = (row, spans[-1][1], column + 1)
-            else:
-                spans.append((row, column, column + 1))
+    def take_changes(self) -> list[int]:
+        """The rows of cells that changed since the last call."""
+        changed = sorted(self._dirty)
         self._dirty.clear()
-        return spans
+        return changed
 
     # -- drawing -------------------------------------------------------------------------------------------------------
 
@@ -192,23 +178,10 @@ _CELLS = {
 
 def _runs(cells: Iterable[tuple[str, int, int]]) -> list[Segment]:
     """Join cells of equal colours into one segment with a shared style."""
-    segments: list[Segment] = []
-    text: list[str] = []
-    colours: tuple[int, int] | None = None
-    for char, foreground, background in cells:
-        if (foreground, background) != colours:
-            if text:
-                segments.append(Segment("".join(text), _style(colours)))
-                text = []
-            colours = (foreground, background)
-        text.append(char)
-    if text:
-        segments.append(Segment("".join(text), _style(colours)))
-    return segments
-
-
-def _style(colours: tuple[int, int] | None) -> Style:
-    return pixel_style(*colours) if colours is not None else Style.null()
+    return [
+        Segment("".join([char for char, _, _ in run]), pixel_style(*colours))
+        for colours, run in groupby(cells, itemgetter(1, 2))
+    ]
 
 
 def square(width: int, height: int) -> tuple[int, int]:

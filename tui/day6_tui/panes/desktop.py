@@ -122,7 +122,7 @@ class Desktop(PaneHost):
         return self.split_tree.lay_out(width, height, self.needs, self.recent)
 
     def plan_now(self) -> splits.Layout:
-        return self.plan(*self.size)
+        return self.plan(*self.outer_size)  # it has no border; `size` costs twenty times as much
 
     def shown(self) -> list[Pane]:
         """The visible panes."""
@@ -338,7 +338,7 @@ class Desktop(PaneHost):
 
     def yield_to_full_terminals(self) -> None:
         """On a small screen the guide (not the choices of the start) makes room once text has scrolled out of its terminal."""
-        if self._guide_yields or self.size.width >= WIDE or not self.holds(self.welcome):
+        if self._guide_yields or not self.holds(self.welcome) or self.size.width >= WIDE:
             return
         if self.welcome.guide and (terminal := next(self.terminals(), None)) is not None and terminal.view.history:
             self._guide_yields = True

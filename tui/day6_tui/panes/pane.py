@@ -1,8 +1,7 @@
 """A framed rectangle of the desktop that draws itself line by line.
 
 The pane draws its own frame, which carries the tabs and the title above and the status below. Lines are kept as strips
-until they are touched, and only the touched cells are refreshed: a frame in which nothing changed costs nothing, and a
-moving turtle costs its own cells.
+until they are touched: a frame in which nothing changed costs nothing, and a moving turtle costs its own lines.
 """
 
 from __future__ import annotations
@@ -100,7 +99,7 @@ class Pane(Surviving, Widget, can_focus=True):
         self.look = look
         self._strips: dict[int, Strip] = {}
         self.extent = Size(0, 0)
-        """The size with the frame, as of the last `measure`: asking Textual costs ten times as much, many times a frame."""
+        """The size with the frame, as of the last `measure`."""
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
         self._shown_title: list[tuple[str, Style]] = []
 
@@ -198,7 +197,7 @@ class Pane(Surviving, Widget, can_focus=True):
 
     def measure(self) -> bool:
         """Read the current size; return True if it changed and everything has to be drawn again."""
-        size = self.size
+        size = self.outer_size
         if size == self.extent:
             return False
         self.extent = size
@@ -220,20 +219,16 @@ class Pane(Surviving, Widget, can_focus=True):
         self.touch()
 
     def touch_lines(self, lines: Iterable[int]) -> None:
-        """Compare these inner lines with what is shown and refresh the cells that differ."""
+        """Compare these inner lines with what is shown and draw again those that differ."""
         offset, height = self.inner_offset, self.inner_height
         self._compare(line + offset for line in lines if 0 <= line < height)
 
-    def touch_spans(self, spans: Iterable[tuple[int, int, int]]) -> None:
-        """These parts (line, first column, end column) of the inside have to be drawn again."""
-        offset, width, height = self.inner_offset, self.inner_width, self.inner_height
-        regions = []
-        for line, first, end in spans:
-            if 0 <= line < height and first < width and end > first:
-                self._strips.pop(line + offset, None)
-                regions.append(Region(first + offset, line + offset, min(end, width) - first, 1))
-        if regions:
-            self._mark(regions)
+    def redraw_lines(self, lines: Iterable[int]) -> None:
+        """Draw these inner lines again, which are known to differ from what is shown."""
+        rows = [line + self.inner_offset for line in lines if 0 <= line < self.inner_height]
+        for y in rows:
+            self._strips.pop(y, None)
+        self._mark(rows)
 
     def touch_frame(self) -> None:
         """Title and status may look different now."""
@@ -246,19 +241,20 @@ class Pane(Surviving, Widget, can_focus=True):
             self._compare((self.extent.height - 1,))
 
     def _compare(self, rows: Iterable[int]) -> None:
-        """Draw rows of the pane anew and refresh what differs from the strips shown."""
-        width = self.extent.width
-        regions = []
+        """Have the rows of the pane drawn that differ from the strips shown; `screen.shown` finds out which of their cells do."""
+        changed = []
         for y in rows:
             old = self._strips.get(y)
             new = self._strips[y] = self._make_strip(y)
-            spans = [(0, width)] if old is None else differences(old, new)
-            regions += [Region(first, y, end - first, 1) for first, end in spans]
-        if regions:
-            self._mark(regions)
+            if new != old:
+                changed.append(y)
+        self._mark(changed)
 
-    def _mark(self, regions: list[Region]) -> None:
-        """Have these parts drawn: at the end of the frame in which they changed, else when Textual comes to it."""
+    def _mark(self, rows: list[int]) -> None:
+        """Have these rows of the pane drawn: at the end of the frame in which they changed, else when Textual comes to it."""
+        if not rows:
+            return
+        regions = [Region(0, y, self.extent.width, 1) for y in rows]
         screen = self.screen if self.is_mounted else None
         if not (isinstance(screen, FrameScreen) and screen.mark(self, regions)):
             self.refresh(*regions)
@@ -389,38 +385,3 @@ class Pane(Surviving, Widget, can_focus=True):
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         self.touch()
-
-
-JOIN_GAP = 8
-"""Up to this many equal cells between two differences are sent as one span: moving the cursor and setting colours costs more."""
-
-
-def differences(old: Strip, new: Strip) -> list[tuple[int, int]]:
-    """The spans (first, end) of cells in which two strips differ."""
-    before, after = _cells(old), _cells(new)
-    if len(before) != len(after):
-        return [(0, len(after))]
-    spans: list[tuple[int, int]] = []
-    for x, (a, b) in enumerate(zip(before, after, strict=True)):
-        if a != b:
-            if spans and x - spans[-1][1] <= JOIN_GAP:
-                spans[-1] = (spans[-1][0], x + 1)
-            else:
-                spans.append((x, x + 1))
-    # Both halves of a wide character belong to a span.
-    wide = [(first - (after[first][0] == "" and first > 0), end) for first, end in spans]
-    return [(first, end + (end < len(after) and after[end][0] == "")) for first, end in wide]
-
-
-def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
-    """The cells of a strip; a wide character is followed by an empty one."""
-    cells: list[tuple[str, Style | None]] = []
-    for text, style, _ in strip:
-        if text.isascii() or cell_len(text) == len(text):
-            cells += [(char, style) for char in text]
-        else:
-            for char in text:
-                cells.append((char, style))
-                if cell_len(char) == 2:
-                    cells.append(("", style))
-    return cells

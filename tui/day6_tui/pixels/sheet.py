@@ -9,7 +9,6 @@ from rich.segment import Segment
 from rich.style import Style
 from textual.geometry import Region
 
-from day6_tui.panes.canvas import Span
 from day6_tui.panes.cells import cell_len
 
 Text = tuple[int, int, str, Style]
@@ -24,8 +23,8 @@ class Sheet:
         self._blank = blank
         self._texts: dict[int, list[Text]] = {}
 
-    def put(self, texts: Sequence[Text]) -> list[Span]:
-        """Replace the texts; return the spans in which the cells differ now. What would touch another text is left out."""
+    def put(self, texts: Sequence[Text]) -> list[int]:
+        """Replace the texts; return the rows in which the cells differ now. What would touch another text is left out."""
         before, self._texts = self._texts, {}
         for text in texts:
             column, row, words, _ = text
@@ -34,15 +33,7 @@ class Sheet:
             free = all(end < other[0] or column > other[0] + cell_len(other[2]) for other in others)
             if words and 0 <= row < self.rows and column >= 0 and end <= self.columns and free:
                 self._texts[row] = sorted([*others, text], key=lambda each: each[0])
-        return [
-            (
-                row,
-                min(column for column, _, _, _ in both),
-                max(column + cell_len(words) for column, _, words, _ in both),
-            )
-            for row in sorted(before.keys() | self._texts.keys())
-            if before.get(row) != self._texts.get(row) and (both := [*before.get(row, ()), *self._texts.get(row, ())])
-        ]
+        return [row for row in sorted(before.keys() | self._texts.keys()) if before.get(row) != self._texts.get(row)]
 
     @property
     def holes(self) -> list[Region]:

@@ -11,7 +11,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from day6_tui.appearance.colours import pixel_style
-from day6_tui.panes.canvas import JOIN_GAP, PIXELS_PER_CELL, Span
+from day6_tui.panes.canvas import PIXELS_PER_CELL
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.picture import EMPTY, LINE, SURFACE, Array, RenderedPicture
 
@@ -78,25 +78,18 @@ class Cells:
             segments = [*left, Segment(text, _style(colour, ground)), *right]
         return segments
 
-    def changes(self, before: Cells | None) -> list[Span]:
-        """The spans in which this differs from the cells shown before."""
-        columns, rows = self.size
+    def changes(self, before: Cells | None) -> list[int]:
+        """The rows in which this differs from the cells shown before."""
         if before is None or before.size != self.size:
-            return [(row, 0, columns) for row in range(rows)]
+            return list(range(self.size[1]))
         different = (self.chars != before.chars) | (self.front != before.front) | (self.back != before.back)
         for row in self.labels.keys() | before.labels.keys():
             now, then = {*self.labels.get(row, ())}, {*before.labels.get(row, ())}
             for same in (True, False):  # what is under a text that stays is not seen
                 for column, text, _, _ in now & then if same else now ^ then:
                     different[row, column : column + cell_len(text)] = not same
-        spans: list[Span] = []
-        for row in np.flatnonzero(different.any(axis=1)).tolist():
-            for column in np.flatnonzero(different[row]).tolist():
-                if spans and spans[-1][0] == row and column - spans[-1][2] <= JOIN_GAP:
-                    spans[-1] = (row, spans[-1][1], column + 1)
-                else:
-                    spans.append((row, column, column + 1))
-        return spans
+        rows: list[int] = np.flatnonzero(different.any(axis=1)).tolist()
+        return rows
 
 
 def _style(front: int, back: int) -> Style:

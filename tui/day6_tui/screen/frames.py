@@ -34,7 +34,8 @@ class Frames:
     """Calls `draw` at most `fps` times a second, when woken. With `fps` 0 only `step` draws (tests).
 
     `work` does what must not wait for a frame, such as reading a flood of output: it takes a few milliseconds and is called
-    between frames. It returns the seconds until its next call (None: not before the next frame). `echo` draws what the last key
+    between frames, once `has_work` has said so after a frame. It returns the seconds until its next call (None: not before the
+    next frame). `echo` draws what the last key
     has changed where it was typed, and nothing else; it returns whether there was anything.
     """
 
@@ -44,6 +45,7 @@ class Frames:
         fps: float = 30.0,
         *,
         work: Callable[[], float | None] | None = None,
+        has_work: Callable[[], bool] = lambda: True,
         echo: Callable[[], bool] = lambda: False,
         congested: Callable[[], bool] | None = None,
         blocked: Callable[[], bool] | None = None,
@@ -51,6 +53,7 @@ class Frames:
     ) -> None:
         self._draw = draw
         self._work = work
+        self._has_work = has_work
         self._echo = echo
         self._failed = failed
         self._congested = congested if congested is not None else lambda: False
@@ -77,6 +80,8 @@ class Frames:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._handle: asyncio.TimerHandle | None = None
         self._slice: asyncio.TimerHandle | None = None
+        self._works_soon = False
+        """Whether the loop is about to call `work` because somebody waits for it."""
         self._context: contextvars.Context | None = None
         self.drawn = 0
         """Frames drawn so far."""
@@ -253,7 +258,7 @@ class Frames:
             self._plan(
                 max(now, self._due + self._period, ended + max(self._period / 4, min(ended - now, 1.0 / BUSIEST)))
             )
-            if self._slice is None:
+            if self._slice is None and self._has_work():
                 self._plan_slice(0.0)
             return
         self._running = False
@@ -279,6 +284,20 @@ class Frames:
             return
         if delay is not None:
             self._plan_slice(delay)
+
+    def work_soon(self) -> None:
+        """Somebody waits for `work`: call it before anything else. Any thread."""
+        loop = self._loop
+        if loop is not None and self._shortest and not self._works_soon:
+            self._works_soon = True
+            with contextlib.suppress(RuntimeError):
+                loop.call_soon_threadsafe(self._work_now, context=self._context)
+
+    def _work_now(self) -> None:
+        self._works_soon = False
+        if self._slice is not None:
+            self._slice.cancel()
+        self._work_on()
 
     def _fail(self, error: Exception) -> None:
         """Tell of an error that is being handled; asyncio would print it over the screen."""

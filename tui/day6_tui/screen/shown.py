@@ -81,12 +81,12 @@ class Brush:
         """Where the cursor is; -1 where that is not certain."""
         self._hurt: list[Span] = []
         self.drawn: list[Span] = []
-        """The pieces of which anything was written."""
+        """What was written."""
 
     def draw(self, x: int, y: int, segments: Iterable[tuple[str, str]]) -> None:
         """Write what differs of a piece of a line: texts and how they look, as the parameters of SGR."""
         chars, looks = self._shown.row(y)
-        is_ascii, start, before = True, x, len(self._written)
+        is_ascii = True
         for text, look in segments:
             if text.isascii():
                 cells = list(text)
@@ -104,8 +104,6 @@ class Brush:
                 for first, last in _differences(seen, looks[x:end], cells, look):
                     self._write(x + first, y, cells[first:last], look)
             x = end
-        if len(self._written) > before:
-            self.drawn.append((y, start, x))
         if not is_ascii:
             self._x = -1  # terminals differ in how wide they take some characters
 
@@ -121,6 +119,7 @@ class Brush:
         if chars[x] == "" or (end < self._width and chars[end] == ""):
             self._spoil(chars, x, y, end)
         chars[x:end], looks[x:end] = cells, [look] * count
+        self.drawn.append((y, x, end))
         place = "" if self._x == x and self._y == y else f"\x1b[{x + 1}G" if self._y == y else f"\x1b[{y + 1};{x + 1}H"
         present, text = shown.look, "".join(cells)
         if blank == count:

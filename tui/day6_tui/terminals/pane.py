@@ -78,6 +78,7 @@ class TerminalPane(Pane):
         self._behind_until = 0.0
         """Until then the output counts as coming faster than it can be read."""
         self._drawn = 0.0
+        self._was_busy = False
         self._shown_hint = ""
         self._told_needs = self.needs
         self._drag: tuple[int, int] | None = None
@@ -98,6 +99,7 @@ class TerminalPane(Pane):
     def show(self, terminal: Terminal) -> None:
         """Show this terminal."""
         self._view = TerminalView(terminal)
+        terminal.on_crowded = self.look.work_soon
         self._tell_size(*self.terminal_size())
         self.touch()
         self.look.wake()
@@ -185,11 +187,11 @@ class TerminalPane(Pane):
         if self.extent.width:
             self._tell_size(*self.terminal_size())
         more = True
+        if (busy := view.terminal.busy) is not self._was_busy:
+            self._was_busy, self._behind_until = busy, 0.0  # the end of a flood is shown at once
         if now >= self._behind_until or now - self._drawn >= NEXT_PICTURE:
             self._drawn = now
-            spans = view.changes()
-            if spans:
-                self.touch_spans(spans)
+            self.redraw_lines(view.changes())
             if view.passed > 2 * view.lines:
                 self._behind_until = now + FLOOD_SECONDS
             more = view.has_more

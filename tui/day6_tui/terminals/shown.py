@@ -181,12 +181,15 @@ class Terminals:
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
+    @property
+    def in_flood(self) -> bool:
+        """Whether any program prints more than frames can show."""
+        return any(pane.in_flood for pane in self._desktop.terminals())
+
     def read_flood(self) -> float | None:
         """Between frames: read what programs print without end; the seconds until the next turn, None without a flood."""
-        flooded = [pane for pane in self._desktop.terminals() if pane.in_flood]
-        if not flooded:
-            return None
         shown = self._desktop.plan_now().places
+        flooded = [pane for pane in self._desktop.terminals() if pane.in_flood]
         turns = [pane.read_flood(shown=pane.slot in shown) for pane in flooded]
         return min((turn for turn in turns if turn is not None), default=None)
 

@@ -1,11 +1,12 @@
-"""The view of one terminal: its screen and scrollback as segments, and which cells changed since the last frame."""
+"""The view of one terminal: its screen and scrollback as segments, and which lines changed since the last frame."""
 
 from __future__ import annotations
 
 import shlex
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from itertools import repeat
+from typing import TYPE_CHECKING, TypeAlias
 
 from rich.cells import cell_len
 from rich.segment import Segment
@@ -77,14 +78,6 @@ Attributes: TypeAlias = tuple[str, str, bool, bool, bool, bool, bool, bool]
 
 
 Selection: TypeAlias = tuple[tuple[int, int], tuple[int, int]]
-
-
-class Span(NamedTuple):
-    """Cells from `first` to before `end` in a line of the view."""
-
-    line: int
-    first: int
-    end: int
 
 
 @lru_cache(maxsize=2048)
@@ -245,8 +238,8 @@ class TerminalView:
         """The characters of a line of the view."""
         return self._rows[line] if line < len(self._rows) else ()
 
-    def changes(self) -> list[Span]:
-        """Bring the screen up to date and return the cells of the view that differ from before."""
+    def changes(self) -> set[int]:
+        """Bring the screen up to date and return the lines of the view that differ from before."""
         changed = self.terminal.update()
         self.terminal.mark_seen()
         screen = self.terminal.screen
@@ -266,32 +259,16 @@ class TerminalView:
             self._rows = [self._read(line, columns) for line in range(lines)]
             self._cursor = cursor
             self._stale = False
-            return [Span(line, 0, columns) for line in range(lines)]
-        spans = []
-        for line in sorted(line for line in dirty if line < lines):
-            new, old = self._read(line, columns), self._rows[line]
-            if new == old:
-                continue
-            self._rows[line] = new
-            first = next(x for x in range(columns) if new[x] != old[x])
-            end = next(x for x in range(columns, 0, -1) if new[x - 1] != old[x - 1])
-            # A wide character takes two cells: both halves belong to the span.
-            if (first and new[first].data == "") or (first and old[first].data == ""):
-                first -= 1
-            spans.append(Span(line, first, min(columns, end + 1)))
+            return set(range(lines))
+        changes = set()
+        for line in dirty:
+            if line < lines and (new := self._read(line, columns)) != self._rows[line]:
+                self._rows[line] = new
+                changes.add(line)
         if cursor != self._cursor:
-            for place in (self._cursor, cursor):
-                if place is not None:
-                    spans.append(self._around(place))
+            changes |= {place[1] for place in (self._cursor, cursor) if place is not None}
             self._cursor = cursor
-        return spans
-
-    def _around(self, place: tuple[int, int]) -> Span:
-        x, line = place
-        row = self._rows[line] if line < len(self._rows) else ()
-        if 0 < x < len(row) and row[x].data == "":
-            x -= 1
-        return Span(line, x, min(self.columns, x + 2))
+        return changes
 
     def _read(self, line: int, columns: int) -> list[Char]:
         return self._absolute_row(self.history - self.scroll + line, columns)
@@ -305,7 +282,7 @@ class TerminalView:
         if y not in screen.buffer:  # asking would make the line
             return [screen.blank] * columns
         row = screen.buffer[y]
-        return [row[x] for x in range(columns)]
+        return list(map(row.get, range(columns), repeat(row.blank)))
 
     # -- scrolling -----------------------------------------------------------------------------------------------------
 

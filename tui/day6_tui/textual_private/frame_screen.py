@@ -3,7 +3,7 @@
 Textual passes what changed from each widget to its screen by messages, and draws at the next tick of a timer of its own: three
 tasks and one more wake-up for each frame. It then asks every widget in the area for all of its lines and cuts each of them
 wherever any widget begins. Here, what panes mark during a frame is drawn when the frame ends: for each changed span, the
-widgets that are seen there are asked for that line.
+widgets that are seen there are asked for that line. What of it differs from what the terminal shows is for `drawing`.
 
 `tests/tui/textual_private/test_frame_screen.py` compares it cell by cell with Textual's own way.
 """
@@ -11,14 +11,14 @@ widgets that are seen there are asked for that line.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from textual._compositor import ChopsUpdate, Compositor, CompositorUpdate
 from textual.geometry import Region, Size
 from textual.screen import Screen
 from textual.widget import Widget
-
-from day6_tui.textual_private.dirty_spans import whole_characters
 
 if TYPE_CHECKING:
     from rich.console import Console, ConsoleOptions, RenderResult
@@ -65,19 +65,16 @@ class SpansCompositor(Compositor):
         if not visible:
             return None
         spans = list(self._regions_to_spans(visible))
-        strips = [strip for span in spans for strip in self._strips_of(*span)]
+        lines = groupby(spans, key=itemgetter(0))
+        strips = [strip for y, line in lines for strip in self._strips_of(y, [(first, end) for _, first, end in line])]
         return SpansUpdate(spans, strips)  # type: ignore[return-value]  # all that is done with it is done with both
 
-    def _strips_of(self, y: int, first: int, end: int) -> Iterator[tuple[int, int, Strip]]:
+    def _strips_of(self, y: int, spans: Sequence[tuple[int, int]]) -> Iterator[tuple[int, int, Strip]]:
         for left, right, widget, x, top in self._seen_in(y):
-            if left >= end or right <= first:
+            if not any(left < end and first < right for first, end in spans):
                 continue
             (strip,) = widget.render_lines(Region(left - x, y - top, right - left, 1))
-            from_x, to_x = max(left, first), min(right, end)
-            if from_x != left or to_x != right:
-                whole_first, whole_end = whole_characters(strip, from_x - left, to_x - left)
-                strip, from_x = strip.crop(whole_first, whole_end), left + whole_first
-            yield from_x, y, strip
+            yield left, y, strip
 
     def _seen_in(self, y: int) -> list[Seen]:
         """Who is seen where in a line of the screen."""

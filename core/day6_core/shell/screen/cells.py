@@ -21,6 +21,9 @@ class Char(NamedTuple):
 
 BLANK = Char(" ")
 
+HALF = "\0"
+"""Stands for the second cell of a wide character in a text that has a character for each cell: no text has it."""
+
 
 class Line(dict[int, Char]):
     """The cells of a line that were drawn, by their column; a blank where another one is asked for."""
@@ -48,14 +51,14 @@ class ScreenLines(dict[int, Line]):
 
 
 class Cells(dict[str, Char]):
-    """The cells of one style by their characters, each made once."""
+    """The cells of one style by their characters (or `HALF`), each made once."""
 
     def __init__(self, attrs: Char) -> None:
-        self._attrs = attrs
+        self._style = attrs[1:]
 
     def __missing__(self, data: str) -> Char:
         if len(self) > 4096:
             self.clear()
-        cell: Char = self._attrs._replace(data=data)
+        cell = Char("" if data == HALF else data, *self._style)
         self[data] = cell
         return cell

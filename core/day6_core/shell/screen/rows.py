@@ -11,7 +11,7 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple, overload
 from unicodedata import normalize
 
-from day6_core.shell.screen.cells import BLANK, Char
+from day6_core.shell.screen.cells import BLANK, HALF, Cells, Char
 from day6_core.width import char_width, fitting, is_mark, widths
 
 if TYPE_CHECKING:
@@ -196,23 +196,36 @@ def with_mark(data: str, char: str) -> str:
     return normalize("NFC", data + char)
 
 
-def cells_of(row: Row) -> list[Char]:
-    cells: list[Char] = []
-    for text, style in runs_of(row):
-        for char in text:
-            width = char_width(char)
-            if width == 0:
-                base = -2 if cells and cells[-1].data == "" else -1
-                if len(cells) >= -base:
-                    cells[base] = combined(cells[base], char)
-                continue
-            cells.append(Char(char, *style))
-            if width == 2:
-                cells.append(Char("", *style))
+def cell_texts(text: str, digits: str) -> Sequence[str]:
+    """What stands in each cell of a text whose widths are `digits` ('' if all are 1); `HALF` is behind a wide character."""
+    if not digits.strip("1"):
+        return text
+    cells: list[str] = []
+    for char, digit in zip(text, digits, strict=True):
+        if digit != "0":
+            cells.append(char)
+            if digit == "2":
+                cells.append(HALF)
+        elif cells:
+            base = -2 if cells[-1] == HALF else -1
+            cells[base] = with_mark(cells[base], char)
     return cells
 
 
-_DATA = itemgetter(0)
+def cells_of(row: Row) -> list[Char]:
+    cells: list[Char] = []
+    for text, style in runs_of(row):
+        digits = "" if text.isascii() else widths(text)
+        first = len(digits) - len(digits.lstrip("0"))
+        for mark in text[:first]:  # goes onto a character of another style
+            base = -2 if cells and cells[-1].data == "" else -1
+            if cells:
+                cells[base] = combined(cells[base], mark)
+        made = Cells(Char(" ", *style))
+        cells += map(made.__getitem__, cell_texts(text[first:], digits[first:]))
+    return cells
+
+
 _STYLE = itemgetter(*range(1, len(BLANK)))
 
 
@@ -222,11 +235,11 @@ def as_row(line: Mapping[int, Char], *, folded: bool = False) -> Row:
         return ""
     last = max(line)
     cells = list(map(line.get, range(last + 1), repeat(BLANK)))
-    styles = list(map(_STYLE, cells))
-    if styles.count(styles[0]) == len(styles):  # most lines
-        runs = [("".join(map(_DATA, cells)), Style(*styles[0]))]
+    data, *attributes = zip(*cells, strict=True)
+    if all(each.count(each[0]) == len(cells) for each in attributes):  # most lines
+        runs = [("".join(data), Style(*cells[0][1:]))]
     else:
-        runs = [("".join(map(_DATA, group)), Style(*style)) for style, group in groupby(cells, _STYLE)]
+        runs = [("".join(cell.data for cell in group), Style(*style)) for style, group in groupby(cells, _STYLE)]
     return _row_of(runs, folded=folded)
 
 

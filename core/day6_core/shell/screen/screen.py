@@ -6,23 +6,25 @@ Only the thread that draws touches a screen; `Terminal.update` feeds it.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from day6_core.session.harmless import for_emulation
 from day6_core.shell.screen.cells import Char, Line
 from day6_core.shell.screen.rows import (
     PLAIN_STYLE,
-    FoldedText,
+    Row,
     Style,
+    cell_texts,
     combined,
     fit,
     folded,
     in_style,
-    with_mark,
 )
+from day6_core.shell.screen.running_text import RunningText
 from day6_core.shell.screen.sequences import NEVER, SequenceParser, colour_numbers
 from day6_core.shell.screen.size import SizedText
-from day6_core.shell.screen.text import MOST_ARRIVING, fill_cells, with_second_halves
+from day6_core.shell.screen.text import MOST_ARRIVING, fill_cells
 from day6_core.shell.screen.vt import (
     APPLICATION_CURSOR_KEYS,
     BRACKETED_PASTE,
@@ -114,6 +116,7 @@ class Screen(SizedText):
         """What REP repeats."""
         self._main: _MainScreen | None = None
         self._whole_lines = WholeLines(self)
+        self._running_text = RunningText(self)
         self._style_of: Char | None = None
         self._style_now = PLAIN_STYLE
         self._colours: dict[tuple[Char, str], Char] = {}
@@ -137,16 +140,16 @@ class Screen(SizedText):
 
     # -- feeding -------------------------------------------------------------------------------------------------------
 
-    def feed(self, text: str, until: float = NEVER) -> int:
-        """Show what a program wrote, or as much as fits before `until` (perf_counter); return how much."""
+    def feed(self, text: str, until: float = NEVER) -> str:
+        """Show what a program wrote, or as much as fits before `until` (perf_counter); return the rest."""
         text = for_emulation(text)
         self._whole_lines.begin()
-        read = self._parser.feed(text, until)
+        rest = self._parser.feed(text, until)
         if self._arriving:
             self.dirty.update(range(self.lines))
             if len(self._arriving) > MOST_ARRIVING:
                 self._make_room()
-        return read
+        return rest
 
     def control(self, char: str) -> None:
         getattr(self, _CONTROLS[char])()
@@ -175,7 +178,15 @@ class Screen(SizedText):
         self.cursor.attrs = after
 
     def rush(self, text: str, start: int) -> int:
-        return self._whole_lines.take(text, start)
+        at = self._whole_lines.take(text, start)
+        return self._running_text.take(text, at, self._whole_lines.odd_before)
+
+    def ran(self, rows: Sequence[Row], drawn: str) -> None:
+        """Text has run through the last line: into these rows above it, last of all `drawn`."""
+        self.arrive(rows)
+        self.dirty.add(self.lines - 1)
+        if drawn:
+            self._last_drawn = drawn[-1]
 
     def is_simple(self) -> bool:
         """Whether text goes from cell to cell and on to the next line, as it nearly always does."""
@@ -241,12 +252,8 @@ class Screen(SizedText):
         cursor, x = self.cursor, self.cursor.x
         self.dirty.add(cursor.y)
         cursor.x = 0
-        if self._pen and cursor.y == self.lines - 1 and self.margins is None:
-            if self._pen[x:] == [" "]:  # no room for a wide character: nothing stands there
-                del self._pen[x:]
-            skipped = " " * (x - len(self._pen))
-            self._pen, text = [], "".join(self._pen)
-            self._arriving.append(FoldedText(text + skipped))
+        if self.pen and cursor.y == self.lines - 1 and self.margins is None:
+            self._arriving.append(self.pen.fold(x))
             return
         line = self.line()
         if line.get(x) == self.blank:
@@ -261,39 +268,23 @@ class Screen(SizedText):
         """Draw text that fits into the rest of the line."""
         cursor = self.cursor
         x = cursor.x
-        if self._pen_is_at_hand():
-            self._write(text, digits)
+        end = x + len(text) + digits.count("2")
+        self.dirty.add(cursor.y)
+        if self.pen_is_at_hand():
+            self.pen.put(x, "".join(cell_texts(text, digits)))
+            cursor.x = end
             return
         line = self.line()
-        end = x + len(text) + digits.count("2")
         if x in line or end in line:
             self._clear_halves(line, x, end - x)
         fill_cells(line, x, text, digits, self.cells_in(cursor.attrs))
         cursor.x = end
-        self.dirty.add(cursor.y)
 
-    def _pen_is_at_hand(self) -> bool:
+    def pen_is_at_hand(self) -> bool:
         """Whether the last line is plain text, and what comes is too."""
         if self.cursor.y != self.lines - 1 or DECSCNM in self.mode or self.style() != PLAIN_STYLE:
             return False
-        return bool(self._pen) or not self._buffer.get(self.lines - 1)
-
-    def _write(self, text: str, digits: str) -> None:
-        """Draw plain text into the last line."""
-        pen, cursor = self._pen, self.cursor
-        x, used = cursor.x, len(self._pen)
-        cells = with_second_halves(text, digits) if "2" in digits else text
-        end = x + len(cells)
-        if x > used:
-            pen += " " * (x - used)
-        elif x < used:
-            if x and pen[x] == "":
-                pen[x - 1] = " "
-            if end < used and pen[end] == "":
-                pen[end] = " "
-        pen[x:end] = cells
-        cursor.x = end
-        self.dirty.add(cursor.y)
+        return bool(self.pen) or not self._buffer.get(self.lines - 1)
 
     def _draw_slowly(self, data: str) -> None:
         """Character by character: insert mode, no autowrap."""
@@ -330,19 +321,15 @@ class Screen(SizedText):
     def _combine(self, char: str) -> None:
         if not self.cursor.x:
             return
-        x = self.cursor.x - 1
-        pen = self._pen
-        if self.cursor.y == self.lines - 1 and x < len(pen):
-            if pen[x] == "" and x:
-                x -= 1
-            pen[x] = with_mark(pen[x], char)
-            self.dirty.add(self.cursor.y)
+        self.dirty.add(self.cursor.y)
+        if self.pen and self.cursor.y == self.lines - 1:
+            self.pen.mark(self.cursor.x, char)
             return
+        x = self.cursor.x - 1
         line = self.line()
         if line[x].data == "" and x:
             x -= 1
         line[x] = combined(line[x], char)
-        self.dirty.add(self.cursor.y)
 
     # -- inserting and erasing -----------------------------------------------------------------------------------------
 

@@ -24,16 +24,13 @@ LONGEST_STRING = 1024
 
 NEVER = float("inf")
 
-_TEXT = r"[^\x00-\x1f\x7f-\x9f]+"
-_NOTHING = r"[\x00-\x07\x0e-\x1a\x1c-\x1f\x7f]+"
 _TOKEN = re.compile(
-    rf"({_TEXT}(?:{_NOTHING}{_TEXT})*)"  # 1: text, in which control characters without a meaning may be
+    r"([^\x00-\x1f\x7f-\x9f]+)"  # 1: text
     r"|(\r\n|[\x08-\x0d\x84\x85\x88\x8d])"  # 2: a control character that does something
     r"|\x1b\[([0-9;]*)m"  # 3: colours
     r"|(?:\x1b\[|\x9b)([0-?]*)([ -/]*)([@-~])"  # 4, 5, 6: any other control sequence
     r"|([\x00-\x07\x0e-\x1a\x1c-\x1f\x7f-\x83\x86\x87\x89-\x8c\x8e\x8f\x91-\x97\x99\x9a\x9c])"  # 7: nothing happens
 )
-_MEANINGLESS = re.compile(_NOTHING)
 _PARAMETERS = re.compile(r"[0-?]*[ -/]*")
 _IGNORED = re.compile(r"[ -?\x7f]*")
 _PARTS_OF_ESCAPE = re.compile(r"[ -/]*")
@@ -77,7 +74,7 @@ class Listener(Protocol):
         """OSC 0 and 2."""
 
     def rush(self, text: str, start: int) -> int:
-        """Asked at the beginning of a line: take as many whole lines as can be taken at once; returns where it stopped."""
+        """Asked between sequences: take as much as can be taken at once; returns where it stopped."""
 
 
 class SequenceParser:
@@ -94,32 +91,25 @@ class SequenceParser:
         self._kept: list[str] = []
         self._kept_size = 0
 
-    @property
-    def between_sequences(self) -> bool:
-        """Whether the next character is text."""
-        return not (self._rest or self._ignoring or self._string)
-
-    def feed(self, text: str, until: float = NEVER) -> int:
-        """Read a text, or as much of it as there is time for until `until` (perf_counter); returns how much was read."""
-        carried = len(self._rest)
-        if carried:
-            text, self._rest = self._rest + text, ""
+    def feed(self, text: str, until: float = NEVER) -> str:
+        """Read a text, or as much of it as there is time for until `until` (perf_counter); returns the rest."""
+        text, self._rest = self._rest + text, ""
         at, end = 0, len(text)
-        if not carried and self.between_sequences:
-            at = self._listener.rush(text, 0)
         while at < end:
             if self._string:
                 at = self._read_string(text, at)
             elif self._ignoring:
                 at = self._ignore(text, at)
+            elif (after := self._listener.rush(text, at)) > at:
+                at = after
             else:
                 at = self._read_tokens(text, at, until)
-            if at >= carried and perf_counter() > until:
+            if perf_counter() > until:
                 break
-        return at - carried
+        return text[at:]
 
     def _read_tokens(self, text: str, at: int, until: float) -> int:
-        """Read text and whole sequences; stops before what needs more care, after it, or when the time is over."""
+        """Read text and whole sequences; stops at the end of a line, after what needs more care, or when the time is over."""
         listener = self._listener
         draw, colour, control = listener.draw, listener.colour, listener.control
         match = _TOKEN.match
@@ -127,12 +117,11 @@ class SequenceParser:
             at = token.end()
             kind = token.lastindex
             if kind == 1:
-                data = token[1]
-                draw(data if data.isprintable() else _MEANINGLESS.sub("", data))
+                draw(token[1])
             elif kind == 2:
                 control(token[2])
                 if token[2] == "\r\n":
-                    at = listener.rush(text, at)
+                    return at
             elif kind == 3:
                 colour(token[3])
             elif kind == 6:

@@ -12,12 +12,15 @@ from collections.abc import Sequence
 from weakref import WeakSet
 
 from day6_core.shell.screen.cells import Cells, Char, Line, ScreenLines
+from day6_core.shell.screen.pen import Pen
 from day6_core.shell.screen.reflow import Marker
 from day6_core.shell.screen.rows import (
     PLAIN_STYLE,
     Folded,
+    FoldedText,
     Row,
     as_row,
+    cell_texts,
     cells_of,
     ended,
     row_text,
@@ -51,8 +54,8 @@ class ScreenText(Vt):
         """Rows that went by before those and are not even kept in the scrollback."""
         self._is_full = False
         """Whether those fill the screen, and the scrollback has all that came before them."""
-        self._pen: list[str] = []
-        """The last line cell by cell, while it is plain text and no line of cells yet."""
+        self.pen = Pen()
+        """The last line, while it is plain text and no line of cells yet."""
         self._cells: dict[tuple[object, ...], Cells] = {}
 
     # -- reading -------------------------------------------------------------------------------------------------------
@@ -60,7 +63,7 @@ class ScreenText(Vt):
     @property
     def buffer(self) -> ScreenLines:
         """The lines of cells on the screen, by their row."""
-        if self._arriving or self._pen:
+        if self._arriving or self.pen:
             self._settle()
         return self._buffer
 
@@ -104,7 +107,7 @@ class ScreenText(Vt):
     def is_at_the_empty_end(self) -> bool:
         """Whether the cursor stands in a last line that nothing was drawn in, so that rows can arrive above it."""
         bottom = self.lines - 1
-        return self.cursor.y == bottom and not self._pen and not self._buffer.get(bottom) and not self.margins
+        return self.cursor.y == bottom and not self.pen and not self._buffer.get(bottom) and not self.margins
 
     def goes_on(self) -> bool:
         """Whether the last line is what the one above it goes on with: erasing it says something about that one, too."""
@@ -120,9 +123,8 @@ class ScreenText(Vt):
         """Have the last line scroll up, whatever it consists of; a new one is below it."""
         if not self._arriving:
             self.dirty.update(range(self.lines))
-        if self._pen:
-            self._arriving.append("".join(self._pen))
-            self._pen = []
+        if self.pen:
+            self._arriving.append(self.pen.lift())
         else:
             self._arriving.append(self._buffer.pop(self.lines - 1, ""))
 
@@ -155,7 +157,7 @@ class ScreenText(Vt):
 
     def _settle(self) -> None:
         """Let the rows that queued up below move into the screen, and what they push out into the scrollback."""
-        if self._pen:
+        if self.pen:
             self._lay_pen_down()
         if not self._arriving and not self._passed:
             return
@@ -183,18 +185,18 @@ class ScreenText(Vt):
 
     def _lay_pen_down(self) -> None:
         """Turn the last line into one of cells."""
-        pen, self._pen = self._pen, []
         cells = self.cells_in(Char(" ", *PLAIN_STYLE))
-        self._buffer[self.lines - 1].update(enumerate(map(cells.__getitem__, pen)))
+        self._buffer[self.lines - 1].update(enumerate(map(cells.__getitem__, self.pen.cells())))
+        self.pen = Pen()
 
     def _remember_all(self, rows: Sequence[Row | Line | None]) -> None:
         if not self.keeps_history:
             return
         self._scrolled += len(rows)
-        self._scrollback.extend(
-            "" if not row else row_of(row) if isinstance(row, dict) else without_end(row)
+        self._scrollback += [
+            row if type(row) is FoldedText else row_of(row) if isinstance(row, dict) else without_end(row or "")
             for row in rows[-(self._scrollback.maxlen or 0) :]
-        )
+        ]
 
     # -- cells ---------------------------------------------------------------------------------------------------------
 
@@ -203,7 +205,7 @@ class ScreenText(Vt):
         y = self.cursor.y
         if y != self.lines - 1:
             return self.buffer[y]
-        if self._pen:
+        if self.pen:
             self._lay_pen_down()
         return self._buffer[y]
 
@@ -224,7 +226,7 @@ class ScreenText(Vt):
         x = 0
         for text, style in runs_of(row):
             digits = "" if text.isascii() else widths(text)
-            if "0" in digits:
+            if digits[:1] == "0":  # a mark on a character of another style
                 line.update(enumerate(cells_of(row)))
                 return
             x = fill_cells(line, x, text, digits, self.cells_in(Char(" ", *style)))
@@ -235,19 +237,9 @@ def row_of(line: Line | None) -> Row:
     return as_row(line, folded=line.folded) if line else ""
 
 
-def with_second_halves(text: str, digits: str) -> Sequence[str]:
-    """The cells of a text whose widths are `digits`."""
-    cells = []
-    for char, digit in zip(text, digits, strict=True):
-        cells.append(char)
-        if digit == "2":
-            cells.append("")
-    return cells
-
-
 def fill_cells(line: Line, x: int, text: str, digits: str, cells: Cells) -> int:
     """Put characters into a line of cells; returns the place after them. `digits` are their widths, '' if all are 1."""
-    parts = with_second_halves(text, digits) if "2" in digits else text
+    parts = cell_texts(text, digits)
     end = x + len(parts)
     line.update(zip(range(x, end), map(cells.__getitem__, parts)))  # noqa: B905
     return end

@@ -19,15 +19,15 @@ _ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
 _COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
 """Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
 _PIECE = re.compile(r"([^\x1b\t\r\n]+)|([\t\r\n])|\x1b\[([0-9;]*m|K)")
-_NARROW = (
+NARROW = (
     " -~\xa0-\xac\xae-\u02ff\u0370-\u0377\u037a-\u037f\u0384-\u038a\u038c\u038e-\u03a1\u03a3-\u0482"
     "\u048a-\u052f\u0531-\u0556\u0559-\u058a\u05d0-\u05ea\u0620-\u064a\ufffd"
 )
 """Latin, Greek, Cyrillic, Armenian, Hebrew and Arabic letters: one cell each."""
-_WIDE = "\u3000-\u3029\u3041-\u3096\u30a1-\u30fa\u3400-\u4dbf\u4e00-\u9fff\uac00-\ud7a3\uff01-\uff60"
-NOT_NARROW = re.compile(f"[^{_NARROW}]")
+WIDE = "\u3000-\u3029\u3041-\u3096\u30a1-\u30fa\u3400-\u4dbf\u4e00-\u9fff\uac00-\ud7a3\uff01-\uff60"
+NOT_NARROW = re.compile(f"[^{NARROW}]")
 """Characters that may take no cell, or two."""
-NOT_COMMON = re.compile(f"[^\r\n{_NARROW}{_WIDE}]")
+NOT_COMMON = re.compile(f"[^\r\n{NARROW}{WIDE}]")
 """Characters that may take no cell."""
 
 
@@ -36,21 +36,23 @@ class WholeLines:
 
     def __init__(self, screen: Screen) -> None:
         self._screen = screen
-        self._odd_before = 0
+        self.odd_before = 0
         """In the text that is being fed: up to here it has to be read character by character."""
         self._odd_at = -1
         """The position of the next control character in it that does not belong in a line of text."""
 
     def begin(self) -> None:
         """Another text is being fed."""
-        self._odd_before, self._odd_at = 0, -1
+        self.odd_before, self._odd_at = 0, -1
 
     def take(self, text: str, start: int) -> int:
         """Take as many lines as can be taken at once from `start`, the beginning of a line; returns where that ended."""
         screen = self._screen
-        if screen.cursor.x or start < self._odd_before or not screen.is_at_the_empty_end():
+        if screen.cursor.x or start < self.odd_before or not screen.is_at_the_empty_end():
             return start
         if not screen.is_simple() or DECSCNM in screen.mode or screen.columns < 2 or screen.goes_on():
+            return start
+        if text.find("\r\n", start) < 0:
             return start
         if start > self._odd_at:
             odd = _ODD.search(text, start)
@@ -59,7 +61,7 @@ class WholeLines:
         coloured = text.find("\x1b", start, end) >= 0
         if coloured and (sequence := _ODD_SEQUENCE.search(text, start, end)) is not None:
             end = sequence.start()
-        self._odd_before = end
+        self.odd_before = end
         cut = text.rfind("\r\n", start, end)
         if cut < 0:
             return start

@@ -261,9 +261,9 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         part = self._view.part
         pixels = fine.pixels(self._picture, (-part.x, -part.y), trouble, highlight, pulses)
         hints = [(*hint, self._style("hint")) for hint in self._hints()]
-        spans = fine.sheet.put([*fine.texts(self._picture, trouble, highlight), *hints])
+        changed = fine.sheet.put([*fine.texts(self._picture, trouble, highlight), *hints])
         pictures.show(self, Region(self.inner_offset, self.inner_offset, *size), cell, pixels, fine.sheet.holes)
-        self.touch_spans(spans)
+        self.redraw_lines(changed)
 
     def restyle(self) -> None:
         self._fine, self._drawn = None, ()

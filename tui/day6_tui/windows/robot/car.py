@@ -158,9 +158,9 @@ class CarPane(WindowPane["CarModel"]):
         frame = picture.frame(snapshot.plan, self._zoom, self._shift)
         pixels = picture.pixels(frame, snapshot.transforms, snapshot.turning(FRAME_SECONDS))
         texts = picture.texts(frame, snapshot.transforms, snapshot.labels(self._degree), pixels)
-        spans = picture.sheet.put(texts)
+        changed = picture.sheet.put(texts)
         pictures.show(self, Region(self.inner_offset, self.inner_offset, *size), cell, pixels, picture.sheet.holes)
-        self.touch_spans(spans)
+        self.redraw_lines(changed)
 
     def _remark_lines(self, status: Iterable[Remark]) -> list[tuple[str, str]]:
         """Levels and lines of the remarks: the picture comes first, so in most windows the cause alone.

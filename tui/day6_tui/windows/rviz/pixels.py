@@ -10,7 +10,6 @@ from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.scene import Shape
 from day6_tui.appearance.colours import pixel_style
 from day6_tui.appearance.look import Look
-from day6_tui.panes.canvas import Span
 from day6_tui.pixels.pictures import Pictures
 from day6_tui.pixels.sheet import Sheet, Text
 from day6_tui.render.cells import cells_covered, chip_of
@@ -60,8 +59,8 @@ class PixelView:
         """Seconds between two pictures that painting takes at least."""
         return self._cost / SHARE
 
-    def draft(self, pictures: Pictures, now: float) -> list[Span]:
-        """Paint what has changed, as finely as there is time for; return the spans of changed text."""
+    def draft(self, pictures: Pictures, now: float) -> list[int]:
+        """Paint what has changed, as finely as there is time for; return the rows of changed text."""
         began = time.thread_time()
         cell = pictures.cell(*self._size, most=DRAFT_PIXELS)
         picture = self._paint(cell)
@@ -102,7 +101,7 @@ class PixelView:
         scene = self._rviz.scene.beside(self.focus)
         return paint(scene, self._rviz.view.camera(), width, height, 1.0, quality, offset)
 
-    def _put_labels(self, picture: RenderedPicture) -> list[Span]:
+    def _put_labels(self, picture: RenderedPicture) -> list[int]:
         red, green, blue = picture.background
         ground, chip = red << 16 | green << 8 | blue, chip_of(picture.background)
         texts: list[Text] = []

@@ -189,13 +189,12 @@ class RVizPane(WindowPane[RViz]):
         if (self.screen.focused is self) is self.on_panel:
             self.pass_keyboard()
         self._follow_scene()
-        spans, due = self.view.pull(now)
+        changed, due = self.view.pull(now)
         view, top = self.division.view, self.top
         self.view.show(self, self.view_place, covered=1 if self.framing.offered else 0)
         if self.panel_open and self.panel.properties.is_attached:
             self.panel.pull(active=self._panel_active)
-        if spans:
-            self.touch_spans([(row + top + view.y, first + view.x, end + view.x) for row, first, end in spans])
+        self.redraw_lines(row + top + view.y for row in changed)
         self._follow_tool()
         if (menu := self.rviz.menu) is not None:
             self.rviz.menu = None

@@ -13,7 +13,7 @@ from day6_core.ros.programs.rviz2.model.manager import RViz
 from day6_core.ros.programs.rviz2.model.scene import Shape
 from day6_core.ros.programs.rviz2.model.tools.tool import Pointer
 from day6_tui.appearance.look import Look
-from day6_tui.panes.canvas import PIXELS_PER_CELL, Span
+from day6_tui.panes.canvas import PIXELS_PER_CELL
 from day6_tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.painter import QUALITIES, paint, paint_grids
@@ -121,8 +121,8 @@ class View3D:
         self._times = [moment for moment in self._times if now - moment < 1.0]
         return float(len(self._times))
 
-    def pull(self, now: float) -> tuple[list[Span], bool]:
-        """Paint if something changed; return the spans that differ, and whether a picture is still due."""
+    def pull(self, now: float) -> tuple[list[int], bool]:
+        """Paint if something changed; return the rows that differ, and whether a picture is still due."""
         if not self.columns or not self.rows:
             return [], False
         rviz = self._rviz
@@ -131,8 +131,8 @@ class View3D:
         self._focus_shown = brief or self.dragging
         state = (rviz.version, rviz.view_version, self.cursor, self._focus_shown, *looks)
         if (pictures := self._look.pixels) is not None:
-            spans, due = self._pull_pixels(pictures, state, now)
-            return spans, due or brief
+            changed, due = self._pull_pixels(pictures, state, now)
+            return changed, due or brief
         if self.cells is not None and state == self._painted:
             return [], brief
         rviz.pace = self.period
@@ -140,12 +140,12 @@ class View3D:
             return [], True
         self._painted, self._painted_at = state, now
         before, self.cells = self.cells, self._paint()
-        spans = self.cells.changes(before)
-        if spans:
+        changed = self.cells.changes(before)
+        if changed:
             self._times.append(now)
-        return spans, brief
+        return changed, brief
 
-    def _pull_pixels(self, pictures: Pictures, state: tuple[object, ...], now: float) -> tuple[list[Span], bool]:
+    def _pull_pixels(self, pictures: Pictures, state: tuple[object, ...], now: float) -> tuple[list[int], bool]:
         from day6_tui.windows.rviz.pixels import PixelView
 
         fine = self._fine
@@ -158,11 +158,11 @@ class View3D:
             return [], True
         self._painted, self._painted_at = state, now
         self._times.append(now)
-        everything = [(row, 0, self.columns) for row in range(self.rows)] if fine is None else []
+        everything = list(range(self.rows)) if fine is None else []
         fine = self._fine = fine or PixelView(self._rviz, self._look, self.columns, self.rows)
         fine.cursor, fine.focus = self.cursor, self.focus
-        spans = fine.draft(pictures, now)
-        return everything or spans, True
+        changed = fine.draft(pictures, now)
+        return everything or changed, True
 
     def show(self, pane: Widget, place: Region, *, covered: int) -> None:
         """Hand the picture over, if it is one of real pixels; `covered` of its lowest rows are text."""

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
+from functools import lru_cache
+from typing import TYPE_CHECKING, TypeAlias
 
 from rich.segment import Segment
 from textual import events
@@ -44,6 +45,9 @@ PICTURE_SECONDS = 1 / 15
 
 _RGB = 0xFFFFFF
 
+Place: TypeAlias = tuple[int, int, int, int]
+"""Column, row, columns and rows."""
+
 
 class TurtleSimPane(WindowPane["Simulation"]):
     """Draws a simulation. It keeps the pixels shown, and which part of the trail they already contain."""
@@ -72,18 +76,14 @@ class TurtleSimPane(WindowPane["Simulation"]):
 
     # -- geometry ------------------------------------------------------------------------------------------------------
 
-    def _world_place(self) -> tuple[int, int, int, int]:
-        """Column, row, columns and rows of the world inside the frame."""
-        width, height = self.inner_width, self.inner_height
-        columns, rows = square(width, height)
-        if width - columns >= SIDE_WIDTH:
-            return 0, (height - rows) // 2, columns, rows
-        return (width - columns) // 2, 0, columns, rows
+    def _world_place(self) -> Place:
+        """The place of the world inside the frame."""
+        return _world_in(self.inner_width, self.inner_height)
 
-    def _side_place(self) -> tuple[int, int, int, int] | None:
-        """Column, row, width and height of what is said about the turtles, where there is room for it."""
-        x, _, columns, rows = self._world_place()
+    def _side_place(self) -> Place | None:
+        """The place of what is said about the turtles, where there is room for it."""
         width, height = self.inner_width, self.inner_height
+        x, _, columns, rows = self._world_place()
         if width - columns >= SIDE_WIDTH:
             return x + columns + 1, 0, width - columns - 1, height
         if height > rows:
@@ -114,10 +114,9 @@ class TurtleSimPane(WindowPane["Simulation"]):
         if scene is self._scene and drawn and self.model.topics is self._topics and not self._side_late:
             return False
         canvas = self._take_over()
-        x, y, _, _ = self._world_place()
+        y = self._world_place()[1]
         compared = self._touch_texts(now)
-        spans = [(row + y, first + x, end + x) for row, first, end in canvas.take_changes()]
-        self.touch_spans(span for span in spans if span[0] not in compared)
+        self.redraw_lines({row + y for row in canvas.take_changes()} - compared)
         return self._side_late
 
     def _pull_picture(self, pictures: Pictures, now: float) -> bool:
@@ -143,8 +142,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
         names = picture.names(scene) if self._names or len(scene.turtles) > 1 else []
         self._topics = self.model.topics
         compared = self._touch_texts(now)
-        spans = [(row + y, first + x, end + x) for row, first, end in picture.sheet.put(names)]
-        self.touch_spans(span for span in spans if span[0] not in compared)
+        self.redraw_lines({row + y for row in picture.sheet.put(names)} - compared)
         place = Region(x + self.inner_offset, y + self.inner_offset, columns, rows)
         pictures.show(self, place, picture.cell, picture.pixels(scene, trail, self._coats), picture.sheet.holes)
         return self._side_late
@@ -199,8 +197,8 @@ class TurtleSimPane(WindowPane["Simulation"]):
         else:
             # A block that has the only ink there is keeps it.
             settled = len(trail.inks) == 1
-            for segment in segments:
-                _shrink(image, canvas, *_blocks(segment, canvas), settled=settled)
+            for area in _joined(_blocks(segment, canvas) for segment in segments):
+                _shrink(image, canvas, *area, settled=settled)
         self._generation, self._drawn = generation, drawn
         return canvas
 
@@ -326,6 +324,14 @@ class TurtleSimPane(WindowPane["Simulation"]):
             self.restyle()
 
 
+@lru_cache(maxsize=16)
+def _world_in(width: int, height: int) -> Place:
+    columns, rows = square(width, height)
+    if width - columns >= SIDE_WIDTH:
+        return 0, (height - rows) // 2, columns, rows
+    return (width - columns) // 2, 0, columns, rows
+
+
 def _clamp(part: float, size: int) -> int:
     """The pixel of a place given as a part of the side; undefined numbers lie at the edge."""
     if not math.isfinite(part):
@@ -353,11 +359,26 @@ def _blocks(stroke: Stroke, canvas: PixelCanvas) -> tuple[range, range]:
     margin = stroke.width * 0.75 + 1  # half the diagonal of the square at a line's end
 
     def span(a: float, b: float, size: int) -> range:
-        low, high = min(a, b) - margin, max(a, b) + margin
-        # One more on either side: blocks begin at whole pixels of the image.
-        return range(max(0, int(low * size / SIZE) - 1), min(size, int(high * size / SIZE) + 2))
+        first, last = max(0, math.floor(min(a, b) - margin)), min(SIZE - 1, math.ceil(max(a, b) + margin))
+        # Block n begins at pixel n * SIZE // size of the image.
+        return range(((first + 1) * size - 1) // SIZE, ((last + 1) * size - 1) // SIZE + 1)
 
     return span(stroke.x0, stroke.x1, canvas.width), span(stroke.y0, stroke.y1, canvas.height)
+
+
+def _joined(areas: Iterable[tuple[range, range]]) -> list[tuple[range, range]]:
+    """The same areas, one in place of two that follow each other where that is no larger than both."""
+    found: list[tuple[range, range]] = []
+    for area in areas:
+        if found:
+            columns, rows = (
+                range(min(a.start, b.start), max(a.stop, b.stop)) for a, b in zip(found[-1], area, strict=True)
+            )
+            if len(columns) * len(rows) <= sum(len(across) * len(down) for across, down in (found[-1], area)):
+                found[-1] = columns, rows
+                continue
+        found.append(area)
+    return found
 
 
 def _shrink(image: memoryview, canvas: PixelCanvas, columns: range, rows: range, *, settled: bool = False) -> None:
