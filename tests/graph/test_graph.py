@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from day6_core.graph import EndpointKind, Graph, GraphEvent, QoS
-from day6_core.graph.endpoints import EventKind, Publisher, Subscription
+from day6_core.graph.endpoints import Endpoint, EventKind, Publisher, Subscription
 from day6_core.graph.graph import Change, graph_for_domain
+from day6_core.graph.matching import connect
 from day6_core.graph.node import Node
 from day6_core.graph.qos import (
     Durability,
@@ -322,3 +323,22 @@ def test_a_publisher_knows_whether_its_moment_matters_to_anybody(node: Node) -> 
     assert not heard.is_attended
     counted = publisher(node, "/counted")
     assert counted.delivered == 0 and counted.is_attended
+
+
+def test_an_endpoint_looks_only_at_those_it_can_be_matched_with(
+    graph: Graph, node: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Every node publishes /rosout and /parameter_events: with a thousand nodes they would all look at each other.
+    looked: list[int] = []
+
+    def counted(endpoint: Endpoint, others: tuple[Endpoint, ...], raised: Any) -> None:
+        looked.append(len(others))
+        connect(endpoint, others, raised)
+
+    monkeypatch.setattr("day6_core.graph.graph.connect", counted)
+    publishers = [publisher(node) for _ in range(100)]
+    listener = subscription(node)
+    assert sum(looked[:100]) == 0 and looked[100] == len(listener.matched) == 100
+    publishers[50].destroy()
+    assert listener.matched == (*publishers[:50], *publishers[51:])
+    assert graph.endpoints(EndpointKind.PUBLISHER) == list(listener.matched)

@@ -1,9 +1,11 @@
 """Measures the budgets of day6-tui and prints one table.
 
-    python -m tests.perf.bench [--real PYTHON] [--real-ros2 COMMAND] [--rclpy] [--only SECTION …] [--quick]
+    python -m tests.perf.bench [--real PYTHON] [--real-ros2 COMMAND] [--beside PYTHON] [--only SECTION …] [--quick]
 
 `--real` is an interpreter with real rclpy, `--real-ros2` the real command with its daemon running: what can be measured on both
-is, in turns, and the ratio is printed. Everything is compared within one run, because machines differ. Linux only.
+is, in turns, and the ratio is printed. `--beside` is another installation of day6-tui, whose desktop then runs some scenes at the
+same time. Everything is compared within one run, because machines differ. Status 1 if something is over its budget
+(`budgets.py`). Linux only.
 """
 
 from __future__ import annotations
@@ -19,44 +21,21 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from day6_core.ros.environment import program_environment
 from day6_core.shell.screen.screen import Screen as Picture
-from day6_urdf.shipped import shipped_model
-from tests.perf.screen import Screen
+from tests.perf import budgets
+from tests.perf.budgets import Budget, Row, figure, print_table
+from tests.perf.load import DENSE, PUBLISH, SCENES, TURTLE, measure
+from tests.perf.screen import Screen, rss_mb
 from tests.perf.slow_line import slow_lines
 
 HERE = Path(__file__).resolve().parent
 DAY6 = [sys.executable, "-m", "day6_tui.main"]
 BARE = [sys.executable, str(HERE / "bare_app.py")]
 
-TURNTABLE_VIEW = """\
-Visualization Manager:
-  Displays:
-    - Class: rviz_default_plugins/Grid
-      Name: Grid
-    - Class: rviz_default_plugins/RobotModel
-      Description Topic:
-        Value: /robot_description
-      Name: RobotModel
-  Global Options:
-    Fixed Frame: stand
-  Views:
-    Current:
-      Class: rviz_default_plugins/Orbit
-      Distance: 0.9
-"""
-
-CIRCLE = '"{linear: {x: 0.15}, angular: {z: 0.6}}"'
-TURNING = "[left_wheel_joint, right_wheel_joint, turntable]"
-TWIST = '"{linear: {x: 2.0}, angular: {z: 0.7}}"'
-DENSE = "".join(
-    f'ros2 service call /turtle1/teleport_absolute turtlesim/srv/TeleportAbsolute "{{x: {x}, y: {y}}}" > /dev/null; '
-    for x, y in [(1, 1), (10, 10), (1, 10), (10, 1), (5, 10), (1, 4), (10, 7), (3, 1), (8, 10), (5, 5)]
-)
-TURTLE = "ros2 run turtlesim turtlesim_node &\n"
 RUNAWAYS = {
     "loop.py": "while True: pass\n",
     "print.py": "while True: print('again and again')\n",
@@ -64,19 +43,36 @@ RUNAWAYS = {
 }
 
 FLOODS = {
-    "lines": ("for n in range(250_000): print('%079d' % n)", 20_000_000, 10),
-    "single": ("print('x' * 5_000_000)", 5_000_000, 10),
-    "chinese": ("for n in range(100_000): print('机器人操作系统' * 4, n)", 9_000_000, 10),
+    "lines": ("for n in range(250_000): print('%079d' % n)", 20_000_000, budgets.LINES),
+    "single": ("print('x' * 5_000_000)", 5_000_000, budgets.ONE_LINE),
+    "chinese": ("for n in range(100_000): print('机器人操作系统' * 4, n)", 9_000_000, budgets.CHINESE),
     "coloured": (
         "for n in range(100_000): print(f'\\x1b[33m[WARN] [{n}.123456789] [talker]: Publishing: Hello {n}\\x1b[0m')",
         7_000_000,
-        3,
+        budgets.COLOURED,
     ),
-    "binary": ("import random, sys\nsys.stdout.buffer.write(random.Random(1).randbytes(4_000_000))", 4_000_000, 2),
+    "binary": (
+        "import random, sys\nsys.stdout.buffer.write(random.Random(1).randbytes(4_000_000))",
+        4_000_000,
+        budgets.BINARY,
+    ),
 }
-"""Programs, how many bytes they print, and the budget in MB/s."""
+"""Programs, how many bytes they print, and the budget."""
 
-Row = tuple[str, str, str]
+SCENE_CPU = {
+    "welcome": budgets.WELCOME,
+    "standing": budgets.STANDING,
+    "dense": budgets.DRIVING,
+    "four": budgets.FOUR_STANDING,
+    "panes": budgets.FOUR_DRIVING,
+    "turning": budgets.TURNING,
+    "world": budgets.WORLD_STANDING,
+    "circles": budgets.WORLD_DRIVING,
+    "lidar": budgets.LIDAR,
+}
+"""Scenes of `load.py`."""
+COMPARED = ("turning", "lidar", "panes")
+"""Those that `--beside` compares."""
 
 # Compiled modules are part of any installation; a machine that forbids writing them would measure the compiler.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
@@ -140,98 +136,28 @@ class Bench:
             with self.desktop(80, 24) as screen:
                 ours.append(screen.first_frame())
                 memory.append(screen.rss_mb())
-        ratio = statistics.median(ours) / statistics.median(bare)
-        yield "first frame, 80x24", f"{statistics.median(ours):.2f} s = {ratio:.2f} x a bare Textual app", "<= 1.5 x"
-        yield "memory at the first frame", f"{statistics.median(memory):.1f} MB", "<= 48 MB"
+        seconds = statistics.median(ours)
+        yield budgets.FIRST_FRAME.row(seconds / statistics.median(bare), f"{seconds:.2f} s")
+        yield budgets.FIRST_MEMORY.row(statistics.median(memory))
 
-    def screens(self) -> Iterator[Row]:
-        """CPU and bytes of the running desktop."""
-        with self.desktop(80, 24) as screen:
-            screen.first_frame()
-            screen.read(3)
-            yield "CPU at the welcome screen", f"{screen.use(self.seconds).cpu_percent:.2f} %", "<= 0.5 %"
-        with self.desktop(120, 40, "--scene", "empty") as screen:
-            screen.first_frame()
-            screen.read(1)
-            screen.send(TURTLE)
-            screen.read(4)
-            yield "turtlesim standing still", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 4 %"
-            screen.send(DENSE + "\n")
-            screen.read(8)
-            screen.send(f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n")
-            screen.read(4)
-            usage = screen.use(self.seconds)
-            yield "moving turtle, 120x40, dense", f"{usage.cpu_percent:.1f} %", "<= 12 %"
-            yield (
-                "  bytes a second / at 30 fps a frame",
-                f"{usage.bytes_written / usage.seconds:.0f} / {usage.bytes_written / usage.seconds / 30:.0f}",
-                "<= 700 a frame",
-            )
-        with self.desktop(120, 40, "--scene", "turtle") as screen:
-            screen.first_frame()
-            screen.read(10)
-            yield (
-                "four panes (turtle, its node, teleop, echo), standing",
-                f"{screen.use(self.seconds).cpu_percent:.1f} %",
-                "<= 4 %",
-            )
-            screen.send("\x1bOQ")  # F2
-            screen.read(1)
-            screen.send(f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n")
-            screen.read(4)
-            yield (
-                "  driving, echo prints ten messages a second",
-                f"{screen.use(self.seconds).cpu_percent:.1f} %",
-                "<= 12 %",
-            )
-        with self.desktop(120, 40, "--scene", "car") as screen:
-            screen.first_frame()
-            screen.read(15)
-            yield "memory, robot shown and link open", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
-            yield "CPU, car with turning wheels", f"{screen.use(self.seconds).cpu_percent:.1f} %", "-"
-
-    def rviz(self) -> Iterator[Row]:
-        """The car on a turntable in an enlarged RViz: the whole robot turns, not only its wheels."""
-        (self.home / "turntable.urdf").write_text(on_a_turntable(), encoding="utf-8")
-        (self.home / "turntable.rviz").write_text(TURNTABLE_VIEW, encoding="utf-8")
-        with self.desktop(120, 40, "--scene", "empty") as screen:
-            screen.first_frame()
-            screen.read(2)
-            screen.send("ros2 run robot_state_publisher robot_state_publisher turntable.urdf > /dev/null 2>&1 &\n")
-            screen.read(2)
-            screen.send("rviz2 -d turntable.rviz > /dev/null 2>&1 &\n")
-            screen.read(5)
-            screen.send("\x1bOR\x1b[19~")  # F3: the window, F8: enlarged
-            screen.read(3)
-            yield "RViz, robot standing still, 120x40", f"{screen.use(self.seconds).cpu_percent:.1f} %", "-"
-            screen.send("\x1bOR")  # back to the terminal
-            screen.read(1)
-            screen.send(f"ros2 run day6_bot wheel_spinner --ros-args -p 'joints:={TURNING}' > /dev/null 2>&1 &\n")
-            screen.read(2)
-            yield "  memory", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
-            screen.send("\x1bOR")
-            screen.read(3)
-            usage = screen.use(self.seconds)
-            yield "turning robot in RViz, 120x40, 15 fps", f"{usage.cpu_percent:.1f} %", "<= 18 %"
-            yield "  bytes a second", f"{usage.bytes_written / usage.seconds:.0f}", "-"
-
-    def world(self) -> Iterator[Row]:
-        """The world at 50 steps a second with robot_state_publisher: standing, driving in circles, with the lidar drawn."""
-        with self.desktop(120, 40, "--scene", "empty") as screen:
-            screen.first_frame()
-            screen.read(2)
-            screen.send("ros2 launch day6_world world.launch.py world:=walls > /dev/null 2>&1 &\n")
-            screen.read(5)
-            yield "world, car standing still, 120x40", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 10 %"
-            screen.send(f"ros2 topic pub --once /cmd_vel geometry_msgs/msg/Twist {CIRCLE} > /dev/null\n")
-            screen.read(4)
-            usage = screen.use(self.seconds)
-            yield "  driving in circles", f"{usage.cpu_percent:.1f} %", "<= 14 %"
-            yield "  bytes a second", f"{usage.bytes_written / usage.seconds:.0f}", "-"
-            screen.send("\x1bORl")  # F3: the window, l: the lidar
-            screen.read(2)
-            yield "  with the lidar drawn", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 18 %"
-            yield "  memory", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
+    def scenes(self, beside: str | None) -> Iterator[Row]:
+        """CPU and memory of the running desktop; of some beside another installation at the same time."""
+        for name, budget in SCENE_CPU.items():
+            others = [beside] if beside and name in COMPARED else []
+            *before, ours = measure(SCENES[name], [*others, sys.executable], self.seconds)
+            yield budget.row(ours.cpu, f"{ours.bytes:.0f} bytes a second")
+            if name == "dense":
+                yield budgets.FRAME.row(ours.bytes / 30)
+            if name in ("turning", "lidar"):
+                yield Row("  memory", f"{ours.pss:.1f} MB (RSS {ours.rss:.1f} MB)")
+            for other in before:
+                yield budgets.BESIDE.row(
+                    ours.cpu / other.cpu,
+                    f"{name}: {ours.cpu:.2f} instead of {other.cpu:.2f} %, {ours.bytes:.0f} bytes a second of {other.bytes:.0f}",
+                )
+        (car,) = measure(SCENES["car"], [sys.executable], self.seconds)
+        yield budgets.ROBOT_MEMORY.row(car.pss, f"RSS {car.rss:.1f} MB")
+        yield Row("CPU, car with turning wheels", f"{car.cpu:.1f} %")
 
     def pixels(self) -> Iterator[Row]:
         """A turtle in circles over a dense drawing, in a window of 480 x 480 real pixels, which is as many as 600 x 400."""
@@ -244,14 +170,13 @@ class Bench:
                 screen.read(3)
                 screen.send(DENSE + "\n")
                 screen.read(8)
-                screen.send(f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n")
+                screen.send(PUBLISH + "\n")
                 screen.read(4)
                 before = screen.pictures
                 usage = screen.use(self.seconds)
                 pictures = screen.pictures - before
-                rate = pictures / usage.seconds
-                yield f"pixels, {kind}: turtle moving, {rate:.0f} fps", f"{usage.cpu_percent:.1f} %", "<= 35 %"
-                yield "  bytes a frame", f"{usage.bytes_written / max(1, pictures):.0f}", "<= 40,000"
+                yield budgets.PIXELS.row(usage.cpu_percent, f"{kind}, {pictures / usage.seconds:.0f} fps")
+                yield budgets.PIXEL_FRAME.row(usage.bytes_written / max(1, pictures) / 1e3)
 
     def floods(self) -> Iterator[Row]:
         """A program that prints a lot, from Enter to what follows it, beside a bare reader of the same program's pty.
@@ -277,14 +202,11 @@ class Bench:
                 bare = statistics.mean((bare, _bare_flood(self.home / f"{name}.py")))
                 start = _bare_flood(self.home / "nothing.py")
                 seconds, bare = max(seconds - start, 1e-3), max(bare - start, 1e-3)
-                measured = (
-                    f"{size / seconds / 1e6:.1f} MB/s = {bare / seconds:.2f} x a bare reader, "
-                    f"{cpu / size * 1e6:.3f} CPU s/MB, load {os.getloadavg()[0]:.1f}"
-                )
-                yield (
-                    f"{name}, {size / 1e6:.1f} MB without the start",
-                    measured,
-                    f">= {budget} MB/s, <= {1 / budget:.2f} CPU s/MB",
+                rate, share = size / seconds / 1e6, bare / seconds
+                yield budget.row(
+                    share if budget is budgets.ONE_LINE else rate,
+                    f"{rate:.1f} MB/s = {share:.2f} × a bare reader, {cpu / size * 1e6:.3f} CPU s/MB, "
+                    f"load {os.getloadavg()[0]:.1f}",
                 )
 
     def reflow(self) -> Iterator[Row]:
@@ -305,8 +227,7 @@ class Bench:
                 picture.resize(24, columns)
                 seconds.append(time.perf_counter() - began)
                 rows = max(rows, len(picture.scrollback))
-            worst = 1e3 * max(seconds)
-            yield f"{name} lines wrapped anew, {rows} rows", f"{worst:.0f} ms", "<= 100 ms"
+            yield budgets.REFLOW.row(1e3 * max(seconds), f"{name} lines, {rows} rows")
 
     def keys(self) -> Iterator[Row]:
         """Key to echo, alone and with three runaway student programs, all on one core."""
@@ -316,18 +237,20 @@ class Bench:
         with self.desktop(120, 40, "--scene", "empty", cpus=one_core) as screen:
             screen.first_frame()
             screen.read(3)
-            yield "key to echo, alone", _spread(_echoes(screen, self.rounds * 4)), "-"
+            yield Row("key to echo, alone", _spread(_echoes(screen, self.rounds * 4)))
             for name in RUNAWAYS:
                 screen.send(f"python3 {name} > /dev/null &\n")
                 screen.read(1)
             screen.read(2)
-            yield "key to echo, three runaways, one core", _spread(_echoes(screen, self.rounds * 4)), "<= 60 / 200 ms"
+            seconds = _echoes(screen, self.rounds * 4)
+            yield budgets.ECHO.row(statistics.median(seconds) * 1e3)
+            yield budgets.ECHO_WORST.row(max(seconds) * 1e3)
         with self.desktop(120, 40, "--scene", "turtle", cpus=one_core) as screen:
             screen.first_frame()
             screen.read(10)
             screen.send("\x1bOQ")  # F2
             screen.read(1)
-            yield "key to echo, beside turtle, node, teleop and echo", _spread(_echoes(screen, self.rounds * 4)), "-"
+            yield Row("key to echo, beside turtle, node, teleop and echo", _spread(_echoes(screen, self.rounds * 4)))
 
     def paste(self) -> Iterator[Row]:
         """A megabyte pasted at the prompt: when its end is on the screen, and what it does to turtlesim meanwhile."""
@@ -351,11 +274,10 @@ class Bench:
         times = [float(line) for line in (self.home / "poses.txt").read_text(encoding="utf-8").splitlines()]
         times = [each for each in times if pasted <= each <= pasted + max(seconds, 1.0)]
         gaps = [after - before for before, after in itertools.pairwise(times)]
-        yield "a paste of 1 MB at the prompt: shown after", f"{seconds:.2f} s", "<= 1 s"
-        yield (
-            "  turtlesim's poses meanwhile",
-            f"{1 / statistics.mean(gaps):.1f} Hz, at most {max(gaps) * 1000:.0f} ms apart",
-            "62.5 Hz",
+        yield budgets.PASTE.row(
+            seconds,
+            f"turtlesim's 62.5 poses a second meanwhile: {1 / statistics.mean(gaps):.1f}, "
+            f"at most {max(gaps) * 1000:.0f} ms apart",
         )
 
 
@@ -386,15 +308,6 @@ def _bare_flood(program: Path) -> float:
     return time.perf_counter() - began
 
 
-def on_a_turntable() -> str:
-    """The description of the shipped car with a stand below it that turns it about the vertical."""
-    joint = (
-        '<link name="stand"/><joint name="turntable" type="continuous"><parent link="stand"/><child link="base_link"/>'
-        '<axis xyz="0 0 1"/></joint>'
-    )
-    return shipped_model().read_text(encoding="utf-8").replace("</robot>", f"{joint}</robot>")
-
-
 def _echoes(screen: Screen, count: int) -> list[float]:
     return [screen.echo_time(key) for key in ("xyzw" * count)[:count]]
 
@@ -413,30 +326,28 @@ SIDE_BY_SIDE = {
     "action": ("action, goal to result", 1e6, "µs"),
     "hundred_nodes": ("100 nodes in one process", 1e3, "ms"),
     "hundred_nodes_memory": ("  their memory", 1 / 1024, "MB"),
-    "jitter": ("100 Hz timer misses its period by, median", 1e6, "µs"),
-    "jitter_99": ("  99th percentile", 1e6, "µs"),
 }
 
 
 def side_by_side(real: str | None, seconds: float, rounds: int = 3) -> Iterator[Row]:
-    """One process by itself, on our rclpy and on a real one, in turns; the medians and what real takes of ours."""
+    """One process by itself, on our rclpy and on a real one, in turns: the medians, and those with a budget compared."""
     ours_env = program_environment({**os.environ, "DAY6_LINK": "off"})
     sides: dict[str, list[dict[str, float]]] = {"ours": [], "real": []}
     for _ in range(rounds):
         sides["ours"].append(_measure_side(sys.executable, ours_env, seconds))
         if real:
             sides["real"].append(_measure_side(real, dict(os.environ), seconds))
+    mine, theirs = (
+        {name: statistics.median(each[name] for each in side) for name in SIDE_BY_SIDE} if side else {}
+        for side in sides.values()
+    )
     for name, (what, scale, unit) in SIDE_BY_SIDE.items():
-        mine = statistics.median(each[name] for each in sides["ours"]) * scale
-        text = f"{_figure(mine)} {unit}"
-        if real:
-            theirs = statistics.median(each[name] for each in sides["real"]) * scale
-            text += f" (real {_figure(theirs)} {unit}) = {theirs / mine:.1f} x better"
-        yield what, text, "-"
-
-
-def _figure(number: float) -> str:
-    return f"{number:.0f}" if number >= 100 else f"{number:.3g}"
+        text = f"{figure(mine[name] * scale)} {unit}"
+        if theirs:
+            text += f" (real {figure(theirs[name] * scale)} {unit}) = {theirs[name] / mine[name]:.1f} × better"
+        yield Row(what, text)
+    if theirs:
+        yield budgets.ACTION.row(theirs["action"] / mine["action"])
 
 
 def _measure_side(python: str, env: dict[str, str], seconds: float) -> dict[str, float]:
@@ -445,16 +356,62 @@ def _measure_side(python: str, env: dict[str, str], seconds: float) -> dict[str,
     return json.loads(done.stdout)  # type: ignore[no-any-return]
 
 
+def timers(real: str | None, seconds: float, rounds: int = 5) -> Iterator[Row]:
+    """A timer of 100 Hz on both sides and a loop that only sleeps, at the same time: what the machine does meets all of them.
+
+    Nothing that waits can be more exact than the sleep.
+    """
+    ours_env = program_environment({**os.environ, "DAY6_LINK": "off"})
+    sides = {"day6-tui": (sys.executable, ours_env, "timer"), "time.sleep": (sys.executable, ours_env, "sleep")}
+    if real:
+        sides["real"] = (real, dict(os.environ), "timer")
+    found: dict[str, list[list[float]]] = {name: [] for name in sides}
+    for _ in range(rounds):
+        running = {
+            name: subprocess.Popen(
+                [python, str(HERE / "rclpy_side.py"), str(seconds), what], stdout=subprocess.PIPE, text=True, env=env
+            )
+            for name, (python, env, what) in sides.items()
+        }
+        for name, process in running.items():
+            found[name].append(json.loads(process.communicate()[0]))
+    middle, most = (
+        {name: statistics.median(each[at] for each in sets) for name, sets in found.items()} for at in (0, 1)
+    )
+    for what, figures in (("100 Hz timer misses its period by, median", middle), ("  99th percentile", most)):
+        yield Row(what, ", ".join(f"{name} {figure(missed * 1e6)} µs" for name, missed in figures.items()))
+    if real:
+        yield budgets.TIMER.row(
+            most["day6-tui"] / most["real"], f"a bare time.sleep {figure(most['time.sleep'] / most['real'])} ×"
+        )
+
+
 TALKER = """
-import os, sys, time
+import sys, time
 import rclpy
 from std_msgs.msg import String
 rclpy.init()
 node = rclpy.create_node('bench_talker')
 publisher = node.create_publisher(String, 'chatter', 10)
-publisher.publish(String(data='first'))
-print(time.time(), next(int(line.split()[1]) for line in open('/proc/self/status') if line.startswith('VmRSS')), flush=True)
-rclpy.shutdown()
+while True:
+    publisher.publish(String(data=sys.argv[1]))
+    time.sleep(0.002)
+"""
+
+LISTENER = """
+import time
+import rclpy
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node('bench_listener')
+heard = set()
+def hear(message):
+    if message.data not in heard:
+        heard.add(message.data)
+        print(message.data, time.time(), flush=True)
+node.create_subscription(String, 'chatter', hear, 10)
+print('ready', flush=True)
+rclpy.spin(node)
 """
 
 
@@ -470,34 +427,81 @@ rclpy.shutdown()
 
 
 def processes(real: str | None, rounds: int) -> Iterator[Row]:
-    """A student's process: from its start to its first message out, joined to the link; from start to end, alone."""
+    """A student's process: from its start until another one hears it, joined to the link; from start to end, alone."""
     joined = program_environment({**os.environ, "DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-bench-")})
     alone = program_environment({**os.environ, "DAY6_LINK": "off"})
-    for what, measure, env, budget in (
-        ("process joined, start to first message", _first_message, joined, "<= 1/3, <= 38 MB"),
-        ("process with a node, alone, start to end", _whole_process, alone, "<= 1/3, <= 24 MB"),
-    ):
-        ours, theirs = [], []
-        for _ in range(rounds):
-            ours.append(measure(sys.executable, env))
-            if real:
-                theirs.append(measure(real, dict(os.environ)))
-        seconds, memory = _medians(ours)
-        text = f"{seconds * 1000:.0f} ms, {memory:.1f} MB"
-        if theirs:
-            seconds_of_real, memory_of_real = _medians(theirs)
-            text += f" = {seconds / seconds_of_real:.2f} x real rclpy, which has {memory_of_real:.1f} MB"
-        yield what, text, budget
+    with contextlib.ExitStack() as running:
+        ears = {
+            python: running.enter_context(_Listener(python, env))
+            for python, env in ((sys.executable, joined), (real, dict(os.environ)))
+            if python
+        }
+        yield from _compared(
+            lambda python: ears[python].hear(), real, rounds, budgets.FIRST_MESSAGE, budgets.JOINED_MEMORY
+        )
+    yield from _compared(
+        lambda python: _whole_process(python, alone if python == sys.executable else dict(os.environ)),
+        real,
+        rounds,
+        budgets.ALONE,
+        budgets.ALONE_MEMORY,
+    )
+
+
+def _compared(
+    measured: Callable[[str], tuple[float, float]], real: str | None, rounds: int, time: Budget, memory: Budget
+) -> Iterator[Row]:
+    """Seconds and MB of both sides, measured in turns."""
+    ours, theirs = [], []
+    for _ in range(rounds):
+        ours.append(measured(sys.executable))
+        if real:
+            theirs.append(measured(real))
+    seconds, size = _medians(ours)
+    if theirs:
+        seconds_of_real, size_of_real = _medians(theirs)
+        yield time.row(seconds / seconds_of_real, f"{seconds * 1e3:.0f} instead of {seconds_of_real * 1e3:.0f} ms")
+        yield memory.row(size, f"real {size_of_real:.1f} MB")
+    else:
+        yield Row(time.what.partition(": ")[0], f"{seconds * 1e3:.0f} ms")
+        yield memory.row(size)
+
+
+class _Listener:
+    """A program that hears each talker's first message."""
+
+    def __init__(self, python: str, env: dict[str, str]) -> None:
+        self._python, self._env, self._talkers = python, env, 0
+        self._process = subprocess.Popen([python, "-c", LISTENER], stdout=subprocess.PIPE, text=True, env=env)
+        self._line()
+
+    def __enter__(self) -> _Listener:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._process.kill()
+        self._process.wait()
+
+    def hear(self) -> tuple[float, float]:
+        """Start a talker; return the seconds until its first message is here, and its memory in MB."""
+        self._talkers += 1
+        began = time.time()
+        talker = subprocess.Popen([self._python, "-c", TALKER, str(self._talkers)], env=self._env)
+        try:
+            name, heard = self._line().split()
+            assert name == str(self._talkers)
+            return float(heard) - began, rss_mb(talker.pid)
+        finally:
+            talker.kill()
+            talker.wait()
+
+    def _line(self) -> str:
+        assert self._process.stdout is not None
+        return self._process.stdout.readline()
 
 
 def _medians(pairs: list[tuple[float, float]]) -> tuple[float, float]:
     return statistics.median(each[0] for each in pairs), statistics.median(each[1] for each in pairs)
-
-
-def _first_message(python: str, env: dict[str, str]) -> tuple[float, float]:
-    began = time.time()
-    at, rss = _words(python, TALKER, env)
-    return float(at) - began, int(rss) / 1024
 
 
 def _whole_process(python: str, env: dict[str, str]) -> tuple[float, float]:
@@ -520,10 +524,9 @@ def topic_list(real: str | None, rounds: int) -> Iterator[Row]:
         ours.append(_seconds(command, env))
         if real:
             theirs.append(_seconds([*shlex.split(real), "topic", "list"], dict(os.environ)))
-    text = f"{statistics.median(ours):.2f} s"
+    yield budgets.TOPIC_LIST.row(statistics.median(ours))
     if theirs:
-        text += f" = {statistics.median(ours) / statistics.median(theirs):.2f} x the real one"
-    yield "ros2 topic list, a process of its own", text, "<= 1/3"
+        yield budgets.TOPIC_LIST_REAL.row(statistics.median(ours) / statistics.median(theirs))
 
 
 def _seconds(command: list[str], env: dict[str, str]) -> float:
@@ -532,41 +535,39 @@ def _seconds(command: list[str], env: dict[str, str]) -> float:
     return time.perf_counter() - began
 
 
+SECTIONS: dict[str, Callable[[Bench, argparse.Namespace], Iterator[Row]]] = {
+    "start": lambda bench, _: bench.start(),
+    "scenes": lambda bench, options: bench.scenes(options.beside),
+    "pixels": lambda bench, _: bench.pixels(),
+    "floods": lambda bench, _: bench.floods(),
+    "reflow": lambda bench, _: bench.reflow(),
+    "keys": lambda bench, _: bench.keys(),
+    "slow-lines": lambda bench, _: slow_lines(),
+    "paste": lambda bench, _: bench.paste(),
+    "processes": lambda bench, options: processes(options.real, bench.rounds),
+    "rclpy": lambda bench, options: side_by_side(options.real, bench.seconds / 4),
+    "timers": lambda bench, options: timers(options.real, bench.seconds / 4),
+    "ros2": lambda bench, options: topic_list(options.real_ros2, bench.rounds),
+}
+
+
 def main() -> int:
     """Run the sections and print the table as Markdown."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        epilog=f"sections: {', '.join(SECTIONS)}",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("--real", metavar="PYTHON", help="interpreter with real rclpy")
     parser.add_argument("--real-ros2", metavar="COMMAND", help="the real ros2, with its daemon running")
-    parser.add_argument("--rclpy", action="store_true", help="only programs, not the desktop")
+    parser.add_argument("--beside", metavar="PYTHON", help="interpreter of another installation of day6-tui")
     parser.add_argument(
-        "--only", metavar="SECTION", nargs="+", help="only these: floods, keys … (the names of the functions here)"
+        "--only", nargs="+", choices=SECTIONS, default=list(SECTIONS), metavar="SECTION", help=", ".join(SECTIONS)
     )
     parser.add_argument("--quick", action="store_true", help="shorter and fewer measurements")
     options = parser.parse_args()
     bench = Bench(options.quick)
-    print("| what | measured | budget |\n| --- | --- | --- |")
-    screens = [
-        bench.start(),
-        bench.screens(),
-        bench.rviz(),
-        bench.world(),
-        bench.pixels(),
-        bench.floods(),
-        bench.reflow(),
-        bench.keys(),
-        slow_lines(),
-    ]
-    screens.append(bench.paste())
-    sections = [] if options.rclpy else screens
-    sections.append(processes(options.real, bench.rounds))
-    sections.append(side_by_side(options.real, 0.5 if options.quick else 2.0))
-    sections.append(topic_list(options.real_ros2, bench.rounds))
-    for section in sections:
-        if options.only and getattr(section, "__name__", "") not in options.only:
-            continue
-        for what, measured, budget in section:
-            print(f"| {what} | {measured} | {budget} |", flush=True)
-    return 0
+    return int(print_table(row for name in options.only for row in SECTIONS[name](bench, options)) > 0)
 
 
 if __name__ == "__main__":

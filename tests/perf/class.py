@@ -35,12 +35,12 @@ RUNTIME = tempfile.mkdtemp(prefix="day6-class-")
 os.environ["DAY6_RUNTIME_DIR"] = RUNTIME
 
 from day6_tui.detached import meeting, view, wire  # noqa: E402
-from tests.perf.bench import TURTLE, TWIST  # noqa: E402  (the line above is read at import)
+from tests.perf.load import PUBLISH, TURTLE  # noqa: E402  (the line above is read at import)
 from tests.perf.runs import loops  # noqa: E402
 from tests.perf.served import PATIENCE, Server, Tab, TooSlow  # noqa: E402
 
 SIZE = [40, 120, 0, 0]
-PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\n"
+DRIVE = PUBLISH + " &\n"
 KEYS = "zqwj"
 """Letters that nothing on the screen shows by itself."""
 ECHOES = 40
@@ -279,10 +279,10 @@ def a_class(count: int, seconds: float, bomb: bool, server: Server | None) -> li
         alone = echoes(pupils)
         reloads = [pupil.open() for pupil in pupils]
         for pupil in pupils[1:]:
-            pupil.type(PUBLISH)
+            pupil.type(DRIVE)
         look(pupils, 4 + count / 8)
         others_drive = echoes(pupils)
-        pupils[0].type(PUBLISH)
+        pupils[0].type(DRIVE)
         look(pupils, 2)
         before = server.cpu_seconds() if server is not None else 0.0
         driving, sent = usage(pupils, seconds)

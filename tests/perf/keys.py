@@ -28,11 +28,12 @@ from pathlib import Path
 
 import aiohttp
 
-from tests.perf.bench import BOTH_ANSWER, PIXEL_ANSWERS, TURTLE, TWIST
+from tests.perf.bench import BOTH_ANSWER, PIXEL_ANSWERS
+from tests.perf.load import PUBLISH, TURTLE
 from tests.perf.runs import loops
 from tests.perf.served import WORD, Server
 
-PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\n"
+DRIVE = PUBLISH + " &\n"
 TELEOP = "ros2 run turtlesim turtle_teleop_key\n"
 LETTERS = b"zqwj"
 """Letters that nothing on the screen shows by itself."""
@@ -191,12 +192,12 @@ async def a_class(count: int, options: argparse.Namespace) -> list[str]:
         if not others:
             notes.append(await usage(server, tabs, options.lone / 2))
         for tab in others:
-            await tab.type(PUBLISH.encode())
+            await tab.type(DRIVE.encode())
         await asyncio.sleep(4 + count / 4)
         cells.append(await echoes(typist, options.echoes) if others else "-")
         if others:
             notes.append(await usage(server, others, options.lone))
-        await typist.type(PUBLISH.encode())
+        await typist.type(DRIVE.encode())
         await asyncio.sleep(4)
         if not others:
             notes.append(await usage(server, tabs, options.lone))

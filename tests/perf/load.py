@@ -20,11 +20,45 @@ import time
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from functools import partial
 from pathlib import Path
 
-from tests.perf.bench import CIRCLE, DENSE, TURNING, TURNTABLE_VIEW, TURTLE, TWIST, on_a_turntable
+from day6_urdf.shipped import shipped_model
 from tests.perf.screen import Screen
+
+TURNTABLE_VIEW = """\
+Visualization Manager:
+  Displays:
+    - Class: rviz_default_plugins/Grid
+      Name: Grid
+    - Class: rviz_default_plugins/RobotModel
+      Description Topic:
+        Value: /robot_description
+      Name: RobotModel
+  Global Options:
+    Fixed Frame: stand
+  Views:
+    Current:
+      Class: rviz_default_plugins/Orbit
+      Distance: 0.9
+"""
+
+CIRCLE = '"{linear: {x: 0.15}, angular: {z: 0.6}}"'
+TURNING = "[left_wheel_joint, right_wheel_joint, turntable]"
+TWIST = '"{linear: {x: 2.0}, angular: {z: 0.7}}"'
+DENSE = "".join(
+    f'ros2 service call /turtle1/teleport_absolute turtlesim/srv/TeleportAbsolute "{{x: {x}, y: {y}}}" > /dev/null; '
+    for x, y in [(1, 1), (10, 10), (1, 10), (10, 1), (5, 10), (1, 4), (10, 7), (3, 1), (8, 10), (5, 5)]
+)
+TURTLE = "ros2 run turtlesim turtlesim_node &\n"
+
+
+def publish(twist: str, topic: str = "/turtle1/cmd_vel", how: str = "-r 10") -> str:
+    """A command line without its end that drives."""
+    return f"ros2 topic pub {how} {topic} geometry_msgs/msg/Twist {twist} > /dev/null"
+
+
+PUBLISH = publish(TWIST)
+"""Ten commands a second to the turtle."""
 
 COLUMNS, ROWS = 120, 40
 REPEAT = 1 / 30
@@ -32,6 +66,15 @@ REPEAT = 1 / 30
 
 HELD = ["\x1b[A"] * 20 + ["\x1b[D"] * 6
 """Forward, a bit to the left, and again."""
+
+
+def on_a_turntable() -> str:
+    """The description of the shipped car with a stand below it that turns it about the vertical."""
+    joint = (
+        '<link name="stand"/><joint name="turntable" type="continuous"><parent link="stand"/><child link="base_link"/>'
+        '<axis xyz="0 0 1"/></joint>'
+    )
+    return shipped_model().read_text(encoding="utf-8").replace("</robot>", f"{joint}</robot>")
 
 
 @dataclass
@@ -62,20 +105,22 @@ def _type(*steps: tuple[str, float]) -> Callable[[Screen], None]:
     return prepare
 
 
-PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n"
+WORLD = ("ros2 launch day6_world world.launch.py world:=walls > /dev/null 2>&1 &\n", 5.0)
+CIRCLES = (publish(CIRCLE, "/cmd_vel", "--once") + "\n", 4.0)
 
 SCENES = {
     "welcome": Scene((), _wait(4), size=(80, 24)),
     "standing": Scene(("--scene", "empty"), _type((TURTLE, 4))),
-    "driving": Scene(("--scene", "empty"), _type((TURTLE, 3), (PUBLISH, 12))),
-    "dense": Scene(("--scene", "empty"), _type((TURTLE, 3), (DENSE + "\n", 8), (PUBLISH, 12))),
+    "driving": Scene(("--scene", "empty"), _type((TURTLE, 3), (PUBLISH + "\n", 12))),
+    "dense": Scene(("--scene", "empty"), _type((TURTLE, 3), (DENSE + "\n", 8), (PUBLISH + "\n", 12))),
     "four": Scene(("--scene", "turtle"), _wait(11)),
     "held": Scene(("--scene", "turtle"), _wait(11), held=tuple(HELD)),
+    "car": Scene(("--scene", "car"), _wait(14)),
     "rviz": Scene(
         ("--scene", "car"),
         _type(("", 13), ("\x1bOQ", 1), ("rviz2 > /dev/null 2>&1 &\n", 5)),
     ),
-    "panes": Scene(("--scene", "turtle"), _type(("", 10), ("\x1bOQ", 1), (PUBLISH, 5))),
+    "panes": Scene(("--scene", "turtle"), _type(("", 10), ("\x1bOQ", 1), (PUBLISH + "\n", 5))),
     "turning": Scene(
         ("--scene", "empty"),
         _type(
@@ -88,18 +133,13 @@ SCENES = {
         ),
         files={"turntable.urdf": on_a_turntable(), "turntable.rviz": TURNTABLE_VIEW},
     ),
-    "lidar": Scene(
-        ("--scene", "empty"),
-        _type(
-            ("ros2 launch day6_world world.launch.py world:=walls > /dev/null 2>&1 &\n", 5),
-            (f"ros2 topic pub --once /cmd_vel geometry_msgs/msg/Twist {CIRCLE} > /dev/null\n", 4),
-            ("\x1bORl", 2),  # F3: the window, l: the lidar
-        ),
-    ),
+    "world": Scene(("--scene", "empty"), _type(WORLD)),
+    "circles": Scene(("--scene", "empty"), _type(WORLD, CIRCLES)),
+    "lidar": Scene(("--scene", "empty"), _type(WORLD, CIRCLES, ("\x1bORl", 2))),  # F3: the window, l: the lidar
 }
 """welcome; turtle standing; driven by ten commands a second; the same over many lines; teleop and echo beside it, standing and
 with an arrow held down; the car with turning wheels, and RViz beside it; the turtle's four panes while a program drives; a robot
-that turns in an enlarged RViz; the world with its lidar drawn while the car drives in circles."""
+that turns in an enlarged RViz; the world at 50 steps a second, standing, driving in circles, and with its lidar drawn."""
 
 STILL = {
     **{f"ros2 run {name} {name}": name for name in (
@@ -154,6 +194,7 @@ class Measured:
         self.cpu = sum(self.by_thread.values())
         self.switches = (self._context_switches() - self._switches) / self.seconds
         self.bytes = (len(self.screen.output) - self._bytes) / self.seconds
+        self.pss, self.rss = self.screen.pss_mb(), self.screen.rss_mb()
 
     def threads(self) -> dict[str, float]:
         """CPU seconds of each thread, by its name and number."""
@@ -189,19 +230,15 @@ def watch(desktops: list[Measured], seconds: float, held: tuple[str, ...]) -> No
             by_number[number].output += os.read(number, 65536)
 
 
-def _bring_up(scene: Scene, desktop: Measured) -> None:
-    desktop.screen.first_frame()
-    scene.prepare(desktop.screen)
-
-
 def measure(scene: Scene, pythons: list[str], seconds: float) -> list[Measured]:
     """Bring the scene up in each and measure all of them at the same time."""
     desktops: list[Measured] = []
     try:
-        # All at once: what is compared has run for the same time (a turtle that drives is slower to draw while its trail grows).
-        desktops += (Measured(python, scene) for python in pythons)
-        with ThreadPoolExecutor(len(desktops)) as pool:
-            list(pool.map(partial(_bring_up, scene), desktops))
+        desktops += [Measured(python, scene) for python in pythons]
+        # All at once, and read all the time: what is compared has run for the same time (a turtle that drives is slower to draw
+        # while its trail grows), and no desktop has taken its terminal for one on a slow line.
+        with ThreadPoolExecutor(len(desktops)) as threads:
+            list(threads.map(lambda desktop: (desktop.screen.first_frame(), scene.prepare(desktop.screen)), desktops))
         watch(desktops, 2.0, scene.held)
         for desktop in desktops:
             desktop.begin()

@@ -160,10 +160,15 @@ class Screen:
 
     def rss_mb(self) -> float:
         """Resident memory of the process in MB."""
-        with open(f"/proc/{self.pid}/status") as file:
-            return next(int(line.split()[1]) / 1024 for line in file if line.startswith("VmRSS"))
+        return rss_mb(self.pid)
 
 
 def set_window_size(fd: int, columns: int, rows: int) -> None:
     """Tell the pty how large its window is; the programs on it hear of a change."""
     fcntl.ioctl(fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+
+
+def rss_mb(pid: int) -> float:
+    """Resident memory of a process in MB."""
+    with open(f"/proc/{pid}/status") as file:
+        return next(int(line.split()[1]) / 1024 for line in file if line.startswith("VmRSS"))

@@ -9,27 +9,31 @@ each scene writes, over a line that hides nothing. Linux and macOS.
 from __future__ import annotations
 
 import argparse
+import math
 import statistics
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from tests.perf import budgets
+from tests.perf.budgets import Budget, Row, print_table
+from tests.perf.load import PUBLISH, TWIST, publish
 from tests.support.slow_line import SlowLine
 
 DAY6 = [sys.executable, "-m", "day6_tui.main"]
 PROMPT = "student@day6:~$"
-RATES = (4_000.0, 50_000.0)
+BUDGETS = {
+    4_000.0: (budgets.SLOW_PROMPT, budgets.SLOW_KEY, budgets.SLOW_END),
+    50_000.0: (budgets.FASTER_PROMPT, budgets.FASTER_KEY, budgets.FASTER_END),
+}
+"""Of the first prompt, of keys and of Ctrl-C, by the bytes a second."""
 FAST = 50e6
 LETTERS = "abcdefgh"
-TWIST = '"{linear: {x: 1.0}, angular: {z: 0.7}}"'
-TURTLE = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\r"
-CAR = f"ros2 topic pub -r 10 /cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\r"
+CAR = publish(TWIST, "/cmd_vel")
 SCENES = {"empty": PROMPT, "turtle": "'q' to quit", "car": "wheel_spinner", "world": "currently:"}
 """What is on the screen when a scene has started."""
-
-Row = tuple[str, str, str]
 
 
 @contextmanager
@@ -45,11 +49,11 @@ def desktop(
 
 
 class Measured:
-    """One rate, its budgets in seconds."""
+    """One rate and its budgets."""
 
     def __init__(self, rate: float, columns: int, rows: int, lang: str) -> None:
         self.rate, self.size, self.lang = rate, (columns, rows), lang
-        self.key = 1.0 if rate < 10_000 else 0.15
+        self.prompt, self.key, self.end = BUDGETS[rate]
 
     def desktop(self, *options: str):  # type: ignore[no-untyped-def]  # what contextmanager makes
         return desktop(self.rate, *self.size, *options, lang=self.lang)
@@ -60,24 +64,23 @@ class Measured:
             try:
                 yield from part()
             except AssertionError as error:
-                yield part.__name__, f"not seen: {str(error).splitlines()[0]}", "-"
+                yield self.key.row(math.inf, f"{part.__name__}: {str(error).splitlines()[0]}")
 
     def prompt_and_terminal(self) -> Iterator[Row]:
         """The first prompt, then F2 and a key."""
         with self.desktop("--scene", "empty") as line:
-            yield "first prompt", f"{line.seconds_until(lambda: line.find(PROMPT)):.2f} s", "<= 5 s"
+            yield self.prompt.row(line.seconds_until(lambda: line.find(PROMPT)))
             line.settle(0.5)
             began = line.written
             line.press("F2")
             line.look(0.2)
             line.press("x")
             took = line.seconds_until(lambda: line.find(f"{PROMPT} x", "2 ~"))
-            yield "F2, then a key: its echo", f"{took:.2f} s", f"<= {self.key} s"
             line.settle(0.5)
-            yield "  bytes until all is drawn", f"{line.written - began}", "-"
+            yield self.key.row(took, f"after F2; {line.written - began} bytes until all is drawn")
             line.press("Ctrl-U")
             line.settle(0.5)
-            yield "keys at rest", self.echoes(line, 4), f"<= {self.key} s"
+            yield self.worst(self.key, self.echoes(line, 4), "at rest")
 
     def flood(self) -> Iterator[Row]:
         """Ctrl-C while `yes` prints."""
@@ -92,7 +95,7 @@ class Measured:
                 line.settle(0.5)
                 line.line("clear; yes")
                 line.look(4)
-            yield "Ctrl-C in a flood, to the prompt", self.told(times), "<= 0.5 s"
+            yield self.worst(self.end, times)
 
     def turtle(self) -> Iterator[Row]:
         """An arrow in teleop; then keys at a prompt while the turtle moves."""
@@ -105,12 +108,12 @@ class Measured:
                 line.press(key)
                 times.append(line.seconds_until(lambda seen=seen: line.cells("TurtleSim") != seen))  # type: ignore[misc]
                 line.settle(1.5)
-            yield "an arrow in teleop, to the turtle's first step", self.told(times), f"<= {self.key} s"
+            yield self.worst(self.key, times, "an arrow in teleop, to the turtle's first step")
             line.press("F2")
             line.seconds_until(lambda: line.find(PROMPT, "5 ~"))
-            line.send(TURTLE)
+            line.line(f"{PUBLISH} &")
             line.look(3)
-            yield "keys while the turtle moves", self.echoes(line), f"<= {self.key} s"
+            yield self.worst(self.key, self.echoes(line), "while the turtle moves")
 
     def world(self) -> Iterator[Row]:
         """Keys at a prompt while the car drives."""
@@ -118,11 +121,11 @@ class Measured:
             line.look(12)
             line.press("F2")
             line.look(3)
-            line.send(CAR)
+            line.line(f"{CAR} &")
             line.look(4)
-            yield "keys while the car drives", self.echoes(line), f"<= {self.key} s"
+            yield self.worst(self.key, self.echoes(line), "while the car drives")
 
-    def echoes(self, line: SlowLine, count: int = len(LETTERS)) -> str:
+    def echoes(self, line: SlowLine, count: int = len(LETTERS)) -> list[float]:
         """Type letters at the prompt, one after the other."""
         times, typed = [], ""
         for letter in LETTERS[:count]:
@@ -131,12 +134,12 @@ class Measured:
             times.append(line.seconds_until(lambda typed=typed: line.find(f"$ {typed}")))  # type: ignore[misc]
             line.look(0.3)
         line.press("Ctrl-U")
-        return self.told(times)
+        return times
 
     @staticmethod
-    def told(times: list[float]) -> str:
-        """Median and worst."""
-        return f"{statistics.median(times):.2f} s, worst {max(times):.2f} s"
+    def worst(budget: Budget, times: list[float], when: str = "") -> Row:
+        """The worst of some times has to keep the budget."""
+        return budget.row(max(times), f"{when + ', ' if when else ''}median {statistics.median(times):.2f} s")
 
 
 def scenes(columns: int, rows: int, lang: str) -> Iterator[Row]:
@@ -144,16 +147,15 @@ def scenes(columns: int, rows: int, lang: str) -> Iterator[Row]:
     for scene, last in SCENES.items():
         with desktop(FAST, columns, rows, "--scene", scene, lang=lang) as line:
             line.seconds_until(lambda last=last: line.find(last))  # type: ignore[misc]
-            yield f"start of the scene {scene}, {columns}x{rows}", f"{line.written / 1000:.1f} kB", "<= 25 kB"
+            yield budgets.SCENE_START.row(line.written / 1000, f"{scene}, {columns}x{rows}")
 
 
 def slow_lines(
-    rates: Sequence[float] = RATES, columns: int = 80, rows: int = 24, lang: str = "en", *, lines: bool = True
+    rates: Iterable[float] = BUDGETS, columns: int = 80, rows: int = 24, lang: str = "en", *, lines: bool = True
 ) -> Iterator[Row]:
     """All rows: at these rates and in this size, then what scenes write."""
     for rate in rates if lines else ():
-        for name, measured, budget in Measured(rate, columns, rows, lang).rows():
-            yield f"{rate / 1000:.0f} kB/s: {name}", measured, budget
+        yield from Measured(rate, columns, rows, lang).rows()
     for size in ((80, 24), (120, 40)):
         yield from scenes(*size, lang)
 
@@ -161,7 +163,7 @@ def slow_lines(
 def main() -> int:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rates", type=float, nargs="*", default=RATES, metavar="BYTES")
+    parser.add_argument("--rates", type=float, nargs="*", default=list(BUDGETS), choices=BUDGETS)
     parser.add_argument("--size", default="80x24")
     parser.add_argument("--lang", default="en")
     parser.add_argument("--scenes", action="store_true", help="only what scenes write, at 80x24 and 120x40")
@@ -169,10 +171,7 @@ def main() -> int:
     options = parser.parse_args()
     DAY6[0] = options.python
     columns, rows = map(int, options.size.split("x"))
-    print("| | measured | budget |\n| --- | --- | --- |")
-    for row in slow_lines(options.rates, columns, rows, options.lang, lines=not options.scenes):
-        print(f"| {' | '.join(row)} |", flush=True)
-    return 0
+    return int(print_table(slow_lines(options.rates, columns, rows, options.lang, lines=not options.scenes)) > 0)
 
 
 if __name__ == "__main__":

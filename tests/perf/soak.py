@@ -26,6 +26,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from day6_core.ros.environment import program_environment
+from tests.perf.budgets import GROWTH
 from tests.perf.screen import Screen
 
 DAY6 = [sys.executable, "-m", "day6_tui.main"]
@@ -70,8 +71,6 @@ LESSON = (
 LESSON_NODES = {"/turtlesim", "/draw_square", "/robot_state_publisher", "/rviz2", "/wheel_spinner", DESK_NODE}
 HELPERS = "/transform_listener_impl_"
 """How the nodes begin that RViz makes for itself."""
-MOST_GROWTH_MB = 1.0
-"""What the desktop's memory may grow by after the warm-up, comparing the medians of a tenth of the samples at either end."""
 
 
 @dataclass
@@ -241,7 +240,7 @@ class Soak:
         tenth = max(1, len(memory) // 10)
         settled, last = (statistics.median(part) for part in (memory[:tenth], memory[-tenth:]))
         print(f"memory after {warm_up:g} minutes {settled:.1f} MB, at the end {last:.1f} MB")
-        if last - settled > MOST_GROWTH_MB:
+        if not GROWTH.keeps(last - settled):
             self.trouble(f"the desktop grew from {settled:.1f} to {last:.1f} MB")
         self.look_for_leftovers()
         self.report(minutes, calm, after, samples)

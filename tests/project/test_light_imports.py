@@ -61,6 +61,18 @@ def test_import_rclpy_stays_small() -> None:
     assert len(ours - bare) < 180, sorted(ours - bare)
 
 
+def test_a_talker_on_the_link_waits_for_nothing_it_does_not_need(short_folder: Path) -> None:
+    code = (
+        f"import os; os.environ |= {{'DAY6_LINK': 'on', 'DAY6_RUNTIME_DIR': {str(short_folder)!r}}}\n"
+        "import rclpy\nfrom std_msgs.msg import String\nrclpy.init()\nnode = rclpy.create_node('talker')\n"
+        "node.create_publisher(String, 'chatter', 10).publish(String())"
+    )
+    ours = loaded(code) - loaded("pass")
+    assert "day6_core.link.announcing" in ours
+    other_machines = {"socket", "day6_core.link.gateway", "day6_core.link.state", "day6_core.link.classroom.part"}
+    assert not ours & {"inspect", "logging", "traceback", *other_machines}
+
+
 def test_a_talker_runs_beside_files_with_our_folders_names(tmp_path: Path) -> None:
     for name in ("core.py", "tui.py", "urdf.py", "day6.py", "graph.py", "session.py"):
         (tmp_path / name).write_text("raise SystemExit('the wrong module was imported: ' + __name__)\n")

@@ -168,3 +168,31 @@ def test_a_driven_turtle_is_three_arrows_as_in_the_official_tutorial() -> None:
     }
     boxes = names(select(DRIVEN, GraphOptions(graph_type=GraphType.ACTIVE)))
     assert boxes == {"/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel", FEEDBACK, STATUS}
+
+
+def test_ten_times_as_many_nodes_are_compared_ten_times_as_often() -> None:
+    compared = 0
+
+    class Name(str):
+        def __eq__(self, other: object) -> bool:
+            nonlocal compared
+            compared += 1
+            return str.__eq__(self, other)
+
+        __hash__ = str.__hash__
+
+    def comparisons(count: int) -> int:
+        nonlocal compared
+        compared = 0
+        nodes = [Name(f"/node_{number}") for number in range(count)]
+        content = select(
+            GraphContent(
+                {f"/topic_{number}": (node,) for number, node in enumerate(nodes)},
+                {f"/topic_{number}": (Name(str(nodes[number - 1])),) for number in range(count)},
+            ),
+            GraphOptions(),
+        )
+        assert len(content.edges) == count
+        return compared
+
+    assert comparisons(400) < 15 * comparisons(40)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import random
 from itertools import pairwise
+from typing import Any
 
 import pytest
 
 from day6_core.elide import elide
+from day6_core.ros.programs.rqt_graph.model import fit
 from day6_core.ros.programs.rqt_graph.model.drawing import (
     ASCII,
     CONSOLE,
@@ -143,6 +145,20 @@ def test_lines_that_are_too_many_for_the_window_go_on_below_it_and_keep_their_na
     picture = fitted(boxes, edges, 42, 12)
     assert picture.width <= 42 and picture.height > 12
     assert all(route.edge.label in "\n".join(text(picture)) for route in picture.routes)
+
+
+def test_of_very_many_edges_only_pictures_are_laid_out_that_may_fit(monkeypatch: pytest.MonkeyPatch) -> None:
+    laid_out: list[bool] = []
+
+    def counted(*given: Any, roomy: bool = True) -> LaidOutGraph:
+        laid_out.append(roomy)
+        return layout(*given, roomy=roomy)
+
+    monkeypatch.setattr(fit, "layout", counted)
+    boxes = [Box(name, (name,), "node") for name in ("/talker", "/listener")]
+    edges = [Edge("/talker", "/listener", f"/topic_{number}", f"{number}") for number in range(1000)]
+    assert len(fitted(boxes, edges, 120, 40).routes) == 1000
+    assert laid_out == [False], "the smallest one, in which names of topics have no room"
 
 
 def test_an_overview_takes_its_room_from_the_edges_and_keeps_boxes_names_and_arrows() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import os
 import threading
 import time
@@ -13,10 +12,8 @@ from itertools import count
 from typing import Any, NamedTuple, Protocol, TypeVar
 
 from day6_core.graph.endpoints import Client, Endpoint, EndpointKind, EventKind, Publisher, RequestId, Service
-from day6_core.graph.matching import RaisedEvents, connect, disconnect
+from day6_core.graph.matching import MATCHES, RaisedEvents, connect, disconnect, without
 from day6_core.graph.node import Node
-
-_log = logging.getLogger(__name__)
 
 AnyEndpoint = TypeVar("AnyEndpoint", bound=Endpoint)
 
@@ -77,7 +74,7 @@ class Graph:
         self._lock = threading.RLock()
         self._nodes: tuple[Node, ...] = ()
         self._observers: tuple[Node, ...] = ()
-        self._by_name: dict[tuple[bool, str], list[Endpoint]] = {}
+        self._by_name: dict[tuple[EndpointKind, str], list[Endpoint]] = {}
         self._listeners: tuple[Listener, ...] = ()
         self._entity_ids = count(1)
         self._gid_prefix = os.urandom(12)
@@ -134,7 +131,9 @@ class Graph:
                 call()
             except Exception:
                 # The change has been made, and those after this one have to hear of it.
-                _log.exception("a listener of the graph failed")
+                import logging
+
+                logging.getLogger(__name__).exception("a listener of the graph failed")
 
     def _announce(self, change: Change, subject: Node | Endpoint) -> None:
         event = GraphEvent(change, subject)
@@ -179,18 +178,19 @@ class Graph:
             for endpoint in node.endpoints:
                 self.remove_endpoint(endpoint)
             node.destroyed = True
-            self._nodes = tuple(each for each in self._nodes if each is not node)
-            self._observers = tuple(each for each in self._observers if each is not node)
+            if node.is_observer:
+                self._observers = without(self._observers, node)
+            else:
+                self._nodes = without(self._nodes, node)
             self._announce(Change.NODE_REMOVED, node)
 
     def add_endpoint(self, endpoint: AnyEndpoint) -> AnyEndpoint:
         """Add an endpoint and match it (the `create_*` methods of Node call this)."""
         with self._changing():
             endpoint.node.endpoints = (*endpoint.node.endpoints, endpoint)
-            peers = self._by_name.setdefault(self._key(endpoint), [])
             raised: RaisedEvents = []
-            connect(endpoint, tuple(peers), raised)
-            peers.append(endpoint)
+            connect(endpoint, tuple(self._by_name.get((MATCHES[endpoint.kind], endpoint.topic), ())), raised)
+            self._by_name.setdefault((endpoint.kind, endpoint.topic), []).append(endpoint)
             self._notify_later(raised)
             self._announce(Change.ENDPOINT_ADDED, endpoint)
         return endpoint
@@ -202,8 +202,8 @@ class Graph:
                 return
             endpoint.destroyed = True
             node = endpoint.node
-            node.endpoints = tuple(each for each in node.endpoints if each is not endpoint)
-            key = self._key(endpoint)
+            node.endpoints = without(node.endpoints, endpoint)
+            key = endpoint.kind, endpoint.topic
             peers = self._by_name[key]
             peers.remove(endpoint)
             raised: RaisedEvents = []
@@ -213,10 +213,6 @@ class Graph:
                 # Gone already if a garbage collection in the middle of this removed the last other endpoint.
                 self._by_name.pop(key, None)
             self._announce(Change.ENDPOINT_REMOVED, endpoint)
-
-    @staticmethod
-    def _key(endpoint: Endpoint) -> tuple[bool, str]:
-        return endpoint.kind in (EndpointKind.SERVICE, EndpointKind.CLIENT), endpoint.topic
 
     def _notify_later(self, raised: RaisedEvents) -> None:
         """Schedule the callbacks of endpoints for when the lock is released."""
@@ -248,15 +244,10 @@ class Graph:
         """Return the endpoints of some kinds, on all topics or on one."""
         with self._lock:
             if topic is None:
-                groups = list(self._by_name.values())
+                groups = [peers for (kind, _), peers in self._by_name.items() if kind in kinds]
             else:
-                groups = [self._by_name.get((is_service, topic), []) for is_service in (False, True)]
-            return [
-                endpoint
-                for peers in groups
-                for endpoint in peers
-                if endpoint.kind in kinds and not endpoint.node.is_observer
-            ]
+                groups = [self._by_name.get((kind, topic), []) for kind in kinds]
+            return [endpoint for peers in groups for endpoint in peers if not endpoint.node.is_observer]
 
     def names_and_types(self, *kinds: EndpointKind) -> list[tuple[str, list[str]]]:
         """Return `(full name, sorted type names)` of the endpoints of some kinds, sorted by name."""

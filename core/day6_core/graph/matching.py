@@ -7,16 +7,33 @@ looks on raises none.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TypeVar
 
-from day6_core.graph.endpoints import Client, Endpoint, EventKind, Publisher, Service, Subscription
+from day6_core.graph.endpoints import Client, Endpoint, EndpointKind, EventKind, Publisher, Service, Subscription
 from day6_core.graph.qos import Liveliness, incompatible_policies
 
 RaisedEvents = list[tuple[Endpoint, EventKind]]
 """Events raised by a change, in order: endpoint and kind."""
 
+MATCHES = {
+    EndpointKind.PUBLISHER: EndpointKind.SUBSCRIPTION,
+    EndpointKind.SUBSCRIPTION: EndpointKind.PUBLISHER,
+    EndpointKind.SERVICE: EndpointKind.CLIENT,
+    EndpointKind.CLIENT: EndpointKind.SERVICE,
+}
+"""What a kind of endpoint is matched with: nobody else is looked at, though every node publishes /rosout."""
+
+Member = TypeVar("Member")
+
+
+def without(members: tuple[Member, ...], gone: Member) -> tuple[Member, ...]:
+    """Return the members, which nobody may see change, without one of them; the oldest is found first."""
+    place = members.index(gone)
+    return members[:place] + members[place + 1 :]
+
 
 def connect(endpoint: Endpoint, others: Iterable[Endpoint], raised: RaisedEvents) -> None:
-    """Match a new endpoint with the existing ones of its name."""
+    """Match a new endpoint with the existing ones of its name and of the kind in MATCHES."""
     for other in others:
         if isinstance(endpoint, Publisher) and isinstance(other, Subscription):
             _pair(endpoint, other, raised)
@@ -32,7 +49,7 @@ def disconnect(endpoint: Endpoint, raised: RaisedEvents) -> None:
     """Remove an endpoint from the matches of all others, and them from its own."""
     if isinstance(endpoint, Publisher):
         for subscription in (*endpoint.matched, *endpoint.remote_matched):
-            subscription.matched = tuple(each for each in subscription.matched if each is not endpoint)
+            subscription.matched = without(subscription.matched, endpoint)
             if _is_watched(endpoint, subscription):
                 continue
             if subscription.note_gone(endpoint):
@@ -41,14 +58,20 @@ def disconnect(endpoint: Endpoint, raised: RaisedEvents) -> None:
         endpoint.matched = endpoint.remote_matched = ()
     elif isinstance(endpoint, Subscription):
         for publisher in endpoint.matched:
-            publisher.matched = tuple(each for each in publisher.matched if each is not endpoint)
-            publisher.remote_matched = tuple(each for each in publisher.remote_matched if each is not endpoint)
+            if endpoint.origin is None:
+                publisher.matched = without(publisher.matched, endpoint)
+            else:
+                publisher.remote_matched = without(publisher.remote_matched, endpoint)
             if not _is_watched(publisher, endpoint):
                 _count(publisher, -1, raised)
         endpoint.matched = ()
-    elif isinstance(endpoint, (Service, Client)):
-        for other in endpoint.matched:
-            other.matched = tuple(each for each in other.matched if each is not endpoint)  # type: ignore[assignment]
+    elif isinstance(endpoint, Service):
+        for client in endpoint.matched:
+            client.matched = without(client.matched, endpoint)
+        endpoint.matched = ()
+    elif isinstance(endpoint, Client):
+        for service in endpoint.matched:
+            service.matched = without(service.matched, endpoint)
         endpoint.matched = ()
 
 

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 _COMMON = {
     "scouting/multicast/enabled": "false",
     "scouting/gossip/enabled": "true",
+    # Who meets whom is said at the meeting point only. Peers that told each other too would tell everybody about everybody again
+    # with each process that comes: of 100 processes that costs half of all their time.
+    "scouting/gossip/target": '{router: ["router", "peer"], peer: ["router"]}',
     # Of two processes that discover each other at once only one connects: with two crossing connections both may be dropped.
     "scouting/gossip/autoconnect_strategy": '{peer: {to_router: "always", to_peer: "greater-zid"}}',
     # Zenoh waits this long for peers before `open` returns; ours connects while the program runs on.

@@ -17,11 +17,9 @@ from day6_core.graph.node import Node
 from day6_core.inbox import Inbox
 from day6_core.interrupts import DEFERRED, unsignalled
 from day6_core.link.announcing import Announcements
-from day6_core.link.classroom.part import ClassPart
 from day6_core.link.config import command_config, process_config
 from day6_core.link.engine import chosen, engine_of, is_local, why_no_zenoh
 from day6_core.link.engine_thread import callback, inside_callback, open_session
-from day6_core.link.gateway import Gateway
 from day6_core.link.gid import gid_of
 from day6_core.link.kept_files import KeptFiles
 from day6_core.link.keys import (
@@ -52,12 +50,15 @@ from day6_core.link.paths import (
 from day6_core.link.process_reports import Question, answer, offer
 from day6_core.link.remote import RemoteGraph
 from day6_core.link.services import Services
-from day6_core.link.state import Door, DoorState, LinkState, read_doors
 from day6_core.link.topics import Topics
 from day6_core.reason import named_reason, reason
 
 if TYPE_CHECKING:
     import zenoh
+
+    from day6_core.link.classroom.part import ClassPart
+    from day6_core.link.gateway import Gateway
+    from day6_core.link.state import Door, LinkState
 
 _CHECK_SECONDS = 1.0
 """Seconds between attempts to become the meeting point's holder; the end of its token triggers one at once."""
@@ -173,6 +174,8 @@ class Link:
 
     def _open_gate(self, place: MeetingPlace, patience: float) -> None:
         if (self._listen or self._connect) and not is_local():
+            from day6_core.link.gateway import Gateway
+
             self._gate = Gateway(
                 place,
                 self.graph.domain_id,
@@ -558,6 +561,8 @@ class Link:
         """The state of each endpoint of `listen` and `connect`."""
         if self._gate is not None:
             return self._gate.doors
+        from day6_core.link.state import Door, DoorState
+
         # Reached when the link itself could not be opened, or without Zenoh.
         kinds = [(endpoint, True) for endpoint in self._listen] + [(endpoint, False) for endpoint in self._connect]
         why = why_no_zenoh("en") or ""
@@ -568,6 +573,8 @@ class Link:
     @property
     def state(self) -> LinkState:
         """The state to show to people: the reason if there is no link, all processes' doors, counts of refusals."""
+        from day6_core.link.state import LinkState, read_doors
+
         doors = read_doors(self._place) if self._place is not None else ()
         passed_over = self._place.passed_over if self._place is not None else ()
         refused = Counter(self.refusals.counts)

@@ -9,7 +9,6 @@ import time
 import warnings
 import weakref
 from collections.abc import Callable, Iterable, Mapping
-from inspect import ismethod
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -280,7 +279,7 @@ class Context:
         with self._lock:
             if self._handle is not None and not self._valid:
                 callback()
-            elif ismethod(callback):
+            elif isinstance(callback, MethodType):
                 self._callbacks.append(weakref.WeakMethod(callback, self._remove_callback))
             else:
                 self._callbacks.append(callback)

@@ -137,7 +137,8 @@ def select(facts: GraphContent, options: GraphOptions) -> Content:
         topics = set(hidden.drop("tf", sorted(topics), lambda name: name.strip() not in ("/tf", "/tf_static")))
     if options.hide_params:
         topics = set(hidden.drop("Params", sorted(topics), lambda name: not name.endswith("/parameter_events")))
-    links = {link for link in links if all(name in topics or name in nodes for name in link)}
+    left = topics.union(nodes)
+    links = {link for link in links if left.issuperset(link)}
 
     if options.graph_type is GraphType.NODES:
         return _node_view(facts, options, nodes, topics, hidden)
@@ -173,7 +174,8 @@ def _node_view(
         )
         for name in nodes
     )
-    trouble = {topic: lines for topic, lines in facts.incompatible.items() if any(e.key == topic for e in edges)}
+    drawn = {edge.key for edge in edges}
+    trouble = {topic: lines for topic, lines in facts.incompatible.items() if topic in drawn}
     return Content(boxes, tuple(edges), hidden.found(), trouble)
 
 
@@ -263,7 +265,8 @@ class _Hidden:
         """Return the names for which `keep` holds and remember the others."""
         assert callable(keep)
         kept = [name for name in names if keep(name)]
-        gone = [name.strip() for name in names if name not in kept]
+        left = set(kept)
+        gone = [name.strip() for name in names if name not in left]
         if gone:
             self._names.setdefault(option, []).extend(gone)
         return kept

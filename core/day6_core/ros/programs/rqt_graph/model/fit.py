@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from enum import Enum
 from functools import cached_property
-from itertools import groupby
+from itertools import chain, groupby
 from typing import NamedTuple
 
 from day6_core.elide import elide
@@ -102,8 +103,30 @@ class Forms:
         if len(self._boxes) >= _LARGE:
             return OVERVIEW - 1 if self._fits(OVERVIEW - 1, width, height) else OVERVIEW
         forms = [number for number, form in enumerate(FORMS) if not form.lines or self._has_lines]
-        longer = [number for number in forms if FORMS[number].lines and self._size(number, width, height)[0] <= width]
-        return next((number for number in forms if self._fits(number, width, height)), (*longer, OVERVIEW)[0])
+        fitting = (
+            number for number in forms if self._has_room(number, width, height) and self._fits(number, width, height)
+        )
+        longer = (number for number in forms if FORMS[number].lines and self._size(number, width, height)[0] <= width)
+        return next(chain(fitting, longer), OVERVIEW)
+
+    def _has_room(self, number: int, width: int, height: int) -> bool:
+        """Whether a form may fit: one that surely doesn't isn't laid out, which takes long where there are many edges."""
+        form = FORMS[number]
+        if form.lines:
+            return len(self._label_sizes) <= height
+        if form.shape is Shape.ROOMY and self._most_edges / 2 + 2 > height:
+            return False  # one side of a box has a row for each of at least half of its edges
+        labels = sum(min(size, form.topic or size) for size in self._label_sizes) if form.labels else 0
+        return labels <= width * height
+
+    @cached_property
+    def _most_edges(self) -> int:
+        ends = Counter(end for edge in self._edges if edge.start != edge.end for end in (edge.start, edge.end))
+        return max(ends.values(), default=0)
+
+    @cached_property
+    def _label_sizes(self) -> list[int]:
+        return [measure(edge.label) for edge in self._edges if edge.start != edge.end]
 
     @cached_property
     def _flow(self) -> dict[str, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from itertools import pairwise
 
 from day6_core.ros.programs.rqt_graph.model.shapes import Cell, Chain, Item, Route, Segment
@@ -115,37 +116,60 @@ def _assign_tracks(segments: list[Segment]) -> int:
     """
     bent = [segment for segment in segments if segment.row != segment.end_row]
     straight = {segment.row for segment in segments if segment.row == segment.end_row}
-    first: dict[Segment, list[Segment]] = {
-        segment: [other for other in bent if other is not segment and other.row == segment.end_row] for segment in bent
-    }
-    taken: list[list[Segment]] = []
+    leaving: dict[int, list[Segment]] = {}
+    for segment in bent:
+        leaving.setdefault(segment.row, []).append(segment)
+    tracks: list[_Track] = []
+    entered: set[Segment] = set()
     done: set[Segment] = set()
+    for start in sorted(bent, key=lambda each: (abs(each.row - each.end_row), each.row)):
+        # Those before which a segment has to turn come first; where they wait for each other, one has to be.
+        waiting = [(start, iter(leaving.get(start.end_row, ())))] if start not in entered else []
+        entered.add(start)
+        while waiting:
+            segment, others = waiting[-1]
+            before = next((other for other in others if other not in entered), None)
+            if before is not None:
+                entered.add(before)
+                waiting.append((before, iter(leaving.get(before.end_row, ()))))
+                continue
+            waiting.pop()
+            lowest = max((other.track + 1 for other in leaving.get(segment.end_row, ()) if other in done), default=0)
+            low, high = sorted((segment.row, segment.end_row))
+            free = (track for track in range(lowest, len(tracks)) if tracks[track].has_room(segment.row, low, high))
+            segment.track = next(free, len(tracks))
+            if segment.track == len(tracks):
+                tracks.append(_Track())
+            tracks[segment.track].take(segment.row, low, high)
+            done.add(segment)
+    return len(tracks) + (1 if straight and tracks else 0)
 
-    def place(segment: Segment, path: tuple[Segment, ...]) -> None:
-        if segment in done or segment in path:
-            return
-        for other in first[segment]:
-            place(other, (*path, segment))
-        lowest = max((other.track + 1 for other in first[segment] if other in done), default=0)
-        low, high = sorted((segment.row, segment.end_row))
-        for track in range(lowest, len(taken) + 1):
-            if track == len(taken):
-                taken.append([])
-            together = taken[track]
-            if all(_apart(low, high, other) or other.row == segment.row for other in together):
-                together.append(segment)
-                segment.track = track
-                break
-        done.add(segment)
 
-    for segment in sorted(bent, key=lambda each: (abs(each.row - each.end_row), each.row)):
-        place(segment, ())
-    return len(taken) + (1 if straight and taken else 0)
+class _Track:
+    """A column between two layers: what of it is taken, from which row to which, by the segments that leave on one row."""
 
+    def __init__(self) -> None:
+        self._lows: list[int] = []
+        self._spans: list[tuple[int, int]] = []
+        """(highest row, row on which they leave), in the order of `_lows`; no two overlap."""
 
-def _apart(low: int, high: int, other: Segment) -> bool:
-    other_low, other_high = sorted((other.row, other.end_row))
-    return high < other_low or other_high < low
+    def has_room(self, row: int, low: int, high: int) -> bool:
+        """Whether the rows from `low` to `high` are free, or taken only by segments that leave on the same row."""
+        return all(self._spans[at][1] == row for at in self._overlapping(low, high))
+
+    def take(self, row: int, low: int, high: int) -> None:
+        """Take rows for a segment that leaves on `row`, for which there is room."""
+        for at in reversed(self._overlapping(low, high)):
+            low, high = min(low, self._lows.pop(at)), max(high, self._spans.pop(at)[0])
+        at = bisect_left(self._lows, low)
+        self._lows.insert(at, low)
+        self._spans.insert(at, (high, row))
+
+    def _overlapping(self, low: int, high: int) -> range:
+        first = bisect_left(self._lows, low)
+        if first and self._spans[first - 1][0] >= low:
+            first -= 1
+        return range(first, bisect_right(self._lows, high))
 
 
 def route(chain: Chain) -> Route:
