@@ -1,6 +1,11 @@
-"""Textual's text area for code: keys and pastes are offered to a subclass first, and no character of the text is changed."""
+"""Textual's text area for code: keys and pastes are offered to a subclass first, and no character of the text is changed.
+
+What a key costs doesn't grow with the text: Textual colours all of it again, and counts its lines for each that it draws.
+"""
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 from textual import events
 from textual._tree_sitter import get_language
@@ -9,6 +14,41 @@ from textual.document._wrapped_document import WrappedDocument
 from textual.widgets import TextArea
 
 from day6_tui.textual_private.document import document_of
+
+if TYPE_CHECKING:
+    from textual.document._syntax_aware_document import SyntaxAwareDocument
+    from tree_sitter import Query
+
+BLOCK = 64
+"""Lines whose colours are asked of the syntax tree together, when one of them is drawn."""
+
+
+class Highlights(dict[int, list[tuple[int, int | None, str]]]):
+    """What is coloured in each line, in bytes from its start: those of a block of lines, once one of them is looked at."""
+
+    def __init__(self, document: SyntaxAwareDocument, query: Query) -> None:
+        self._document, self._query = document, query
+
+    def __bool__(self) -> bool:
+        return True  # Textual asks nothing of a mapping that seems empty
+
+    def __missing__(self, line: int) -> list[tuple[int, int | None, str]]:
+        first = line - line % BLOCK
+        end = first + BLOCK
+        self.update((each, []) for each in range(first, end))
+        for name, nodes in self._document.query_syntax_tree(self._query, (first, 0), (end, 0)).items():
+            for node in nodes:
+                (top, left), (bottom, right) = node.start_point, node.end_point
+                for each in range(max(top, first), min(bottom + 1, end)):
+                    self[each].append((left if each == top else 0, right if each == bottom else None, name))
+        return self[line]
+
+
+class _Wrapped(WrappedDocument):
+    @property
+    def height(self) -> int:
+        """The number of rows, which Textual counts each time."""
+        return len(self._offset_to_line_info)
 
 
 class CodeArea(TextArea):
@@ -37,6 +77,12 @@ class CodeArea(TextArea):
         self._line_cache.clear()
         self.refresh()
 
+    def _build_highlight_map(self) -> None:
+        self._line_cache.clear()
+        self._highlights.clear()
+        if self._highlight_query:
+            self._highlights = Highlights(self.document, self._highlight_query)  # type: ignore[arg-type]
+
     async def _on_key(self, event: events.Key) -> None:
         if await self.take_key(event):
             event.stop()
@@ -53,7 +99,7 @@ class CodeArea(TextArea):
         if language:
             self._highlight_query = document.prepare_query(self._get_builtin_highlight_query(language))
         self.document = document
-        self.wrapped_document = WrappedDocument(document, tab_width=self.indent_width)
+        self.wrapped_document = _Wrapped(document, tab_width=self.indent_width)
         self.navigator = DocumentNavigator(self.wrapped_document)
         self._build_highlight_map()
         self.move_cursor((0, 0))
