@@ -66,12 +66,6 @@ class Pane(Surviving, Widget, can_focus=True):
     DEFAULT_CSS = "Pane { width: 1fr; height: 1fr; }"
 
     help_key = "desk"
-
-    @property
-    def unclear(self) -> str:
-        """The message in it that is chosen and that F1 may explain; '' for none. (Terminals are asked otherwise.)"""
-        return ""
-
     """The help page (`help.<key>` of the catalogue) that F1 opens when this pane has the focus."""
 
     framed = True
@@ -108,6 +102,11 @@ class Pane(Surviving, Widget, can_focus=True):
     @property
     def label(self) -> str:
         """Its name on frames and in lists."""
+        return ""
+
+    @property
+    def unclear(self) -> str:
+        """The message in it that is chosen and that F1 may explain; '' for none. (Terminals are asked otherwise.)"""
         return ""
 
     @property
