@@ -86,10 +86,9 @@ class PixelCanvas:
         """The index of a pixel, None outside."""
         return y * self.width + x if 0 <= x < self.width and 0 <= y < self.height else None
 
-    def take_changes(self) -> list[int]:
+    def take_changes(self) -> set[int]:
         """The rows of cells that changed since the last call."""
-        changed = sorted(self._dirty)
-        self._dirty.clear()
+        changed, self._dirty = self._dirty, set()
         return changed
 
     # -- drawing -------------------------------------------------------------------------------------------------------
@@ -104,7 +103,7 @@ class PixelCanvas:
         cells = self._plain_cells(row) if self.colourless else _CELLS[self.mode](self, row)
         if any(place[1] == row for place in self.marks):
             cells = self._with_marks(row, cells)
-        return _runs(cells)
+        return runs(cells)
 
     def _pixels(self, y: int) -> list[int]:
         start = y * self.width
@@ -176,8 +175,8 @@ _CELLS = {
 }
 
 
-def _runs(cells: Iterable[tuple[str, int, int]]) -> list[Segment]:
-    """Join cells of equal colours into one segment with a shared style."""
+def runs(cells: Iterable[tuple[str, int, int]]) -> list[Segment]:
+    """Join cells (character, foreground, background) of equal colours into one segment with a shared style."""
     return [
         Segment("".join([char for char, _, _ in run]), pixel_style(*colours))
         for colours, run in groupby(cells, itemgetter(1, 2))

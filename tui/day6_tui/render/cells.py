@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import groupby
 
 import numpy as np
 from rich.cells import cell_len
 from rich.segment import Segment
-from rich.style import Style
 
 from day6_tui.appearance.colours import pixel_style
-from day6_tui.panes.canvas import PIXELS_PER_CELL
+from day6_tui.panes.canvas import PIXELS_PER_CELL, runs
 from day6_tui.render.label_places import LabelPlaces
 from day6_tui.render.picture import EMPTY, LINE, SURFACE, Array, RenderedPicture
 
@@ -60,11 +58,7 @@ class Cells:
     def line(self, row: int) -> list[Segment]:
         """One row as segments, equal neighbours joined."""
         chars, fronts, backs = (each[row].tolist() for each in (self.chars, self.front, self.back))
-        text, segments, start = "".join(map(chr, chars)), [], 0
-        for colours, run in groupby(zip(fronts, backs, strict=True)):
-            end = start + len(list(run))
-            segments.append(Segment(text[start:end], _style(*colours)))
-            start = end
+        segments = runs(zip(map(chr, chars), fronts, backs, strict=True))
         return self._with_labels(row, segments) if row in self.labels else segments
 
     def _with_labels(self, row: int, segments: list[Segment]) -> list[Segment]:
@@ -74,7 +68,7 @@ class Cells:
             if not 0 <= column <= columns - width:
                 continue
             left, right = _cut(segments, column), _cut_after(segments, column + width)
-            segments = [*left, Segment(text, _style(colour, ground)), *right]
+            segments = [*left, Segment(text, pixel_style(colour, ground)), *right]
         return segments
 
     def changes(self, before: Cells | None) -> list[int]:
@@ -89,10 +83,6 @@ class Cells:
                     different[row, column : column + cell_len(text)] = not same
         rows: list[int] = np.flatnonzero(different.any(axis=1)).tolist()
         return rows
-
-
-def _style(front: int, back: int) -> Style:
-    return pixel_style(front, back) if front >= 0 or back >= 0 else Style.null()
 
 
 def _cut(segments: list[Segment], end: int) -> list[Segment]:

@@ -35,8 +35,8 @@ class Frames:
 
     `work` does what must not wait for a frame, such as reading a flood of output: it takes a few milliseconds and is called
     between frames, once `has_work` has said so after a frame. It returns the seconds until its next call (None: not before the
-    next frame). `echo` draws what the last key
-    has changed where it was typed, and nothing else; it returns whether there was anything.
+    next frame). `echo` draws what the last key has changed where it was typed, and nothing else; it returns whether there was
+    anything.
     """
 
     def __init__(

@@ -8,7 +8,6 @@ by cell.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.panes.cells import cell_len
@@ -37,22 +36,14 @@ def whole_characters(strip: Strip, first: int, last: int) -> tuple[int, int]:
     """
     column = 0
     for text, _, _ in strip:
-        widths = _widths(text)
-        if widths is None:
+        if text.isascii():
             column += len(text)
             continue
-        for width in widths:
-            after = column + width
+        for char in text:
+            after = column + cell_len(char)
             if column < first < after:
                 first = column
             if column < last < after:
                 last = after
             column = after
     return first, last
-
-
-@lru_cache(maxsize=4096)
-def _widths(text: str) -> list[int] | None:
-    """How many cells each character takes; None where it is one for all of them."""
-    widths = [] if text.isascii() else [cell_len(char) for char in text]
-    return widths if any(width != 1 for width in widths) else None

@@ -84,8 +84,8 @@ class RVizPane(WindowPane[RViz]):
         self._mouse = ViewMouse(self.rviz, self.view, self._hand, lambda: self.view_place)
         self._keys = WindowKeys(self, self._hand)
         self._painter = WindowPainter(self)
-        self.divided, self._picture = NOTHING, Region()
-        """How the window is divided, and where the view is inside the frame, as of when it was last laid out."""
+        self.divided = NOTHING
+        """How the window was divided when it was last laid out."""
         self._seen_tool: object = None
         self._panel_keys = True
         """Whether the keys go to the panel, if it is open; else to the view."""
@@ -160,8 +160,7 @@ class RVizPane(WindowPane[RViz]):
 
     def _lay_out(self) -> None:
         self.divided = self.division
-        self._picture = self.divided.view.translate((0, self.top))
-        self.view.resize(*self._picture.size)
+        self.view.resize(*self.divided.view.size)
 
     # -- the keyboard --------------------------------------------------------------------------------------------------
 
@@ -194,12 +193,11 @@ class RVizPane(WindowPane[RViz]):
             self.pass_keyboard()
         self._follow_scene()
         changed, due = self.view.pull(now)
-        at = self.inner_offset
-        self.view.show(self, self._picture.translate((at, at)), covered=1 if self.framing.offered else 0)
+        picture, at = self.divided.view.translate((0, self.top)), self.inner_offset
+        self.view.show(self, picture.translate((at, at)), covered=1 if self.framing.offered else 0)
         on_panel = self.on_panel and self.has_focus_within
         if self.panel_open and self.panel.properties.is_attached:
             self.panel.pull(active=on_panel)
-        picture = self._picture
         self.redraw_lines((picture.y + row for row in changed), across=range(picture.x, picture.right))
         self._follow_tool()
         if (menu := self.rviz.menu) is not None:
