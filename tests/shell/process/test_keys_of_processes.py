@@ -8,8 +8,9 @@ from typing import Any
 
 import pytest
 
-from day6_core.shell.process import pty_keys
+from day6_core.shell.process import process, pty_keys
 from day6_core.shell.process.process import Process, running_processes
+from day6_core.shell.process.readiness import has_output
 from tests.support.waiting import Deadline, until
 
 pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")]
@@ -217,3 +218,21 @@ def test_a_program_that_reads_ctrl_z_itself_gets_it_as_a_key(seat: Any) -> None:
     seat.wait(lambda text: "\\x" in text)
     assert "b'a\\x1ab\\x03'" in seat.wait_prompt()
     assert not seat.terminal.is_stubborn and "Stopped" not in seat.look()
+
+
+def test_a_kernel_that_is_slow_to_echo_ctrl_c_is_waited_for(seat: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Asking for output waits for the thread on which Linux handles keys; it echoes nothing once ECHO is off."""
+    import termios
+
+    echoes = []
+
+    def asked(fd: int, seconds: float | None) -> bool:
+        echoes.append(bool(termios.tcgetattr(fd)[3] & termios.ECHO))
+        return has_output(fd, seconds)
+
+    monkeypatch.setattr(process, "has_output", asked)
+    seat.line("yes | cat -n")
+    seat.wait(lambda text: "2  y" in text)
+    seat.terminal.send("\x03")
+    seat.wait(lambda text: "^C" in text and text.rstrip().endswith("$"))
+    assert echoes == [True]

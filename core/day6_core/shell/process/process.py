@@ -36,6 +36,7 @@ from day6_core.shell.process.memory_watch import MemoryWatch
 from day6_core.shell.process.output_copy import READ_SIZE, OutputCopy, read_at_once, read_waiting
 from day6_core.shell.process.prepared import prepared
 from day6_core.shell.process.pty_keys import PtyKeys
+from day6_core.shell.process.readiness import has_output
 
 LAST_OUTPUT = 0.5
 """Seconds for which a program that stopped is not reported because its output is behind."""
@@ -481,6 +482,9 @@ class Process:
         unsent = self._keys.close() if self._keys is not None else b""
         data = b""
         try:
+            # Linux handles what was typed on a thread of its own, for which this waits: the Ctrl-C that ended the program may not
+            # have been echoed, and never would be in the mode below.
+            has_output(slave, 0.0)
             mode = termios.tcgetattr(slave)
             mode[3] &= ~(termios.ICANON | termios.ECHO)
             mode[6][termios.VMIN], mode[6][termios.VTIME] = 0, 0
