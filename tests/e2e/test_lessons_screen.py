@@ -107,7 +107,8 @@ def test_the_welcome_choice_goes_on_where_one_stopped(place: Place) -> None:
         screen.wait(lambda seen: re.search(r"第 1/\d+ 步", seen))
         screen.press("Right")
         screen.wait(lambda seen: re.search(r"第 2/\d+ 步", seen))
-        until(lambda: any(pupil.at.get("day1") for pupil in pupils(place.home)))
+        second = catalogue.days()[0].steps[1].name
+        until(lambda: any(pupil.at.get("day1") == second for pupil in pupils(place.home)))
         screen.kill()
     with place.desktop(lang="zh") as screen:
         screen.wait("接着上次：第 1 天")
