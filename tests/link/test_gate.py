@@ -7,6 +7,7 @@ import os
 import socket
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -106,6 +107,7 @@ def test_a_name_that_nobody_knows_is_told(world: World) -> None:
 @pytest.mark.process
 def test_other_processes_of_the_user_read_how_it_stands_with_the_doors(world: World, port: int) -> None:
     here, beside = world.here(listen=f"tcp/127.0.0.1:{port}"), world.here()
+    assert until(lambda: state_of(beside.graph).doors)  # written when the first attempt is over
     assert comes_to(beside, DoorState.OPEN)
     assert door(beside) == door(here)
     here.leave()
@@ -151,8 +153,9 @@ def test_no_password_is_left_in_a_file(world: World, port: int) -> None:
     here = world.here(listen=f"tcp/127.0.0.1:{port}", secret=SECRET)
     assert comes_to(here, DoorState.OPEN)
     for path in world.runtime.rglob("*"):
-        if path.is_file():
-            assert SECRET.encode() not in path.read_bytes(), path
+        with suppress(FileNotFoundError):  # that of the doors is being replaced
+            if path.is_file():
+                assert SECRET.encode() not in path.read_bytes(), path
 
 
 @pytest.mark.parametrize(
