@@ -27,6 +27,7 @@ def test_messages_between_two_other_processes_are_counted_and_nobody_notices(wor
     last = talker.publisher(talker.node("talker3"), "/chatter", depth=100)
     assert until(lambda: talker.matched(says) == talker.matched(last) == listener.matched(hears) - 2 == 1)
     assert until(lambda: len(here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter")) == 3)
+    assert until(lambda: here.graph.endpoints(EndpointKind.SUBSCRIPTION, topic="/chatter"))
     before = talker.endpoints("/chatter"), listener.endpoints("/chatter"), listener.nodes()
     found = {each.node.name: each for each in here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter")}
     first, third = found["talker"], found["talker3"]

@@ -203,7 +203,7 @@ from day6_core.graph import Graph
 from day6_core.link import join
 graph = Graph()
 link = join(graph, one_shot=True)
-print(link.wait_settled(5.0), sorted(node.name for node in graph.nodes), len(graph.endpoints(*__import__(
+print(link.wait_settled(60.0), sorted(node.name for node in graph.nodes), len(graph.endpoints(*__import__(
     "day6_core.graph", fromlist=["EndpointKind"]).EndpointKind)))
 """
     names = sorted(f"{letter}{number}" for letter in "abc" for number in range(4))

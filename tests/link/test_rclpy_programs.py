@@ -58,7 +58,7 @@ node = Node("asker", namespace="/team")
 client = ActionClient(node, Fibonacci, "fibonacci")
 latched = QoSProfile(depth=1, durability=QoSDurabilityPolicy.TRANSIENT_LOCAL)
 heard_all = node.create_publisher(Empty, "heard_all", latched)
-assert client.wait_for_server(timeout_sec=10)
+assert client.wait_for_server()
 parts = []
 
 def on_feedback(message):
@@ -67,9 +67,9 @@ def on_feedback(message):
         heard_all.publish(Empty())
 
 sent = client.send_goal_async(Fibonacci.Goal(order=5), feedback_callback=on_feedback)
-rclpy.spin_until_future_complete(node, sent, timeout_sec=10)
+rclpy.spin_until_future_complete(node, sent)
 result = sent.result().get_result_async()
-rclpy.spin_until_future_complete(node, result, timeout_sec=10)
+rclpy.spin_until_future_complete(node, result)
 print(result.result().status, list(result.result().result.sequence), parts)
 """
 PARAMETER_CLIENT = """
@@ -80,9 +80,9 @@ from rclpy.node import Node
 rclpy.init()
 node = Node("asker")
 client = node.create_client(GetParameters, "/team/fibonacci_server/get_parameters")
-assert client.wait_for_service(timeout_sec=10)
+assert client.wait_for_service()
 answer = client.call_async(GetParameters.Request(names=["answer"]))
-rclpy.spin_until_future_complete(node, answer, timeout_sec=10)
+rclpy.spin_until_future_complete(node, answer)
 print(answer.result().values[0].integer_value)
 print(("fibonacci_server", "/team") in node.get_node_names_and_namespaces())
 """

@@ -51,7 +51,7 @@ def test_nothing_listens_on_the_network(world: World) -> None:
     world.here()
     other = world.process()
     other.node("other")
-    assert listening() == before
+    assert listening() <= before  # a socket of an earlier test may be gone meanwhile
 
 
 @pytest.mark.process
