@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ from std_msgs.msg import String
 import rclpy
 from rclpy.node import Node
 from tests.bag.test_storage import MILLISECOND, START, read, texts, write
-from tests.support.waiting import until
+from tests.support.waiting import PATIENCE, until
 
 pytestmark = pytest.mark.process
 
@@ -42,20 +41,20 @@ def test_a_player_is_paused_stepped_sought_and_stopped(tmp_path, node):
     player.start_spin()
     player.start_spin()
     player.play()
-    assert player.wait_for_playback_to_start(5.0) and player.is_paused()
+    assert player.wait_for_playback_to_start(PATIENCE) and player.is_paused()
     assert not player.wait_for_playback_to_finish_exclusively(0.05)
     assert player.play_next() and player.burst(2) == 2
     until(lambda: len(heard) == 3, meanwhile=lambda: rclpy.spin_once(node, timeout_sec=0.05))
     player.seek(START + 390 * MILLISECOND)
     player.resume()
-    assert player.wait_for_playback_to_finish(10.0)
+    assert player.wait_for_playback_to_finish(PATIENCE)
     until(lambda: len(heard) == 13, meanwhile=lambda: rclpy.spin_once(node, timeout_sec=0.05))
     assert heard == ["hi 0", "hi 1", "hi 2", *(f"hi {number}" for number in range(390, 400))]
     player.play()
     player.pause()
     player.stop()
     player.stop_spin()
-    assert player.wait_for_playback_to_finish(1.0)
+    assert player.wait_for_playback_to_finish(PATIENCE)
 
 
 def test_a_recorder_pauses_stops_and_records_again(tmp_path, node, in_distribution):
@@ -74,11 +73,15 @@ def test_a_recorder_pauses_stops_and_records_again(tmp_path, node, in_distributi
     until(lambda: publisher.get_subscription_count() == 1)
     say("a", "b")
     until(lambda: recorder._recording._writer._opened().metadata().message_count == 2)
+    recording, heard = recorder._recording, []
+    before = recording._services.before
+    recording._services.before = lambda *info: (heard.append(info), before(*info))
     recorder.pause()
     assert recorder.is_paused()
     say("c")
-    time.sleep(0.3)
-    recorder.resume()
+    until(lambda: heard)
+    with recording._lock:  # held until it has decided what to do with it
+        recorder.resume()
     say("d")
     until(lambda: recorder._recording._writer._opened().metadata().message_count == 3)
     recorder.stop()
