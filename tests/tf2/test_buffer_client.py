@@ -19,6 +19,7 @@ from rclpy.duration import Duration
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
 from rclpy.time import Time
+from tests.support.waiting import PATIENCE
 from tests.tf2.conftest import stamped
 
 CODES = {
@@ -54,7 +55,7 @@ def client(ros: None) -> Iterator[tf2_ros.BufferClient]:
     buffer.set_transform_static(stamped("island", "palm"), "test")
     group = ReentrantCallbackGroup()
     server = ActionServer(node, LookupTransform, "lookup", lambda goal: answer(buffer, goal), callback_group=group)
-    client = tf2_ros.BufferClient(node, "lookup", check_frequency=100.0)
+    client = tf2_ros.BufferClient(node, "lookup", check_frequency=100.0, timeout_padding=Duration(seconds=PATIENCE))
     executor = MultiThreadedExecutor(num_threads=2)
     executor.add_node(node)
     thread = threading.Thread(target=executor.spin)
