@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 
 import pytest
 
 from day6_core.ros.environment import program_environment
 from day6_core.ros.ros2.cli import lone_daemon
-from tests.support.waiting import until
+from tests.support.waiting import PATIENCE, run, until
 
 pytestmark = pytest.mark.process
 DOMAIN = 77
@@ -20,10 +19,8 @@ DOMAIN = 77
 def ros2(monkeypatch):
     monkeypatch.setenv("DAY6_LINK", "on")
     monkeypatch.setenv("ROS_DOMAIN_ID", str(DOMAIN))
-    yield lambda *words: subprocess.run(
-        ["ros2", *words], env=program_environment(), capture_output=True, text=True, timeout=30
-    )
-    lone_daemon.shut_down(DOMAIN)
+    yield lambda *words: run(["ros2", *words], env=program_environment())
+    lone_daemon.shut_down(DOMAIN, PATIENCE)
 
 
 def test_it_outlives_the_command_until_it_is_stopped_and_commands_ask_it(ros2):
@@ -46,14 +43,14 @@ def test_it_outlives_the_command_until_it_is_stopped_and_commands_ask_it(ros2):
 
 def test_one_that_was_killed_is_not_running_and_the_next_one_starts(monkeypatch):
     monkeypatch.setenv("DAY6_LINK", "on")
-    assert lone_daemon.spawn(DOMAIN + 1, 10.0)
+    assert lone_daemon.spawn(DOMAIN + 1, 2 * PATIENCE)
     number = lone_daemon.running(DOMAIN + 1)
     os.kill(number, 9)
     until(lambda: not lone_daemon.running(DOMAIN + 1))
-    assert lone_daemon.spawn(DOMAIN + 1, 10.0)
+    assert lone_daemon.spawn(DOMAIN + 1, 2 * PATIENCE)
     assert lone_daemon.running(DOMAIN + 1) != number
     assert not lone_daemon.spawn(DOMAIN + 1)
-    assert lone_daemon.shut_down(DOMAIN + 1)
+    assert lone_daemon.shut_down(DOMAIN + 1, PATIENCE)
     assert not lone_daemon.shut_down(DOMAIN + 1)
 
 
@@ -74,6 +71,6 @@ lone_daemon.main(int(sys.argv[1]))
 @pytest.mark.skipif(sys.platform == "win32", reason="no signals between threads")
 def test_a_signal_that_does_not_interrupt_its_wait_ends_it_all_the_same(monkeypatch):
     monkeypatch.setenv("DAY6_LINK", "on")
-    result = subprocess.run([sys.executable, "-c", _HEARD_ELSEWHERE, str(DOMAIN + 2)], timeout=30)
+    result = run([sys.executable, "-c", _HEARD_ELSEWHERE, str(DOMAIN + 2)])
     assert result.returncode == 0
     assert not lone_daemon.running(DOMAIN + 2)
