@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.waiting import Deadline, until
+from tests.support.waiting import Deadline, run, until
 
 pytestmark = pytest.mark.process
 
@@ -23,9 +23,7 @@ posix = pytest.mark.skipif(os.name != "posix", reason="needs signals and ptys")
 
 
 def day6(*arguments: str, cwd: Path, stdin: str = "") -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*MAIN, *arguments], cwd=cwd, input=stdin, capture_output=True, text=True, timeout=60, check=False
-    )
+    return run([*MAIN, *arguments], stdin, cwd=cwd)
 
 
 @pytest.fixture(autouse=True)
@@ -154,8 +152,15 @@ def test_ctrl_c_ends_the_line_and_what_runs_in_the_background(tmp_path: Path) ->
     assert status(exec_) == 130
     assert exec_.stdout.read() == ""
     exec_.stdout.close()
-    with pytest.raises(ProcessLookupError):
-        os.kill(pid, 0)
+
+    def gone() -> bool:
+        try:
+            os.kill(pid, 0)
+        except ProcessLookupError:
+            return True
+        return False
+
+    until(gone)
 
 
 def test_python_becomes_python3_with_our_packages(tmp_path: Path) -> None:
