@@ -156,7 +156,7 @@ def test_notes_come_and_orders_go(school: Class) -> None:
     school.teacher(part)
     anna = school.pupil("anna", pupil)
     # The teacher may know first; and the pupil tells nothing before it knows that it was let in.
-    assert until(lambda: came == [("anna", True)] and met == [True])
+    assert until(lambda: came == [("anna", True)] and met)
     pupil.tell(b"a note")
     assert until(lambda: notes == [("anna", b"a note")])
     assert part.order("anna", b"an order")
