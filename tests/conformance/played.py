@@ -21,7 +21,7 @@ PROGRAMS = Path(__file__).with_name("programs")
 RECORDED = Path(__file__).with_name("recorded.jsonl")
 REFERENCE = Path(__file__).with_name("golden") / "rclpy_behaviour.jsonl"
 SITE = "<PREFIX>/lib/python3.11/site-packages"
-TIMEOUT_S = 30
+TIMEOUT_S = 120
 
 _REPLACEMENTS = (
     (re.compile(r"\[\d{9,}\.\d{9}\]"), "[<TIME>]"),

@@ -6,6 +6,7 @@ import ast
 import inspect
 import json
 import re
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -29,6 +30,7 @@ from day6_core.ros.distribution import NAMES
 from tests.ros2.ros2_machine import Machine
 from tests.support.other_distribution import DECIDED_AT_IMPORT
 from tests.support.short_folder import make_short_folder
+from tests.support.waiting import until
 
 from .command import day6, sections, started, wait_for
 
@@ -184,7 +186,9 @@ PARTS = {
         if file
     ),
     "included": 'echo \'<launch><include file="$(find-pkg-share demo_nodes_cpp)/launch/topics/talker_listener.launch.py"/>'
-    "</launch>' > in.launch.xml; timeout -s INT 2 ros2 launch in.launch.xml 2>&1",
+    "</launch>' > in.launch.xml; ros2 launch in.launch.xml > launched.txt 2>&1 & "
+    "until grep -q 'talker-1\\|No such file' launched.txt 2> /dev/null; do sleep 0.05; done; "
+    "kill -INT %1; wait; cat launched.txt",
     "same names": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
     "until ros2 node list --count-nodes | grep -q 2; do sleep 0.05; done; ros2 node list; kill %1; kill %2; wait",
     "executables": "ros2 pkg executables",
@@ -531,12 +535,24 @@ def one_graph(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(make_short_folder()))
 
 
+def echoed(topic: str, name: str) -> subprocess.CompletedProcess[str]:
+    """What `ros2 topic echo --once` says of a topic that is there; a command waits for what the others have a second at most."""
+
+    def said() -> subprocess.CompletedProcess[str] | None:
+        done = day6("ros2", "topic", "echo", "--once", topic, ROS_DISTRO=name)
+        return None if "does not appear to be published yet" in done.stdout + done.stderr else done
+
+    answer = until(said)
+    assert answer is not None
+    return answer
+
+
 @pytest.mark.process
 @pytest.mark.usefixtures("one_graph")
 def test_turtlesim_of_another_distribution_is_seen_and_not_understood() -> None:
     with started("ros2", "run", "turtlesim", "turtlesim_node", ROS_DISTRO="kilted"):
         wait_for("/turtle1/pose [turtlesim_msgs/msg/Pose]", "ros2", "topic", "list", "-t", ROS_DISTRO="jazzy")
-        done = day6("ros2", "topic", "echo", "--once", "/turtle1/pose", ROS_DISTRO="jazzy")
+        done = echoed("/turtle1/pose", "jazzy")
         assert (done.returncode, done.stderr) == (1, "The message type 'turtlesim_msgs/msg/Pose' is invalid\n")
 
 
@@ -548,7 +564,7 @@ def test_what_humble_sends_has_no_hash_and_no_newer_one_takes_it() -> None:
         wait_for("Topic type hash: INVALID", "ros2", "topic", "info", "-v", "/chatter", ROS_DISTRO="jazzy")
         done = day6("ros2", "topic", "echo", "--once", "--timeout", "2", "/chatter", ROS_DISTRO="jazzy")
         assert "data:" not in done.stdout
-        assert "data: 'Hello World" in day6("ros2", "topic", "echo", "--once", "/chatter", ROS_DISTRO="humble").stdout
+        assert "data: 'Hello World" in echoed("/chatter", "humble").stdout
 
 
 LOOKING = """

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 from day6_core.ros.environment import program_environment
+from tests.support import waiting
 
 DESCRIPTION = """\
 import sys
@@ -80,16 +81,8 @@ def write(
 def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     """Run our Python, with both streams in one."""
     environment = {**program_environment(), "ROS_LOG_DIR": str(folder / "log"), "PYTHONDONTWRITEBYTECODE": "1"}
-    return subprocess.run(
-        [sys.executable, "-m", *words],
-        cwd=folder,
-        env=environment,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        timeout=60,
-    )
+    streams = {"stdin": subprocess.DEVNULL, "stderr": subprocess.STDOUT}
+    return waiting.run([sys.executable, "-m", *words], cwd=folder, env=environment, **streams)
 
 
 def launch_test(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
