@@ -32,7 +32,7 @@ def test_it_outlives_the_command_until_it_is_stopped_and_commands_ask_it(ros2):
     ):
         result = ros2(*words.split())
         assert (result.stdout, result.stderr, result.returncode) == (said, "", 0)
-    listed = ros2("node", "list", "-a").stdout
+    listed = until(lambda: ros2("node", "list", "-a").stdout)  # it waits a second at most for what the daemon knows
     assert listed.startswith(f"/_ros2cli_daemon_{DOMAIN}_"), "and the command has no node of its own"
     assert listed.count("\n") == 1
     for said in ("The daemon has been stopped\n", "The daemon is not running\n"):
