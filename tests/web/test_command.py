@@ -83,6 +83,7 @@ def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link_and_has_one_grap
                 await tab.type('echo seen > mine.txt; ros2 topic pub -r 5 /told std_msgs/msg/String "{data: hi}"\r')
                 await tab.see("publishing #1")
                 echo = [sys.executable, "-m", "day6_tui.main", "ros2", "topic", "echo", "--once", "/told"]
+                echo += ["std_msgs/msg/String"]  # without it, a topic has to be known within a second or two
                 env = {name: value for name, value in os.environ.items() if name != "DAY6_LINK"}
                 heard = await asyncio.to_thread(waiting.run, echo, env=env)
                 assert heard.stdout == "data: hi\n---\n", heard  # another program of the same user
