@@ -97,7 +97,7 @@ class Terminal:
 
     def interrupt(self, typed: Typed) -> Typed:
         """Press Ctrl-C, unless it has ended, and wait for its end."""
-        until(typed.file.with_suffix(".pid").exists)
+        until(lambda: typed._read(".pid").endswith("\n"))
         if typed.status is None:
             self._say("interrupt", typed.file)
         until(lambda: typed.status is not None, told=lambda: f"Ctrl-C did not end it: {typed.printed}")

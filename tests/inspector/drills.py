@@ -263,10 +263,13 @@ def published_too_soon(lab: Lab) -> None:
         "once.py",
         # On a busy computer a program that ends at once is gone before anybody has heard of it, as with the real one.
         HEAD
-        + "import time\nrclpy.init()\nnode = Node('once')\npublisher = node.create_publisher(String, 'chatter', 10)\n"
-        "publisher.publish(String(data='hello'))\ntime.sleep(0.5)\n",
+        + "import os\nrclpy.init()\nnode = Node('once')\npublisher = node.create_publisher(String, 'chatter', 10)\n"
+        "publisher.publish(String(data='hello'))\nwhile not os.path.exists('known'):\n    time.sleep(0.02)\n",
     )
-    lab.run("python3 once.py", 1)
+    lab.start("python3 once.py", 1)
+    lab.wait(lambda: lab.desk.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter"))
+    lab.file("known", "")
+    lab.wait(lambda: all(node.name != "once" for node in lab.desk.graph.nodes))
     lab.file("listener.py", LISTENER)
     lab.start("python3 listener.py")
     lab.wait_node("/listener")

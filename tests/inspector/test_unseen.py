@@ -80,21 +80,21 @@ def counted_for_each_message(lab: Lab, kitchen: Any) -> int:
         for each in lab.desk.graph.endpoints(EndpointKind.SUBSCRIPTION, topic="/joint_states")
         if each.node.name == "robot_state_publisher"
     )
-    counted = 0
+    counts: list[tuple[int, int]] = []
+    """What each look counted, and how many had come by then: not every look is one, and many may come between two."""
 
     def put(lane: tuple[str, str], more: int) -> None:
-        nonlocal counted
-        counted += more if lane[0] == "/joint_states" else 0
+        if lane[0] == "/joint_states":
+            counts.append((more, taker.received))
 
     def look() -> None:
         kitchen.look(time.monotonic())
 
     kitchen.conveyor.put = put
-    lab.wait(lambda: look() or counted)
-    counted, begin = 0, taker.received
-    lab.wait(lambda: look() or taker.received - begin >= 20)
-    look()
-    return round(counted / (taker.received - begin))
+    lab.wait(lambda: look() or any(more for more, _ in counts))
+    (_, begin), begun = counts[-1], len(counts)
+    lab.wait(lambda: look() or counts[-1][1] - begin >= 20)
+    return round(sum(more for more, _ in counts[begun:]) / (counts[-1][1] - begin))
 
 
 def seen(lab: Lab) -> dict[str, Any]:

@@ -16,13 +16,14 @@ import pytest
 
 from day6_core.lessons.catalogue import HERE
 from day6_core.lessons.reading import read_lesson
+from tests.support.waiting import run
 
 AT_A_TIME = 5
 TOGETHER = 8
 """As many short files are given to one command."""
 
 LONGEST = 400.0
-"""Seconds for one command."""
+"""Seconds of a core for one command."""
 
 DAYS = sorted((HERE / "days").glob("*.md"))
 DRILLS = sorted((HERE / "drills").glob("*.md"))
@@ -34,7 +35,8 @@ Played = Future["subprocess.CompletedProcess[str]"]
 def play(paths: Sequence[Path]) -> subprocess.CompletedProcess[str]:
     """Play lesson files as their author would."""
     command = [sys.executable, "-m", "day6_tui.main", "lessons", "play", *map(str, paths)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=LONGEST)
+    done: subprocess.CompletedProcess[str] = run(command, None, LONGEST)
+    return done
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
+from itertools import count
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -13,7 +14,9 @@ from day6_core.lessons.lag import Lag
 from day6_core.lessons.live import Live, OutsideHome
 from day6_core.lessons.reading import read_lesson
 from day6_core.lessons.rehearsal import Played, rehearse
+from day6_core.lessons.stage import Stage
 from day6_core.session.session import Session
+from tests.support.waiting import PATIENCE
 
 HEAD = "---\nlesson: small\norder: 1\nminutes: 5\ntitle: {zh: 课, en: Lesson}\n---\n"
 TEXT = "\n## {language} Title\n\ntext\n\n### do\n\ndo\n\n### hints\n\n1. one\n2. two\n3. three\n"
@@ -86,11 +89,14 @@ def test_a_wrong_answer_during_which_the_machine_stood_still_is_played_again(
 def test_a_solution_that_goes_wrong_while_the_machine_stands_still_is_played_again(
     stalls: list[float], faults: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("day6_core.lessons.rehearsal.SOLVED_WITHIN", 0.5)
     left = [0.0, stalls[0], 0.0, *stalls[1:]]  # three steps, then the second one again
+    number = count()
 
-    async def watch(lag: Lag, session: Session) -> None:
+    def watch(lag: Lag, session: Session) -> Awaitable[None]:
         lag.add(left.pop(0))
+        goes_wrong = (at := next(number)) == 1 or (at > 2 and stalls[-1] > 0)  # what goes well may take its time
+        monkeypatch.setattr("day6_core.lessons.rehearsal.SOLVED_WITHIN", 0.5 if goes_wrong else PATIENCE)
+        return session.sleep(0)
 
     monkeypatch.setattr(Lag, "watch", watch)
     told: list[str] = []
@@ -130,7 +136,13 @@ def test_what_cleans_up_after_a_wrong_answer_has_ended_when_the_next_thing_is_do
     second.mkdir()
     (played,) = play(first, one=UNDONE.format(seconds=0.5))
     assert played.faults == []
-    monkeypatch.setattr("day6_core.lessons.stage.LONGEST_WAIT", 0.5)
+    until_line_ends = Stage.until_line_ends
+
+    async def for_a_moment(stage: Stage) -> None:
+        monkeypatch.setattr("day6_core.lessons.stage.LONGEST_WAIT", 0.5)  # only here: terminals begin before
+        await until_line_ends(stage)
+
+    monkeypatch.setattr(Stage, "until_line_ends", for_a_moment)
     (played,) = play(second, one=UNDONE.format(seconds=1000))
     (fault,) = played.faults
     assert fault.startswith("could not be played, the wrong answer 1 (line 17), undo: it ends with  sleep 1000  which")

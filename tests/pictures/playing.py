@@ -26,6 +26,7 @@ from tests.e2e.place import DAY6, Place
 from tests.e2e.terminal import Terminal
 from tests.pictures.script import Script, script
 from tests.pixels.pixel_terminal import CELL, PixelTerminal
+from tests.support.waiting import Deadline
 
 
 class Frame(NamedTuple):
@@ -92,12 +93,12 @@ class Camera(Terminal):
         of them without.
         """
         start = last = len(self.output)
-        changed = time.monotonic()
+        calm = self._calm()
         while (marked := self.output.rfind(_WHOLE)) < start:
             self.look(0.01)
             if len(self.output) != last:
-                last, changed = len(self.output), time.monotonic()
-            elif time.monotonic() > changed + (UNMARKED_CALM if marked < 0 else CALM):
+                last, calm = len(self.output), self._calm()
+            elif calm.is_over():
                 break
         end = marked if marked >= start else last
         fresh = bytes(self.output[self._developed : end]).decode("utf-8", "replace")
@@ -106,6 +107,10 @@ class Camera(Terminal):
         self._over.feed(fresh)
         rows = [runs_of(self._cells.row(y)) for y in range(self.rows)]
         return Frame(rows, _pixels(self._over), seconds)
+
+    def _calm(self) -> Deadline:
+        """What ends when nothing more is to be expected; later on a busy machine, where the program goes on later."""
+        return Deadline(CALM if _WHOLE in self.output else UNMARKED_CALM)
 
     def film(self, seconds: float) -> Iterator[Frame]:
         """What is seen in so many seconds from now on."""

@@ -64,9 +64,9 @@ $ day6-tui ros2 node list --spin-time 5
 {TURTLE}
 $ day6-tui ros2 service call /spawn turtlesim/srv/Spawn "{{x: 2, y: 3, name: anna}}"
 name='anna'
-$ day6-tui ros2 param set /turtlesim background_r 7
+$ day6-tui ros2 param set --timeout 60 /turtlesim background_r 7
 Set parameter successful
-$ day6-tui ros2 param get /turtlesim background_r
+$ day6-tui ros2 param get --timeout 60 /turtlesim background_r
 Integer value is: 7
 $ day6-tui ros2 action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "theta: 0.5"
 SUCCEEDED

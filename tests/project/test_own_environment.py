@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from tests.support.waiting import run
 
 CALLERS = {
     "LC_ALL": "C",
@@ -36,9 +37,7 @@ def test_nothing_of_the_callers_reaches_a_test(tmp_path: Path) -> None:
     # Its own place for temporary files: in the usual one pytest removes those of earlier runs, gigabytes after a whole suite.
     options = f"-q -p no:cacheprovider --basetemp='{tmp_path / 'base'}'"
     command = f"umask 077; trap '' INT HUP; exec '{sys.executable}' -m pytest {options} '{probe}'"
-    done = subprocess.run(
-        ["sh", "-c", command], cwd=tmp_path, env={**os.environ, **CALLERS}, capture_output=True, text=True, timeout=60
-    )
+    done = run(["sh", "-c", command], cwd=tmp_path, env={**os.environ, **CALLERS})
     assert done.returncode == 0 and "1 passed" in done.stdout, done.stdout + done.stderr
 
 

@@ -17,6 +17,7 @@ from day6_core.interfaces import get_message
 from day6_core.interfaces.registry import forget
 from day6_core.ros.environment import program_environment
 from tests.support.source_files import PACKAGES, ROOT, nodes, trees
+from tests.support.waiting import run
 
 REASONS = {
     (
@@ -170,13 +171,9 @@ def test_names_of_interfaces_lead_nowhere_else(package: Path, tmp_path: Path) ->
 
 
 def exec_line(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "day6_tui.main", "exec", "--home", str(folder / "home"), "-c", line],
-        capture_output=True,
-        encoding="utf-8",
-        timeout=60,
-        env={**program_environment(), "DAY6_LINK": "off"},
-    )
+    command = [sys.executable, "-m", "day6_tui.main", "exec", "--home", str(folder / "home"), "-c", line]
+    done: subprocess.CompletedProcess[str] = run(command, env={**program_environment(), "DAY6_LINK": "off"})
+    return done
 
 
 @pytest.mark.process

@@ -83,7 +83,9 @@ def test_a_picture_of_a_robot_tells(disk: Disk) -> None:
 def test_a_dump_of_parameters_tells(disk: Disk) -> None:
     text = shell_lines(
         disk,
-        "ros2 run demo_nodes_cpp parameter_blackboard & sleep 2; ros2 param dump /parameter_blackboard > d.yaml",
+        "ros2 run demo_nodes_cpp parameter_blackboard & "
+        "until [[ $(ros2 node list) == */parameter_blackboard* ]]; do sleep 0.1; done; "
+        "ros2 param dump /parameter_blackboard > d.yaml",
         status=120 if disk.kind == "full" else 1,
     )
     assert disk.is_told(text)

@@ -16,6 +16,7 @@ from day6_core.isolation import modes
 from day6_core.isolation.cell import Cell
 from day6_core.isolation.mode import Mode
 from day6_tui.detached import view, wire
+from day6_tui.web import nursery as nursery_module
 from day6_tui.web import starting
 from day6_tui.web.nursery import Nursery
 
@@ -43,12 +44,12 @@ environment = starting.environment
 def kept(place: Path) -> set[tuple[str, str]]:
     """What descriptors are open all the time, with what they stand for: a desktop opens one for a moment now and then."""
     looks: list[set[tuple[str, str]]] = []
-    for _ in range(5):
+    for _ in range(10):
         looks.append(set())
         for number in os.listdir(place):
             with suppress(FileNotFoundError):
                 looks[-1].add((number, os.readlink(place / number)))
-        time.sleep(0.02)
+        time.sleep(0.05)  # the moment is longer if it is not its turn just then
     return set.intersection(*looks)
 
 
@@ -132,6 +133,7 @@ def main() -> None:
     (top / "secret").write_text(SECRET)
     (top / "secret").chmod(0o600)
     starting.environment = without_a_link
+    nursery_module.BEAR_SECONDS = PATIENCE  # the first one waits for all imports
     nursery = Counting(starting.environment(0))
     found = {"started": one(offer.mode, top, None), "forked": one(offer.mode, top, nursery)}
     nursery.close()

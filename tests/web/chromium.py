@@ -196,7 +196,10 @@ class Page:
         self.wait_for("document.readyState === 'complete'")
 
     def reload(self) -> None:
+        """Load the page anew; the browser answers while the old one is still there, so that is waited for, too."""
+        self.evaluate("window.isTheOldPage = true")
         self.ask("Page.reload")
+        self.wait_for("!window.isTheOldPage && document.readyState === 'complete'")
 
     def evaluate(self, expression: str) -> Any:
         """The value of an expression, waited for if it is a promise. Raises RuntimeError with the script's own error."""

@@ -55,6 +55,7 @@ def test_a_forked_desktop_has_the_rights_limits_files_and_words_of_one_that_is_s
 def test_a_parent_that_is_killed_begins_anew_one_that_is_stuck_is_not_waited_for_and_all_end_with_the_server(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(nursery, "BEAR_SECONDS", 10 * PATIENCE)
     made = nursery.Nursery(starting.environment(0))
     try:
         made.begin()

@@ -4,27 +4,22 @@ from __future__ import annotations
 
 import asyncio
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import aiohttp
 import pytest
 
+from tests.support import waiting
 from tests.support.short_folder import make_short_folder
-from tests.web.serving import PATIENCE, Browser, Serving, run
+from tests.web.serving import Browser, Serving, run
 
 pytestmark = pytest.mark.process
 
 
 def refused(*words: str, folder: Path | None = None) -> tuple[int, str]:
     data = make_short_folder("d6w-") if folder is None else folder
-    done = subprocess.run(
-        [sys.executable, "-m", "day6_tui.main", "serve", "--lang", "en", "--data", str(data), *words],
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-    )
+    done = waiting.run([sys.executable, "-m", "day6_tui.main", "serve", "--lang", "en", "--data", str(data), *words])
     assert "Traceback" not in done.stderr
     return done.returncode, done.stderr.strip().splitlines()[-1]
 
@@ -88,10 +83,9 @@ def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link_and_has_one_grap
                 await tab.type('echo seen > mine.txt; ros2 topic pub -r 5 /told std_msgs/msg/String "{data: hi}"\r')
                 await tab.see("publishing #1")
                 echo = [sys.executable, "-m", "day6_tui.main", "ros2", "topic", "echo", "--once", "/told"]
+                echo += ["std_msgs/msg/String"]  # without it, a topic has to be known within a second or two
                 env = {name: value for name, value in os.environ.items() if name != "DAY6_LINK"}
-                heard = await asyncio.to_thread(
-                    subprocess.run, echo, env=env, capture_output=True, text=True, timeout=PATIENCE
-                )
+                heard = await asyncio.to_thread(waiting.run, echo, env=env)
                 assert heard.stdout == "data: hi\n---\n", heard  # another program of the same user
 
         run(deed())
