@@ -179,12 +179,18 @@ class World:
         """Run a command, interrupt it after some seconds if asked, and return stdout, stderr and exit status."""
         session = self.session(argv, stdin)
         program = Program(session, ros2.main)
-        ended = self._pass(
-            lambda: program.status is not None, interrupt_after or LONGEST, by_wall=bool(interrupt_after)
-        )
+
+        def has_ended() -> bool:
+            return program.status is not None
+
+        if self.with_processes and interrupt_after is not None:  # the process may start late, and has to say something
+            until(lambda: has_ended() or "Publishing: " in session.stdout.text, told=lambda: session.stdout.text)
+            ended = has_ended()
+        else:
+            ended = self._pass(has_ended, interrupt_after or LONGEST, by_wall=bool(interrupt_after))
         if not ended:
             session.interrupt()
-            self._pass(lambda: program.status is not None, 5.0)
+            self._pass(has_ended, 5.0 if self.stepped else LONGEST)
         status = program.status
         if status is None:
             program.kill()
