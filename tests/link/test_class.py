@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import socket
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -19,6 +18,7 @@ from day6_core.link.classroom.pupil import Pupil
 from day6_core.link.classroom.teacher import Teacher
 from day6_core.link.state import DoorState
 from tests.link.link_harness import Peer, World
+from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 
@@ -28,9 +28,7 @@ class Class:
     def __init__(self, folder: Path, short: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self._folder, self._short, self._monkeypatch = folder, short, monkeypatch
         self._worlds: list[World] = []
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.endpoint = f"tcp/127.0.0.1:{probe.getsockname()[1]}"
+        self.endpoint = f"tcp/127.0.0.1:{free_port()}"
 
     def machine(self, **arguments: Any) -> Peer:
         runtime = self._short / str(len(self._worlds))

@@ -18,6 +18,7 @@ from day6_core.link.addresses import address_of
 from day6_core.link.secret import secret_of
 from day6_core.link.state import Door, DoorState
 from tests.link.link_harness import World
+from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 SECRET, OTHER_SECRET = "chalk-and-sponge", "sponge-and-chalk"
@@ -34,9 +35,7 @@ def taken() -> Iterator[socket.socket]:
 
 @pytest.fixture
 def port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
+    return free_port()
 
 
 def door(peer: Any) -> Door:

@@ -23,6 +23,7 @@ from day6_core.link.gateway import Gateway
 from day6_core.link.paths import MeetingPlace
 from day6_core.link.secret import secret_of
 from day6_core.link.state import Door, DoorState, read_doors, remove_doors, write_doors
+from tests.support.free_port import free_port
 
 
 @pytest.fixture
@@ -31,12 +32,6 @@ def listener() -> Iterator[socket.socket]:
         other.bind(("127.0.0.1", 0))
         other.listen()
         yield other
-
-
-def unused_port(kind: int = socket.SOCK_STREAM) -> int:
-    with socket.socket(type=kind) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 # -- what an error means -----------------------------------------------------------------------------------------------
@@ -69,8 +64,8 @@ def test_an_error_of_zenoh_is_told_by_the_systems_number(text: str, state: DoorS
 def test_a_door_is_free_when_nobody_has_its_port(listener: socket.socket) -> None:
     taken = listener.getsockname()[1]
     assert not gate_module._is_free(f"tcp/127.0.0.1:{taken}")
-    assert gate_module._is_free(f"tcp/127.0.0.1:{unused_port()}")
-    assert gate_module._is_free(f"udp/127.0.0.1:{unused_port(socket.SOCK_DGRAM)}")
+    assert gate_module._is_free(f"tcp/127.0.0.1:{free_port()}")
+    assert gate_module._is_free(f"udp/127.0.0.1:{free_port(socket.SOCK_DGRAM)}")
     assert not gate_module._is_free("tcp/no-such-host.invalid:7447")
 
 
@@ -91,7 +86,7 @@ def test_who_answers_without_joining_does_not_let_us_in(listener: socket.socket)
 
 @pytest.mark.process
 def test_a_port_without_a_program_a_name_without_a_machine_and_udp() -> None:
-    port = unused_port()
+    port = free_port()
     assert gate_module._probe(Address("tcp", "127.0.0.1", port)) == (DoorState.NOBODY, {f"127.0.0.1:{port}"})
     assert gate_module._probe(Address("udp", "127.0.0.1", port)) == (DoorState.NO_ANSWER, {f"127.0.0.1:{port}"})
     assert gate_module._probe(Address("tcp", "no-such-host.invalid", port)) == (DoorState.NO_NAME, frozenset())

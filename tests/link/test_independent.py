@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib.util
 import os
-import socket
 import subprocess
 import sys
 import threading
@@ -13,6 +12,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.link.link_harness import HOUR, LEASE, World
+from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 pytestmark = [
@@ -70,9 +70,7 @@ class Stranger:
 
 @pytest.fixture
 def port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
+    return free_port()
 
 
 @pytest.fixture

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import socket
 import subprocess
 import sys
 import time
@@ -33,6 +32,7 @@ from day6_core.link.state import DoorState
 from day6_core.link.unannounced import UnannouncedSenders
 from tests.link.link_harness import World
 from tests.link.link_peer import Peer
+from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 MANY = 3000
@@ -69,9 +69,7 @@ class Hostile:
 
 @pytest.fixture
 def port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
+    return free_port()
 
 
 @pytest.fixture
@@ -321,10 +319,7 @@ def test_a_machine_is_forgotten_with_its_last_link_and_not_token_by_token() -> N
 
 @pytest.mark.process
 def test_a_second_gate_of_the_same_user_waits_until_the_first_is_closed(world: World, open_desk: Peer) -> None:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        other_port = probe.getsockname()[1]
-    second = world.here(listen=f"tcp/127.0.0.1:{other_port}")
+    second = world.here(listen=f"tcp/127.0.0.1:{free_port()}")
     until(lambda: doors_of(second.graph)[0].state != DoorState.OPENING)
     (door,) = doors_of(second.graph)
     assert door.state == DoorState.FAILED and "another program of yours" in door.reason

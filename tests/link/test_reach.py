@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 from tests.link.link_harness import World
+from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 
@@ -128,9 +129,7 @@ def test_who_takes_the_port_of_a_keeper_that_died_is_not_joined_without_the_pass
 
     monkeypatch.setenv("DAY6_LINK", "tcp")
     place = meeting_place(0)
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        behind = probe.getsockname()[1]
+    behind = free_port()
     settings = {
         "mode": '"router"',
         "scouting/multicast/enabled": "false",
@@ -199,9 +198,7 @@ def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
 @pytest.mark.parametrize("links", [("unix", "unix"), ("tcp", "unix"), ("unix", "tcp"), ("tcp", "tcp")])
 def test_two_machines_meet_only_by_name(world: World, short_folder: Path, links: tuple[str, str]) -> None:
     """With `tcp` a machine is one without Unix sockets, as under Windows."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     here, there = str(short_folder / "m1"), str(short_folder / "m2")
     listen = json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
     connect = json.dumps({"connect": [f"tcp/127.0.0.1:{port}"]})
@@ -236,9 +233,7 @@ def test_two_machines_meet_only_by_name(world: World, short_folder: Path, links:
 def test_what_is_kept_and_who_has_died_is_known_across_two_machines_without_unix_sockets(
     world: World, short_folder: Path
 ) -> None:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     machines = [{"DAY6_RUNTIME_DIR": str(short_folder / name), "DAY6_LINK": "tcp"} for name in ("m1", "m2")]
     gates = [{"listen": f"tcp/127.0.0.1:{port}"}, {"connect": [f"tcp/127.0.0.1:{port}"]}]
     teacher, student = (
