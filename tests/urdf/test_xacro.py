@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.waiting import run
+
 pytestmark = pytest.mark.process
 
 pytest.importorskip("xacro")
@@ -29,14 +31,10 @@ CAR = """<?xml version="1.0"?>
 
 
 def day6(tmp_path: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
+    return run(
         [sys.executable, "-m", "day6_tui.main", *words],
         cwd=tmp_path,
         env={**os.environ, "DAY6_RUNTIME_DIR": str(tmp_path), "DAY6_LINK": "off"},
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        timeout=60,
     )
 
 

@@ -201,7 +201,7 @@ function(add_ros_isolated_launch_test path)
   set(RUNNER "${ament_cmake_ros_DIR}/run_test_isolated.py")
   add_launch_test("${path}" RUNNER "${RUNNER}" ${ARGN})
 endfunction()
-add_ros_isolated_launch_test(test/test_launch.py TIMEOUT 30 ARGS colour:=red ENV MOOD=good)
+add_ros_isolated_launch_test(test/test_launch.py TIMEOUT 300 ARGS colour:=red ENV MOOD=good)
 """
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import sys
 import threading
 from pathlib import Path
@@ -22,7 +21,7 @@ from day6_core.shell.process import process
 from day6_core.shell.process.feeder import Feeder
 from day6_core.shell.process.output_copy import OutputCopy, read_at_once
 from day6_core.workspace import build
-from tests.support.waiting import until
+from tests.support.waiting import run, until
 
 NEVER = 1000.0
 posix = pytest.mark.skipif(os.name != "posix", reason="needs Unix's pipes and processes")
@@ -164,13 +163,7 @@ sys.exit(main())
 
 @pytest.mark.process
 def test_a_thread_that_fails_outside_the_desktop_is_told_in_one_line(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", PLANTED, str(tmp_path)],
-        env={**os.environ, "DAY6_LINK": "off"},
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
+    done = run([sys.executable, "-c", PLANTED, str(tmp_path)], env={**os.environ, "DAY6_LINK": "off"})
     assert "Traceback" not in done.stderr
     assert "day6-tui: RuntimeError: planted" in done.stderr
     assert "42" in done.stdout
