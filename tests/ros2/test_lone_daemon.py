@@ -76,3 +76,28 @@ def test_a_signal_that_does_not_interrupt_its_wait_ends_it_all_the_same(monkeypa
     result = run([sys.executable, "-c", _HEARD_ELSEWHERE, str(DOMAIN + 2)])
     assert result.returncode == 0
     assert not lone_daemon.running(DOMAIN + 2)
+
+
+_ASKED_MEANWHILE = """
+import sys
+from day6_core.link.file_lock import FileLock
+from day6_core.ros.ros2.cli import lone_daemon
+
+try_acquire, replace_file = FileLock.try_acquire, lone_daemon.replace_file
+
+def taken(lock):
+    FileLock.try_acquire = try_acquire
+    return False
+
+def begun(*words, **options):
+    print("begun")
+    replace_file(*words, **options)
+
+FileLock.try_acquire, lone_daemon.replace_file, lone_daemon.UNUSED_SECONDS = taken, begun, -1e9
+lone_daemon.main(int(sys.argv[1]))
+"""
+
+
+def test_it_begins_although_somebody_just_asks_whether_it_is_there(monkeypatch):
+    monkeypatch.setenv("DAY6_LINK", "on")
+    assert run([sys.executable, "-c", _ASKED_MEANWHILE, str(DOMAIN + 3)]).stdout == "begun\n"

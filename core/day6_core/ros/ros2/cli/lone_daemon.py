@@ -24,6 +24,8 @@ UNUSED_SECONDS = 2 * 60 * 60
 _POLL_SECONDS = 0.02
 _LOOK_SECONDS = 60.0
 _ENDED_SECONDS = 5.0
+_ASKED_SECONDS = 1.0
+"""So long at most others have the lock who only ask whether there is a daemon."""
 
 
 def running(domain_id: int) -> int:
@@ -86,10 +88,10 @@ def shut_down(domain_id: int, seconds: float | None = _ENDED_SECONDS) -> bool:
 
 
 def main(domain_id: int) -> None:
-    """Be the daemon of a domain; returns at once if there is one."""
+    """Be the daemon of a domain; returns if there is one."""
     folder = meeting_place(domain_id).folder
     lock = _lock(folder)
-    if not lock.try_acquire():
+    if not _acquired(lock):
         return
     _file(folder).unlink(missing_ok=True)  # of one that was killed
     from day6_core.ros.environment import activate
@@ -117,6 +119,15 @@ def main(domain_id: int) -> None:
         context.try_shutdown()
         _file(folder).unlink(missing_ok=True)
         lock.release()
+
+
+def _acquired(lock: FileLock) -> bool:
+    deadline = _deadline(_ASKED_SECONDS)
+    while not lock.try_acquire():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(_POLL_SECONDS)
+    return True
 
 
 def _deadline(seconds: float | None) -> float:
