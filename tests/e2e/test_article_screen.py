@@ -17,6 +17,7 @@ import pytest
 
 from tests.e2e.hands import PROMPT, Keyboard, Pointer
 from tests.e2e.lesson_files import LAUNCH, SETUP, SPINNER_SCRIPT, TALKER, URDF, WHEEL_SPINNER
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
     from tests.e2e.hands import Hands
@@ -91,6 +92,11 @@ def drive_the_turtle(person: Hands) -> None:
     screen.wait(pose(7.56), "Use arrow keys to move the turtle.")
 
 
+def wait_for_echo(place: Place) -> None:
+    """Wait until `ros2 topic echo` hears the turtle's commands: its title is there before, and a key is told once only."""
+    until(lambda: "Subscription count: 2" in place.run("ros2", "topic", "info", "/turtle1/cmd_vel").stdout)
+
+
 @everybody
 def test_section_2_messages_are_seen_while_the_turtle_moves(
     place: Place, hands: str, lang: str, size: tuple[int, int]
@@ -106,6 +112,7 @@ def test_section_2_messages_are_seen_while_the_turtle_moves(
         screen.wait_lines("/turtle1/cmd_vel", "/turtle1/pose")
         person.run("clear; ros2 topic echo /turtle1/cmd_vel")
         screen.wait("4 echo")
+        wait_for_echo(place)
         person.go_to("3 turtle_te")
         screen.press("Left")
         screen.wait(lambda seen: "θ 0.00" not in seen, "'q' to quit.", twist(person, 0.0, 2.0))
@@ -240,12 +247,12 @@ def test_section_5_the_wheels_turn_on_the_screen(place: Place, hands: str, lang:
 def test_from_the_kitchen_to_the_two_publishers_in_one_desktop(place: Place) -> None:
     """Sections 2 to 5.4 as a class does them: 80x24, Chinese, keyboard only, and nothing is closed in between."""
     with desk(place, "keyboard", "zh", (80, 24)) as person:
-        _section_2(person)
+        _section_2(person, place)
         _sections_3_and_4(person, place)
         _section_5(person)
 
 
-def _section_2(person: Hands) -> None:
+def _section_2(person: Hands, place: Place) -> None:
     screen = person.screen
     drive_the_turtle(person)
     person.new_terminal(4)
@@ -255,6 +262,7 @@ def _section_2(person: Hands) -> None:
     screen.wait_lines("/turtle1/cmd_vel", "/turtle1/pose")
     person.run("clear; ros2 topic echo /turtle1/cmd_vel")
     screen.wait("4 echo")
+    wait_for_echo(place)
     person.go_to("3 ")
     screen.press("Up")
     screen.wait(lambda seen: pose(7.56) not in seen and "2 TurtleSim" in seen, twist(person, 2.0, 0.0))

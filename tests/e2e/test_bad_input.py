@@ -204,10 +204,14 @@ def test_the_window_is_resized_while_everything_moves(place: Place) -> None:
             screen.resize(columns, rows)
             screen.look(0.1)
         screen.resize(100, 30)
-        seen = screen.wait("TurtleSim", "v 2.0", lambda seen: re.match(" ?F2 +Terminal", seen.split("\n")[-1]))
+
+        def is_framed(seen: str) -> bool:
+            lines = seen.split("\n")[1:-1]
+            return all(len(line) == 100 and line[0] in "┏┃┗╭│╰" and line[-1] in "┓┃┛╮│╯" for line in lines)
+
+        bar = re.compile(" ?F2 +Terminal")
+        seen = screen.wait("TurtleSim", "v 2.0", lambda seen: bar.match(seen.split("\n")[-1]), is_framed)
         assert "Traceback" not in screen.output.decode(errors="replace")
-        for line in seen.split("\n")[1:-1]:
-            assert len(line) == 100 and line[0] in "┏┃┗╭│╰" and line[-1] in "┓┃┛╮│╯", line
         moved = re.search(r"x (\d+\.\d+)", seen)
         assert moved is not None
         screen.wait(lambda seen: (now := re.search(r"x (\d+\.\d+)", seen)) and now[1] != moved[1])

@@ -14,6 +14,7 @@ from day6_tui.locale import Texts
 from tests.e2e.mouse import Mouse
 from tests.e2e.place import Place
 from tests.e2e.test_observed import answer_consent, choose
+from tests.support.waiting import until
 
 if TYPE_CHECKING:
     from tests.e2e.terminal import Terminal
@@ -86,8 +87,9 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
             choose(pupil, texts("action.sayings"))
             pupil.wait_gone(texts(unread, count=1))
             pupil.press("Esc")
-            assert "/anna/turtlesim" in desk.nodes()
-            assert "/turtlesim" in place.nodes() and "/anna/turtlesim" not in place.nodes()
+            until(lambda: "/anna/turtlesim" in desk.nodes())
+            until(lambda: "/turtlesim" in place.nodes())
+            assert "/anna/turtlesim" not in place.nodes()
             pupil.quit()
         teacher.wait(texts("teacher.here", here=0, all=1))
         teacher.quit()

@@ -79,7 +79,7 @@ def test_key_1_drives_the_turtle_and_every_tool_tells_the_truth(
         screen.wait_lines("/parameter_events", "/rosout", "/turtle1/cmd_vel", "/turtle1/color_sensor", "/turtle1/pose")
 
         screen.press("F8")
-        assert "Subscription count: 2" in place.run("ros2", "topic", "info", "/turtle1/cmd_vel").stdout
+        until(lambda: "Subscription count: 2" in place.run("ros2", "topic", "info", "/turtle1/cmd_vel").stdout)
         screen.press("Alt-4")
         screen.wait("'q' to quit.")
         screen.press("Up")

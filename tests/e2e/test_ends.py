@@ -59,9 +59,17 @@ def test_a_signal_ends_the_desktop_with_its_status_and_gives_the_terminal_back(p
         expect_end(screen, place, 128 + number, before)
 
 
+PATIENT = """
+from day6_core.shell import desk
+from day6_tui.screen import departure
+desk.GRACE = departure.LEAVE_SECONDS = 600.0
+"""
+"""Planted into a desktop, which then waits for its programs until it is told to hurry, however late that is."""
+
+
 def test_ctrl_c_while_the_desktop_quits_ends_it_without_a_word(place: Place) -> None:
     place.home_file("stubborn.py", STUBBORN)
-    with place.desktop("--scene", "empty") as screen:
+    with place.desktop("--scene", "empty", plant=PATIENT) as screen:
         before = screen.attributes()
         screen.wait("student@day6:~$")
         screen.line("python3 stubborn.py")
@@ -168,14 +176,14 @@ import os
 import time
 
 def wait():
-    open(os.path.join(os.path.dirname(__file__), "deaf"), "w").close()
     while True:
         try:
+            open(os.path.join(os.path.dirname(__file__), "deaf"), "w").close()
             time.sleep(99)
         except BaseException:
             pass
 """
-"""Makes the file `deaf` beside itself: on the terminal the word could come in the middle of what is being drawn."""
+"""Makes the file `deaf` beside itself, already deaf: on the terminal the word could come in the middle of what is being drawn."""
 
 
 def test_a_command_that_does_not_listen_ends_by_force_when_its_user_insists(place: Place) -> None:

@@ -135,19 +135,24 @@ def test_services_parameters_and_actions_answer(place: Place) -> None:
 
 
 def test_the_rate_of_the_pose_is_measured(place: Place) -> None:
-    done = place.execute("ros2 run turtlesim turtlesim_node & timeout -s INT 2.4 ros2 topic hz /turtle1/pose")
-    found = re.findall(r"average rate: ([\d.]+)\n.*window: (\d+)", done.stdout)
-    assert found, done.stdout + done.stderr
-    rate, periods = float(found[-1][0]), int(found[-1][1])
-    # Messages are counted by real time. A world that was held up before the first of them catches up, by so much at most.
-    assert rate > 40 and periods * TICK <= periods / rate + MAX_LAG_NS / 1e9 + TICK, done.stdout + done.stderr
+    def measured() -> float:
+        done = place.execute("ros2 run turtlesim turtlesim_node & timeout -s INT 2.4 ros2 topic hz /turtle1/pose")
+        found = re.findall(r"average rate: ([\d.]+)\n.*window: (\d+)", done.stdout)
+        if not found:
+            return 0.0
+        rate, periods = float(found[-1][0]), int(found[-1][1])
+        # Messages are counted by real time. A world that was held up before the first of them catches up, by so much at most.
+        assert periods * TICK <= periods / rate + MAX_LAG_NS / 1e9 + TICK, done.stdout + done.stderr
+        return rate
+
+    until(lambda: measured() > 40)  # a busy machine may hold it up for longer once
 
 
 def test_commands_of_a_real_terminal_see_what_a_script_runs(place: Place) -> None:
     process = place.start("exec", "--home", str(place.home), "-c", "ros2 run turtlesim turtlesim_node")
     place.wait_nodes("/turtlesim")
-    info = place.run("ros2", "topic", "info", "/turtle1/cmd_vel")
-    assert info.stdout == "Type: geometry_msgs/msg/Twist\nPublisher count: 0\nSubscription count: 1\n"
+    info = "Type: geometry_msgs/msg/Twist\nPublisher count: 0\nSubscription count: 1\n"
+    until(lambda: place.run("ros2", "topic", "info", "/turtle1/cmd_vel").stdout == info)
     moved = place.run(
         "ros2", "service", "call", "/turtle1/teleport_relative", "turtlesim/srv/TeleportRelative", "{linear: 1}"
     )

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.e2e.place import Place
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.person
 
@@ -57,12 +58,12 @@ def test_a_taken_port_is_told_and_programs_still_meet(place: Place, lang: str) -
         top, finding = (text.format(port=port) for text in IN_USE[lang])
         with place.desktop("--listen", f"tcp/127.0.0.1:{port}", "--scene", "empty", lang=lang) as screen:
             screen.wait(top)
-            done = place.run("ros2", "doctor")
+            error = f"ERROR: tcp/127.0.0.1:{port}: another program is using this port"
+            done = until(lambda: error in (done := place.run("ros2", "doctor")).stderr and done)
             assert done.returncode == 0 and "check(s) failed" in done.stdout
-            assert f"ERROR: tcp/127.0.0.1:{port}: another program is using this port" in done.stderr
             screen.line("ros2 run turtlesim turtlesim_node &")
             screen.wait("TurtleSim")
-            assert "/turtlesim" in place.run("ros2", "node", "list").stdout
+            until(lambda: "/turtlesim" in place.nodes())
             screen.press(F6)
             screen.wait(" 3 ")
             screen.press("Alt-3", "F8")

@@ -31,20 +31,22 @@ rclpy.spin(node)
 
 def everything(folder: Path) -> None:
     """As at the last log-out."""
-    shutil.rmtree(folder)
+    gone = folder.with_name(f"{folder.name}-gone")
+    folder.rename(gone)  # at once: whoever looks meanwhile makes files in a new one
+    shutil.rmtree(gone)
 
 
 def files_only(folder: Path) -> None:
     """As macOS's tmp_cleaner does: sockets and folders stay."""
     for path in folder.rglob("*"):
         if path.is_file():
-            path.unlink()
+            path.unlink(missing_ok=True)
 
 
 def sockets_only(folder: Path) -> None:
     for path in folder.rglob("*"):
         if path.is_socket():
-            path.unlink()
+            path.unlink(missing_ok=True)
 
 
 @pytest.mark.parametrize("link", [None, "local"])

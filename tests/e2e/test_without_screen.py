@@ -65,6 +65,7 @@ def test_the_shipped_car_is_launched_in_one_line(place: Place) -> None:
     done = place.execute(
         "ros2 launch day6_bot display.launch.py > log 2>&1 &\n"
         "ros2 run tf2_ros tf2_echo base_link left_wheel 2> /dev/null | grep -m 2 'RPY (radian)'\n"
+        "until ros2 node list | grep -q rviz2; do sleep 0.05; done\n"
         "ros2 node list | grep -v transform\nkill -INT %1; wait; cat log\n"
     )
     *turned, first, second, third, _ = done.stdout.split("\n", 5)

@@ -52,6 +52,8 @@ class SlowLine(Terminal):
         self._queue = bytearray()
         self._credit = 0.0
         self._turned = time.monotonic()
+        self._was_empty = True
+        """Whether nothing waited at the last look."""
         self._rest = b""
         self.read_bytes = 0
         """Bytes that the terminal has read."""
@@ -112,12 +114,16 @@ class SlowLine(Terminal):
     def _deliver(self) -> None:
         """Let the terminal read what has come over the line by now."""
         now = time.monotonic()
-        self._credit += (now - self._turned) * self.rate
+        seconds = now - self._turned
+        if self._was_empty:  # what waits now may have come a moment ago, however late this look is
+            seconds = min(seconds, TURN)
+        self._credit += seconds * self.rate
         self._turned = now
         count = min(int(self._credit), len(self._queue))
         self._credit = self._credit - count if self._queue else 0.0
         data = bytes(self._queue[:count])
         del self._queue[:count]
+        self._was_empty = not self._queue
         self.read_bytes += count
         if not data:
             return

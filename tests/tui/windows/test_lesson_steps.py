@@ -155,8 +155,9 @@ async def test_f5_shows_the_next_step_and_the_keyboard_is_in_the_terminal(tmp_pa
         await until(app, pilot, lambda: "Done · F5" in screen_lines(app)[0])
         await pilot.press("f5")
         await until(app, pilot, _shows(app, "Step 2 of 12"))
-        assert app.desktop.is_shown(kitchen) and app.desktop.focused_pane is app.terminals.current
-        assert "Done · F5" not in screen_text(app)
+        # The page may be that of a step which the desktop follows at the next frame only.
+        await until(app, pilot, lambda: app.desktop.is_shown(kitchen) and "Done · F5" not in screen_text(app))
+        assert app.desktop.focused_pane is app.terminals.current
         await pilot.press("f5")  # once too often: into the lesson
         for key in ("r", "o", "s", "2", "space", "n", "o", "d", "e", "space", "l", "i", "s", "t", "enter"):
             await pilot.press(key)
