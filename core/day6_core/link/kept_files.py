@@ -48,7 +48,7 @@ def identity(path: Path) -> tuple[int, int] | None:
 
 @contextmanager
 def spared(paths: Iterable[Path]) -> Iterator[None]:
-    """Let these files have their names again afterwards, whoever has removed them meanwhile."""
+    """Let these files have their names again afterwards, whoever has removed them meanwhile, unless the names are taken."""
     aside = {path: path.with_name(f"{path.name}.{os.getpid()}") for path in paths}
     for path, other in aside.items():
         with suppress(OSError):
@@ -58,7 +58,9 @@ def spared(paths: Iterable[Path]) -> Iterator[None]:
     finally:
         for path, other in aside.items():
             with suppress(OSError):
-                os.replace(other, path)
+                os.link(other, path)
+            with suppress(OSError):
+                os.unlink(other)
 
 
 def mark_as_used(path: Path) -> None:
