@@ -96,7 +96,8 @@ def test_the_talker_talks_in_the_desktop_and_everybody_hears_it(place: Place) ->
             while text not in (seen := screen.look()):
                 before = lines_below(seen)
                 screen.press("Shift-PageUp")  # one page after the other: a second one could go past the text
-                screen.wait(lambda seen, before=before: lines_below(seen) not in (0, before))
+                # Or the text is there by now, and nothing above it: what was looked at was half drawn.
+                screen.wait(lambda seen, text=text, before=before: text in seen or lines_below(seen) not in (0, before))
         place.wait_nodes()
 
 
