@@ -300,6 +300,13 @@ def test_odd_sequences_are_read_as_xterm_reads_them_however_they_are_cut(written
     assert shown(*written) == seen
 
 
+def test_the_echo_of_ctrl_c_behind_half_a_sequence_hides_no_more_than_its_line() -> None:
+    """At Ctrl-C a kernel throws away what a program has written and nobody has read: the end of a colour, for instance."""
+    for half in ("a\x1b", "a\x1bX"):
+        written = f"{half}^Cb\r\nKeyboardInterrupt\r\n$ "
+        assert shown(written) == shown(*written) == "a\nKeyboardInterrupt\n$"
+
+
 def test_what_never_ends_is_bounded_and_the_next_prompt_ends_it() -> None:
     for beginning in ("\x1b]0;", "\x1bP", "\x1b_", "\x1b[", "\x1b[1 "):
         screen = Screen(40, 5)

@@ -1,7 +1,7 @@
 """Parses what a program writes to a terminal: text, control characters and escape sequences, as xterm reads them.
 
 The states are those of a VT500 (https://vt100.net/emu/dec_ansi_parser), which xterm follows: CAN and SUB end any sequence,
-ESC begins a new one, control characters inside a sequence are obeyed at once, and a string (OSC, DCS, APC …) goes on until ST.
+ESC begins a new one, control characters inside a sequence are obeyed at once, and a string (OSC, DCS, APC) goes on until ST.
 A text may be cut anywhere; what is kept of an unfinished sequence is bounded.
 """
 
@@ -36,6 +36,9 @@ _IGNORED = re.compile(r"[ -?\x7f]*")
 _PARTS_OF_ESCAPE = re.compile(r"[ -/]*")
 _NOT_IN_A_STRING = re.compile(r"[\x18\x1a\x1b\x9c]")
 _NOT_IN_AN_OSC = re.compile(r"[\x07\x18\x1a\x1b\x9c]")
+_NOT_IN_A_MESSAGE = re.compile(r"[\r\n\x18\x1a\x1b\x9c]")
+"""PM and SOS, unlike xterm's, end with their line. At Ctrl-C a kernel throws away what waits, maybe from the middle of a sequence
+on, and echoes ^C: ESC ^ C would hide all that comes until the next sequence, a traceback for instance."""
 
 _STRINGS = {
     "]": "]",
@@ -50,6 +53,9 @@ _STRINGS = {
     "\x9f": "_",
 }
 """What begins a string: OSC, DCS, SOS, PM, APC."""
+
+_PATTERNS = {"]": _NOT_IN_AN_OSC, "X": _NOT_IN_A_MESSAGE, "^": _NOT_IN_A_MESSAGE}
+"""What may end it."""
 
 
 class Listener(Protocol):
@@ -235,7 +241,7 @@ class SequenceParser:
         return at
 
     def _read_string(self, text: str, at: int) -> int:
-        pattern = _NOT_IN_AN_OSC if self._string == "]" else _NOT_IN_A_STRING
+        pattern = _PATTERNS.get(self._string, _NOT_IN_A_STRING)
         found = pattern.search(text, at)
         stop = len(text) if found is None else found.start()
         if self._string == "]" and self._kept_size < LONGEST_STRING:
@@ -251,6 +257,9 @@ class SequenceParser:
                 self._string = ""  # another sequence begins
                 return stop
             stop += 1
+        elif text[stop] in "\r\n":
+            self._string = ""
+            return stop
         elif text[stop] in "\x18\x1a":
             self._string = ""
             return stop + 1
