@@ -85,15 +85,17 @@ from day6_core.ros.ros2.cli import lone_daemon
 
 try_acquire, replace_file = FileLock.try_acquire, lone_daemon.replace_file
 
-def taken(lock):
-    FileLock.try_acquire = try_acquire
-    return False
+tries = []
+
+def taken_once(lock):
+    tries.append(lock)
+    return len(tries) > 1 and try_acquire(lock)
 
 def begun(*words, **options):
     print("begun")
     replace_file(*words, **options)
 
-FileLock.try_acquire, lone_daemon.replace_file, lone_daemon.UNUSED_SECONDS = taken, begun, -1e9
+FileLock.try_acquire, lone_daemon.replace_file, lone_daemon.UNUSED_SECONDS = taken_once, begun, -1e9
 lone_daemon.main(int(sys.argv[1]))
 """
 

@@ -13,6 +13,7 @@ import socket
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
@@ -25,7 +26,7 @@ _POLL_SECONDS = 0.02
 _LOOK_SECONDS = 60.0
 _ENDED_SECONDS = 5.0
 _ASKED_SECONDS = 1.0
-"""So long at most others have the lock who only ask whether there is a daemon."""
+"""Longer than anybody holds the lock who only asks whether there is a daemon."""
 
 
 def running(domain_id: int) -> int:
@@ -64,11 +65,8 @@ def spawn(domain_id: int, seconds: float | None = None, *, debug: bool = False) 
         creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )
     process.returncode = 0  # it goes on without us: no warning that it still runs
-    deadline = _deadline(seconds)
-    while not running(domain_id):
-        if time.monotonic() > deadline:
-            raise RuntimeError("Timed out waiting for daemon to become ready")
-        time.sleep(_POLL_SECONDS)
+    if not _becomes_true(lambda: running(domain_id), seconds):
+        raise RuntimeError("Timed out waiting for daemon to become ready")
     return True
 
 
@@ -79,11 +77,8 @@ def shut_down(domain_id: int, seconds: float | None = _ENDED_SECONDS) -> bool:
         return False
     with suppress(ProcessLookupError):
         os.kill(number, signal.SIGTERM)
-    deadline = _deadline(seconds)
-    while running(domain_id):
-        if time.monotonic() > deadline:
-            raise RuntimeError("Timed out waiting for daemon to shutdown")
-        time.sleep(_POLL_SECONDS)
+    if not _becomes_true(lambda: not running(domain_id), seconds):
+        raise RuntimeError("Timed out waiting for daemon to shutdown")
     return True
 
 
@@ -91,7 +86,7 @@ def main(domain_id: int) -> None:
     """Be the daemon of a domain; returns if there is one."""
     folder = meeting_place(domain_id).folder
     lock = _lock(folder)
-    if not _acquired(lock):
+    if not _becomes_true(lock.try_acquire, _ASKED_SECONDS):
         return
     _file(folder).unlink(missing_ok=True)  # of one that was killed
     from day6_core.ros.environment import activate
@@ -121,17 +116,14 @@ def main(domain_id: int) -> None:
         lock.release()
 
 
-def _acquired(lock: FileLock) -> bool:
-    deadline = _deadline(_ASKED_SECONDS)
-    while not lock.try_acquire():
+def _becomes_true(condition: Callable[[], object], seconds: float | None) -> bool:
+    """Wait until it is true, for so many seconds at most; None or less than none: as long as it takes."""
+    deadline = float("inf") if seconds is None or seconds < 0 else time.monotonic() + seconds
+    while not condition():
         if time.monotonic() > deadline:
             return False
         time.sleep(_POLL_SECONDS)
     return True
-
-
-def _deadline(seconds: float | None) -> float:
-    return float("inf") if seconds is None or seconds < 0 else time.monotonic() + seconds
 
 
 def _lock(folder: Path) -> FileLock:
