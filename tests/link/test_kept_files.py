@@ -59,5 +59,6 @@ def test_files_that_are_spared_have_their_names_again_unless_those_are_taken(fil
         files[1].unlink()
         files[1].touch()  # of another process: with an old one in its place nobody would find it
         taken = identity(files[1])
-    assert [identity(path) for path in files] == [known[0], taken] != known and identity(missing) is None
+    assert taken != known[1]
+    assert [identity(path) for path in (*files, missing)] == [known[0], taken, None]
     assert sorted(os.listdir(files[0].parent)) == ["meet", "p-1-2"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import math
-import os
 import re
 import sys
 from collections.abc import Iterator
@@ -15,6 +14,7 @@ from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 
 from day6_core.graph import Graph
+from day6_core.link.paths import process_exists
 from day6_core.ros.program_index import executables
 from day6_core.session.clock import WorldClock
 from day6_core.session.program import Program
@@ -393,15 +393,7 @@ def test_a_graphviz_that_hangs_ends_with_view_frames(machine: Machine) -> None:
     file = machine.folder / "pid"
     until(lambda: file.exists() and file.read_text().strip(), meanwhile=lambda: machine.advance(0.1))
     assert view.interrupt() == 130
-
-    def gone() -> bool:
-        try:
-            os.kill(int(file.read_text()), 0)
-        except ProcessLookupError:
-            return True
-        return False
-
-    until(gone)
+    until(lambda: not process_exists(int(file.read_text())))
 
 
 def test_an_older_file_of_that_name_stays_whole_where_the_new_one_cannot_be_written(machine: Machine) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 
+from day6_core.link.paths import process_exists
 from tests.support.waiting import Deadline, run, until
 
 pytestmark = pytest.mark.process
@@ -152,15 +153,7 @@ def test_ctrl_c_ends_the_line_and_what_runs_in_the_background(tmp_path: Path) ->
     assert status(exec_) == 130
     assert exec_.stdout.read() == ""
     exec_.stdout.close()
-
-    def gone() -> bool:
-        try:
-            os.kill(pid, 0)
-        except ProcessLookupError:
-            return True
-        return False
-
-    until(gone)
+    until(lambda: not process_exists(pid))
 
 
 def test_python_becomes_python3_with_our_packages(tmp_path: Path) -> None:
