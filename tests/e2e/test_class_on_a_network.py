@@ -14,6 +14,7 @@ from day6_tui.locale import Texts
 from tests.e2e.mouse import Mouse
 from tests.e2e.place import Place
 from tests.e2e.test_observed import answer_consent, choose
+from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 if TYPE_CHECKING:
@@ -29,9 +30,7 @@ END_TYPING = "\x1d"
 
 @pytest.fixture
 def address() -> str:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return f"127.0.0.1:{probe.getsockname()[1]}"
+    return f"127.0.0.1:{free_port()}"
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.e2e.place import Place
+from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 pytestmark = pytest.mark.person
@@ -22,9 +23,7 @@ F6 = "\x1b[17~"
 
 @pytest.fixture
 def port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
+    return free_port()
 
 
 OPEN = {

@@ -10,6 +10,7 @@ import pytest
 
 # Tests are imported by path (--import-mode=importlib), their helpers by name.
 from tests.link.link_harness import HOUR, LEASE, World
+from tests.support.free_port import free_port
 
 
 @pytest.fixture
@@ -20,6 +21,11 @@ def world(short_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     made = World(tmp_path, runtime)
     yield made
     made.close()
+
+
+@pytest.fixture
+def port() -> int:
+    return free_port()
 
 
 @pytest.hookimpl(wrapper=True)

@@ -18,7 +18,6 @@ from day6_core.link.addresses import address_of
 from day6_core.link.secret import secret_of
 from day6_core.link.state import Door, DoorState
 from tests.link.link_harness import World
-from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 SECRET, OTHER_SECRET = "chalk-and-sponge", "sponge-and-chalk"
@@ -31,11 +30,6 @@ def taken() -> Iterator[socket.socket]:
         other.bind(("127.0.0.1", 0))
         other.listen()
         yield other
-
-
-@pytest.fixture
-def port() -> int:
-    return free_port()
 
 
 def door(peer: Any) -> Door:

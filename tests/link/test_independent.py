@@ -12,7 +12,6 @@ from collections.abc import Iterator
 import pytest
 
 from tests.link.link_harness import HOUR, LEASE, World
-from tests.support.free_port import free_port
 from tests.support.waiting import until
 
 pytestmark = [
@@ -66,11 +65,6 @@ class Stranger:
         self.process.kill()
         self._reader.join()
         self.process.wait()
-
-
-@pytest.fixture
-def port() -> int:
-    return free_port()
 
 
 @pytest.fixture

@@ -68,11 +68,6 @@ class Hostile:
 
 
 @pytest.fixture
-def port() -> int:
-    return free_port()
-
-
-@pytest.fixture
 def open_desk(world: World, port: int) -> Peer:
     desk = world.here(listen=f"tcp/127.0.0.1:{port}")
     until(lambda: doors_of(desk.graph)[0].state == DoorState.OPEN)  # joining waits for it a second at most

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import contextlib
 import os
-import socket
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+from tests.support.free_port import free_port
 
 PUPIL = """
 import sys, time
@@ -83,9 +84,7 @@ def share(processes: list[subprocess.Popen[str]], seconds: float) -> float:
 
 def main() -> None:
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 30
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        endpoint = f"tcp/127.0.0.1:{probe.getsockname()[1]}"
+    endpoint = f"tcp/127.0.0.1:{free_port()}"
     processes: list[subprocess.Popen[str]] = []
     with tempfile.TemporaryDirectory(prefix="d6c") as folder:
         try:

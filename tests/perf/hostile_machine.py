@@ -31,6 +31,7 @@ from typing import Any
 from tests.link.link_harness import HERE as LINK_TESTS
 from tests.link.link_harness import ProcessPeer
 from tests.perf.budgets import ENDED, FORGOTTEN
+from tests.support.free_port import free_port
 
 NODES = "@ros2_lv/0/ffffffffffffffff/{}/{}/NN/%/%/flood{}"
 TICK = os.sysconf("SC_CLK_TCK")
@@ -134,12 +135,6 @@ class Stranger:
         """End whatever is left."""
         self.process.kill()
         self.process.wait()
-
-
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 def flooded(pupil: Any) -> int:

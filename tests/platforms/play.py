@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 import shlex
-import socket
 import subprocess
 import sys
 from contextlib import ExitStack
@@ -19,6 +18,7 @@ from tests.e2e.keys import KEYS
 from tests.e2e.mouse import Mouse
 from tests.e2e.place import DAY6, Place
 from tests.platforms.features import REASONS, Feature
+from tests.support.free_port import free_port
 from tests.support.waiting import run, until
 
 LIMIT = 120.0
@@ -81,9 +81,7 @@ class _Player:
         self._screens: dict[str, Any] = {}
         self._printed = folder / "printed.txt"
         """What goes on in the background prints."""
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self._port = str(probe.getsockname()[1])
+        self._port = str(free_port())
 
     def play(self) -> None:
         for number, (where, sign, typed, seen) in enumerate(self._acts):

@@ -12,13 +12,13 @@ from __future__ import annotations
 
 import json
 import os
-import socket
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
 
+from tests.support.free_port import free_port
 from tests.web.background import Background
 from tests.web.chromium import Chromium, Page, program
 
@@ -42,8 +42,7 @@ def main() -> None:
         sys.exit("there is no Chromium here")
     folder.mkdir(parents=True, exist_ok=True)
     home = tempfile.mkdtemp(prefix="day6-hub-")
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
+    port = free_port()
     address = f"http://127.0.0.1:{port}"
     environ = {
         **os.environ,

@@ -6,13 +6,13 @@ JUPYTER is the `jupyter` of an environment with jupyterlab, jupyter-server-proxy
 from __future__ import annotations
 
 import os
-import socket
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
 
+from tests.support.free_port import free_port
 from tests.web.background import Background
 from tests.web.chromium import Chromium, program
 
@@ -24,8 +24,7 @@ def main() -> None:
         sys.exit("there is no Chromium here")
     folder.mkdir(parents=True, exist_ok=True)
     home = tempfile.mkdtemp(prefix="day6-jupyter-")
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
+    port = free_port()
     words = ["lab", "--no-browser", "--allow-root", f"--port={port}", "--IdentityProvider.token=x"]
     environ = {**os.environ, "HOME": home, "DAY6_RUNTIME_DIR": f"{home}/run"}
     with open(folder / "jupyter.log", "w", encoding="utf-8") as log:
